@@ -1,0 +1,156 @@
+"""The words that nmatrix chooses between; free of NumPy, so that help and completion start fast."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+
+class Space(StrEnum):
+    """A space to compute lighting in."""
+
+    WORLD = "world"
+    CAMERA = "camera"
+    OBJECT = "object"
+    STATIC = "static"
+    LIGHT = "light"
+    CUSTOM = "custom"
+
+
+SPACE_SYNONYMS = {
+    "view": Space.CAMERA,
+    "eye": Space.CAMERA,
+    "model": Space.OBJECT,
+    "local": Space.OBJECT,
+}
+
+
+class Frame(StrEnum):
+    """Every frame that a point passes on its way from the mesh to the screen."""
+
+    OBJECT = "object"
+    WORLD = "world"
+    CAMERA = "camera"
+    CLIP = "clip"
+    NDC = "ndc"
+    WINDOW = "window"
+    LIGHT = "light"
+    CUSTOM = "custom"
+    STATIC = "static"
+
+
+class DepthRange(StrEnum):
+    """Where near and far land in normalised device coordinates."""
+
+    MINUS_ONE_TO_ONE = "minus-one-to-one"
+    ZERO_TO_ONE = "zero-to-one"
+    REVERSED = "reversed"
+
+
+class Handedness(StrEnum):
+    """Right: the camera looks down −z. Left: down +z."""
+
+    RIGHT = "right"
+    LEFT = "left"
+
+
+class ClipY(StrEnum):
+    """Whether y in clip space points up (OpenGL, Direct3D) or down (Vulkan)."""
+
+    UP = "up"
+    DOWN = "down"
+
+
+class Convention(StrEnum):
+    """How angles become a world or a view matrix."""
+
+    STANDARD = "standard"
+    POLIMI = "polimi"
+    POLIMI_ASSIGNMENTS = "polimi-assignments"
+
+
+class Api(StrEnum):
+    """A graphics interface: short for depth range, handedness and clip-y together."""
+
+    OPENGL = "opengl"
+    VULKAN = "vulkan"
+    DIRECT3D = "direct3d"
+    METAL = "metal"
+    WEBGPU = "webgpu"
+
+
+API_PRESETS: dict[Api, tuple[DepthRange, Handedness, ClipY]] = {
+    Api.OPENGL: (DepthRange.MINUS_ONE_TO_ONE, Handedness.RIGHT, ClipY.UP),
+    Api.VULKAN: (DepthRange.ZERO_TO_ONE, Handedness.RIGHT, ClipY.DOWN),
+    Api.DIRECT3D: (DepthRange.ZERO_TO_ONE, Handedness.LEFT, ClipY.UP),
+    Api.METAL: (DepthRange.ZERO_TO_ONE, Handedness.RIGHT, ClipY.UP),
+    Api.WEBGPU: (DepthRange.ZERO_TO_ONE, Handedness.RIGHT, ClipY.UP),
+}
+
+
+class Kind(StrEnum):
+    """What kind of map a matrix is, from the most to the least special."""
+
+    IDENTITY = "identity"
+    TRANSLATION = "translation"
+    ROTATION = "rotation"
+    RIGID = "rigid"
+    SIMILARITY = "similarity"
+    NON_UNIFORM_SCALE = "non-uniform-scale"
+    SHEAR = "shear"
+    SINGULAR = "singular"
+
+
+class NormalStatus(StrEnum):
+    """What became of one normal."""
+
+    OK = "ok"
+    TWO_SIDED = "two-sided"
+    UNDEFINED = "undefined"
+
+
+class NormalMethod(StrEnum):
+    """How `nmatrix normal` computes: one right way and three to compare with."""
+
+    EXACT = "exact"
+    INVERSE = "inverse"
+    COFACTOR = "cofactor"
+    NONE = "none"
+
+
+class Shading(StrEnum):
+    """Where lighting is evaluated: per face, per vertex, per fragment."""
+
+    FLAT = "flat"
+    GOURAUD = "gouraud"
+    PHONG = "phong"
+
+
+class Reflection(StrEnum):
+    """How a surface answers to light."""
+
+    LAMBERT = "lambert"
+    PHONG = "phong"
+    BLINN_PHONG = "blinn-phong"
+    TOON = "toon"
+
+
+class Layout(StrEnum):
+    """The order in which sixteen numbers are written down."""
+
+    ROW_MAJOR = "row-major"
+    COLUMN_MAJOR = "column-major"
+
+
+class Format(StrEnum):
+    """The formats that a report can be written in."""
+
+    TEXT = "text"
+    JSON = "json"
+    CSV = "csv"
+    LATEX = "latex"
+    MARKDOWN = "markdown"
+    MATHML = "mathml"
+    TYPST = "typst"
+    GLSL = "glsl"
+    JS = "js"
+    NUMPY = "numpy"

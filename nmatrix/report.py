@@ -1,0 +1,117 @@
+"""What a result says before anyone shows it: data for machines, blocks for people.
+
+A `Report` is the only thing that goes from the core to a writer. `data` holds the keys of the
+command-line contract; `blocks` tell the same story to a person; `remarks` are the teaching part.
+A `Quantity` names its place in `data` by its `key`, so that every format speaks of the same number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from nmatrix.errors import NMatrixError
+
+Number = int | float | Fraction
+Vector = tuple[Number, ...]
+Matrix = tuple[Vector, ...]
+Value = (
+    None | bool | str | Number | Sequence["Value"] | Mapping[str, "Value"]
+)  # what JSON can say, with exact fractions
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A line that opens a part of the report."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Text:
+    """A sentence or a short paragraph."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The one line that a reader in a hurry should see."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A named number, vector or matrix; `key` is its dotted path in the report's data."""
+
+    key: str
+    value: Number | Vector | Matrix | str | None
+    title: str = ""
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of cells under column names; numbers stay numbers until a writer formats them."""
+
+    columns: tuple[str, ...]
+    rows: tuple[tuple[Number | str | bool | None, ...], ...]
+    title: str = ""
+
+
+@dataclass(frozen=True)
+class Formula:
+    """One formula as ready strings, one for each way to show it."""
+
+    text: str
+    latex: str
+    mathml: str = ""
+    typst: str = ""
+    spoken: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One line of a derivation: the formula, why it follows, and whether it was proved."""
+
+    formula: Formula
+    because: str
+    verified: bool
+
+
+@dataclass(frozen=True)
+class Code:
+    """Program text in a named language."""
+
+    language: str
+    text: str
+    title: str = ""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A picture file with the sentence that replaces it for those who cannot see it."""
+
+    path: str
+    alternative: str
+    caption: str = ""
+
+
+Block = Heading | Text | Verdict | Quantity | Table | Formula | Step | Code | Figure
+
+
+@dataclass(frozen=True)
+class Report:
+    """The answer of one command.
+
+    `failure` is the error that the answer still ends in (an undefined normal, a failed check):
+    the whole report is shown first, then its one line.
+    """
+
+    command: str
+    data: Mapping[str, Value]
+    blocks: tuple[Block, ...]
+    remarks: tuple[str, ...] = ()
+    failure: NMatrixError | None = field(default=None, compare=False)
