@@ -4,7 +4,7 @@ The tree::
 
     NMatrixError
     ├── CheckFailedError      exit 1   a check or a guarantee failed
-    ├── IllegalValueError     exit 2   a value that is illegal by itself, a contradiction, a bad file
+    ├── IllegalValueError     exit 2   an illegal value, a contradiction, a bad file
     │   └── FrameError        exit 2   two frames that do not meet
     ├── NoAnswerError         exit 3   legal values for which no answer exists
     └── MissingPackageError   exit 4   an optional package is not installed

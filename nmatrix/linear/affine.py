@@ -1,0 +1,148 @@
+"""Building world matrices: move, turn, scale and shear, exact until one rounding at the end.
+
+M = T(translate) · R · diag(scale) · H(shear), column vectors; rotations by the right-hand rule.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from nmatrix.enums import Convention
+from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.linear.angle import Angle, as_angle
+from nmatrix.linear.rational import (
+    ONE,
+    ZERO,
+    RationalMatrix,
+    affine,
+    diagonal,
+    identity,
+    product,
+    rational_vector,
+)
+
+AXES = "XYZ"
+
+
+def rotation_about(axis: str, turn: Angle | float) -> RationalMatrix:
+    """Return the 3×3 rotation about one axis (`X`, `Y` or `Z`) by an angle or by radians.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.rational import to_floats
+    >>> to_floats(rotation_about("Z", Angle.degrees(90)))
+    ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+    """
+    angle = as_angle(turn)
+    s, c = angle.sine, angle.cosine
+    if axis == "X":
+        return ((ONE, ZERO, ZERO), (ZERO, c, -s), (ZERO, s, c))
+    if axis == "Y":
+        return ((c, ZERO, s), (ZERO, ONE, ZERO), (-s, ZERO, c))
+    return ((c, -s, ZERO), (s, c, ZERO), (ZERO, ZERO, ONE))
+
+
+def checked_order(order: str) -> str:
+    """Return the order if it is a permutation of XYZ (intrinsic) or of xyz (extrinsic).
+
+    Raises
+    ------
+    IllegalValueError
+        For mixed case, a repeated axis or another length.
+    """
+    if sorted(order) not in (list(AXES), list(AXES.lower())):
+        raise IllegalValueError(
+            f"order ({order[:20]})",
+            "it must hold each axis once, in capitals (about the turned axes) or in small letters "
+            "(about the fixed axes)",
+            "try --order XYZ or --order zyx",
+        )
+    return order
+
+
+def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatrix:
+    """Return the 3×3 rotation by three angles, always given about x, y, z.
+
+    Capitals are intrinsic: the product reads as the order does, `XYZ` is Rx·Ry·Rz. Small letters
+    are extrinsic: the product reads backwards, `xyz` is Rz·Ry·Rx.
+
+    Raises
+    ------
+    IllegalValueError
+        If the order is not a permutation of `XYZ` or of `xyz`.
+    """
+    about = {axis: rotation_about(axis, turn) for axis, turn in zip(AXES, turns, strict=True)}
+    sequence = checked_order(order) if order.isupper() else checked_order(order)[::-1].upper()
+    return product(*(about[axis] for axis in sequence))
+
+
+def course_rotation(turns: Sequence[Angle], convention: Convention) -> RationalMatrix:
+    """Return the rotation that the course's library builds from its three angles.
+
+    Its first angle turns about y and its second about x; in the labs' version the y and z
+    rotations turn the other way, too.
+    """
+    rx, ry, rz = turns
+    if convention is Convention.POLIMI:
+        rx, rz = -rx, -rz
+    return product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))
+
+
+def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> RationalMatrix:
+    """Return the 3×3 rotation of a quaternion x, y, z, w of any length but zero, exactly.
+
+    Dividing by the squared length normalises without a root, so the result is rational.
+
+    Raises
+    ------
+    NoAnswerError
+        For the zero quaternion.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.rational import to_floats
+    >>> to_floats(rotation_from_quaternion((0, 0, 1, 1)))
+    ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+    """
+    x, y, z, w = rational_vector(quaternion)
+    square = x * x + y * y + z * z + w * w
+    if square == 0:
+        raise NoAnswerError(
+            "quaternion (0 0 0 0)", "it has no direction", "no rotation is --quaternion 0 0 0 1"
+        )
+    s = 2 / square
+    return (
+        (1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)),
+        (s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)),
+        (s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)),
+    )
+
+
+def shear_matrix(shear: Sequence[float | Fraction]) -> RationalMatrix:
+    """Return H, which moves x along y (xy) and along z (xz), and y along z (yz)."""
+    xy, xz, yz = rational_vector(shear)
+    return ((ONE, xy, xz), (ZERO, ONE, yz), (ZERO, ZERO, ONE))
+
+
+def compose(
+    turned: RationalMatrix,
+    scale: Sequence[float | Fraction] = (1, 1, 1),
+    shear: Sequence[float | Fraction] = (0, 0, 0),
+    translate: Sequence[float | Fraction] = (0, 0, 0),
+) -> RationalMatrix:
+    """Return M = T · R · diag(scale) · H as an exact 4×4 matrix.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.rational import to_floats
+    >>> to_floats(compose(identity(3), scale=(1, 2, 1), translate=(5, 0, 0)))[0:2]
+    ((1.0, 0.0, 0.0, 5.0), (0.0, 2.0, 0.0, 0.0))
+    """
+    block = product(turned, diagonal(rational_vector(scale)), shear_matrix(shear))
+    return affine(block, rational_vector(translate))
+
+
+def translation_matrix(offset: Sequence[float | Fraction]) -> RationalMatrix:
+    """Return the 4×4 matrix that moves points by the offset."""
+    return affine(identity(3), rational_vector(offset))

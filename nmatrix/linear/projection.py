@@ -1,0 +1,231 @@
+"""Building projection matrices: `clip_from_camera` for every depth range, hand and direction of y.
+
+n is near, f far (which may be infinite: the limit is taken in the formula, exactly); g is −1
+where the camera looks down −z (right-handed) and +1 where it looks down +z, so w = g·z. The z row
+of a perspective matrix is [0 0 g·a c], of an orthographic one too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import inf
+
+from nmatrix.enums import ClipY, DepthRange, Handedness
+from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.rational import Rows, to_floats
+
+ZERO, ONE = Fraction(0), Fraction(1)
+
+
+@dataclass(frozen=True)
+class ClipSpace:
+    """What the receiving interface expects: depth range, handedness, direction of y."""
+
+    depth: DepthRange = DepthRange.MINUS_ONE_TO_ONE
+    handed: Handedness = Handedness.RIGHT
+    clip_y: ClipY = ClipY.UP
+
+    @property
+    def forward_z(self) -> int:
+        """Return g, the sign of z in front of the camera."""
+        return -1 if self.handed is Handedness.RIGHT else 1
+
+    @property
+    def y_sign(self) -> int:
+        """Return 1 where y in clip space points up, −1 where it points down."""
+        return 1 if self.clip_y is ClipY.UP else -1
+
+
+@dataclass(frozen=True)
+class Window:
+    """The rectangle that a frustum or a box cuts out of the near plane."""
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+
+    def checked(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return the four sides exactly, or say why they enclose nothing."""
+        for low, high, names in (
+            (self.left, self.right, "left and right"),
+            (self.bottom, self.top, "bottom and top"),
+        ):
+            if low == high:
+                raise NoAnswerError(
+                    f"{names} ({low:g} and {high:g})",
+                    "they coincide, so the view has no extent",
+                    "move one of them",
+                )
+        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
+        return left, right, bottom, top
+
+
+DEFAULT_CLIP_SPACE = ClipSpace()
+
+
+def perspective(
+    half_fov_y: Angle,
+    aspect: float,
+    near: float,
+    far: float,
+    clip: ClipSpace = DEFAULT_CLIP_SPACE,
+) -> Rows:
+    """Return the projection of a symmetric perspective view.
+
+    The height of the view at distance 1 is 2·tan(fov/2); its width is `aspect` times that.
+
+    Parameters
+    ----------
+    half_fov_y
+        Half of the vertical field of view, between 0 and a quarter turn.
+    aspect
+        Width over height, positive.
+    near, far
+        Distances along the view direction, 0 < near < far; far may be infinite.
+    clip
+        Depth range, handedness and direction of y.
+
+    Raises
+    ------
+    IllegalValueError
+        For a field outside (0°, 180°), an aspect or near that is not positive, near > far.
+    NoAnswerError
+        For near = far.
+
+    Examples
+    --------
+    >>> for row in perspective(Angle.degrees(45), 2.0, 1.0, inf):
+    ...     print(row)
+    (0.5, 0.0, 0.0, 0.0)
+    (0.0, 1.0, 0.0, 0.0)
+    (0.0, 0.0, -1.0, -2.0)
+    (0.0, 0.0, -1.0, 0.0)
+    """
+    if half_fov_y.sine <= 0 or half_fov_y.cosine <= 0:
+        raise IllegalValueError(
+            "the field of view",
+            "it must lie between 0 and 180 degrees, both excluded",
+            "try --fov 60",
+        )
+    check_aspect(aspect)
+    focal = half_fov_y.cosine / half_fov_y.sine
+    slope, offset = perspective_depth(near, far, clip.depth)
+    g = clip.forward_z
+    return to_floats(
+        (
+            (focal / Fraction(aspect), ZERO, ZERO, ZERO),
+            (ZERO, clip.y_sign * focal, ZERO, ZERO),
+            (ZERO, ZERO, g * slope, offset),
+            (ZERO, ZERO, Fraction(g), ZERO),
+        )
+    )
+
+
+def frustum(window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE) -> Rows:
+    """Return the projection of a perspective view through any rectangle of the near plane.
+
+    Examples
+    --------
+    >>> frustum(Window(0, 2, -1, 1), 1.0, inf)[0]
+    (1.0, 0.0, 1.0, 0.0)
+    """
+    left, right, bottom, top = window.checked()
+    slope, offset = perspective_depth(near, far, clip.depth)
+    n, g, y = Fraction(near), clip.forward_z, clip.y_sign
+    return to_floats(
+        (
+            (2 * n / (right - left), ZERO, -g * (right + left) / (right - left), ZERO),
+            (ZERO, y * 2 * n / (top - bottom), -g * y * (top + bottom) / (top - bottom), ZERO),
+            (ZERO, ZERO, g * slope, offset),
+            (ZERO, ZERO, Fraction(g), ZERO),
+        )
+    )
+
+
+def orthographic(
+    window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+) -> Rows:
+    """Return the projection of a parallel view; near may be zero or behind the camera.
+
+    Examples
+    --------
+    >>> orthographic(Window(-2, 2, -1, 1), -1.0, 1.0)[2]
+    (0.0, 0.0, -1.0, 0.0)
+    """
+    left, right, bottom, top = window.checked()
+    slope, offset = orthographic_depth(near, far, clip.depth)
+    y = clip.y_sign
+    return to_floats(
+        (
+            (2 / (right - left), ZERO, ZERO, -(right + left) / (right - left)),
+            (ZERO, 2 * y / (top - bottom), ZERO, -y * (top + bottom) / (top - bottom)),
+            (ZERO, ZERO, clip.forward_z * slope, offset),
+            (ZERO, ZERO, ZERO, ONE),
+        )
+    )
+
+
+def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
+    """Return a and c of the z row; far = inf takes the limit of the same formula."""
+    if not near > 0:
+        raise IllegalValueError(
+            f"near ({near:g})",
+            "a perspective view needs a near plane in front of the eye",
+            "try --near 0.1",
+        )
+    check_near_far(near, far)
+    n = Fraction(near)
+    if far == inf:
+        return {
+            DepthRange.MINUS_ONE_TO_ONE: (ONE, -2 * n),
+            DepthRange.ZERO_TO_ONE: (ONE, -n),
+            DepthRange.REVERSED: (ZERO, n),
+        }[depth]
+    f = Fraction(far)
+    if depth is DepthRange.MINUS_ONE_TO_ONE:
+        return (f + n) / (f - n), -2 * f * n / (f - n)
+    if depth is DepthRange.ZERO_TO_ONE:
+        return f / (f - n), -f * n / (f - n)
+    return -n / (f - n), f * n / (f - n)
+
+
+def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
+    """Return a and c of the z row of a parallel view."""
+    check_near_far(near, far)
+    if far == inf:
+        raise IllegalValueError(
+            "far (inf)", "a parallel view divides depth by far − near", "give a finite --far"
+        )
+    n, f = Fraction(near), Fraction(far)
+    if depth is DepthRange.MINUS_ONE_TO_ONE:
+        return 2 / (f - n), -(f + n) / (f - n)
+    if depth is DepthRange.ZERO_TO_ONE:
+        return 1 / (f - n), -n / (f - n)
+    return -1 / (f - n), f / (f - n)
+
+
+def check_near_far(near: float, far: float) -> None:
+    """Refuse near beyond far, and near at far."""
+    if near == far:
+        raise NoAnswerError(
+            f"near and far ({near:g} and {far:g})",
+            "they coincide, so depth has no range",
+            "move one of them",
+        )
+    if not near < far:
+        raise IllegalValueError(
+            f"near and far ({near:g} and {far:g})",
+            "near must be the smaller one",
+            "swap them; for 1 at near and 0 at far use --depth reversed",
+        )
+
+
+def check_aspect(aspect: float) -> None:
+    """Refuse an aspect ratio that is not positive."""
+    if not aspect > 0:
+        raise IllegalValueError(
+            f"aspect ({aspect:g})", "width over height must be positive", "try --aspect 1.5"
+        )

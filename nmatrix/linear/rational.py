@@ -1,0 +1,216 @@
+"""Small matrices of exact fractions: nothing is rounded here, so every identity holds exactly.
+
+A, B are matrices as tuples of rows; v is a vector; C is the cofactor matrix.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.rounding import nearest
+
+RationalVector = tuple[Fraction, ...]
+RationalMatrix = tuple[RationalVector, ...]
+Rows = tuple[tuple[float, ...], ...]
+
+ZERO = Fraction(0)
+ONE = Fraction(1)
+
+
+def rational(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
+    """Return the exact value of every entry; a float is a rational with a power of two below.
+
+    Examples
+    --------
+    >>> rational([[0.5]])
+    ((Fraction(1, 2),),)
+    """
+    return tuple(rational_vector(row) for row in rows)
+
+
+def rational_vector(values: Iterable[float | Fraction]) -> RationalVector:
+    """Return the exact value of every component."""
+    return tuple(Fraction(value) for value in values)
+
+
+def to_floats(A: RationalMatrix) -> Rows:
+    """Round every entry once, to the nearest float64."""
+    return tuple(tuple(nearest(entry) for entry in row) for row in A)
+
+
+def identity(n: int) -> RationalMatrix:
+    """Return the n×n identity."""
+    return tuple(tuple(ONE if i == j else ZERO for j in range(n)) for i in range(n))
+
+
+def diagonal(values: Sequence[Fraction]) -> RationalMatrix:
+    """Return the square matrix with these values on its diagonal."""
+    n = len(values)
+    return tuple(tuple(values[i] if i == j else ZERO for j in range(n)) for i in range(n))
+
+
+def transpose(A: RationalMatrix) -> RationalMatrix:
+    """Return Aᵀ."""
+    return tuple(zip(*A, strict=True))
+
+
+def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
+    """Return a · b."""
+    return sum((x * y for x, y in zip(a, b, strict=True) if x and y), ZERO)
+
+
+def cross(a: Sequence[Fraction], b: Sequence[Fraction]) -> RationalVector:
+    """Return a × b."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def apply(A: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
+    """Return A v."""
+    return tuple(dot(row, v) for row in A)
+
+
+def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
+    """Return the product of the matrices, from left to right.
+
+    Examples
+    --------
+    >>> to_floats(product(diagonal((Fraction(2), Fraction(3))), rational([[0, 1], [1, 0]])))
+    ((0.0, 2.0), (3.0, 0.0))
+    """
+    for B in others:
+        columns = transpose(B)
+        A = tuple(tuple(dot(row, column) for column in columns) for row in A)
+    return A
+
+
+def minor(A: RationalMatrix, row: int, column: int) -> RationalMatrix:
+    """Return A without one row and one column."""
+    return tuple(r[:column] + r[column + 1 :] for i, r in enumerate(A) if i != row)
+
+
+def determinant(A: RationalMatrix) -> Fraction:
+    """Return det A by expansion along the first row (the sizes here are at most four).
+
+    Examples
+    --------
+    >>> determinant(rational([[1, 2], [3, 4]]))
+    Fraction(-2, 1)
+    """
+    if len(A) == 1:
+        return A[0][0]
+    if len(A) == 2:
+        return A[0][0] * A[1][1] - A[0][1] * A[1][0]
+    terms = ((-1) ** j * A[0][j] * determinant(minor(A, 0, j)) for j in range(len(A)) if A[0][j])
+    return sum(terms, ZERO)
+
+
+def cofactor(A: RationalMatrix) -> RationalMatrix:
+    """Return the cofactor matrix C = det(A) A⁻ᵀ, which exists for singular A too.
+
+    Examples
+    --------
+    >>> to_floats(cofactor(diagonal((Fraction(1), Fraction(2), Fraction(0)))))
+    ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 2.0))
+    """
+    n = len(A)
+    if n == 1:
+        return ((ONE,),)
+    return tuple(
+        tuple((-1) ** (i + j) * determinant(minor(A, i, j)) for j in range(n)) for i in range(n)
+    )
+
+
+def adjugate(A: RationalMatrix) -> RationalMatrix:
+    """Return the transposed cofactor matrix, det(A) A⁻¹."""
+    return transpose(cofactor(A))
+
+
+def scaled(A: RationalMatrix, factor: Fraction) -> RationalMatrix:
+    """Return every entry times the factor."""
+    return tuple(tuple(entry * factor for entry in row) for row in A)
+
+
+def inverse(A: RationalMatrix) -> RationalMatrix:
+    """Return A⁻¹ exactly, the adjugate over the determinant.
+
+    Raises
+    ------
+    NoAnswerError
+        If det A is exactly zero.
+
+    Examples
+    --------
+    >>> to_floats(inverse(diagonal((Fraction(4), Fraction(-2)))))
+    ((0.25, 0.0), (0.0, -0.5))
+    """
+    if _is_affine(A):
+        return _affine_inverse(A)
+    det = determinant(A)
+    if det == 0:
+        raise NoAnswerError(
+            "a singular matrix (determinant 0)",
+            "it flattens space, so nothing undoes it",
+            "ask for the cofactor matrix, which always exists",
+        )
+    return scaled(adjugate(A), 1 / det)
+
+
+def _is_affine(A: RationalMatrix) -> bool:
+    return len(A) == 4 and A[3] == (0, 0, 0, 1)
+
+
+def _affine_inverse(A: RationalMatrix) -> RationalMatrix:
+    block = inverse(linear(A))
+    return affine(block, tuple(-entry for entry in apply(block, translation(A))))
+
+
+def inverse_transpose(A: RationalMatrix) -> RationalMatrix:
+    """Return A⁻ᵀ exactly, the matrix that carries normals."""
+    return transpose(inverse(A))
+
+
+def linear(A: RationalMatrix) -> RationalMatrix:
+    """Return the 3×3 block that turns, scales and shears."""
+    return tuple(row[:3] for row in A[:3])
+
+
+def translation(A: RationalMatrix) -> RationalVector:
+    """Return the first three entries of the fourth column."""
+    return tuple(row[3] for row in A[:3])
+
+
+def affine(
+    block: RationalMatrix, offset: Sequence[Fraction] = (ZERO, ZERO, ZERO)
+) -> RationalMatrix:
+    """Return the 4×4 matrix with this 3×3 block and this translation."""
+    rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
+    return (*rows, (ZERO, ZERO, ZERO, ONE))
+
+
+def rank(A: RationalMatrix) -> int:
+    """Return the rank, by elimination without rounding.
+
+    Examples
+    --------
+    >>> rank(rational([[1, 2, 3], [2, 4, 6], [0, 0, 1]]))
+    2
+    """
+    rows = [list(row) for row in A]
+    found = 0
+    for column in range(len(rows[0])):
+        pivot = next((i for i in range(found, len(rows)) if rows[i][column]), None)
+        if pivot is None:
+            continue
+        rows[found], rows[pivot] = rows[pivot], rows[found]
+        head = rows[found]
+        for i in range(found + 1, len(rows)):
+            factor = rows[i][column] / head[column]
+            rows[i] = [a - factor * b for a, b in zip(rows[i], head, strict=True)]
+        found += 1
+    return found

@@ -1,0 +1,136 @@
+"""One rounding at the end: exact integers and rationals to the nearest float64.
+
+u is 2⁻⁵³; a result that is correctly rounded is within half a unit in the last place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from math import atan2, isqrt, lcm, pi
+
+from nmatrix.errors import IllegalValueError
+
+ROOT_BITS = 66  # bits of the integer root: 53 to keep, one for the rounding, twelve to spare
+
+
+def nearest(value: Fraction) -> float:
+    """Return the float64 nearest to an exact value.
+
+    Division of Python integers is correctly rounded, so this is too.
+
+    Raises
+    ------
+    IllegalValueError
+        If the value is beyond the largest float64.
+
+    Examples
+    --------
+    >>> nearest(Fraction(1, 3))
+    0.3333333333333333
+    """
+    try:
+        return value.numerator / value.denominator
+    except OverflowError:
+        raise IllegalValueError(
+            f"a result near 1e{_decimal_exponent(value)}",
+            "it is beyond the largest float64, 1.8e308",
+            "use smaller numbers",
+        ) from None
+
+
+def _decimal_exponent(value: Fraction) -> int:
+    bits = abs(value.numerator).bit_length() - value.denominator.bit_length()
+    return round(bits * 0.30103)
+
+
+def over_root(numerator: int, square: int) -> float:
+    """Return `numerator / √square` correctly rounded, for integers and `square` > 0.
+
+    The square of the quotient is rational; its integer root carries more bits than a float and a
+    last bit that says whether anything was cut off, so one rounding decides.
+
+    Examples
+    --------
+    >>> over_root(1, 2), over_root(-3, 9)
+    (0.7071067811865476, -1.0)
+    """
+    if numerator == 0:
+        return 0.0
+    top = numerator * numerator
+    shift = ROOT_BITS - (top.bit_length() - square.bit_length()) // 2
+    if shift >= 0:
+        quotient, rest = divmod(top << (2 * shift), square)
+    else:
+        quotient, rest = divmod(top, square << (-2 * shift))
+    root = isqrt(quotient)
+    root = 2 * root + (root * root != quotient or rest != 0)
+    size = root / (1 << (shift + 1)) if shift >= 0 else float(root << (-shift - 1))
+    return size if numerator > 0 else -size
+
+
+def root(value: Fraction) -> float:
+    """Return √value correctly rounded.
+
+    Examples
+    --------
+    >>> root(Fraction(9, 4))
+    1.5
+    """
+    return over_root(value.numerator, value.numerator * value.denominator) if value else 0.0
+
+
+def integers(values: Iterable[Fraction | float]) -> tuple[list[int], int]:
+    """Return the values as integers over one common denominator.
+
+    Examples
+    --------
+    >>> integers([0.5, 0.75])
+    ([2, 3], 4)
+    """
+    ratios = [value.as_integer_ratio() for value in values]
+    common = lcm(*(bottom for _, bottom in ratios))
+    return [top * (common // bottom) for top, bottom in ratios], common
+
+
+def unit(direction: Sequence[int]) -> tuple[float, ...]:
+    """Return a non-zero integer vector at length one, every component correctly rounded.
+
+    Examples
+    --------
+    >>> unit([3, 4, 0])
+    (0.6, 0.8, 0.0)
+    """
+    square = sum(component * component for component in direction)
+    return tuple(over_root(component, square) for component in direction)
+
+
+def angle(a: Sequence[int], b: Sequence[int]) -> float:
+    """Return the angle between two non-zero integer vectors in radians, within 2 ulp.
+
+    tan = |a×b| / a·b, both exact; acos would lose half the digits of a small angle.
+
+    Examples
+    --------
+    >>> angle([1, 0, 0], [1, 1, 0]) == pi / 4
+    True
+    """
+    cross = _cross(a, b)
+    sine = sum(component * component for component in cross)
+    cosine = sum(x * y for x, y in zip(a, b, strict=True))
+    if sine == 0:
+        return 0.0 if cosine > 0 else pi
+    if cosine == 0:
+        return pi / 2
+    if sine < cosine * cosine:
+        tangent = root(Fraction(sine, cosine * cosine))
+        return atan2(tangent, 1.0) if cosine > 0 else pi - atan2(tangent, 1.0)
+    return pi / 2 - atan2(over_root(cosine, sine), 1.0)
+
+
+def _cross(a: Sequence[int], b: Sequence[int]) -> tuple[int, int, int]:
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )

@@ -1,0 +1,135 @@
+"""Building view matrices: `camera_from_world` by a target or by two angles, and its axes.
+
+f is the view direction, r the camera's right, u its up; the rows of the matrix are r, u and −f
+(right-handed) or r, u and f (left-handed). Each entry is a quotient with one exact root, so each
+is rounded once: the frame is orthonormal to rounding, however near or far the target is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nmatrix.enums import Convention, Handedness
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.affine import rotation_about
+from nmatrix.linear.angle import Angle, as_angle
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    RationalVector,
+    Rows,
+    affine,
+    apply,
+    cross,
+    dot,
+    product,
+    rational_vector,
+)
+from nmatrix.linear.rounding import integers, over_root
+
+
+@dataclass(frozen=True)
+class LookAt:
+    """A view matrix made from a target, and whether `up` had to be replaced."""
+
+    camera_from_world: Rows
+    up_was_parallel: bool
+
+
+def look_at(
+    eye: Sequence[float],
+    target: Sequence[float],
+    up: Sequence[float] = (0, 1, 0),
+    handed: Handedness = Handedness.RIGHT,
+) -> LookAt:
+    """Return the view matrix of a camera at `eye` that looks at `target`, in world units.
+
+    The view direction is never altered. If `up` is exactly parallel to it, the world axis that is
+    least aligned with it takes its place.
+
+    Raises
+    ------
+    NoAnswerError
+        If eye and target coincide, or `up` is the zero vector.
+
+    Examples
+    --------
+    >>> for row in look_at((0, 0, 5), (0, 0, 0)).camera_from_world:
+    ...     print(row)
+    (1.0, 0.0, 0.0, 0.0)
+    (0.0, 1.0, 0.0, 0.0)
+    (0.0, 0.0, 1.0, -5.0)
+    (0.0, 0.0, 0.0, 1.0)
+    """
+    eye_world, target_world = rational_vector(eye), rational_vector(target)
+    forward = tuple(t - e for e, t in zip(eye_world, target_world, strict=True))
+    if not any(forward):
+        raise NoAnswerError(
+            f"eye and target ({' '.join(f'{x:g}' for x in eye)})",
+            "they coincide, so there is no direction to look in",
+            "move one of them",
+        )
+    return looking_along(eye_world, forward, rational_vector(up), handed)
+
+
+def looking_along(
+    eye: RationalVector, forward: RationalVector, up: RationalVector, handed: Handedness
+) -> LookAt:
+    """Return the view matrix of a camera at `eye` that looks along `forward`."""
+    if not any(up):
+        raise NoAnswerError("up (0 0 0)", "it has no direction", "try --up 0 1 0")
+    right = cross(forward, up)
+    parallel = not any(right)
+    if parallel:
+        right = cross(forward, _least_aligned_axis(forward))
+    upward = cross(right, forward)
+    if handed is Handedness.LEFT:
+        right, third = tuple(-x for x in right), forward
+    else:
+        third = tuple(-x for x in forward)
+    rows = [_row(axis, eye) for axis in (right, upward, third)]
+    return LookAt((*rows, (0.0, 0.0, 0.0, 1.0)), parallel)
+
+
+def _least_aligned_axis(forward: RationalVector) -> RationalVector:
+    sizes = [abs(component) for component in forward]
+    axis = sizes.index(min(sizes))
+    return tuple(Fraction(int(i == axis)) for i in range(3))
+
+
+def _row(axis: RationalVector, eye: RationalVector) -> tuple[float, ...]:
+    """Return the unit axis and minus the eye's coordinate along it, each rounded once."""
+    direction, _ = integers(axis)
+    square = sum(component * component for component in direction)
+    along = -dot([Fraction(c) for c in direction], eye)
+    offset = over_root(along.numerator, square * along.denominator**2)
+    return (*(over_root(component, square) for component in direction), offset)
+
+
+def first_person(
+    eye: Sequence[float],
+    elevation: Angle | float,
+    angle: Angle | float,
+    roll: Angle | float = 0.0,
+    convention: Convention = Convention.STANDARD,
+) -> RationalMatrix:
+    """Return the exact view matrix Rz(−roll) · Rx(−elevation) · Ry(∓angle) · T(−eye).
+
+    The angle turns to the left by the right-hand rule, and to the right in the course's labs
+    (`polimi`). Elevation looks up.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.rational import to_floats
+    >>> to_floats(first_person((0, 0, 0), Angle.degrees(0), Angle.degrees(90)))[0]
+    (0.0, 0.0, -1.0, 0.0)
+    """
+    sideways = as_angle(angle)
+    turned = product(
+        rotation_about("Z", -as_angle(roll)),
+        rotation_about("X", -as_angle(elevation)),
+        rotation_about("Y", sideways if convention is Convention.POLIMI else -sideways),
+    )
+    offset = apply(turned, rational_vector(eye))
+    return affine(turned, tuple(-component for component in offset))
