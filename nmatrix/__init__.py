@@ -6,6 +6,7 @@ from `nmatrix.api` or `nmatrix.enums` when it is first used.
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from nmatrix.version import __version__
@@ -17,16 +18,12 @@ __all__ = ["__version__"]
 
 
 def __getattr__(name: str) -> object:
-    if name.startswith("_"):
-        raise AttributeError(f"module 'nmatrix' has no attribute {name!r}")
-    from nmatrix import api
-
-    if name in api.__all__:
-        return getattr(api, name)
+    if not name.startswith("_"):
+        api = import_module("nmatrix.api")
+        if name in api.__all__:
+            return getattr(api, name)
     raise AttributeError(f"module 'nmatrix' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
-    from nmatrix import api
-
-    return sorted([*api.__all__, *__all__])
+    return sorted([*import_module("nmatrix.api").__all__, *__all__])

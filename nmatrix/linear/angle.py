@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import cos, sin
+from math import cos, isqrt, sin
 
 BITS = 140
 PI = Fraction(314159265358979323846264338327950288419716939937510582097494459, 10**62)
@@ -44,6 +44,17 @@ class Angle:
     def radians(cls, value: float) -> Angle:
         """Return the angle of so many radians, to the accuracy of the C library (1 ulp)."""
         return cls(Fraction(sin(value)), Fraction(cos(value)))
+
+    def half(self) -> Angle:
+        """Return half of an angle between 0 and 180°, from tan(θ/2) = sin θ / (1 + cos θ)."""
+        bits = BITS * 2
+        squared = (1 + self.cosine) / 2
+        cosine = Fraction(
+            isqrt((squared.numerator << (2 * bits)) // squared.denominator), 1 << bits
+        )
+        if cosine == 0:
+            return Angle(Fraction(1), Fraction(0))
+        return Angle(self.sine / (2 * cosine), cosine)
 
     def __neg__(self) -> Angle:
         return Angle(-self.sine, self.cosine)

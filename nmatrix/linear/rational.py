@@ -17,6 +17,7 @@ Rows = tuple[tuple[float, ...], ...]
 
 ZERO = Fraction(0)
 ONE = Fraction(1)
+AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
 
 
 def rational(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
@@ -149,7 +150,7 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
     >>> to_floats(inverse(diagonal((Fraction(4), Fraction(-2)))))
     ((0.25, 0.0), (0.0, -0.5))
     """
-    if _is_affine(A):
+    if is_affine(A):
         return _affine_inverse(A)
     det = determinant(A)
     if det == 0:
@@ -161,8 +162,9 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
     return scaled(adjugate(A), 1 / det)
 
 
-def _is_affine(A: RationalMatrix) -> bool:
-    return len(A) == 4 and A[3] == (0, 0, 0, 1)
+def is_affine(A: RationalMatrix) -> bool:
+    """Return whether A is 4×4 with last row 0 0 0 1."""
+    return len(A) == 4 and A[3] == AFFINE_ROW
 
 
 def _affine_inverse(A: RationalMatrix) -> RationalMatrix:
@@ -190,7 +192,7 @@ def affine(
 ) -> RationalMatrix:
     """Return the 4×4 matrix with this 3×3 block and this translation."""
     rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
-    return (*rows, (ZERO, ZERO, ZERO, ONE))
+    return (*rows, AFFINE_ROW)
 
 
 def rank(A: RationalMatrix) -> int:
