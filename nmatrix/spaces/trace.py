@@ -1,0 +1,132 @@
+"""One vertex on its way: object → world → camera → clip → NDC → window, and which planes cut it.
+
+Every number stays exact until a writer rounds it; nothing is divided by w ≤ 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nmatrix.enums import ClipY, DepthRange
+from nmatrix.linear.exact import Normal
+from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.rational import RationalVector, apply, rational_vector
+from nmatrix.spaces.stage import Stage
+
+
+@dataclass(frozen=True)
+class Viewport:
+    """The window in pixels."""
+
+    width: float
+    height: float
+
+
+@dataclass(frozen=True)
+class TracedNormal:
+    """The vertex's normal in three frames; one that has no image is None, with the reason."""
+
+    object: RationalVector
+    world: Normal
+    camera: Normal
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Where one vertex is in every frame of the pipeline."""
+
+    object: RationalVector
+    world: RationalVector
+    camera: RationalVector
+    clip: RationalVector
+    ndc: RationalVector | None
+    window: RationalVector | None
+    reciprocal_w: Fraction | None
+    outside_planes: tuple[str, ...]
+    normal: TracedNormal | None
+
+    @property
+    def inside(self) -> bool:
+        """Return whether the vertex lies in the view volume, its faces included."""
+        return not self.outside_planes
+
+
+def trace(
+    stage: Stage,
+    point: Sequence[float],
+    normal: Sequence[float] | None,
+    clip: ClipSpace,
+    viewport: Viewport,
+) -> Trace:
+    """Follow a vertex given in object space, in object units, to window pixels.
+
+    Window x runs from the left; y upwards from the bottom, and downwards from the top where y in
+    clip space points down: the same pixel. Pixel centres lie at halves.
+
+    Examples
+    --------
+    >>> from nmatrix.spaces.examples import tall_object
+    >>> found = trace(tall_object(), (0, 0, 0), None, ClipSpace(), Viewport(512, 512))
+    >>> [float(x) for x in found.clip], [float(x) for x in found.window]
+    ([0.0, 0.0, 3.0, 5.0], [256.0, 256.0, 0.8])
+    """
+    point_object = rational_vector(point)
+    point_world = stage.world_from_object.exact_point(point_object)
+    point_camera = stage.camera_from_world.exact_point(point_world)
+    clip_point = apply(stage.clip_from_camera, (*point_camera, Fraction(1)))
+    w = clip_point[3]
+    ndc = tuple(component / w for component in clip_point[:3]) if w > 0 else None
+    return Trace(
+        object=point_object,
+        world=point_world,
+        camera=point_camera,
+        clip=clip_point,
+        ndc=ndc,
+        window=None if ndc is None else _window(ndc, clip, viewport),
+        reciprocal_w=1 / w if w else None,
+        outside_planes=outside_planes(clip_point, clip),
+        normal=None if normal is None else _traced_normal(stage, normal),
+    )
+
+
+def outside_planes(point: RationalVector, clip: ClipSpace) -> tuple[str, ...]:
+    """Return the planes of the view volume that a clip-space point lies beyond, decided exactly."""
+    x, y, z, w = point
+    if clip.clip_y is ClipY.DOWN:
+        y = -y
+    near, far = _depth_limits(z, w, clip.depth)
+    beyond = {
+        "left": x < -w,
+        "right": x > w,
+        "bottom": y < -w,
+        "top": y > w,
+        "near": near,
+        "far": far,
+    }
+    return tuple(plane for plane, outside in beyond.items() if outside)
+
+
+def _depth_limits(z: Fraction, w: Fraction, depth: DepthRange) -> tuple[bool, bool]:
+    if depth is DepthRange.MINUS_ONE_TO_ONE:
+        return z < -w, z > w
+    if depth is DepthRange.ZERO_TO_ONE:
+        return z < 0, z > w
+    return z > w, z < 0
+
+
+def _window(ndc: RationalVector, clip: ClipSpace, viewport: Viewport) -> RationalVector:
+    x, y, z = ndc
+    depth = (z + 1) / 2 if clip.depth is DepthRange.MINUS_ONE_TO_ONE else z
+    width, height = Fraction(viewport.width), Fraction(viewport.height)
+    return (x + 1) / 2 * width, (y + 1) / 2 * height, depth
+
+
+def _traced_normal(stage: Stage, normal: Sequence[float]) -> TracedNormal:
+    world = stage.world_from_object
+    return TracedNormal(
+        object=rational_vector(normal),
+        world=world.linear_map.normal(normal),
+        camera=(stage.camera_from_world @ world).linear_map.normal(normal),
+    )

@@ -1,0 +1,110 @@
+"""A matrix that knows its frames: `to_from_source`, with three verbs for three kinds of things.
+
+Points move with the translation, vectors without it, normals by the inverse transpose. Frames
+that do not meet refuse to multiply.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nmatrix.enums import Frame
+from nmatrix.errors import FrameError, NoAnswerError
+from nmatrix.linear import rational
+from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, to_floats
+from nmatrix.linear.rounding import nearest
+
+
+@dataclass(frozen=True)
+class Transform:
+    """An affine map from one frame to another, held exactly.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.affine import compose, translation_matrix
+    >>> camera_from_world = Transform(Frame.CAMERA, Frame.WORLD, translation_matrix((0, 0, -5)))
+    >>> world_from_object = Transform(Frame.WORLD, Frame.OBJECT, translation_matrix((1, 0, 0)))
+    >>> (camera_from_world @ world_from_object).point((0, 0, 0))
+    (1.0, 0.0, -5.0)
+    >>> world_from_object @ camera_from_world
+    Traceback (most recent call last):
+    nmatrix.errors.FrameError: world_from_object @ camera_from_world: ...
+    """
+
+    to: Frame
+    source: Frame
+    exact: RationalMatrix
+
+    @property
+    def name(self) -> str:
+        """Return the name that says where the map leads and where it comes from."""
+        return f"{self.to}_from_{self.source}"
+
+    @property
+    def matrix(self) -> Rows:
+        """Return the 4×4 matrix, each entry rounded once."""
+        return to_floats(self.exact)
+
+    @property
+    def linear_map(self) -> LinearMap:
+        """Return the 3×3 block at the exact level."""
+        return LinearMap.of(rational.linear(self.exact))
+
+    def __matmul__(self, other: Transform) -> Transform:
+        """Return this map after the other; the inner frames must be the same."""
+        if self.source is not other.to:
+            raise FrameError(
+                f"{self.name} @ {other.name}",
+                f"the inner frames must meet, and {self.source} is not {other.to}",
+                f"put a map {self.source}_from_{other.to} between them, or swap the two",
+            )
+        return Transform(self.to, other.source, rational.product(self.exact, other.exact))
+
+    def inverse(self) -> Transform:
+        """Return the way back.
+
+        Raises
+        ------
+        NoAnswerError
+            If the map is singular.
+        """
+        if not self.linear_map.integer_determinant:
+            raise NoAnswerError(
+                f"{self.name} (determinant 0)",
+                f"it flattens space to rank {self.linear_map.rank}, so there is no way back",
+                "give every axis a scale other than 0",
+            )
+        return Transform(self.source, self.to, rational.inverse(self.exact))
+
+    def point(self, point: Sequence[float]) -> tuple[float, ...]:
+        """Return a point of the source frame in the target frame (w = 1: it moves along)."""
+        return tuple(map(nearest, self.exact_point(rational.rational_vector(point))))
+
+    def vector(self, vector: Sequence[float]) -> tuple[float, ...]:
+        """Return a vector of the source frame in the target frame (w = 0: no translation)."""
+        return tuple(map(nearest, self.exact_vector(rational.rational_vector(vector))))
+
+    def normal(self, normal: Sequence[float]) -> tuple[float, ...]:
+        """Return a normal in the target frame, at length one, outward side kept.
+
+        Raises
+        ------
+        NoAnswerError
+            If the map leaves this normal without an image.
+        """
+        carried = self.linear_map.normal(normal)
+        if carried.direction is None:
+            raise NoAnswerError(
+                f"a normal through {self.name}", carried.reason, "give every axis a scale"
+            )
+        return carried.direction
+
+    def exact_point(self, point: RationalVector) -> RationalVector:
+        """Return the image of a point without rounding."""
+        return tuple(rational.dot(row[:3], point) + row[3] for row in self.exact[:3])
+
+    def exact_vector(self, vector: RationalVector) -> RationalVector:
+        """Return the image of a vector without rounding."""
+        return rational.apply(rational.linear(self.exact), vector)

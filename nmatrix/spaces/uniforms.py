@@ -1,0 +1,172 @@
+"""What a shader for one space needs to be told, and which of it this scene calls for.
+
+The names here are the shaders' own: one list serves the sheet, the cost table and the GLSL.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear import rational
+from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.spaces import metric
+from nmatrix.spaces.stage import Stage
+
+UniformValue = Fraction | RationalVector | RationalMatrix
+
+SHININESS = Fraction(32)
+WHITE: RationalVector = (Fraction(1),) * 3
+AMBIENT: RationalVector = (Fraction(1, 10),) * 3
+DIFFUSE: RationalVector = (Fraction(4, 5),) * 3
+SPECULAR: RationalVector = (Fraction(1, 2),) * 3
+
+BYTES = {"mat4": 64, "mat3": 36, "vec3": 12, "float": 4}
+
+
+@dataclass(frozen=True)
+class Request:
+    """Which shader is asked for."""
+
+    space: Space
+    shading: Shading = Shading.PHONG
+    reflection: Reflection = Reflection.BLINN_PHONG
+
+    @property
+    def is_specular(self) -> bool:
+        """Return whether the eye matters."""
+        return self.reflection in (Reflection.PHONG, Reflection.BLINN_PHONG)
+
+
+@dataclass(frozen=True)
+class Needs:
+    """What this scene makes the shader compute; the rest is left out."""
+
+    position: bool
+    moves_positions: bool
+    moves_normals: bool
+    metric: bool
+    directional: bool
+    point_light: bool
+    specular: bool
+
+
+@dataclass(frozen=True)
+class Uniform:
+    """One uniform: GLSL type, name, exact value."""
+
+    kind: str
+    name: str
+    value: UniformValue
+
+    @property
+    def bytes(self) -> int:
+        """Return its size as plain floats."""
+        return BYTES[self.kind]
+
+
+def needs(stage: Stage, request: Request) -> Needs:
+    """Return what the scene calls for in this space."""
+    point_light = stage.light.position is not None
+    position = point_light or request.is_specular
+    stays = request.space in (Space.OBJECT, Space.STATIC)
+    return Needs(
+        position=position,
+        moves_positions=position and not stays,
+        moves_normals=not stays,
+        metric=not stage.is_rigid(request.space),
+        directional=stage.light.direction is not None,
+        point_light=point_light,
+        specular=request.is_specular,
+    )
+
+
+def normal_space_from_object(stage: Stage, space: Space) -> RationalMatrix:
+    """Return the inverse transpose of the 3×3 block of `space_from_object`.
+
+    Raises
+    ------
+    NoAnswerError
+        If the block is singular.
+    """
+    linear_map = stage.space_from_object(space).linear_map
+    if not linear_map.integer_determinant:
+        raise NoAnswerError(
+            f"the normal matrix for {space} space",
+            f"the world matrix has rank {linear_map.rank}, so its inverse transpose is missing",
+            "give every axis a scale other than 0",
+        )
+    return linear_map.inverse_transpose
+
+
+def uniforms(stage: Stage, request: Request) -> tuple[Uniform, ...]:
+    """Return every uniform that the shader pair of this space reads, with its value."""
+    found = needs(stage, request)
+    return tuple(
+        Uniform(kind, name, value(stage, request))
+        for kind, name, wanted, value in _UNIFORMS
+        if wanted(found)
+    )
+
+
+Wanted = Callable[[Needs], bool]
+Valued = Callable[[Stage, Request], UniformValue]
+
+
+def _light_direction(stage: Stage, request: Request) -> UniformValue:
+    direction = stage.light.direction
+    assert direction is not None  # needs() asked for it
+    return stage.space_from_world(request.space).exact_vector(direction)
+
+
+def _light_position(stage: Stage, request: Request) -> UniformValue:
+    position = stage.light.position
+    assert position is not None  # needs() asked for it
+    return stage.space_from_world(request.space).exact_point(position)
+
+
+def _clip_from_vertex(stage: Stage, request: Request) -> UniformValue:
+    """Return P·V·M, or P·V where the vertices were baked into world space."""
+    if request.space is Space.STATIC:
+        return rational.product(stage.clip_from_camera, stage.camera_from_world.exact)
+    return stage.clip_from_object
+
+
+_UNIFORMS: tuple[tuple[str, str, Wanted, Valued], ...] = (
+    ("mat4", "clip_from_object", lambda _: True, _clip_from_vertex),
+    (
+        "mat4",
+        "space_from_object",
+        lambda n: n.moves_positions,
+        lambda stage, request: stage.space_from_object(request.space).exact,
+    ),
+    (
+        "mat3",
+        "normal_matrix",
+        lambda n: n.moves_normals,
+        lambda stage, request: normal_space_from_object(stage, request.space),
+    ),
+    ("vec3", "light_direction", lambda n: n.directional, _light_direction),
+    ("vec3", "light_position", lambda n: n.point_light, _light_position),
+    ("vec3", "eye", lambda n: n.specular, lambda stage, request: stage.eye_in(request.space)),
+    (
+        "mat3",
+        "vector_world_from_space",
+        lambda n: n.metric,
+        lambda stage, request: metric.vector_world_from_space(stage, request.space),
+    ),
+    (
+        "mat3",
+        "normal_world_from_space",
+        lambda n: n.metric,
+        lambda stage, request: metric.normal_world_from_space(stage, request.space),
+    ),
+    ("vec3", "light_color", lambda _: True, lambda _, __: WHITE),
+    ("vec3", "ambient_color", lambda _: True, lambda _, __: AMBIENT),
+    ("vec3", "diffuse_color", lambda _: True, lambda _, __: DIFFUSE),
+    ("vec3", "specular_color", lambda n: n.specular, lambda _, __: SPECULAR),
+    ("float", "shininess", lambda n: n.specular, lambda _, __: SHININESS),
+)
