@@ -1,0 +1,1 @@
+"""What a user describes: worlds, cameras, lights, lenses, and the files they come from."""

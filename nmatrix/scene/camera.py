@@ -1,0 +1,110 @@
+"""The view group: where the camera stands and looks, as a target, as two angles or as a matrix."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nmatrix.enums import Convention, Handedness
+from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.linear import rational
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.linear.view import first_person, look_at
+from nmatrix.report import Vector
+
+_PARALLEL = (
+    "up is exactly parallel to the view direction, so it says nothing about roll; the world axis "
+    "least aligned with the view took its place"
+)
+_POLIMI = (
+    "convention polimi: a positive angle looks to the right: V = Rx(−elevation) · Ry(+angle) · "
+    "T(−eye)"
+)
+
+
+@dataclass(frozen=True)
+class PlacedCamera:
+    """A camera as matrices: what is shown, and the eye as it was given."""
+
+    camera_from_world: RationalMatrix
+    eye: RationalVector
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class FirstPerson:
+    """Where to look by angles, in degrees: up, sideways, and about the view direction."""
+
+    elevation: float = 0.0
+    angle: float = 0.0
+    roll: float = 0.0
+
+
+@dataclass(frozen=True)
+class View:
+    """A camera in world units; `angles` or `matrix` take the place of the target."""
+
+    eye: Vector = (0, 0, 5)
+    target: Vector = (0, 0, 0)
+    up: Vector = (0, 1, 0)
+    angles: FirstPerson | None = None
+    matrix: RationalMatrix | None = None
+    handed: Handedness = Handedness.RIGHT
+    convention: Convention = Convention.STANDARD
+
+    def __post_init__(self) -> None:
+        if self.angles is not None and self.handed is Handedness.LEFT:
+            raise IllegalValueError(
+                "--elevation/--angle with --handed left",
+                "the two angles are defined for a camera that looks down −z",
+                "use --target, or leave --handed out",
+            )
+
+    def placed(self) -> PlacedCamera:
+        """Return the view matrix and the eye.
+
+        Raises
+        ------
+        NoAnswerError
+            If eye and target coincide, `up` is zero, or a given matrix is singular.
+
+        Examples
+        --------
+        >>> [float(row[3]) for row in View().placed().camera_from_world]
+        [0.0, 0.0, -5.0, 1.0]
+        """
+        if self.matrix is not None:
+            return PlacedCamera(self.matrix, _eye_of(self.matrix))
+        if self.angles is not None:
+            return self._by_angles(self.angles)
+        found = look_at(_floats(self.eye), _floats(self.target), _floats(self.up), self.handed)
+        return PlacedCamera(
+            rational.rational(found.camera_from_world),
+            rational_vector(self.eye),
+            (_PARALLEL,) if found.up_was_parallel else (),
+        )
+
+    def _by_angles(self, angles: FirstPerson) -> PlacedCamera:
+        exact = first_person(
+            _floats(self.eye),
+            Angle.degrees(angles.elevation),
+            Angle.degrees(angles.angle),
+            Angle.degrees(angles.roll),
+            self.convention,
+        )
+        remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
+        return PlacedCamera(rational.rational(to_floats(exact)), rational_vector(self.eye), remarks)
+
+
+def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:
+    if rational.determinant(rational.linear(camera_from_world)) == 0:
+        raise NoAnswerError(
+            "view matrix (determinant 0)",
+            "it flattens space, so no eye can be read from it",
+            "give an invertible matrix",
+        )
+    return rational.translation(rational.inverse(camera_from_world))
+
+
+def _floats(values: Vector) -> list[float]:
+    return [float(value) for value in values]

@@ -1,0 +1,68 @@
+"""The lens group: how camera space becomes clip space: an angle, a rectangle, a box, a matrix."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.projection import (
+    DEFAULT_CLIP_SPACE,
+    ClipSpace,
+    Window,
+    frustum,
+    orthographic,
+    perspective,
+)
+from nmatrix.linear.rational import RationalMatrix, rational
+
+
+@dataclass(frozen=True)
+class Lens:
+    """A lens; the field of view is vertical and in degrees, distances in world units."""
+
+    fov_degrees: float = 60.0
+    aspect: float = 1.0
+    near: float = 0.1
+    far: float = 100.0
+    ortho: Window | None = None
+    frustum: Window | None = None
+    matrix: RationalMatrix | None = None
+    clip: ClipSpace = DEFAULT_CLIP_SPACE
+
+    @property
+    def clip_from_camera(self) -> RationalMatrix:
+        """Return the projection matrix of floats.
+
+        Raises
+        ------
+        IllegalValueError
+            For a field outside (0°, 180°), an aspect or near that is not positive, near > far.
+        NoAnswerError
+            For near = far, left = right or bottom = top.
+
+        Examples
+        --------
+        >>> float(Lens(fov_degrees=90).clip_from_camera[1][1])
+        1.0
+        """
+        if self.matrix is not None:
+            return self.matrix
+        if self.ortho is not None:
+            return rational(orthographic(self.ortho, self.near, self.far, self.clip))
+        if self.frustum is not None:
+            return rational(frustum(self.frustum, self.near, self.far, self.clip))
+        check_fov(self.fov_degrees)
+        half = Angle.degrees(Fraction(self.fov_degrees) / 2)
+        return rational(perspective(half, self.aspect, self.near, self.far, self.clip))
+
+
+def check_fov(degrees: float) -> None:
+    """Refuse a field of view outside (0°, 180°)."""
+    if not 0 < degrees < 180:
+        raise IllegalValueError(
+            f"fov ({degrees:g})",
+            "a vertical field of view lies between 0 and 180 degrees, both excluded",
+            "try --fov 60",
+        )

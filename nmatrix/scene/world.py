@@ -1,0 +1,114 @@
+"""The world group: where an object stands, as parts or as one matrix."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nmatrix.enums import Convention
+from nmatrix.errors import IllegalValueError
+from nmatrix.linear import affine
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.rational import RationalMatrix, rational, to_floats
+from nmatrix.report import Number, Vector
+
+_POLIMI_REMARK = (
+    "convention polimi: the first angle turns about y, the second about x, and the y and z "
+    "rotations turn against the right-hand rule: M = T · Rx(ry) · Ry(−rx) · Rz(−rz) · S"
+)
+_ASSIGNMENTS_REMARK = (
+    "convention polimi-assignments: the first angle turns about y and the second about x: "
+    "M = T · Rx(ry) · Ry(rx) · Rz(rz) · S"
+)
+
+
+@dataclass(frozen=True)
+class World:
+    """An object's place in the world; angles in degrees, as on the command line.
+
+    Parameters
+    ----------
+    translate, scale, shear
+        In world units; shear is xy, xz, yz.
+    rotate_degrees
+        About x, y, z, or the course's three angles under its conventions.
+    quaternion
+        x, y, z, w instead of the three angles; any length but zero.
+    matrix
+        A 4×4 matrix instead of all of the above.
+    """
+
+    translate: Vector = (0, 0, 0)
+    rotate_degrees: Vector = (0, 0, 0)
+    quaternion: Vector | None = None
+    scale: Vector = (1, 1, 1)
+    shear: Vector = (0, 0, 0)
+    order: str = "XYZ"
+    convention: Convention = Convention.STANDARD
+    matrix: RationalMatrix | None = None
+
+    def __post_init__(self) -> None:
+        affine.checked_order(self.order)
+        if self.convention is not Convention.STANDARD:
+            if self.order != "XYZ":
+                raise IllegalValueError(
+                    f"--order {self.order} with --convention {self.convention}",
+                    "the course's library fixes the order",
+                    "leave one of them out",
+                )
+            if self.quaternion is not None:
+                raise IllegalValueError(
+                    f"--quaternion with --convention {self.convention}",
+                    "the course's library knows angles only",
+                    "leave one of them out",
+                )
+
+    @property
+    def rotation(self) -> RationalMatrix:
+        """Return the 3×3 rotation."""
+        if self.quaternion is not None:
+            return affine.rotation_from_quaternion(_numbers(self.quaternion))
+        turns = [Angle.degrees(_number(value)) for value in self.rotate_degrees]
+        if self.convention is Convention.STANDARD:
+            return affine.rotation(turns, self.order)
+        return affine.course_rotation(turns, self.convention)
+
+    @property
+    def exact(self) -> RationalMatrix:
+        """Return the matrix before its one rounding."""
+        if self.matrix is not None:
+            return self.matrix
+        return affine.compose(
+            self.rotation,
+            _numbers(self.scale),
+            _numbers(self.shear),
+            _numbers(self.translate),
+        )
+
+    @property
+    def world_from_object(self) -> RationalMatrix:
+        """Return the matrix of floats that is shown; what is derived from it is exact for it.
+
+        Examples
+        --------
+        >>> World(scale=(1, 2, 1)).world_from_object[1][1]
+        Fraction(2, 1)
+        """
+        return rational(to_floats(self.exact))
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Return what a reader must know about the convention."""
+        if self.convention is Convention.POLIMI:
+            return (_POLIMI_REMARK,)
+        if self.convention is Convention.POLIMI_ASSIGNMENTS:
+            return (_ASSIGNMENTS_REMARK,)
+        return ()
+
+
+def _number(value: Number) -> float | Fraction:
+    return Fraction(value) if isinstance(value, int) else value
+
+
+def _numbers(values: Vector) -> list[float | Fraction]:
+    return [_number(value) for value in values]
