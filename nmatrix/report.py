@@ -16,6 +16,7 @@ from nmatrix.errors import NMatrixError
 Number = int | float | Fraction
 Vector = tuple[Number, ...]
 Matrix = tuple[Vector, ...]
+Cells = tuple[Number | str | bool | None, ...]
 Value = (
     None | bool | str | Number | Sequence["Value"] | Mapping[str, "Value"]
 )  # what JSON can say, with exact fractions
@@ -57,7 +58,7 @@ class Table:
     """Rows of cells under column names; numbers stay numbers until a writer formats them."""
 
     columns: tuple[str, ...]
-    rows: tuple[tuple[Number | str | bool | None, ...], ...]
+    rows: tuple[Cells, ...]
     title: str = ""
 
 

@@ -11,7 +11,7 @@ from nmatrix.errors import NoAnswerError
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
-from nmatrix.linear.vectors import direction_from_angles
+from nmatrix.linear.vectors import direction_from_angles, normalize
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
@@ -19,7 +19,7 @@ from nmatrix.scene.world import World
 from nmatrix.spaces.stage import Light, Stage
 from nmatrix.spaces.transform import Transform
 
-DEFAULT_DIRECTION: Vector = (-1, -1, -1)
+DEFAULT_DIRECTION: Vector = (-1, -1, -1)  # as a unit vector
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class LightSource:
             alpha, beta = map(Angle.degrees, self.angles_degrees)
             return rational_vector(direction_from_angles(alpha, beta))
         if self.direction is None:
-            return None if self.position is not None else rational_vector(DEFAULT_DIRECTION)
+            return None if self.position is not None else _default_direction()
         if not any(self.direction):
             raise NoAnswerError(
                 "light direction (0 0 0)",
@@ -56,6 +56,10 @@ class LightSource:
                 "try --light-direction -1 -1 -1",
             )
         return rational_vector(self.direction)
+
+
+def _default_direction() -> RationalVector:
+    return rational_vector(normalize([float(component) for component in DEFAULT_DIRECTION]))
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Reflection, Shading, Space
-from nmatrix.errors import NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.linear.rounding import integers, unit
 from nmatrix.spaces import metric
 from nmatrix.spaces.stage import Stage
 
@@ -85,21 +85,14 @@ def needs(stage: Stage, request: Request) -> Needs:
 
 
 def normal_space_from_object(stage: Stage, space: Space) -> RationalMatrix:
-    """Return the inverse transpose of the 3×3 block of `space_from_object`.
+    """Return the inverse transpose of `space_from_object`, or its cofactors if it is singular.
 
-    Raises
-    ------
-    NoAnswerError
-        If the block is singular.
+    The cofactors still give the normal of the plane that a map of rank 2 leaves.
     """
     linear_map = stage.space_from_object(space).linear_map
-    if not linear_map.integer_determinant:
-        raise NoAnswerError(
-            f"the normal matrix for {space} space",
-            f"the world matrix has rank {linear_map.rank}, so its inverse transpose is missing",
-            "give every axis a scale other than 0",
-        )
-    return linear_map.inverse_transpose
+    if linear_map.integer_determinant:
+        return linear_map.inverse_transpose
+    return linear_map.cofactor_matrix
 
 
 def uniforms(stage: Stage, request: Request) -> tuple[Uniform, ...]:
@@ -119,7 +112,8 @@ Valued = Callable[[Stage, Request], UniformValue]
 def _light_direction(stage: Stage, request: Request) -> UniformValue:
     direction = stage.light.direction
     assert direction is not None  # needs() asked for it
-    return stage.space_from_world(request.space).exact_vector(direction)
+    moved = stage.space_from_world(request.space).exact_vector(direction)
+    return rational.rational_vector(unit(integers(moved)[0]))
 
 
 def _light_position(stage: Stage, request: Request) -> UniformValue:

@@ -1,0 +1,1 @@
+"""What each calculator command answers: a scene in, a report out."""

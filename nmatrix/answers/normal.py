@@ -1,0 +1,145 @@
+"""`nmatrix normal`: the normal matrix of a map, and what becomes of each normal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nmatrix.answers.wording import transform_blocks, transform_data, transform_remarks
+from nmatrix.enums import NormalMethod, NormalStatus, Space
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear import rational
+from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.exact import LinearMap, Normal
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.linear.rules import carried_by, normal_rule
+from nmatrix.report import Heading, Quantity, Report, Table, Text, Value, Vector
+from nmatrix.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class NormalRequest:
+    """Which normals, in which space, and by which method."""
+
+    normals: tuple[Vector, ...] = ()
+    space: Space = Space.WORLD
+    method: NormalMethod = NormalMethod.EXACT
+
+
+def normal(scene: Scene, request: NormalRequest) -> Report:
+    """Answer with the normal matrix of `linear(space_from_world @ M)` and the normals through it.
+
+    Examples
+    --------
+    >>> from nmatrix.scene.world import World
+    >>> flat = normal(Scene(World(scale=(1, 0, 1))), NormalRequest(((0, 1, 0), (1, 0, 0))))
+    >>> [found["status"] for found in flat.data["normals"]], flat.failure.exit_code
+    (['two-sided', 'undefined'], 3)
+    """
+    S = scene.stage.space_from_object(request.space).exact
+    found = classify(S, scene.tolerance)
+    linear_map = found.linear_map
+    matrix = normal_rule(request.method, linear_map)
+    results = [_carried(linear_map, request.method, n) for n in request.normals]
+    data: dict[str, Value] = {
+        "normal_matrix": matrix,
+        "cofactor_matrix": linear_map.cofactor_matrix,
+        **transform_data(found),
+        "normals": [_normal_data(n, r) for n, r in zip(request.normals, results, strict=True)],
+    }
+    blocks = (
+        Heading(f"Normal matrix: object to {request.space} space"),
+        Quantity("normal_matrix", matrix, _TITLES[request.method]),
+        Quantity("cofactor_matrix", linear_map.cofactor_matrix, "C, the cofactors"),
+        *transform_blocks(found),
+        *_normal_blocks(request.normals, results),
+    )
+    return Report(
+        "normal",
+        data,
+        blocks,
+        (*scene.remarks, *transform_remarks(found), *_method_remarks(request.method, found)),
+        _failure(found, request.normals, results),
+    )
+
+
+_TITLES = {
+    NormalMethod.EXACT: "N = A⁻ᵀ, the inverse transpose, correctly rounded",
+    NormalMethod.INVERSE: "np.linalg.inv(A).T, in float64",
+    NormalMethod.COFACTOR: "C, the cofactors without the sign of det",
+    NormalMethod.NONE: "A itself",
+}
+
+
+def _carried(linear_map: LinearMap, method: NormalMethod, n: Vector) -> Normal:
+    exact = linear_map.normal([Fraction(component) for component in n])
+    if method is NormalMethod.EXACT:
+        return exact
+    return carried_by(normal_rule(method, linear_map), linear_map, n)
+
+
+def _normal_data(n: Vector, result: Normal) -> dict[str, Value]:
+    return {
+        "object": n,
+        "transformed": result.direction,
+        "status": result.status.value,
+        "without_deg": result.angle_without_deg,
+    }
+
+
+def _normal_blocks(
+    normals: Sequence[Vector], results: Sequence[Normal]
+) -> tuple[Table | Text | Quantity, ...]:
+    if not results:
+        return ()
+    quantities: list[Table | Text | Quantity] = []
+    for i, (n, result) in enumerate(zip(normals, results, strict=True)):
+        quantities.append(Quantity(f"normals.{i}.object", n, f"normal {i + 1}"))
+        quantities.append(
+            Quantity(f"normals.{i}.transformed", result.direction, "  becomes (unit)")
+        )
+        quantities.append(Text(_sentence(result)))
+    return tuple(quantities)
+
+
+def _sentence(result: Normal) -> str:
+    if result.status is NormalStatus.UNDEFINED:
+        return f"undefined: {result.reason}."
+    if result.status is NormalStatus.TWO_SIDED:
+        return f"two-sided: {result.reason}."
+    if result.angle_without_deg is None:
+        return "ok."
+    return f"ok; A itself would be {result.angle_without_deg:.6g}° off."
+
+
+def _method_remarks(method: NormalMethod, found: Classification) -> tuple[str, ...]:
+    if method is NormalMethod.COFACTOR and found.mirrored:
+        return ("This map mirrors: the unsigned cofactor points inwards.",)
+    if method is NormalMethod.INVERSE and found.rank < 3:
+        return ("np.linalg.inv has no answer, or garbage, for a singular matrix.",)
+    if method is NormalMethod.NONE and found.needs_inverse_transpose:
+        return ("A itself does not keep normals perpendicular here.",)
+    return ()
+
+
+def _failure(
+    found: Classification, normals: Sequence[Vector], results: Sequence[Normal]
+) -> NoAnswerError | None:
+    for n, result in zip(normals, results, strict=True):
+        if result.status is NormalStatus.UNDEFINED:
+            shown = " ".join(f"{float(component):g}" for component in n)
+            return NoAnswerError(f"normal ({shown})", result.reason, "choose another normal")
+    if not results and found.rank <= 1:
+        return NoAnswerError(
+            f"a map of rank {found.rank}",
+            "it leaves no surface, so no normal exists",
+            "give at least two axes a scale other than 0",
+        )
+    return None
+
+
+def normal_matrix_or_none(block: RationalMatrix) -> RationalMatrix | None:
+    """Return the inverse transpose of a 3×3 block, or None where it has none."""
+    linear_map = LinearMap.of(rational.linear(block))
+    return linear_map.inverse_transpose if linear_map.rank == 3 else None

@@ -1,0 +1,99 @@
+"""`nmatrix projection`: the projection matrix, and what depth a buffer can tell."""
+
+from __future__ import annotations
+
+from math import inf
+
+from nmatrix.enums import ClipY, DepthRange
+from nmatrix.linear.depthstep import DepthStep, depth_steps
+from nmatrix.linear.rational import to_floats
+from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value, Verdict
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.scene import Scene
+
+_WHERE = {
+    DepthRange.MINUS_ONE_TO_ONE: "depth −1 at near, 1 at far (OpenGL)",
+    DepthRange.ZERO_TO_ONE: "depth 0 at near, 1 at far (Vulkan, Direct3D, Metal, WebGPU)",
+    DepthRange.REVERSED: "depth 1 at near, 0 at far (reversed)",
+}
+
+
+def projection(scene: Scene) -> Report:
+    """Answer with the projection matrix of a scene.
+
+    Examples
+    --------
+    >>> projection(Scene()).data["depth_range"]
+    'minus-one-to-one'
+    """
+    lens = scene.lens
+    P = lens.clip_from_camera
+    steps = _steps(lens)
+    data: dict[str, Value] = {
+        "clip_from_camera": P,
+        "depth_range": lens.clip.depth.value,
+        "depth_step": None if steps is None else [_step_data(step) for step in steps],
+    }
+    blocks: list[Block] = [
+        Heading("Projection matrix: clip from camera"),
+        Quantity("clip_from_camera", P, "P"),
+        Verdict(_verdict(lens)),
+    ]
+    if steps is not None:
+        blocks.append(_table(steps))
+    return Report("projection", data, tuple(blocks), _remarks(lens, steps))
+
+
+def _steps(lens: Lens) -> tuple[DepthStep, ...] | None:
+    """Return the table of depth steps; a matrix that was given says nothing of near and far."""
+    if lens.matrix is not None:
+        return None
+    return depth_steps(to_floats(lens.clip_from_camera), lens.near, lens.far, lens.clip.depth)
+
+
+def _step_data(step: DepthStep) -> dict[str, Value]:
+    return dict(zip(_COLUMNS, _cells(step), strict=True))
+
+
+_COLUMNS = ("distance", "float32", "unorm24")
+
+
+def _cells(step: DepthStep) -> Cells:
+    gaps = (step.float32, step.unorm24)
+    return (step.distance, *(None if gap == inf else gap for gap in gaps))
+
+
+def _table(steps: tuple[DepthStep, ...]) -> Table:
+    return Table(
+        _COLUMNS,
+        tuple(_cells(step) for step in steps),
+        "Smallest gap in distance that window depth can tell",
+    )
+
+
+def _verdict(lens: Lens) -> str:
+    hand = "−z" if lens.clip.forward_z < 0 else "+z"
+    y = "down" if lens.clip.clip_y is ClipY.DOWN else "up"
+    return f"The camera looks down {hand}, y in clip space points {y}, {_WHERE[lens.clip.depth]}."
+
+
+def _remarks(lens: Lens, steps: tuple[DepthStep, ...] | None) -> tuple[str, ...]:
+    remarks = []
+    if lens.far == inf:
+        remarks.append("far is infinite: the entries are the limits of the finite formulas.")
+    if steps is not None and lens.ortho is None:
+        last = steps[-1]
+        if lens.clip.depth is DepthRange.REVERSED:
+            remarks.append(
+                "Reversed depth puts float32's fine steps near 0 where the far field needs them; "
+                "it needs a zero-to-one interface and a float buffer."
+            )
+        elif last.float32 > last.distance / 100:
+            remarks.append(
+                "At the far end two surfaces closer than "
+                f"{last.float32:.3g} fight for the same depth: a larger near or "
+                "--depth reversed helps."
+            )
+    if lens.matrix is not None:
+        remarks.append("The matrix was given, so near and far are unknown: no table of steps.")
+    return tuple(remarks)

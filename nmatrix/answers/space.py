@@ -1,0 +1,147 @@
+"""`nmatrix space`: the whole sheet of one shading space, and its shaders."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+from nmatrix.answers.normal import normal_matrix_or_none
+from nmatrix.enums import Space
+from nmatrix.linear import rational
+from nmatrix.report import Block, Code, Heading, Quantity, Report, Table, Text, Value, Verdict
+from nmatrix.scene.scene import Scene
+from nmatrix.spaces.cost import Cost, cost
+from nmatrix.spaces.metric import metric
+from nmatrix.spaces.seen import light_in
+from nmatrix.spaces.shaders import shader_pair
+from nmatrix.spaces.sheet import LESSONS, Row, table
+from nmatrix.spaces.uniforms import Request, Uniform, uniforms
+
+
+def space(scene: Scene, request: Request) -> Report:
+    """Answer with what a shading space needs, by what, where, and at what price.
+
+    Examples
+    --------
+    >>> found = space(Scene(), Request(Space.CAMERA))
+    >>> [float(x) for x in found.data["eye"]], found.data["metric"]
+    ([0.0, 0.0, 0.0], None)
+    """
+    stage, chosen = scene.stage, request.space
+    seen = light_in(stage, chosen)
+    listed = uniforms(stage, request)
+    vertex, fragment = shader_pair(stage, request)
+    quantities: dict[str, Value] = {
+        "space_from_world": stage.space_from_world(chosen).exact,
+        "space_from_object": stage.space_from_object(chosen).exact,
+        "normal_matrix": normal_matrix_or_none(stage.space_from_object(chosen).exact),
+        "clip_from_object": stage.clip_from_object,
+        "light_direction": seen.direction,
+        "light_position": seen.position,
+        "eye": stage.eye_in(chosen),
+        "metric": metric(stage, chosen),
+    }
+    rows, counted, lesson = table(chosen), cost(stage, request), LESSONS[chosen]
+    data: dict[str, Value] = {
+        "space": chosen.value,
+        **quantities,
+        "table": [asdict(row) for row in rows],
+        "uniforms": {uniform.name: uniform.value for uniform in listed},
+        "cost": asdict(counted),
+        "pros": list(lesson.pros),
+        "cons": list(lesson.cons),
+        "used": lesson.used,
+        "vertex_shader": vertex,
+        "fragment_shader": fragment,
+    }
+    blocks: tuple[Block, ...] = (
+        Heading(f"Shading in {chosen} space"),
+        _table(rows),
+        *(Quantity(key, value, _TITLES[key]) for key, value in quantities.items()),  # type: ignore[arg-type]
+        _cost_table(counted),
+        *_lesson_blocks(chosen),
+        Heading("Uniforms"),
+        *_uniform_blocks(listed),
+        Code("glsl", vertex, "vertex shader"),
+        Code("glsl", fragment, "fragment shader"),
+        Verdict(_verdict(chosen, rigid=stage.is_rigid(chosen))),
+    )
+    return Report("space", data, blocks, (*scene.remarks, *_remarks(scene, chosen)))
+
+
+_TITLES = {
+    "space_from_world": "S, space from world",
+    "space_from_object": "S·M, space from object",
+    "normal_matrix": "normal matrix (S·M)⁻ᵀ",
+    "clip_from_object": "P·V·M, clip from object",
+    "light_direction": "light direction (unit)",
+    "light_position": "light position",
+    "eye": "eye",
+    "metric": "metric of vectors",
+}
+
+
+def _table(rows: tuple[Row, ...]) -> Table:
+    return Table(
+        ("data", "usually in", "transform", "by", "where"),
+        tuple(
+            (row.data, row.usually_in, "yes" if row.transform else "no", row.by, row.where)
+            for row in rows
+        ),
+    )
+
+
+def _cost_table(counted: Cost) -> Table:
+    return Table(
+        ("multiplications", "count"),
+        (
+            ("per fragment", counted.per_fragment_multiplications),
+            ("per vertex", counted.per_vertex_multiplications),
+            ("per object", counted.per_object_multiplications),
+            ("per scene", counted.per_scene_multiplications),
+            ("uniform bytes", counted.uniform_bytes),
+        ),
+        "Cost",
+    )
+
+
+def _lesson_blocks(chosen: Space) -> tuple[Block, ...]:
+    lesson = LESSONS[chosen]
+    return (
+        *(Text(f"+ {pro}") for pro in lesson.pros),
+        *(Text(f"− {con}") for con in lesson.cons),
+        Text(f"Used in: {lesson.used}."),
+    )
+
+
+def _uniform_blocks(listed: tuple[Uniform, ...]) -> tuple[Block, ...]:
+    return tuple(
+        Quantity(f"uniforms.{uniform.name}", uniform.value, f"{uniform.kind} {uniform.name}")
+        for uniform in listed
+    )
+
+
+def _verdict(chosen: Space, *, rigid: bool) -> str:
+    if rigid:
+        return f"{chosen} space is rigid here: lengths and angles are true, no metric is needed."
+    return (
+        f"{chosen} space is not rigid here: measure vectors by B⁻¹ and normals by Bᵀ, and the "
+        "picture is the same as in world space."
+    )
+
+
+def _remarks(scene: Scene, chosen: Space) -> tuple[str, ...]:
+    remarks = []
+    moved = scene.stage.world_from_object.exact != rational.identity(4)
+    if chosen is Space.STATIC and moved:
+        remarks.append(
+            "Static space stands still: the world matrix given here is baked into the mesh once, "
+            "positions by M and normals by M⁻ᵀ; afterwards nothing is transformed."
+        )
+    if chosen is Space.CAMERA:
+        remarks.append("The vector to the eye is −p normalised: from the point to the origin.")
+    if chosen is Space.OBJECT and not scene.stage.is_rigid(chosen):
+        remarks.append(
+            "The usual cost argument for object space leaves the metric out: two 3×3 matrices per "
+            "object and work per fragment."
+        )
+    return tuple(remarks)

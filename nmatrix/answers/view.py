@@ -1,0 +1,78 @@
+"""`nmatrix view`: the view matrix, its factors, the camera's axes."""
+
+from __future__ import annotations
+
+from nmatrix.answers.wording import transform_remarks
+from nmatrix.enums import Handedness
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear import rational
+from nmatrix.linear.affine import translation_matrix
+from nmatrix.linear.classify import classify
+from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.linear.rounding import integers, unit
+from nmatrix.report import Heading, Quantity, Report, Value, Verdict
+from nmatrix.scene.scene import Scene
+
+
+def view(scene: Scene) -> Report:
+    """Answer with the view matrix of a scene, also as R · T.
+
+    Examples
+    --------
+    >>> view(Scene()).data["forward"]
+    (0.0, 0.0, -1.0)
+    """
+    placed = scene.camera
+    V = placed.camera_from_world
+    R = rational.affine(rational.linear(V))
+    T = translation_matrix(tuple(-component for component in placed.eye))
+    right, up, forward = camera_axes(V, scene.view.handed)
+    found = classify(V, scene.tolerance)
+    if not found.linear_map.integer_determinant:
+        raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
+    normal_matrix = found.linear_map.inverse_transpose
+    data: dict[str, Value] = {
+        "camera_from_world": V,
+        "rotation": R,
+        "translation": T,
+        "eye": placed.eye,
+        "right": right,
+        "up": up,
+        "forward": forward,
+        "normal_matrix": normal_matrix,
+    }
+    blocks = (
+        Heading("View matrix: camera from world, V = R · T"),
+        Quantity("camera_from_world", V, "V"),
+        Heading("Its factors: first move the eye to the origin, then turn"),
+        Quantity("rotation", R, "R"),
+        Quantity("translation", T, "T"),
+        Heading("The camera in the world"),
+        Quantity("eye", placed.eye, "eye"),
+        Quantity("right", right, "right"),
+        Quantity("up", up, "up"),
+        Quantity("forward", forward, "forward"),
+        Quantity("normal_matrix", normal_matrix, "normal matrix, V⁻ᵀ of the 3×3 block"),
+        Verdict(_verdict(needs=found.needs_inverse_transpose)),
+    )
+    return Report("view", data, blocks, (*placed.remarks, *transform_remarks(found)))
+
+
+def camera_axes(
+    camera_from_world: RationalMatrix, handed: Handedness
+) -> tuple[tuple[float, ...], ...]:
+    """Return the world directions that the camera calls right, up and forward, at length one."""
+    back = rational.inverse(rational.linear(camera_from_world))
+    columns = rational.transpose(back)
+    ahead = columns[2] if handed is Handedness.LEFT else _negated(columns[2])
+    return tuple(unit(integers(axis)[0]) for axis in (columns[0], columns[1], ahead))
+
+
+def _negated(v: RationalVector) -> RationalVector:
+    return tuple(-component for component in v)
+
+
+def _verdict(*, needs: bool) -> str:
+    if needs:
+        return "This view matrix is not rigid: directions move by V, normals by V⁻ᵀ."
+    return "The 3×3 block is a rotation, so V⁻ᵀ = V: one block carries directions and normals."

@@ -1,0 +1,96 @@
+"""The sentences that several answers share: what kind of map this is, and what follows."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from nmatrix.enums import Kind
+from nmatrix.linear.classify import Classification
+from nmatrix.report import Block, Quantity, Value, Verdict
+
+_MEANING = {
+    Kind.IDENTITY: "the identity: nothing moves",
+    Kind.TRANSLATION: "a translation: directions and normals stay as they are",
+    Kind.ROTATION: "a rotation: A⁻ᵀ = A, so A itself carries normals",
+    Kind.RIGID: "a rigid motion (rotation and translation): A itself carries normals",
+    Kind.SIMILARITY: "a similarity (uniform scale): A itself carries normals, up to length",
+    Kind.NON_UNIFORM_SCALE: "a non-uniform scale: normals need the inverse transpose",
+    Kind.SHEAR: "a shear: normals need the inverse transpose",
+    Kind.SINGULAR: "singular: it flattens space, so it has no inverse transpose",
+}
+
+
+def transform_data(found: Classification) -> dict[str, Value]:
+    """Return the JSON keys that describe a map."""
+    return {
+        "determinant": found.linear_map.determinant,
+        "determinant_sign": found.determinant_sign,
+        "rank": found.rank,
+        "condition": found.condition,
+        "transform": found.kind.value,
+        "transform_exact": found.kind_exact,
+        "mirrored": found.mirrored,
+    }
+
+
+def transform_blocks(found: Classification) -> tuple[Block, ...]:
+    """Return the determinant, the rank, the condition and the verdict."""
+    linear_map = found.linear_map
+    blocks: list[Block] = [
+        Quantity("determinant", linear_map.determinant, "determinant"),
+        Quantity("rank", found.rank, "rank"),
+    ]
+    if found.condition is not None:
+        blocks.append(Quantity("condition", found.condition, "condition σ₁/σ₃"))
+    blocks.append(Verdict(verdict(found)))
+    return tuple(blocks)
+
+
+def verdict(found: Classification) -> str:
+    """Return one sentence: kind, mirror, and whether it holds exactly."""
+    sentence = f"This is {_MEANING[found.kind]}"
+    if found.kind is Kind.SINGULAR:
+        return f"{sentence} (rank {found.rank})."
+    if found.mirrored:
+        sentence += ", and it mirrors: triangle winding flips, outward normals stay outward"
+    if not found.kind_exact:
+        sentence += " (to rounding: the printed digits miss it by about 1e-16)"
+    return f"{sentence}."
+
+
+def transform_remarks(found: Classification) -> tuple[str, ...]:
+    """Return the teaching part for this kind of map."""
+    remarks = []
+    if found.kind is Kind.SINGULAR:
+        remarks.append(_singular_remark(found.rank))
+    elif found.needs_inverse_transpose and found.worst_angle_deg is not None:
+        remarks.append(
+            f"With A in place of the inverse transpose a normal is off by up to "
+            f"{found.worst_angle_deg:.4g}°: arctan((κ − 1/κ)/2), κ = {_short(found.condition)}."
+        )
+    if found.kind is Kind.SHEAR and found.linear_map.determinant == 1:
+        remarks.append("The determinant is 1 and normals still bend: a determinant is no test.")
+    if found.mirrored:
+        remarks.append(
+            "The determinant is negative: the plain cofactor matrix would turn normals inside "
+            "out; the inverse transpose, or sign(det) · cofactor, keeps them outward."
+        )
+    return tuple(remarks)
+
+
+def _singular_remark(rank: int) -> str:
+    if rank == 2:
+        return (
+            "Space is flattened to a plane. The cofactor matrix still gives that plane's normal, "
+            "but its two sides are alike; a normal lying in the plane's edge has no image."
+        )
+    return f"Rank {rank} leaves no surface at all, so no normal exists."
+
+
+def _short(value: Fraction | None) -> str:
+    if value is None:
+        return "∞"
+    try:
+        return f"{float(value):.4g}"
+    except OverflowError:
+        return f"1e+{len(str(value.numerator // value.denominator)) - 1}"

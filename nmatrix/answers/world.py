@@ -1,0 +1,59 @@
+"""`nmatrix world`: the world matrix, what kind of map it is, its parts, its normal matrix."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+from nmatrix.answers.wording import transform_blocks, transform_data, transform_remarks
+from nmatrix.linear.classify import classify
+from nmatrix.linear.decompose import Parts, parts
+from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table
+from nmatrix.scene.scene import Scene
+
+
+def world(scene: Scene) -> Report:
+    """Answer with the world matrix of a scene.
+
+    Examples
+    --------
+    >>> from nmatrix.scene.world import World
+    >>> world(Scene(World(scale=(1, 2, 1)))).data["transform"]
+    'non-uniform-scale'
+    """
+    M = scene.world.world_from_object
+    found = classify(M, scene.tolerance)
+    linear_map = found.linear_map
+    normal_matrix = linear_map.inverse_transpose if found.rank == 3 else None
+    taken_apart = parts(M, scene.world.order)
+    cofactors = linear_map.cofactor_matrix
+    data = {
+        "world_from_object": M,
+        "normal_matrix": normal_matrix,
+        "cofactor_matrix": cofactors,
+        **transform_data(found),
+        "needs_inverse_transpose": found.needs_inverse_transpose,
+        "worst_angle_without_deg": found.worst_angle_deg,
+        "parts": None if taken_apart is None else asdict(taken_apart),
+    }
+    blocks: list[Block] = [
+        Heading("World matrix: world from object, M = T · R · S · H"),
+        Quantity("world_from_object", M, "M"),
+        Heading("Normal matrix"),
+        Quantity("normal_matrix", normal_matrix, "A⁻ᵀ, the inverse transpose"),
+        Quantity("cofactor_matrix", cofactors, "C, the cofactors"),
+        *transform_blocks(found),
+    ]
+    if taken_apart is not None:
+        blocks += [Heading("Parts"), parts_table(taken_apart)]
+    return Report("world", data, tuple(blocks), (*scene.world.remarks, *transform_remarks(found)))
+
+
+def parts_table(taken_apart: Parts) -> Table:
+    """Return translation, angles, scale and shear as a table."""
+    rows: tuple[Cells, ...] = (
+        ("translate", *taken_apart.translate),
+        ("rotate (deg)", *taken_apart.rotate),
+        ("scale", *taken_apart.scale),
+        ("shear xy xz yz", *taken_apart.shear),
+    )
+    return Table(("part", "x", "y", "z"), rows)

@@ -1,0 +1,87 @@
+"""Every rule that people use for normals, the right one first: one table for all that compare.
+
+A is the 3×3 block, C its cofactor matrix, n a normal in object space.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import degrees
+
+from nmatrix.enums import NormalMethod, NormalStatus
+from nmatrix.linear.exact import LinearMap, Normal
+from nmatrix.linear.rational import RationalMatrix, apply, rational, to_floats
+from nmatrix.linear.rounding import angle, integers, unit
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One way to make the matrix that normals are multiplied by."""
+
+    method: NormalMethod
+    title: str
+    is_right: bool
+
+
+RULES: tuple[Rule, ...] = (
+    Rule(NormalMethod.EXACT, "inverse transpose, exact, outward side kept", is_right=True),
+    Rule(NormalMethod.INVERSE, "np.linalg.inv(A).T in float64", is_right=False),
+    Rule(NormalMethod.COFACTOR, "cofactors without the sign of det", is_right=False),
+    Rule(NormalMethod.NONE, "A itself", is_right=False),
+)
+
+
+def normal_rule(method: NormalMethod, linear_map: LinearMap) -> RationalMatrix | None:
+    """Return the matrix of a rule, exactly, or None where the rule has no answer.
+
+    Examples
+    --------
+    >>> mirror = LinearMap.of([[-1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    >>> [[int(normal_rule(rule, mirror)[i][i]) for i in range(3)]
+    ...  for rule in (NormalMethod.EXACT, NormalMethod.COFACTOR)]
+    [[-1, 1, 1], [1, -1, -1]]
+    """
+    if method is NormalMethod.EXACT:
+        return linear_map.inverse_transpose if linear_map.integer_determinant else None
+    if method is NormalMethod.COFACTOR:
+        return linear_map.cofactor_matrix
+    A = _entries(linear_map)
+    return A if method is NormalMethod.NONE else _float64_inverse_transpose(A)
+
+
+def carried_by(
+    matrix: RationalMatrix | None, linear_map: LinearMap, normal_object: Sequence[float | Fraction]
+) -> Normal:
+    """Return what a rule's matrix makes of a normal, at length one."""
+    n = [Fraction(component) for component in normal_object]
+    carried = [] if matrix is None else integers(apply(matrix, n))[0]
+    if not any(carried):
+        reason = "this rule has no answer here" if matrix is None else "this rule gives length 0"
+        return Normal(None, NormalStatus.UNDEFINED, reason, None)
+    moved = integers(apply(_entries(linear_map), n))[0]
+    return Normal(
+        unit(carried),
+        NormalStatus.OK,
+        "",
+        degrees(angle(moved, carried)) if any(moved) else None,
+    )
+
+
+def _entries(linear_map: LinearMap) -> RationalMatrix:
+    return tuple(
+        tuple(Fraction(entry, linear_map.denominator) for entry in row)
+        for row in linear_map.entries
+    )
+
+
+def _float64_inverse_transpose(A: RationalMatrix) -> RationalMatrix | None:
+    import numpy as np
+
+    with np.errstate(all="ignore"):
+        try:
+            found = np.linalg.inv(np.array(to_floats(A))).T
+        except np.linalg.LinAlgError:
+            return None
+    return rational(found.tolist()) if np.isfinite(found).all() else None
