@@ -1,0 +1,77 @@
+"""CSV, `key,row,column,value`: one line for each number, word or truth value of the report.
+
+Rows and columns count from 0 and are always those of the matrix; the layout decides only which
+entry comes first.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Mapping
+from io import StringIO
+
+from nmatrix.enums import Layout
+from nmatrix.output.jsontext import outside_remark
+from nmatrix.output.numbers import machine, significant
+from nmatrix.output.options import OutputOptions
+from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
+from nmatrix.report import Report, Value
+from nmatrix.version import __version__
+
+Record = tuple[str, int | str, int | str, str]
+HEADER = ("key", "row", "column", "value")
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report as comma-separated values with a header.
+
+    Scalars have neither row nor column, vectors a row; absent things have an empty value.
+
+    Examples
+    --------
+    >>> print(write(Report("calc", {"value": (1.0, 2.5)}, ()), OutputOptions()).splitlines()[-1])
+    value,1,,2.5
+    """
+    outside = [
+        outside_remark(key, significant(value, options.digits))
+        for key, _, _, value in _entries(report.data, options.layout)
+        if is_number(value) and machine(value) is None
+    ]
+    whole: dict[str, Value] = {
+        "command": report.command,
+        "version": __version__,
+        "layout": str(options.layout),
+        **report.data,
+        "remarks": [*report.remarks, *outside],
+    }
+    text = StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(HEADER)
+    rows.writerows((*place, _cell(value)) for *place, value in _entries(whole, options.layout))
+    return text.getvalue()
+
+
+def _entries(
+    data: Mapping[str, Value], layout: Layout
+) -> Iterator[tuple[str, int | str, int | str, Value]]:
+    for leaf in leaves(data):
+        value = leaf.value
+        if is_matrix(value):
+            places = [(row, column) for row in range(len(value)) for column in range(len(value[0]))]
+            if layout is Layout.COLUMN_MAJOR:
+                places.sort(key=lambda place: place[::-1])
+            yield from ((leaf.key, row, column, value[row][column]) for row, column in places)
+        elif is_vector(value):
+            yield from ((leaf.key, row, "", entry) for row, entry in enumerate(value))
+        else:
+            yield leaf.key, "", "", value
+
+
+def _cell(value: Value) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if is_number(value):
+        return machine(value) or ""
+    return str(value)

@@ -1,0 +1,90 @@
+"""Text made of styled pieces, and the few terminal colours that nmatrix uses.
+
+A line is a tuple of spans; its width is counted before any colour goes in.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from nmatrix.output.options import Colour
+
+RESET = "\x1b[0m"
+
+
+class Style(StrEnum):
+    """What a piece of text is; the value is its ANSI escape, empty for ordinary text."""
+
+    PLAIN = ""
+    TITLE = "\x1b[1m"
+    DIM = "\x1b[2m"
+    X = "\x1b[31m"
+    Y = "\x1b[32m"
+    Z = "\x1b[34m"
+    GOOD = "\x1b[1;32m"
+    BAD = "\x1b[1;31m"
+
+
+AXES = {"x": Style.X, "y": Style.Y, "z": Style.Z}
+
+
+@dataclass(frozen=True)
+class Span:
+    """A piece of a line in one style."""
+
+    text: str
+    style: Style = Style.PLAIN
+
+
+Line = tuple[Span, ...]
+
+
+def plain(text: str) -> Line:
+    """Return a line in ordinary text."""
+    return (Span(text),)
+
+
+def width(line: Line) -> int:
+    """Return how many columns a line takes.
+
+    Examples
+    --------
+    >>> width((Span("x", Style.X), Span(" = 1")))
+    5
+    """
+    return sum(len(span.text) for span in line)
+
+
+def render(line: Line, colour: Colour) -> str:
+    """Return a line as characters, with escapes only where colour is wanted.
+
+    Examples
+    --------
+    >>> render((Span("x", Style.X), Span(" ")), Colour.PLAIN)
+    'x'
+    """
+    if colour is Colour.PLAIN:
+        return "".join(span.text for span in line).rstrip()
+    return "".join(_coloured(span) for span in line)
+
+
+def _coloured(span: Span) -> str:
+    styled = span.style is not Style.PLAIN and span.text.strip()
+    return f"{span.style}{span.text}{RESET}" if styled else span.text
+
+
+def printable(text: str) -> str:
+    r"""Return a text without control characters, which could repaint a terminal.
+
+    Examples
+    --------
+    >>> printable("a\x1b[2Jb")
+    'a\\x1b[2Jb'
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        mark if mark.isprintable() or mark == "\n" else mark.encode("unicode_escape").decode()
+        for mark in text
+    )

@@ -1,0 +1,212 @@
+"""Plain or coloured text for people: what is named, what is true, and why.
+
+The lines are built as styled spans and become characters at the very end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from textwrap import wrap
+
+from nmatrix.output.charset import spelled
+from nmatrix.output.grid import draw_matrix, draw_vector
+from nmatrix.output.numbers import significant
+from nmatrix.output.options import Charset, OutputOptions
+from nmatrix.output.quantities import is_matrix, is_number, is_vector
+from nmatrix.output.style import Line, Span, Style, plain, printable, render
+from nmatrix.output.table import draw_table
+from nmatrix.report import (
+    Block,
+    Code,
+    Figure,
+    Formula,
+    Heading,
+    Quantity,
+    Report,
+    Step,
+    Table,
+    Text,
+    Verdict,
+)
+
+INDENT = Span("  ")
+LABEL = 30  # the widest label that others are lined up with
+BULLETS = {Charset.UNICODE: "•", Charset.ASCII: "*"}
+RULES = {Charset.UNICODE: "─", Charset.ASCII: "-"}
+MARKS = {
+    (Charset.UNICODE, True): "✓",
+    (Charset.UNICODE, False): "✗ not proved:",
+    (Charset.ASCII, True): "ok",
+    (Charset.ASCII, False): "NOT PROVED:",
+}
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report as lines of at most `options.width` columns.
+
+    Examples
+    --------
+    >>> answer = Report("calc", {}, (Quantity("value", (1, 2, 3)),), ("Three numbers.",))
+    >>> print(write(answer, OutputOptions()), end="")
+    value  ( 1  2  3 )
+    <BLANKLINE>
+    • Three numbers.
+    """
+    writer = _Writer(options)
+    parts = [writer.part(kind, group) for kind, group in groupby(report.blocks, _grouping)]
+    parts.append([line for remark in report.remarks for line in writer.remark(remark)])
+    lines = list(_parted(parts))
+    return "".join(render(line, options.colour) + "\n" for line in lines)
+
+
+def _grouping(block: Block) -> tuple[str, int]:
+    """Return what neighbours must share to stand without an empty line between them."""
+    if isinstance(block, Quantity) and not is_matrix(block.value):
+        return ("quantities", 0)
+    return (type(block).__name__, id(block))
+
+
+def _parted(parts: Iterable[list[Line]]) -> Iterator[Line]:
+    """Give the lines of all parts, with an empty line between two parts."""
+    first = True
+    for part in parts:
+        if part and not first:
+            yield ()
+        yield from part
+        first = first and not part
+
+
+class _Writer:
+    """Draws each kind of block with one set of options."""
+
+    def __init__(self, options: OutputOptions) -> None:
+        self.options = options
+
+    def part(self, kind: tuple[str, int], group: Iterable[Block]) -> list[Line]:
+        if kind[0] == "quantities":
+            return self._labelled([block for block in group if isinstance(block, Quantity)])
+        return [line for block in group for line in self._block(block)]
+
+    def remark(self, text: str) -> list[Line]:
+        bullet = BULLETS[self.options.charset]
+        lines = self._wrapped(text, 2)
+        return [
+            (Span(f"{bullet} " if i == 0 else "  "), Span(line)) for i, line in enumerate(lines)
+        ]
+
+    def _block(self, block: Block) -> list[Line]:
+        match block:
+            case Heading(text):
+                lines = self._heading(text)
+            case Text(text):
+                lines = [plain(line) for line in self._wrapped(text, 0)]
+            case Verdict(text):
+                lines = [(Span(line, Style.TITLE),) for line in self._wrapped(text, 0)]
+            case Quantity():
+                lines = self._matrix(block)
+            case Table():
+                lines = self._table(block)
+            case Formula():
+                lines = self._formula(block)
+            case Step():
+                lines = self._step(block)
+            case Code():
+                lines = self._titled(block.title, [plain(x) for x in block.text.splitlines()])
+            case Figure():
+                lines = self._figure(block)
+        return lines
+
+    def _spelled(self, text: str) -> str:
+        return spelled(printable(text), self.options.charset)
+
+    def _wrapped(self, text: str, indent: int) -> list[str]:
+        lines = self._spelled(text).splitlines()
+        room = max(self.options.width - indent, 10)
+        return [piece for line in lines for piece in wrap(line, room) or [""]]
+
+    def _heading(self, text: str) -> list[Line]:
+        lines = self._wrapped(text, 0)
+        rule = RULES[self.options.charset] * max((len(line) for line in lines), default=0)
+        return [*((Span(line, Style.TITLE),) for line in lines), (Span(rule, Style.DIM),)]
+
+    def _titled(self, title: str, lines: list[Line]) -> list[Line]:
+        head: list[Line] = [(Span(line, Style.TITLE),) for line in self._wrapped(title, 0)]
+        return [*head, *lines]
+
+    def _matrix(self, block: Quantity) -> list[Line]:
+        if not is_matrix(block.value):
+            return self._labelled([block])
+        about = [part for part in (block.title, block.unit and f"in {block.unit}") if part]
+        head = [Span(self._spelled(block.key), Style.TITLE)]
+        if about:
+            head.append(Span(self._spelled(": " + ", ".join(about))))
+        lines = draw_matrix(block.value, self.options)
+        return [tuple(head), *((INDENT, *line) for line in lines)]
+
+    def _labelled(self, blocks: list[Quantity]) -> list[Line]:
+        labels = [self._spelled(block.title or block.key) for block in blocks]
+        room = max((len(label) for label in labels if len(label) <= LABEL), default=0)
+        lines: list[Line] = []
+        for label, block in zip(labels, blocks, strict=True):
+            values = self._values(block, room + 2)
+            if len(label) > room or len(values) > 1:
+                lines += [plain(label), *((INDENT, *value) for value in values)]
+            else:
+                lines.append((Span(label.ljust(room) + "  "), *values[0]))
+        return lines
+
+    def _values(self, block: Quantity, indent: int) -> list[Line]:
+        """Return a scalar, a vector or a word, on as many lines as it needs."""
+        value, unit = block.value, self._spelled(f" {block.unit}" if block.unit else "")
+        if is_vector(value):
+            room = OutputOptions(
+                digits=self.options.digits,
+                charset=self.options.charset,
+                width=self.options.width - indent - len(unit),
+            )
+            lines = draw_vector(value, room)
+            return [*lines[:-1], (*lines[-1], Span(unit))] if unit else lines
+        if is_number(value):
+            return [plain(significant(value, self.options.digits) + unit)]
+        if value is None:
+            return [(Span("none", Style.DIM),)]
+        return [plain(line) for line in self._wrapped(str(value) + unit, indent)] or [()]
+
+    def _table(self, block: Table) -> list[Line]:
+        cells = [[self._cell(cell) for cell in row] for row in block.rows]
+        numeric = [any(is_number(row[i]) for row in block.rows) for i in range(len(block.columns))]
+        columns = [self._spelled(column) for column in block.columns]
+        rule = RULES[self.options.charset]
+        lines = draw_table(columns, cells, numeric, (self.options.width, rule))
+        return self._titled(block.title, lines)
+
+    def _cell(self, cell: object) -> str:
+        if cell is None:
+            return RULES[self.options.charset][0]
+        if isinstance(cell, bool):
+            return "yes" if cell else "no"
+        if is_number(cell):
+            return significant(cell, self.options.digits)
+        return self._spelled(str(cell)).replace("\n", " ")
+
+    def _formula(self, block: Formula) -> list[Line]:
+        text = self._spelled(block.text)
+        if "\n" in text:
+            return [(INDENT, Span(line)) for line in text.splitlines()]
+        return [(INDENT, Span(line)) for line in self._wrapped(text, 2)]
+
+    def _step(self, block: Step) -> list[Line]:
+        mark = MARKS[self.options.charset, block.verified]
+        style = Style.GOOD if block.verified else Style.BAD
+        lines = self._formula(block.formula) or [()]
+        reason = self._wrapped(block.because, 6 + len(mark))
+        first = (Span("    "), Span(mark, style), Span(" " + (reason[0] if reason else "")))
+        rest = [(Span(" " * (5 + len(mark))), Span(line)) for line in reason[1:]]
+        return [*lines, first, *rest]
+
+    def _figure(self, block: Figure) -> list[Line]:
+        named = f"{block.caption}: {block.path}" if block.caption else block.path
+        return [
+            plain(line) for text in (named, block.alternative) for line in self._wrapped(text, 0)
+        ]
