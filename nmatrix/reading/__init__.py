@@ -1,0 +1,1 @@
+"""What people and programs type or paste, as exact numbers and matrices."""
