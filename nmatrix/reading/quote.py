@@ -11,7 +11,7 @@ def quoted(text: str) -> str:
     Examples
     --------
     >>> quoted("1 0\n0"), quoted("x" * 60)[-5:]
-    ("'1 0\\n0'", "xx'…")
+    ("'1 0\\n0'", "xxx'…")
     """
     shown = repr(text[:LONGEST])
     safe = shown.encode("utf-8", "backslashreplace").decode()

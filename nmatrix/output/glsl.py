@@ -1,0 +1,104 @@
+"""GLSL ES 3.00: shaders as they are, and numbers as constants; matrices are column-major."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from nmatrix.enums import Format
+from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
+from nmatrix.output.numbers import machine, nearest
+from nmatrix.output.options import OutputOptions
+from nmatrix.output.quantities import is_matrix, is_number, is_vector, transposed
+from nmatrix.report import Code, Matrix, Number, Report, Vector
+from nmatrix.version import __version__
+
+SHADER_BREAK = "// ---- fragment shader ----"
+LARGEST_FLOAT32 = 3.4028234663852886e38
+OUTSIDE = "  // outside the range of float32"
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report's shaders and uniform values, or else its numbers as constants.
+
+    GLSL fills a matrix column by column, so `mat3(1, 2, 3, …)` begins with the first column.
+
+    Raises
+    ------
+    IllegalValueError
+        If the report has neither shaders nor numbers.
+
+    Examples
+    --------
+    >>> answer = Report("calc", {"value": ((1.0, 2.0), (3.0, 4.0))}, ())
+    >>> print(write(answer, OutputOptions()).splitlines()[-1])
+    const mat2 value = mat2(1.0, 3.0, 2.0, 4.0);
+    """
+    shaders = [
+        block.text.rstrip("\n")
+        for block in report.blocks
+        if isinstance(block, Code) and block.language == "glsl"
+    ]
+    if shaders:
+        return "\n".join([f"\n{SHADER_BREAK}\n".join(shaders), *_uniforms(report)]) + "\n"
+    require_numbers(report, Format.GLSL)
+    lines = [f"// nmatrix {report.command} {__version__}; GLSL ES 3.00, matrices are column-major."]
+    lines += [_statement(each, "const ") for each in assignments(report.data)]
+    lines += [f"// {comment(remark)}" for remark in report.remarks]
+    return "\n".join(lines) + "\n"
+
+
+def _uniforms(report: Report) -> list[str]:
+    """Return the values that the shaders' uniforms have, as comments."""
+    values = report.data.get("uniforms")
+    if not isinstance(values, Mapping):
+        return []
+    lines = ["// The uniforms' values; matrices are column-major."]
+    for each in assignments(values):
+        statement = _statement(each, "uniform ").removeprefix("// ").replace("\n", "\n// ")
+        lines.append(f"// {statement}")
+    return lines
+
+
+def _statement(each: Assignment, qualifier: str) -> str:
+    if each.value is None:
+        return f"// {comment(each.note)}"
+    kind, written, numbers = _typed(each.value, each.name)
+    too_large = any(abs(nearest(entry) or 0.0) > LARGEST_FLOAT32 for entry in numbers)
+    return f"{qualifier}{kind} = {written};{OUTSIDE if too_large else ''}"
+
+
+def _typed(value: bool | Number | Vector | Matrix, name: str) -> tuple[str, str, Vector]:  # noqa: FBT001 - data
+    """Return the declaration, the initial value and the floats in it."""
+    if is_matrix(value):
+        return _matrix(value, name)
+    if is_vector(value):
+        constructor = f"vec{len(value)}" if 2 <= len(value) <= 4 else f"float[{len(value)}]"
+        return f"{constructor} {name}", f"{constructor}({_list(value)})", value
+    if is_number(value):
+        if isinstance(value, int):
+            return f"int {name}", str(value), ()
+        return f"float {name}", _literal(value), (value,)
+    return f"bool {name}", "true" if value else "false", ()
+
+
+def _matrix(value: Matrix, name: str) -> tuple[str, str, Vector]:
+    columns = transposed(value)
+    entries = tuple(entry for column in columns for entry in column)
+    rows, across = len(value), len(columns)
+    if across == 1:
+        return f"vec{rows} {name}", f"vec{rows}({_list(entries)})", entries
+    constructor = f"mat{across}" if rows == across else f"mat{across}x{rows}"
+    if rows * across <= 4:
+        return f"{constructor} {name}", f"{constructor}({_list(entries)})", entries
+    lines = ",\n".join(f"    {_list(column)}" for column in columns)
+    return f"{constructor} {name}", f"{constructor}(\n{lines})", entries
+
+
+def _list(entries: Vector) -> str:
+    return ", ".join(_literal(entry) for entry in entries)
+
+
+def _literal(value: Number) -> str:
+    """Return a float literal; GLSL ES knows no silent step from int to float."""
+    text = machine(float(value)) or "0.0"
+    return text if "." in text or "e" in text else f"{text}.0"
