@@ -7,10 +7,10 @@ from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
-from nmatrix.linear.classify import classify
+from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.report import Heading, Quantity, Report, Value, Verdict
+from nmatrix.report import Heading, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.scene import Scene
 
 
@@ -19,15 +19,15 @@ def view(scene: Scene) -> Report:
 
     Examples
     --------
-    >>> view(Scene()).data["forward"]
-    (0.0, 0.0, -1.0)
+    >>> [float(x) for x in view(Scene()).data["forward"]]
+    [0.0, 0.0, -1.0]
     """
     placed = scene.camera
     V = placed.camera_from_world
     R = rational.affine(rational.linear(V))
     T = translation_matrix(tuple(-component for component in placed.eye))
-    right, up, forward = camera_axes(V, scene.view.handed)
     found = classify(V, scene.tolerance)
+    right, up, forward = camera_axes(V, found, scene.view.handed)
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
     normal_matrix = found.linear_map.inverse_transpose
@@ -59,13 +59,17 @@ def view(scene: Scene) -> Report:
 
 
 def camera_axes(
-    camera_from_world: RationalMatrix, handed: Handedness
-) -> tuple[tuple[float, ...], ...]:
-    """Return the world directions that the camera calls right, up and forward, at length one."""
-    back = rational.inverse(rational.linear(camera_from_world))
-    columns = rational.transpose(back)
-    ahead = columns[2] if handed is Handedness.LEFT else _negated(columns[2])
-    return tuple(unit(integers(axis)[0]) for axis in (columns[0], columns[1], ahead))
+    camera_from_world: RationalMatrix, found: Classification, handed: Handedness
+) -> tuple[Vector, ...]:
+    """Return the world directions that the camera calls right, up and forward, at length one.
+
+    They are the columns of V⁻¹; where V is rigid its rows say the same, already rounded once.
+    """
+    block = rational.linear(camera_from_world)
+    axes = block if found.is_rigid else rational.transpose(rational.inverse(block))
+    ahead = axes[2] if handed is Handedness.LEFT else _negated(axes[2])
+    named = (axes[0], axes[1], ahead)
+    return named if found.is_rigid else tuple(unit(integers(axis)[0]) for axis in named)
 
 
 def _negated(v: RationalVector) -> RationalVector:

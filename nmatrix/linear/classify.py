@@ -19,6 +19,7 @@ from nmatrix.linear.spectrum import condition, gram, worst_angle_deg
 BUILT = 1e-12  # columns of a matrix built from angles agree to a few 1e-16; room for products
 FROM_FILE = 1e-6  # float32 files: 6e-8 a component, room for products
 
+RIGID_KINDS = {Kind.IDENTITY, Kind.TRANSLATION, Kind.ROTATION, Kind.RIGID}
 _NEEDS_INVERSE_TRANSPOSE = {Kind.NON_UNIFORM_SCALE, Kind.SHEAR, Kind.SINGULAR}
 
 
@@ -49,6 +50,11 @@ class Classification:
     def needs_inverse_transpose(self) -> bool:
         """Return whether A itself would bend normals."""
         return self.kind in _NEEDS_INVERSE_TRANSPOSE
+
+    @property
+    def is_rigid(self) -> bool:
+        """Return whether lengths and angles stay as they are."""
+        return self.kind in RIGID_KINDS
 
     @cached_property
     def condition(self) -> Fraction | None:

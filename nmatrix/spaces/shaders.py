@@ -44,19 +44,19 @@ def _declared(listed: Sequence[Uniform], *, vertex: bool) -> list[str]:
 def _attributes(space: Space) -> list[str]:
     place = "world (baked)" if space is Space.STATIC else "object"
     return [
-        f"in vec3 position_object;  // {place} space",
-        f"in vec3 normal_object;    // {place} space, unit length",
+        f"in vec3 vertex_position;  // {place} space",
+        f"in vec3 vertex_normal;    // {place} space, unit length",
     ]
 
 
 def _moved(found: Needs, request: Request) -> tuple[str, str]:
     """Return the expressions for position and normal in the shading space."""
-    position = "position_object"
+    position = "vertex_position"
     if found.moves_positions:
-        position = "(space_from_object * vec4(position_object, 1.0)).xyz"
-    normal = "normal_object"
+        position = "(space_from_object * vec4(vertex_position, 1.0)).xyz"
+    normal = "vertex_normal"
     if found.moves_normals:
-        normal = "normalize(normal_matrix * normal_object)"
+        normal = "normalize(normal_matrix * vertex_normal)"
     return position, normal
 
 
@@ -75,7 +75,7 @@ def _phong_vertex(found: Needs, request: Request, listed: Sequence[Uniform]) -> 
         *outputs,
         "void main() {",
         *body,
-        "    gl_Position = clip_from_object * vec4(position_object, 1.0);",
+        "    gl_Position = clip_from_object * vec4(vertex_position, 1.0);",
         "}",
     ]
 
@@ -119,7 +119,7 @@ def _gouraud_vertex(
         *body,
         *lighting,
         "    vertex_color = color;",
-        "    gl_Position = clip_from_object * vec4(position_object, 1.0);",
+        "    gl_Position = clip_from_object * vec4(vertex_position, 1.0);",
         "}",
     ]
 

@@ -84,8 +84,7 @@ class Stage:
 
     def is_rigid(self, space: Space) -> bool:
         """Return whether lengths and angles read off this space's coordinates are true."""
-        found = classify(self.space_from_world(space).exact, self.tolerance)
-        return found.kind.value in ("identity", "translation", "rotation", "rigid")
+        return classify(self.space_from_world(space).exact, self.tolerance).is_rigid
 
     def _object_from_world(self) -> Transform:
         linear_map = self.world_from_object.linear_map

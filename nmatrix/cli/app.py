@@ -1,0 +1,150 @@
+"""The group: it finds a command's module on demand, and turns every error into one line."""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from typer.core import TyperCommand, TyperGroup, TyperOption
+from typer.exceptions import TyperException
+
+from nmatrix.cli.catalogue import COMMANDS, Entry, entry
+from nmatrix.cli.flatten import flattened
+from nmatrix.cli.show import fail
+from nmatrix.cli.tokens import OptionShape, gather
+from nmatrix.errors import NMatrixError
+from nmatrix.version import __version__
+
+if TYPE_CHECKING:
+    from typer._click import Command, Context, HelpFormatter
+
+DEFECT, INTERRUPTED = 70, 130
+
+
+class GatheringCommand(TyperCommand):
+    """A command whose options take their values as separate words."""
+
+    def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
+        """Gather the words first; while completing, leave them as they are."""
+        if not ctx.resilient_parsing and "--help" not in args:
+            options = [one for one in self.get_params(ctx) if isinstance(one, TyperOption)]
+            args = gather(args, [_shape(one) for one in options])
+        return super().parse_args(ctx, args)
+
+
+def _shape(option: TyperOption) -> OptionShape:
+    arity = 0 if option.is_flag else len((option.metavar or "VALUE").split())
+    return OptionShape((*option.opts, *option.secondary_opts), arity, bool(option.multiple))
+
+
+class OnDemandGroup(TyperGroup):
+    """A group that imports one command's module when that command is asked for."""
+
+    def list_commands(self, ctx: Context) -> list[str]:
+        """Return the names in the order of the panels."""
+        return [one.name for one in COMMANDS]
+
+    def get_command(self, ctx: Context, cmd_name: str) -> Command | None:
+        """Return one command, importing only its module."""
+        found = entry(cmd_name)
+        if found is None:
+            return None
+        return _placeholder(found) if ctx.resilient_parsing else load(found)
+
+    def format_commands(self, ctx: Context, formatter: HelpFormatter) -> None:
+        """Write one section for each panel, from the catalogue, importing no command."""
+        width = max(len(one.name) for one in COMMANDS)
+        for panel in dict.fromkeys(one.panel for one in COMMANDS):
+            with formatter.section(panel):
+                formatter.write_dl(
+                    [(f"{one.name:{width}}", one.summary) for one in COMMANDS if one.panel == panel]
+                )
+
+
+def _placeholder(one: Entry) -> TyperCommand:
+    return TyperCommand(one.name, help=one.summary, rich_help_panel=one.panel)
+
+
+def load(one: Entry) -> Command:
+    """Return the real command of an entry."""
+    module = import_module(f"nmatrix.cli.{one.module}")
+    function: Callable[..., None] = getattr(module, one.name)
+    single = typer.Typer(add_completion=False, rich_markup_mode="rich")
+    single.command(one.name, cls=GatheringCommand, help=module.HELP[one.name])(flattened(function))
+    return typer.main.get_command(single)
+
+
+def _show_version(*, wanted: bool) -> None:
+    if wanted:
+        sys.stdout.write(f"nmatrix {__version__}\n")
+        raise typer.Exit
+
+
+# Plain help for the overview: importing rich would take longer than all the rest.
+app = typer.Typer(
+    cls=OnDemandGroup, no_args_is_help=True, pretty_exceptions_enable=False, rich_markup_mode=None
+)
+
+OVERVIEW = """\b
+nmatrix world --scale 1 2 1
+nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0
+nmatrix space camera -f glsl
+
+The matrices of computer graphics, exact and explained.
+
+Conventions: column vectors, right-handed world, the camera looks down −z, degrees;
+docs/conventions.md has them all.
+"""
+
+
+@app.callback(help=OVERVIEW)
+def _overview(
+    *,
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version",
+            callback=lambda value: _show_version(wanted=value),
+            is_eager=True,
+            help="Print the version and leave.",
+        ),
+    ] = False,
+) -> None:
+    """Hold the options that stand before a command."""
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run one command line and return its exit code; nothing but one line on stderr if it fails."""
+    if "NMATRIX_DEBUG" not in os.environ:
+        warnings.simplefilter("ignore")
+    try:
+        code = typer.main.get_command(app).main(
+            list(arguments), prog_name="nmatrix", standalone_mode=False
+        )
+    except NMatrixError as error:
+        return fail(str(error), error.exit_code)
+    except TyperException as error:
+        return _usage(error)
+    except (KeyboardInterrupt, typer.Abort):
+        return fail("interrupted", INTERRUPTED)
+    except Exception as error:  # the last line of defence against a traceback
+        if "NMATRIX_DEBUG" in os.environ:
+            raise
+        return fail(
+            f"a defect of nmatrix ({type(error).__name__}: {error}): it should not happen; "
+            "set NMATRIX_DEBUG=1 to see where",
+            DEFECT,
+        )
+    return code if isinstance(code, int) else 0
+
+
+def _usage(error: TyperException) -> int:
+    """Show a refusal of the argument parser; without arguments, the help."""
+    if type(error).__name__ == "NoArgsIsHelpError":
+        return error.exit_code
+    return fail(f"{error.format_message().rstrip('.')}; see --help", error.exit_code)

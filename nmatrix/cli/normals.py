@@ -1,0 +1,72 @@
+"""`nmatrix normal`: the matrix as an argument, the normals as repeated options."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Annotated
+
+from typer import Argument, Option
+
+from nmatrix.cli.alternatives import refuse_together
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.options import ViewOptions, WorldOptions
+from nmatrix.cli.scene_options import Groups, SpaceOptions, ToleranceOption
+from nmatrix.cli.show import show
+from nmatrix.enums import NormalMethod, Space
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.numbers import numbers
+
+HELP = {
+    "normal": """nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0
+
+nmatrix normal --scale 1 2 1 --rotate 0 30 0 --space camera
+
+nmatrix world --scale 1 2 1 -f json | nmatrix normal - --normal 1 1 0
+
+The normal matrix (inverse transpose) of a map, and what becomes of each normal.""",
+}
+
+
+def normal(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    space: SpaceOptions,
+    tolerance: ToleranceOption,
+    everywhere: Everywhere,
+    matrix: Annotated[
+        str | None, Argument(metavar="MATRIX", help="The world matrix; - reads stdin.")
+    ] = None,
+    normals: Annotated[
+        list[str] | None,
+        Option("--normal", metavar="X Y Z", help="A normal to carry; repeat for more."),
+    ] = None,
+    method: Annotated[
+        NormalMethod, Option("--method", help="Right, or one of three to compare with.")
+    ] = NormalMethod.EXACT,
+) -> None:
+    """Show the normal matrix and the normals through it."""
+    from nmatrix.answers.normal import NormalRequest
+    from nmatrix.answers.normal import normal as answer
+
+    groups = Groups(_with_matrix(world, matrix), view, space=space, tolerance=tolerance)
+    request = NormalRequest(
+        normals=tuple(numbers(text, 3, "--normal") for text in normals or ()),
+        space=space.chosen(None, Space.WORLD) or Space.WORLD,
+        method=method,
+    )
+    show(answer(groups.scene(everywhere), request), everywhere)
+
+
+def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:
+    if matrix is None:
+        if world.is_given:
+            return world
+        raise IllegalValueError(
+            "normal", "no matrix was given", 'try nmatrix normal "1 0 0; 0 2 0; 0 0 1"'
+        )
+    others = dict(world.parts_given)
+    if world.world_matrix is not None:
+        others["--world-matrix"] = world.world_matrix
+    refuse_together("MATRIX", others, "the matrix is the whole world matrix")
+    return replace(world, world_matrix=matrix)

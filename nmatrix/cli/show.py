@@ -1,0 +1,105 @@
+"""The only place that writes to a terminal: one report to stdout, one line to stderr."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from nmatrix.cli.everywhere import ColorWhen, Everywhere
+from nmatrix.enums import Format
+from nmatrix.output.options import Charset, Colour, OutputOptions
+from nmatrix.output.write import write
+from nmatrix.report import Report
+
+LONGEST_LINE = 600
+WIDTH = 80
+BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
+
+
+def show(report: Report, everywhere: Everywhere) -> None:
+    """Write a report in the format asked for, then raise what it ends in, if anything."""
+    options = OutputOptions(
+        format=everywhere.format,
+        digits=everywhere.digits_checked,
+        layout=everywhere.layout,
+        charset=_charset(),
+        width=_width(),
+        colour=_colour(everywhere),
+    )
+    put(write(report, options))
+    if report.failure is not None:
+        raise report.failure
+
+
+def put(text: str) -> None:
+    """Write text to stdout in one piece; a reader that has gone away is no error."""
+    encoding = sys.stdout.encoding or "utf-8"
+    try:
+        sys.stdout.write(text.encode(encoding, "replace").decode(encoding))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _forget(sys.stdout.fileno())
+
+
+def put_bytes(content: bytes) -> None:
+    """Write a file's content to stdout."""
+    try:
+        sys.stdout.buffer.write(content)
+        sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        _forget(sys.stdout.fileno())
+
+
+def fail(message: str, exit_code: int) -> int:
+    """Write one line to stderr, whatever the message holds, and return the exit code."""
+    line = "".join(_printable(character) for character in message)
+    if len(line) > LONGEST_LINE:
+        line = f"{line[: LONGEST_LINE - 1]}…"
+    encoding = sys.stderr.encoding or "utf-8"
+    try:
+        sys.stderr.write(f"error: {line}\n".encode(encoding, "replace").decode(encoding))
+        sys.stderr.flush()
+    except BrokenPipeError:
+        _forget(sys.stderr.fileno())
+    return exit_code
+
+
+def note(message: str) -> None:
+    """Write one line to stderr that is no error, such as the file that was written."""
+    encoding = sys.stderr.encoding or "utf-8"
+    sys.stderr.write(f"{message}\n".encode(encoding, "replace").decode(encoding))
+
+
+def _printable(character: str) -> str:
+    if character.isprintable():
+        return character
+    return " " if character in "\n\t" else f"\\x{ord(character):02x}"
+
+
+def _forget(descriptor: int) -> None:
+    # Python flushes stdout once more on its way out; let it go where nobody reads.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), descriptor)
+
+
+def _charset() -> Charset:
+    try:
+        BRACKETS.encode(sys.stdout.encoding or "ascii")
+    except (UnicodeEncodeError, LookupError):
+        return Charset.ASCII
+    return Charset.UNICODE
+
+
+def _width() -> int:
+    if not sys.stdout.isatty():
+        return WIDTH
+    return max(40, min(WIDTH, os.get_terminal_size(sys.stdout.fileno()).columns))
+
+
+def _colour(everywhere: Everywhere) -> Colour:
+    if everywhere.format is not Format.TEXT or everywhere.color is ColorWhen.NEVER:
+        return Colour.PLAIN
+    if everywhere.color is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
+        return Colour.ANSI
+    if os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
+        return Colour.PLAIN
+    return Colour.ANSI if sys.stdout.isatty() else Colour.PLAIN

@@ -1,0 +1,131 @@
+"""The panel Spaces: light, eye, space, trace."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from typer import Option
+
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.options import LensOptions, LightOptions, ViewOptions, WorldOptions
+from nmatrix.cli.scene_options import Groups, SpaceArgument, SpaceOptions
+from nmatrix.cli.show import show
+from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.numbers import numbers
+
+HELP = {
+    "light": """nmatrix light camera --eye 3 3 3 --light-angles -60 -120
+
+nmatrix light object --scale 1 1/4 1 --light-direction 0.3 0.9 0.2
+
+nmatrix light --light-position 2 2 8
+
+The light's direction and position in one space, or in the four usual ones.""",
+    "eye": """nmatrix eye object --rotate 0 30 0 --translate 1e7 0 0 --eye 10000003 0 0
+
+nmatrix eye --eye 3 3 2.5
+
+The eye in one space, or in the four usual ones; the course's formula stands beside it.""",
+    "space": """nmatrix space camera --scale 1 2 1
+
+nmatrix space object --shear 1 0 0 -f glsl
+
+nmatrix space custom --space-matrix "2 0 0; 0 1 0; 0 0 1"
+
+What a shading space transforms, by what, where, at what price; its shaders with -f glsl.""",
+    "trace": """nmatrix trace --point 1 1 1 --normal 0 0 1
+
+nmatrix trace --point 0 0 6 --viewport 1920 1080 --api vulkan
+
+One vertex from object space to the window, and the planes that it is outside of.""",
+}
+
+
+def light(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    light: LightOptions,
+    space: SpaceOptions,
+    everywhere: Everywhere,
+    where: SpaceArgument = None,
+) -> None:
+    """Show the light in a space."""
+    from nmatrix.answers.light import light as answer
+
+    scene = Groups(world, view, light=light, space=space).scene(everywhere)
+    show(answer(scene, space.chosen(where, None)), everywhere)
+
+
+def eye(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    space: SpaceOptions,
+    everywhere: Everywhere,
+    where: SpaceArgument = None,
+) -> None:
+    """Show the eye in a space."""
+    from nmatrix.answers.light import eye as answer
+
+    scene = Groups(world, view, space=space).scene(everywhere)
+    show(answer(scene, space.chosen(where, None)), everywhere)
+
+
+def space(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    lens: LensOptions,
+    light: LightOptions,
+    space: SpaceOptions,
+    everywhere: Everywhere,
+    where: SpaceArgument = None,
+    shading: Annotated[
+        Shading, Option(help="Light per vertex (gouraud) or per fragment (phong).")
+    ] = Shading.PHONG,
+    reflection: Annotated[
+        Reflection, Option(help="How the surface reflects.")
+    ] = Reflection.BLINN_PHONG,
+) -> None:
+    """Show the sheet of a shading space."""
+    from nmatrix.answers.space import space as answer
+    from nmatrix.spaces.uniforms import Request
+
+    if shading is Shading.FLAT:
+        raise IllegalValueError(
+            "--shading flat",
+            "the sheet's shaders light per vertex or per fragment",
+            "use gouraud or phong",
+        )
+    chosen = space.chosen(where, Space.WORLD) or Space.WORLD
+    scene = Groups(world, view, lens, light, space).scene(everywhere)
+    show(answer(scene, Request(chosen, shading, reflection)), everywhere)
+
+
+def trace(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    lens: LensOptions,
+    everywhere: Everywhere,
+    point: Annotated[str, Option(metavar="X Y Z", help="The vertex, in object space.")] = "0 0 0",
+    normal: Annotated[
+        str | None, Option(metavar="X Y Z", help="Its normal, in object space.")
+    ] = None,
+    viewport: Annotated[str, Option(metavar="W H", help="The window in pixels.")] = "512 512",
+) -> None:
+    """Show one vertex on its way."""
+    from nmatrix.answers.trace import trace as answer
+    from nmatrix.spaces.trace import Viewport
+
+    width, height = numbers(viewport, 2, "--viewport")
+    if width <= 0 or height <= 0:
+        raise IllegalValueError(
+            f"--viewport ({viewport[:40]})", "both sides must be positive", "try 512 512"
+        )
+    scene = Groups(world, view, lens).scene(everywhere, aspect=width / height)
+    n = None if normal is None else numbers(normal, 3, "--normal")
+    window = Viewport(width, height)
+    show(answer(scene, numbers(point, 3, "--point"), n, window), everywhere)
