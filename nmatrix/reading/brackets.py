@@ -1,0 +1,123 @@
+"""Rows of numbers in brackets, as Python, NumPy, JSON and MATLAB write them; or in bare lines.
+
+The scan is one loop over tokens, so that ten thousand brackets cost no more than ten.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.literal import ACCEPTED
+from nmatrix.reading.quote import quoted
+
+DEEPEST = 2
+MOST = 64  # numbers; a matrix has 16, a slip of the hand a few more
+
+_TOKEN = re.compile(r"[\[(]|[\])]|[,;]|[^\s\[\](),;]+")
+_ROW_BREAK = re.compile(r"[;\n]")
+_SEPARATOR = re.compile(r"\s*,\s*|\s+")
+
+
+def bracketed(text: str, source: str, start: int = 0) -> tuple[list[list[str]], int]:
+    r"""Return the rows of the bracketed list that opens at `start`, and where it ends.
+
+    `[1, 2, 3]` is one row; `[[1, 2], [3, 4]]` and `[1 2; 3 4]` are two.
+
+    Raises
+    ------
+    IllegalValueError
+        If the brackets do not match, nest too deeply, or hold too much.
+
+    Examples
+    --------
+    >>> bracketed("[[1. 0.]\n [0. 2.]]", "x")
+    ([['1.', '0.'], ['0.', '2.']], 18)
+    """
+    scan = _Scan(source)
+    for token in _TOKEN.finditer(text, start):
+        scan.take(token[0])
+        if scan.depth == 0:
+            return [row for row in scan.rows if row], token.end()
+    raise _refusal(source, "its brackets are not closed")
+
+
+def bare_rows(text: str, source: str) -> list[list[str]]:
+    """Return the rows of a text without brackets: lines or semicolons end a row.
+
+    Raises
+    ------
+    IllegalValueError
+        If there are more numbers than any matrix has.
+
+    Examples
+    --------
+    >>> bare_rows("1 0; 0, 2", "x")
+    [['1', '0'], ['0', '2']]
+    """
+    lines = [line.strip() for line in _ROW_BREAK.split(text, maxsplit=MOST) if line.strip()]
+    rows = [_SEPARATOR.split(line, maxsplit=MOST) for line in lines]
+    if sum(len(row) for row in rows) > MOST:
+        raise _refusal(source, f"it holds more than {MOST} numbers")
+    return rows
+
+
+@dataclass
+class _Scan:
+    """Where the scan stands: the rows so far, the depth, and whether an entry must follow."""
+
+    source: str
+    rows: list[list[str]] = field(default_factory=lambda: [[]])
+    depth: int = 0
+    count: int = 0
+    entry_due: bool = True
+
+    def take(self, mark: str) -> None:
+        if mark in "[(":
+            self._open()
+        elif mark in "])":
+            self._close()
+        elif mark == ";":
+            self.rows.append([])
+        elif mark == ",":
+            self._comma()
+        else:
+            self._number(mark)
+
+    def _open(self) -> None:
+        self.depth += 1
+        self.rows.append([])
+        self.entry_due = True
+        if self.depth > DEEPEST:
+            raise _refusal(self.source, f"its brackets nest deeper than {DEEPEST}")
+
+    def _close(self) -> None:
+        self.depth -= 1
+        self.rows.append([])
+        self.entry_due = False
+
+    def _comma(self) -> None:
+        if self.entry_due:
+            raise _refusal(self.source, "a number is missing before a comma")
+        self.entry_due = True
+
+    def _number(self, mark: str) -> None:
+        self.rows[-1].append(mark)
+        self.entry_due = False
+        self.count += 1
+        if self.count > MOST:
+            raise _refusal(self.source, f"it holds more than {MOST} numbers")
+
+
+def _refusal(source: str, why: str) -> IllegalValueError:
+    return IllegalValueError(f"matrix ({source})", why, ACCEPTED)
+
+
+def whole(text: str, source: str) -> list[list[str]]:
+    """Return the rows of a bracketed list with nothing after it."""
+    rows, end = bracketed(text, source)
+    rest = text[end:].strip()
+    if rest:
+        raise _refusal(source, f"{quoted(rest)} follows the closing bracket")
+    return rows

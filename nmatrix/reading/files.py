@@ -1,0 +1,75 @@
+"""The text of a file that may hold a matrix: decoded, bounded, and never a traceback."""
+
+from __future__ import annotations
+
+import codecs
+from pathlib import Path
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.quote import quoted
+
+LARGEST = 16_000_000  # bytes
+
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+
+
+def existing_file(text: str) -> Path | None:
+    """Return the path that a text names, if there is something other than a folder.
+
+    Pipes and devices count as files, for the sake of a shell's `<(…)`.
+
+    Examples
+    --------
+    >>> existing_file("1 0 0; 0 1 0; 0 0 1") is None
+    True
+    """
+    path = Path(text)
+    try:
+        return path if path.exists() and not path.is_dir() else None
+    except (OSError, ValueError):  # a name too long, or with a NUL: no file has it
+        return None
+
+
+def file_bytes(path: Path) -> bytes:
+    """Return the content of a file, if it is small enough to be a matrix or a report.
+
+    Raises
+    ------
+    IllegalValueError
+        If the file cannot be read, or is larger than any report.
+    """
+    name = f"file ({quoted(str(path))})"
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(LARGEST + 1)
+    except OSError as error:
+        raise IllegalValueError(name, error.strerror or "unreadable", "check the path") from None
+    if len(content) > LARGEST:
+        raise IllegalValueError(name, f"it is larger than {LARGEST} bytes", "cut it down")
+    return content
+
+
+def decoded(content: bytes, source: str) -> str:
+    """Return bytes as text: UTF-8, or UTF-16 where a byte order mark says so.
+
+    Raises
+    ------
+    IllegalValueError
+        If the bytes are neither.
+
+    Examples
+    --------
+    >>> decoded(b"1 0; 0 1", "x"), decoded("1 0".encode("utf-16"), "x")
+    ('1 0; 0 1', '1 0')
+    """
+    encoding = next((name for mark, name in _MARKS if content.startswith(mark)), "utf-8")
+    try:
+        return content.decode(encoding)
+    except UnicodeDecodeError:
+        raise IllegalValueError(
+            f"matrix ({source})", f"it is not {encoding} text", "save it as UTF-8"
+        ) from None

@@ -1,0 +1,90 @@
+"""Matrices in a JSON object: every list of numbers under its dotted key, digits kept as typed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+from nmatrix.enums import Layout
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.literal import Tokens
+from nmatrix.reading.notation import Notation
+from nmatrix.reading.quote import quoted
+
+DEEPEST = 12  # levels of objects and lists that are looked into
+
+
+class _Digits(str):
+    """A JSON number as its own characters, so that nothing is rounded before the contract says."""
+
+    __slots__ = ()
+
+
+def json_notation(text: str, source: str) -> Notation:
+    """Return the matrices and vectors of a JSON object, and the layout that it states.
+
+    Raises
+    ------
+    IllegalValueError
+        If the text is not JSON, or nests deeper than any report.
+
+    Examples
+    --------
+    >>> json_notation('{"layout": "column-major", "a": [[1, 2.50]]}', "x").quantities
+    {'a': [['1', '2.50']]}
+    """
+    try:
+        found = json.loads(text, parse_int=_Digits, parse_float=_Digits, parse_constant=_Digits)
+    except RecursionError:
+        raise _refusal(source, "it nests too deeply") from None
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise _refusal(source, f"not JSON at {place}: {error.msg}") from None
+    if not isinstance(found, dict):
+        raise _refusal(source, "it is not a JSON object")
+    return Notation(dict(_matrices(found, "", 0)), _layout(found.get("layout"), source))
+
+
+def _layout(stated: object, source: str) -> Layout | None:
+    if stated is None:
+        return None
+    if stated not in tuple(Layout):
+        shown = quoted(str(stated))
+        raise _refusal(source, f"its layout is {shown}, neither row-major nor column-major")
+    return Layout(str(stated))
+
+
+def _matrices(value: object, key: str, depth: int) -> Iterator[tuple[str, Tokens]]:
+    if depth > DEEPEST:
+        return
+    if isinstance(value, dict):
+        items = list(value.items())
+    elif isinstance(value, list):
+        tokens = _tokens(value)
+        if tokens is not None:
+            yield key, tokens
+            return
+        items = list(enumerate(value))
+    else:
+        return
+    for name, inner in items:
+        yield from _matrices(inner, f"{key}.{name}" if key else str(name), depth + 1)
+
+
+def _tokens(value: list[object]) -> Tokens | None:
+    """Return a list of numbers as one row, a list of such lists as rows, anything else as None."""
+    if _is_row(value):
+        return [[str(entry) for entry in value]]
+    if value and all(isinstance(row, list) and _is_row(row) for row in value):
+        return [[str(entry) for entry in row] for row in value if isinstance(row, list)]
+    return None
+
+
+def _is_row(value: list[object]) -> bool:
+    return bool(value) and all(isinstance(entry, _Digits) for entry in value)
+
+
+def _refusal(source: str, why: str) -> IllegalValueError:
+    return IllegalValueError(
+        f"matrix ({source})", why, 'write {"world_from_object": [[…], …]} or pipe -f json'
+    )

@@ -1,0 +1,95 @@
+"""A matrix that was read: its exact entries, and the floats nearest to them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from nmatrix.enums import Layout
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.numbers import fraction
+
+LARGEST = 4  # rows and columns
+SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
+ACCEPTED = 'write a matrix like "1 0 0; 0 2 0; 0 0 1"'
+
+Rows = tuple[tuple[float, ...], ...]
+ExactRows = tuple[tuple[Fraction, ...], ...]
+Tokens = Sequence[Sequence[str]]  # rows of numbers that are still text
+
+_BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
+
+
+@dataclass(frozen=True)
+class MatrixLiteral:
+    """A matrix of at most 4×4 entries and where it came from.
+
+    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them.
+    """
+
+    rows_exact: ExactRows
+    source: str
+
+    @cached_property
+    def rows(self) -> Rows:
+        """Return the entries as float64, each correctly rounded."""
+        return tuple(
+            tuple(entry.numerator / entry.denominator for entry in row) for row in self.rows_exact
+        )
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Return the number of rows and columns."""
+        return len(self.rows_exact), len(self.rows_exact[0])
+
+
+def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLiteral:
+    """Return the matrix that rows of number texts spell.
+
+    Nine or sixteen numbers in one row or column are a square matrix. In column-major layout each
+    group of numbers is a column; vectors are what they are in either layout.
+
+    Raises
+    ------
+    IllegalValueError
+        If the rows differ in length, are too many, or hold something that is not a number.
+
+    Examples
+    --------
+    >>> literal_from_tokens([["1", "2"], ["3", "4"]], Layout.COLUMN_MAJOR, "x").rows
+    ((1.0, 3.0), (2.0, 4.0))
+    """
+    shaped = _squared(tokens, source)
+    rows = tuple(
+        tuple(_entry(text, (r, c), source) for c, text in enumerate(row))
+        for r, row in enumerate(shaped)
+    )
+    if layout is Layout.COLUMN_MAJOR and min(len(rows), len(rows[0])) > 1:
+        rows = tuple(zip(*rows, strict=True))
+    return MatrixLiteral(rows, source)
+
+
+def _squared(tokens: Tokens, source: str) -> Tokens:
+    count = len(tokens[0]) if tokens else 0
+    if not count:
+        raise IllegalValueError(f"matrix ({source})", "it holds no numbers", ACCEPTED)
+    for place, row in enumerate(tokens):
+        if len(row) != count:
+            lengths = f"row 1 has length {count}, row {place + 1} has length {len(row)}"
+            raise IllegalValueError(f"matrix ({source})", lengths, "make all rows equally long")
+    if 1 in (count, len(tokens)) and count * len(tokens) in SQUARES:
+        flat = [text for row in tokens for text in row]
+        side = SQUARES[len(flat)]
+        return [flat[start : start + side] for start in range(0, len(flat), side)]
+    if max(count, len(tokens)) > LARGEST:
+        size = f"it has {len(tokens)} rows of {count} numbers"
+        raise IllegalValueError(f"matrix ({source})", size, "use at most 4×4, or a flat 9 or 16")
+    return tokens
+
+
+def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
+    name = f"row {place[0] + 1}, column {place[1] + 1} of {source}"
+    return fraction(_BARE_POINT.sub("", text), name)

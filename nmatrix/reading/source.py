@@ -1,0 +1,68 @@
+"""Where a MATRIX argument gets its matrix from: stdin, a file, or the argument itself.
+
+An existing file comes first, `-` is stdin, and `#KEY` behind either chooses one of its matrices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from nmatrix.enums import Layout
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading import npy
+from nmatrix.reading.files import decoded, existing_file, file_bytes
+from nmatrix.reading.literal import MatrixLiteral
+from nmatrix.reading.matrix import matrix_literal
+from nmatrix.reading.quote import quoted
+
+MARKS_OF_A_LITERAL = " \t\n[({;,"
+
+
+def matrix_source(
+    text: str,
+    stdin_text: Callable[[], str],
+    layout: Layout = Layout.ROW_MAJOR,
+) -> MatrixLiteral:
+    """Return the matrix that a MATRIX argument stands for.
+
+    `stdin_text` is called only for `-` or `-#KEY`.
+
+    Raises
+    ------
+    IllegalValueError
+        If there is no such file, or no matrix in what there is.
+
+    Examples
+    --------
+    >>> matrix_source("-#value", lambda: '{"value": [[1, 0], [0, 1]]}').rows
+    ((1.0, 0.0), (0.0, 1.0))
+    """
+    if text == "-" or text.startswith("-#"):
+        return matrix_literal(stdin_text(), layout, text[2:] or None, "stdin")
+    path = existing_file(text)
+    if path is not None:
+        return _from_file(path, None, layout)
+    name, mark, key = text.rpartition("#")
+    keyed = existing_file(name) if mark and name else None
+    if keyed is not None:
+        return _from_file(keyed, key or None, layout)
+    if any(character in text for character in MARKS_OF_A_LITERAL):
+        return matrix_literal(text, layout)
+    raise IllegalValueError(
+        f"matrix ({quoted(text)})",
+        "there is no such file",
+        'write a matrix like "1 0 0; 0 2 0; 0 0 1", a file, or - for stdin',
+    )
+
+
+def _from_file(path: Path, key: str | None, layout: Layout) -> MatrixLiteral:
+    content = file_bytes(path)
+    source = quoted(str(path))
+    if content.startswith(npy.MAGIC):
+        if key is not None:
+            raise IllegalValueError(
+                f"key ({quoted(key)})", f"{source} holds one array without a name", "drop the key"
+            )
+        return npy.npy_literal(content, layout, source)
+    return matrix_literal(decoded(content, source), layout, key, source)
