@@ -1,0 +1,156 @@
+"""Evaluate a tree of the closed grammar, one operation at a time, and keep the steps."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from nmatrix.calculator.functions import FUNCTIONS
+from nmatrix.calculator.grammar import OPERATORS, fault, parse, position
+from nmatrix.calculator.operators import BINARY
+from nmatrix.calculator.values import Arithmetic, Kind, Value, each
+from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
+from nmatrix.reading.numbers import fraction
+
+Names = Mapping[str, Value]
+THREE_ARGUMENTS = ("translate", "scale", "shear")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One operation: the part of the expression, its value, and the rule."""
+
+    expression: str
+    value: Value
+    rule: str
+
+
+@dataclass(frozen=True)
+class Calculation:
+    """The answer to one expression."""
+
+    expression: str
+    value: Value
+    arithmetic: Arithmetic
+    steps: tuple[Step, ...]
+
+
+def calculate(
+    expression: str, names: Names, arithmetic: Arithmetic = Arithmetic.EXACT
+) -> Calculation:
+    """Return the value of an expression over named matrices, exactly.
+
+    Raises
+    ------
+    CalculatorError
+        For a fault in the expression, with a caret in front of it.
+    NoAnswerError
+        For the inverse of a singular matrix, a division by zero, a direction of length zero.
+
+    Examples
+    --------
+    >>> calculate("det([[1, 2], [3, 4]]) / 4", {}).value.entries
+    Fraction(-1, 2)
+    """
+    expression = expression.replace("−", "-").strip()
+    evaluation = _Evaluation(expression, names, arithmetic)
+    value = evaluation.value_of(parse(expression))
+    return Calculation(expression, value, arithmetic, tuple(evaluation.steps))
+
+
+@dataclass
+class _Evaluation:
+    expression: str
+    names: Names
+    arithmetic: Arithmetic
+    steps: list[Step] = field(default_factory=list)
+
+    def value_of(self, node: ast.expr) -> Value:  # noqa: PLR0911 - one line for each kind of node
+        match node:
+            case ast.Constant():
+                return self._constant(node)
+            case ast.Name(id=name):
+                return self._name(node, name)
+            case ast.List(elts=elements) | ast.Tuple(elts=elements):
+                return self._bracket(node, elements)
+            case ast.Attribute(value=inner):
+                return self._call(node, "transpose", [inner])
+            case ast.Call(func=ast.Name(id=name), args=arguments):
+                return self._call(node, name, arguments)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return _negative(self.value_of(operand))
+            case ast.UnaryOp(operand=operand):
+                return self.value_of(operand)
+            case ast.BinOp(left=left, op=operator, right=right):
+                return self._binary(node, OPERATORS[type(operator)], left, right)
+        raise self._fault(node, "expression", "it is outside the grammar")
+
+    def _fault(self, node: ast.expr, what: str, why: str) -> NMatrixError:
+        return fault(self.expression, position(self.expression, node), what, why)
+
+    def _constant(self, node: ast.Constant) -> Value:
+        text = ast.get_source_segment(self.expression, node) or ""
+        try:
+            return self._kept(Value(fraction(text)))
+        except IllegalValueError as error:
+            raise self._fault(node, "number", str(error)) from None
+
+    def _name(self, node: ast.expr, name: str) -> Value:
+        if name in self.names:
+            return self._kept(self.names[name])
+        if name in FUNCTIONS:
+            raise self._fault(node, name, f"it is a function: write {name}(…)")
+        known = ", ".join(self.names) or "none"
+        raise self._fault(node, f"name {name[:20]}", f"the names are {known}; --let adds more")
+
+    def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
+        values = [self.value_of(element) for element in elements]
+        kinds = {value.kind for value in values}
+        sizes = {value.shape for value in values}
+        if not values or len(values) > 4 or len(sizes) != 1 or Kind.MATRIX in kinds:
+            raise self._fault(node, "bracket", "it holds up to 4 numbers, or rows of equal length")
+        exact = all(value.exact for value in values)
+        return Value(tuple(value.entries for value in values), exact)  # type: ignore[arg-type]
+
+    def _call(self, node: ast.expr, name: str, arguments: list[ast.expr]) -> Value:
+        function = FUNCTIONS.get(name)
+        if function is None:
+            raise self._fault(node, f"function {name[:20]}", f"there are {', '.join(FUNCTIONS)}")
+        values = [self.value_of(argument) for argument in arguments]
+        if name in THREE_ARGUMENTS and [v.kind for v in values] == [Kind.SCALAR] * 3:
+            exact = all(v.exact for v in values)
+            values = [Value(tuple(v.scalar for v in values), exact)]
+        if tuple(value.kind for value in values) != function.takes:
+            wanted = " and a ".join(function.takes)
+            raise self._fault(node, name, f"it takes a {wanted}")
+        try:
+            found = function.compute(*values)
+        except NoAnswerError as error:
+            raise NoAnswerError(
+                f"{name} at character {position(self.expression, node) + 1}", str(error)
+            ) from None
+        except IllegalValueError as error:
+            raise self._fault(node, name, str(error)) from None
+        return self._step(node, found, function.rule)
+
+    def _binary(self, node: ast.expr, sign: str, left: ast.expr, right: ast.expr) -> Value:
+        a, b = self.value_of(left), self.value_of(right)
+        try:
+            entries, rule = BINARY[sign](a, b)
+        except IllegalValueError as error:
+            raise self._fault(right, sign, str(error)) from None
+        return self._step(node, Value(entries, a.exact and b.exact), rule)
+
+    def _step(self, node: ast.expr, value: Value, rule: str) -> Value:
+        kept = self._kept(value)
+        segment = ast.get_source_segment(self.expression, node) or self.expression
+        self.steps.append(Step(segment, kept, rule))
+        return kept
+
+    def _kept(self, value: Value) -> Value:
+        return value.rounded() if self.arithmetic is Arithmetic.FLOAT else value
+
+
+def _negative(value: Value) -> Value:
+    return Value(each(value.entries, lambda x: -x), value.exact)

@@ -1,0 +1,205 @@
+"""The calculator's functions: name, what they take, and the rule that a student would quote.
+
+A root or a sine that is not rational is carried to 2⁻¹³⁰ and marked as not exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from math import degrees, isqrt
+
+from nmatrix.calculator.values import Kind, Value
+from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.linear import affine, rational, rounding
+from nmatrix.linear.angle import Angle
+
+ROOT_BITS = 280
+EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
+
+Compute = Callable[..., Value]
+
+
+@dataclass(frozen=True)
+class Function:
+    """One function: the kinds of its arguments, its rule in words, and how to compute it."""
+
+    takes: tuple[Kind, ...]
+    rule: str
+    compute: Compute
+
+
+def exact_root(square: Fraction) -> Value:
+    """Return √square: exact if it is rational, else right to 2⁻¹³⁰ of itself.
+
+    Examples
+    --------
+    >>> exact_root(Fraction(9, 4)).entries
+    Fraction(3, 2)
+    """
+    product = square.numerator * square.denominator
+    whole = isqrt(product)
+    if whole * whole == product:
+        return Value(Fraction(whole, square.denominator))
+    scaled = isqrt(product << (2 * ROOT_BITS))
+    return Value(Fraction(scaled, square.denominator << ROOT_BITS), exact=False)
+
+
+def _matrix(function: Callable[[rational.RationalMatrix], rational.RationalMatrix]) -> Compute:
+    def compute(A: Value) -> Value:
+        _require_square(A)
+        return Value(function(A.matrix), A.exact)
+
+    return compute
+
+
+def _number(function: Callable[[rational.RationalMatrix], Fraction]) -> Compute:
+    def compute(A: Value) -> Value:
+        _require_square(A)
+        return Value(function(A.matrix), A.exact)
+
+    return compute
+
+
+def _require_square(A: Value) -> None:
+    if len(A.matrix) != len(A.matrix[0]):
+        raise IllegalValueError(A.shape, "a square matrix is needed", "use 3×3 or 4×4")
+
+
+def _require_size(value: Value, size: int, what: str) -> None:
+    if len(value.entries) != size:  # type: ignore[arg-type]  # a vector or a matrix has a length
+        raise IllegalValueError(value.shape, f"{what} is needed", "check its size")
+
+
+def _linear(M: Value) -> Value:
+    _require_size(M, 4, "a 4×4 matrix")
+    return Value(rational.linear(M.matrix), M.exact)
+
+
+def _translation(M: Value) -> Value:
+    _require_size(M, 4, "a 4×4 matrix")
+    return Value(rational.translation(M.matrix), M.exact)
+
+
+def _with_w(w: int) -> Compute:
+    def compute(v: Value) -> Value:
+        _require_size(v, 3, "a vector of 3")
+        return Value((*v.vector, Fraction(w)), v.exact)
+
+    return compute
+
+
+def _normalize(v: Value) -> Value:
+    components = v.vector
+    if len(components) == 4 and components[3] != 0:
+        raise IllegalValueError(
+            "normalize of four components",
+            f"w = {components[3]} would count as length and shorten the direction",
+            "take the first three",
+        )
+    square = rational.dot(components, components)
+    if square == 0:
+        raise NoAnswerError("normalize of the zero vector", "it has no direction", "use another")
+    length = exact_root(square)
+    unit = tuple(component / length.scalar for component in components)
+    return Value(unit, v.exact and length.exact)
+
+
+def _length(v: Value) -> Value:
+    root = exact_root(rational.dot(v.vector, v.vector))
+    return Value(root.entries, root.exact and v.exact)
+
+
+def _dot(a: Value, b: Value) -> Value:
+    _same_size(a, b)
+    return Value(rational.dot(a.vector, b.vector), a.exact and b.exact)
+
+
+def _cross(a: Value, b: Value) -> Value:
+    _require_size(a, 3, "a vector of 3")
+    _require_size(b, 3, "a vector of 3")
+    return Value(rational.cross(a.vector, b.vector), a.exact and b.exact)
+
+
+def _angle(a: Value, b: Value) -> Value:
+    _require_size(a, 3, "a vector of 3")
+    _require_size(b, 3, "a vector of 3")
+    p, q = rounding.integers(a.vector)[0], rounding.integers(b.vector)[0]
+    if not any(p) or not any(q):
+        raise NoAnswerError("angle with the zero vector", "it has no direction", "use another")
+    found = rounding.angle(p, q)
+    return Value(Fraction(degrees(found)), exact=False)
+
+
+def _same_size(a: Value, b: Value) -> None:
+    if len(a.vector) != len(b.vector):
+        raise IllegalValueError(f"{a.shape} and {b.shape}", "they differ in size", "match them")
+
+
+def _identity(n: Value) -> Value:
+    if n.scalar not in (2, 3, 4):
+        raise IllegalValueError(f"identity({n.scalar})", "sizes are 2, 3 and 4", "identity(4)")
+    return Value(rational.identity(int(n.scalar)))
+
+
+def _rotate(axis: str) -> Compute:
+    def compute(turn: Value) -> Value:
+        turned = affine.rotation_about(axis, Angle.degrees(turn.scalar))
+        exact = turn.exact and turn.scalar % EXACT_TURNS == 0
+        return Value(rational.affine(turned), exact)
+
+    return compute
+
+
+def _build(make: Callable[[rational.RationalVector], rational.RationalMatrix]) -> Compute:
+    def compute(v: Value) -> Value:
+        _require_size(v, 3, "three numbers")
+        return Value(make(v.vector), v.exact)
+
+    return compute
+
+
+def _trace_of(A: rational.RationalMatrix) -> Fraction:
+    return sum((A[i][i] for i in range(len(A))), Fraction(0))
+
+
+_M, _V, _S = (Kind.MATRIX,), (Kind.VECTOR,), (Kind.SCALAR,)
+_VV = (Kind.VECTOR, Kind.VECTOR)
+
+FUNCTIONS: dict[str, Function] = {
+    "inverse": Function(_M, "the adjugate over the determinant", _matrix(rational.inverse)),
+    "transpose": Function(
+        _M, "rows become columns", lambda A: Value(rational.transpose(A.matrix), A.exact)
+    ),
+    "inverse_transpose": Function(
+        _M, "the cofactors over the determinant", _matrix(rational.inverse_transpose)
+    ),
+    "cofactor": Function(
+        _M, "each entry is a signed determinant of what is left", _matrix(rational.cofactor)
+    ),
+    "adjugate": Function(_M, "the cofactors, transposed", _matrix(rational.adjugate)),
+    "det": Function(_M, "a row times its cofactors", _number(rational.determinant)),
+    "rank": Function(
+        _M, "rows left after elimination", lambda A: Value(Fraction(rational.rank(A.matrix)))
+    ),
+    "trace": Function(_M, "the sum of the diagonal", _number(_trace_of)),
+    "linear": Function(_M, "the 3×3 block", _linear),
+    "translation": Function(_M, "the last column", _translation),
+    "point": Function(_V, "w = 1: points move with the translation", _with_w(1)),
+    "vector": Function(_V, "w = 0: vectors do not", _with_w(0)),
+    "normalize": Function(_V, "divided by its length", _normalize),
+    "length": Function(_V, "the root of v · v", _length),
+    "dot": Function(_VV, "the sum of the products", _dot),
+    "cross": Function(_VV, "perpendicular to both", _cross),
+    "angle": Function(_VV, "arctan of |a×b| over a·b, in degrees", _angle),
+    "identity": Function(_S, "ones on the diagonal", _identity),
+    "rotate_x": Function(_S, "a rotation about x, in degrees", _rotate("X")),
+    "rotate_y": Function(_S, "a rotation about y, in degrees", _rotate("Y")),
+    "rotate_z": Function(_S, "a rotation about z, in degrees", _rotate("Z")),
+    "translate": Function(_V, "a translation", _build(affine.translation_matrix)),
+    "scale": Function(_V, "a scale", _build(lambda v: rational.affine(rational.diagonal(v)))),
+    "shear": Function(
+        _V, "a shear xy, xz, yz", _build(lambda v: rational.affine(affine.shear_matrix(v)))
+    ),
+}

@@ -1,0 +1,94 @@
+"""What the calculator computes with: a scalar, a vector or a matrix of exact fractions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+
+from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.linear.rounding import nearest
+
+Entries = Fraction | RationalVector | RationalMatrix
+
+
+class Kind(StrEnum):
+    """What kind of thing a value is."""
+
+    SCALAR = "scalar"
+    VECTOR = "vector"
+    MATRIX = "matrix"
+
+
+class Arithmetic(StrEnum):
+    """Exact fractions, or float64 rounded after every operation."""
+
+    EXACT = "exact"
+    FLOAT = "float"
+
+
+@dataclass(frozen=True)
+class Value:
+    """Entries, and whether they are exactly what the expression means."""
+
+    entries: Entries
+    exact: bool = True
+
+    @property
+    def kind(self) -> Kind:
+        """Return whether this is a scalar, a vector or a matrix."""
+        if isinstance(self.entries, Fraction):
+            return Kind.SCALAR
+        return Kind.MATRIX if isinstance(self.entries[0], tuple) else Kind.VECTOR
+
+    @property
+    def shape(self) -> str:
+        """Return the size in words."""
+        if isinstance(self.entries, Fraction):
+            return "a number"
+        if isinstance(self.entries[0], tuple):
+            return f"a {len(self.entries)}×{len(self.entries[0])} matrix"
+        return f"a vector of {len(self.entries)}"
+
+    @property
+    def scalar(self) -> Fraction:
+        """Return the number of a scalar."""
+        assert isinstance(self.entries, Fraction)  # callers check the kind
+        return self.entries
+
+    @property
+    def vector(self) -> RationalVector:
+        """Return the components of a vector."""
+        assert self.kind is Kind.VECTOR  # callers check the kind
+        return self.entries  # type: ignore[return-value]  # the assertion says so
+
+    @property
+    def matrix(self) -> RationalMatrix:
+        """Return the rows of a matrix."""
+        assert self.kind is Kind.MATRIX  # callers check the kind
+        return self.entries  # type: ignore[return-value]  # the assertion says so
+
+    def rounded(self) -> Value:
+        """Return the value with every entry rounded to float64."""
+        return Value(each(self.entries, lambda x: Fraction(nearest(x))), self.exact)
+
+
+def each(entries: Entries, change: Callable[[Fraction], Fraction]) -> Entries:
+    """Return the entries with every number changed.
+
+    Examples
+    --------
+    >>> each((Fraction(1), Fraction(2)), lambda x: -x)
+    (Fraction(-1, 1), Fraction(-2, 1))
+    """
+    if isinstance(entries, Fraction):
+        return change(entries)
+    return tuple(each(entry, change) for entry in entries)  # type: ignore[return-value]  # same shape
+
+
+def as_strings(entries: Entries) -> object:
+    """Return the entries as fractions in words, in the same shape."""
+    if isinstance(entries, Fraction):
+        return str(entries)
+    return [as_strings(entry) for entry in entries]
