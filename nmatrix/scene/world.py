@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -63,12 +64,21 @@ class World:
                     "leave one of them out",
                 )
 
-    @property
-    def rotation(self) -> RationalMatrix:
-        """Return the 3×3 rotation."""
+    def exact_by(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
+        """Return the matrix with every angle in degrees turned into sine and cosine by `turn`."""
+        if self.matrix is not None:
+            return self.matrix
+        return affine.compose(
+            self._rotation(turn),
+            _numbers(self.scale),
+            _numbers(self.shear),
+            _numbers(self.translate),
+        )
+
+    def _rotation(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         if self.quaternion is not None:
             return affine.rotation_from_quaternion(_numbers(self.quaternion))
-        turns = [Angle.degrees(_number(value)) for value in self.rotate_degrees]
+        turns = [turn(value) for value in self.rotate_degrees]
         if self.convention is Convention.STANDARD:
             return affine.rotation(turns, self.order)
         return affine.course_rotation(turns, self.convention)
@@ -76,14 +86,7 @@ class World:
     @property
     def exact(self) -> RationalMatrix:
         """Return the matrix before its one rounding."""
-        if self.matrix is not None:
-            return self.matrix
-        return affine.compose(
-            self.rotation,
-            _numbers(self.scale),
-            _numbers(self.shear),
-            _numbers(self.translate),
-        )
+        return self.exact_by(lambda degrees: Angle.degrees(_number(degrees)))
 
     @property
     def world_from_object(self) -> RationalMatrix:

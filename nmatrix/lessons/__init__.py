@@ -1,0 +1,1 @@
+"""Lessons: the rules derived and proved; the only importers of SymPy."""

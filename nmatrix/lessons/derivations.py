@@ -1,0 +1,164 @@
+"""The lessons on the rule itself, step by step, each step built as one writes it on a board."""
+
+from __future__ import annotations
+
+from nmatrix.lessons.notation import (
+    A_INVERSE_T,
+    A_T,
+    DET,
+    EQUALS,
+    IMPLIES,
+    NOT_EQUAL,
+    ONE,
+    C,
+    N,
+    formula,
+    words,
+)
+from nmatrix.lessons.steps import equal, step
+from nmatrix.lessons.symbols import cofactors, determinant, generic_matrix, generic_vector
+from nmatrix.report import Step
+
+T_N = words("tᵀ n", r"t^{\mathsf T} n")
+
+
+def rule() -> tuple[list[Step], str]:
+    """Derive N = A⁻ᵀ from the one thing that a normal is: perpendicular to every tangent."""
+    import sympy as sp
+
+    M, t, n, p, d = generic_matrix(), *map(generic_vector, "tnpd")
+    K, det, ones = cofactors(M), determinant(M), sp.eye(3)
+    free = generic_matrix("b")
+    k = sp.Symbol("kappa", positive=True)
+    bent, right = sp.Matrix([k, 1, 0]), sp.Matrix([1 / k, 1, 0])
+    tangent = words("t′", "t'")
+    steps = [
+        step(
+            formula(words("t · n"), EQUALS, T_N, EQUALS, words("0")),
+            "a normal is what is perpendicular to every tangent t of the surface",
+            proved=equal(t.dot(n), (t.T * n)[0]),
+        ),
+        step(
+            formula(tangent, EQUALS, words("A (p + t) + d − (A p + d)"), EQUALS, words("A t")),
+            "a tangent is a difference of two points, so A moves it and the translation d cancels",
+            proved=equal((M * (p + t) + d) - (M * p + d), M * t),
+        ),
+        step(
+            formula(
+                words("(A t)ᵀ (N n)", r"(A t)^{\mathsf T} (N n)"),
+                EQUALS,
+                words("tᵀ (Aᵀ N) n", r"t^{\mathsf T} (A^{\mathsf T} N)\, n"),
+                EQUALS,
+                words("0"),
+            ),
+            "the new normal N n must be perpendicular to every new tangent A t",
+            proved=equal((M * t).T * (free * n), t.T * (M.T * free) * n),
+        ),
+        step(
+            formula(A_T, words(" N"), EQUALS, ONE, IMPLIES, N, EQUALS, A_INVERSE_T),
+            "that holds for all t and n with t · n = 0 if AᵀN is the identity",
+            proved=equal(M.T * K, det * ones),
+        ),
+        step(
+            formula(A_INVERSE_T, EQUALS, words("C / det A", r"\frac{C}{\det A}")),
+            "C, the cofactors, solves Aᵀ C = det A · 1 without any division",
+            proved=equal(K.T * M, det * ones),
+        ),
+        step(
+            formula(
+                words("(C n) · (A t)", r"(C n) \cdot (A t)"),
+                EQUALS,
+                words("det A (n · t)", r"\det A \, (n \cdot t)"),
+            ),
+            "so C n is perpendicular too; only the sign of det A decides which side is outside",
+            proved=equal((K * n).dot(M * t), det * n.dot(t)),
+        ),
+        step(
+            formula(
+                words("tan θ", r"\tan\theta"),
+                EQUALS,
+                words("|A n × N n| / (A n · N n)", r"\frac{|A n \times N n|}{A n \cdot N n}"),
+                EQUALS,
+                words("(κ − 1/κ) / 2", r"\frac{\kappa - 1/\kappa}{2}"),
+            ),
+            "with A itself a normal halfway between the directions stretched by κ and by 1 is "
+            "off by θ, the worst there is",
+            proved=equal(bent.cross(right)[2] / bent.dot(right), (k - 1 / k) / 2),
+        ),
+    ]
+    return steps, (
+        "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
+        "length one. A itself does only where AᵀA = s² · 1."
+    )
+
+
+def cofactor() -> tuple[list[Step], str]:
+    """Show what the cofactor matrix is, and the sign by which it differs."""
+    M, u, v = generic_matrix(), generic_vector("u"), generic_vector("v")
+    K, det = cofactors(M), determinant(M)
+    import sympy as sp
+
+    steps = [
+        step(
+            formula(A_T, C, EQUALS, DET, words(" · "), ONE),
+            "each row of A times its own cofactors is det A, times another row's it is 0",
+            proved=equal(M.T * K, det * sp.eye(3)),
+        ),
+        step(
+            formula(
+                words("(A u) × (A v)", r"(A u) \times (A v)"),
+                EQUALS,
+                words("C (u × v)", r"C\,(u \times v)"),
+            ),
+            "the cross product of two moved edges is the cofactors times the old one: C carries "
+            "normals that come from the winding of a triangle",
+            proved=equal((M * u).cross(M * v), K * u.cross(v)),
+        ),
+        step(
+            formula(C, EQUALS, DET, words(" · "), A_INVERSE_T),
+            "it is the inverse transpose times a number, which is negative for a mirror",
+            proved=equal(K.T * M, det * sp.eye(3)),
+        ),
+    ]
+    return steps, (
+        "C exists for every matrix. For outward normals multiply by sign(det A); C alone turns "
+        "them inside out in a mirror."
+    )
+
+
+def translation() -> tuple[list[Step], str]:
+    """Show where a translation hides in the 4×4 inverse transpose."""
+    import sympy as sp
+
+    x, y, z, w = sp.symbols("nx ny nz w")
+    M = sp.eye(4)
+    M[0, 3] = 5
+    inverse_transpose = sp.eye(4)
+    inverse_transpose[3, 0] = -5
+    carried = inverse_transpose * sp.Matrix([x, y, z, w])
+    moved = M * sp.Matrix([x, y, z, 1])
+    steps = [
+        step(
+            formula(
+                words("M"),
+                EQUALS,
+                M,
+                words(",  M⁻ᵀ = ", r",\; M^{-\mathsf T} = "),
+                inverse_transpose,
+            ),
+            "the translation does not vanish: it moves to the last row",
+            proved=equal(M.T * inverse_transpose, sp.eye(4)),
+        ),
+        step(
+            formula(words("M⁻ᵀ (n, w)", r"M^{-\mathsf T} \tbinom{n}{w}"), EQUALS, carried),
+            "x, y, z are right for every w; the fourth component is junk: drop it, do not "
+            "normalise it",
+            proved=equal(carried[:3, :], sp.Matrix([x, y, z])),
+        ),
+        step(
+            formula(words("M (n, 1)", r"M \tbinom{n}{1}"), EQUALS, moved, NOT_EQUAL, words("n")),
+            "with M itself and w = 1 the translation bends the normal: w must be 0",
+            proved=not equal(moved[:3, :], sp.Matrix([x, y, z])),
+        ),
+    ]
+    return steps, "A translation has no effect on normals, once the 3×3 block (or w = 0) is used."

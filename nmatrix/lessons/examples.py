@@ -1,0 +1,259 @@
+"""The lessons on kinds of maps: rotation, scale, shear, mirror, and a map that flattens."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nmatrix.lessons.notation import (
+    A_INVERSE_T,
+    DET,
+    EQUALS,
+    NOT_EQUAL,
+    ONE,
+    A,
+    C,
+    Words,
+    formula,
+    words,
+)
+from nmatrix.lessons.steps import equal, step
+from nmatrix.lessons.symbols import cofactors, determinant
+from nmatrix.report import Step
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+
+def rotation() -> tuple[list[Step], str]:
+    """Show that a rotation is its own inverse transpose."""
+    import sympy as sp
+
+    c, s = sp.symbols("c s", real=True)
+    R = sp.Matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    circle = (c, s)
+    steps = [
+        step(
+            formula(words("R"), EQUALS, R, words(",  c² + s² = 1", r",\; c^2 + s^2 = 1")),
+            "a rotation by θ about z, with c = cos θ and s = sin θ",
+            proved=equal(determinant(R), sp.Integer(1), circle),
+        ),
+        step(
+            formula(words("Rᵀ R", r"R^{\mathsf T} R"), EQUALS, ONE),
+            "its columns have length one and are perpendicular",
+            proved=equal(R.T * R, sp.eye(3), circle),
+        ),
+        step(
+            formula(
+                words("R⁻ᵀ", r"R^{-\mathsf T}"),
+                EQUALS,
+                words("(Rᵀ)ᵀ", r"(R^{\mathsf T})^{\mathsf T}"),
+                EQUALS,
+                words("R"),
+            ),
+            "so the inverse is the transpose, and transposing twice changes nothing",
+            proved=equal(cofactors(R), R, circle),
+        ),
+    ]
+    return steps, (
+        "R itself carries normals. A test on rotated objects can therefore never tell a wrong "
+        "normal matrix from the right one: the hidden bias."
+    )
+
+
+def uniform() -> tuple[list[Step], str]:
+    """Show that a uniform scale changes lengths only."""
+    import sympy as sp
+
+    k = sp.Symbol("k", nonzero=True)
+    A_ = k * sp.eye(3)
+    return [
+        step(
+            formula(A, EQUALS, A_, words(",  "), A_INVERSE_T, EQUALS, sp.eye(3) / k),
+            "the inverse transpose divides where A multiplies",
+            proved=equal(A_.T * (sp.eye(3) / k), sp.eye(3)),
+        ),
+        step(
+            formula(A, EQUALS, words("k² · ", r"k^2 \,"), A_INVERSE_T),
+            "both are multiples of the identity: the direction is the same, normalise the length",
+            proved=equal(A_, k**2 * (sp.eye(3) / k)),
+        ),
+    ], "A uniform scale needs no inverse transpose, only a normalisation."
+
+
+def nonuniform() -> tuple[list[Step], str]:
+    """Show how a non-uniform scale bends normals, with numbers."""
+    import sympy as sp
+
+    a, b, c = sp.symbols("a b c", nonzero=True)
+    S, inverse = sp.diag(a, b, c), sp.diag(1 / a, 1 / b, 1 / c)
+    steps = [
+        step(
+            formula(A, EQUALS, S, words(",  "), A_INVERSE_T, EQUALS, inverse),
+            "a diagonal matrix is its own transpose, and its inverse divides",
+            proved=equal(S.T * inverse, sp.eye(3)),
+        ),
+        *_on_one_normal(sp.diag(1, 2, 1), sp.Matrix([1, 1, 0]), sp.Matrix([1, -1, 0])),
+    ]
+    return steps, (
+        "Stretching y by 2 flattens the slope, so the normal must lean the other way: the "
+        "inverse transpose divides by 2 where A multiplies. A itself is 36.87° off here."
+    )
+
+
+def shear() -> tuple[list[Step], str]:
+    """Show that a shear needs the inverse transpose although its determinant is 1."""
+    import sympy as sp
+
+    h = sp.Symbol("h")
+    H = sp.Matrix([[1, h, 0], [0, 1, 0], [0, 0, 1]])
+    K = cofactors(H)
+    steps = [
+        step(
+            formula(A, EQUALS, H, words(",  "), DET, EQUALS, words("1")),
+            "a shear keeps volume",
+            proved=equal(determinant(H), sp.Integer(1)),
+        ),
+        step(
+            formula(A_INVERSE_T, EQUALS, K),
+            "its inverse transpose shears y along x, and with the other sign",
+            proved=equal(H.T * K, sp.eye(3)),
+        ),
+        *_on_one_normal(H.subs(h, 1), sp.Matrix([1, 0, 0]), sp.Matrix([0, 1, 0])),
+    ]
+    return steps, "det A = 1 proves nothing: only AᵀA = s² · 1 lets A itself carry normals."
+
+
+def mirror() -> tuple[list[Step], str]:
+    """Show what a mirror does to cofactors, normals and winding."""
+    import sympy as sp
+
+    A_ = sp.diag(-1, 1, 1)
+    K, n = cofactors(A_), sp.Matrix([1, 0, 0])
+    u, v = sp.Matrix([0, 1, 0]), sp.Matrix([0, 0, 1])
+    steps = [
+        step(
+            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, words("−1", "-1")),
+            "a mirror in the plane x = 0",
+            proved=equal(determinant(A_), sp.Integer(-1)),
+        ),
+        step(
+            formula(A_INVERSE_T, EQUALS, A_, EQUALS, A),
+            "AᵀA = 1, so the inverse transpose is A itself",
+            proved=equal(A_.T * A_, sp.eye(3)),
+        ),
+        step(
+            formula(C, EQUALS, K, EQUALS, words("−"), A_INVERSE_T),
+            "the cofactors carry the determinant's sign",
+            proved=equal(K, -A_),
+        ),
+        step(
+            formula(C, words(" n"), EQUALS, K * n, NOT_EQUAL, A_ * n),
+            "for n = (1, 0, 0), outward on the right, C n still points right: inwards now",
+            proved=equal(K * n, n) and not equal(K * n, A_ * n),
+        ),
+        step(
+            formula(
+                words("(A u) × (A v)", r"(A u) \times (A v)"),
+                EQUALS,
+                words("C (u × v)", r"C\,(u \times v)"),
+                EQUALS,
+                K * u.cross(v),
+            ),
+            "a triangle's edge product moves by C: seen from outside its winding has flipped",
+            proved=equal((A_ * u).cross(A_ * v), K * u.cross(v)),
+        ),
+        step(
+            formula(
+                words("sign(det A) · C n", r"\operatorname{sign}(\det A)\, C n"), EQUALS, -K * n
+            ),
+            "with the sign the outward normal stays outward",
+            proved=equal(-K * n, A_ * n),
+        ),
+    ]
+    return steps, (
+        "Outward normals: sign(det A) · C n, which is the inverse transpose. Flip the winding of "
+        "the triangles, not the normals."
+    )
+
+
+def singular() -> tuple[list[Step], str]:
+    """Show what is left of normals when space is flattened."""
+    import sympy as sp
+
+    A_ = sp.diag(1, 0, 1)
+    K = cofactors(A_)
+    n = sp.Matrix([sp.Rational(3, 5), sp.Rational(4, 5), 0])
+    edge = sp.Matrix([1, 0, 0])
+    steps = [
+        step(
+            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, words("0")),
+            "y is lost: nothing undoes that, there is no inverse",
+            proved=equal(determinant(A_), sp.Integer(0)),
+        ),
+        step(
+            formula(C, EQUALS, K),
+            "the cofactors exist all the same",
+            proved=equal(A_.T * K, sp.zeros(3, 3)),
+        ),
+        step(
+            formula(C, n, EQUALS, K * n),
+            "every normal that leaned to y becomes the plane's own normal, ±y: two-sided",
+            proved=equal(K * n, sp.Matrix([0, sp.Rational(4, 5), 0])),
+        ),
+        step(
+            formula(C, edge, EQUALS, K * edge),
+            "a normal in the plane belongs to a patch that has become a line: undefined",
+            proved=equal(K * edge, sp.zeros(3, 1)),
+        ),
+    ]
+    return steps, "Rank 2 leaves the plane's normal without a side; rank 1 leaves none at all."
+
+
+def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> list[Step]:
+    """Carry one normal both ways and measure both against the moved tangent."""
+    K, det = cofactors(A_), determinant(A_)
+    right = K * n / det
+    wrong_dot, right_dot = (A_ * t).dot(A_ * n), (A_ * t).dot(right)
+    bent = (A_ * n).cross(right).norm() / (A_ * n).dot(right)
+    return [
+        step(
+            formula(
+                words("n = ", "n = "),
+                n,
+                words(",  t = ", r",\; t = "),
+                t,
+                words(",  t · n = 0", r",\; t \cdot n = 0"),
+            ),
+            "take one normal and a tangent perpendicular to it",
+            proved=t.dot(n) == 0,
+        ),
+        step(
+            formula(_dot("A n"), EQUALS, wrong_dot, NOT_EQUAL, words("0")),
+            "moved by A the normal is no longer perpendicular to the moved tangent",
+            proved=wrong_dot != 0,
+        ),
+        step(
+            formula(
+                words("A⁻ᵀ n = ", r"A^{-\mathsf T} n = "),
+                right,
+                words(",  "),
+                _dot("A⁻ᵀ n", r"A^{-\mathsf T} n"),
+                EQUALS,
+                right_dot,
+            ),
+            "moved by the inverse transpose it is",
+            proved=right_dot == 0,
+        ),
+        step(
+            formula(words("tan θ", r"\tan\theta"), EQUALS, bent),
+            "θ is the angle between the two",
+            proved=equal(
+                bent**2 * (A_ * n).dot(right) ** 2,
+                (A_ * n).dot(A_ * n) * right.dot(right) - (A_ * n).dot(right) ** 2,
+            ),
+        ),
+    ]
+
+
+def _dot(text: str, latex: str | None = None) -> Words:
+    return words(f"(A t) · ({text})", rf"(A t) \cdot ({latex or text})")

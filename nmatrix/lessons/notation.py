@@ -1,0 +1,106 @@
+"""A formula as text and as LaTeX from the same parts: words, SymPy expressions and matrices."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+from nmatrix.report import Formula
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+
+@dataclass(frozen=True)
+class Words:
+    """A fixed piece of a formula, written for each way to show it."""
+
+    text: str
+    latex: str
+
+
+Part: TypeAlias = "Words | sp.Expr | sp.MatrixBase"
+
+EQUALS = Words(" = ", " = ")
+NOT_EQUAL = Words(" ≠ ", r" \neq ")
+IMPLIES = Words("  ⇒  ", r" \;\Rightarrow\; ")
+TIMES = Words(" · ", r" \cdot ")
+A = Words("A", "A")
+A_T = Words("Aᵀ", r"A^{\mathsf T}")
+A_INVERSE_T = Words("A⁻ᵀ", r"A^{-\mathsf T}")
+C = Words("C", "C")
+N = Words("N", "N")
+DET = Words("det A", r"\det A")
+ONE = Words("1", r"\mathbf 1")
+
+
+def words(text: str, latex: str | None = None) -> Words:
+    """Return a piece that reads alike in both."""
+    return Words(text, text if latex is None else latex)
+
+
+def formula(*parts: Part) -> Formula:
+    r"""Return a formula whose parts stand side by side, matrices over several lines.
+
+    Examples
+    --------
+    >>> formula(A, EQUALS, ONE).latex
+    'A = \\mathbf 1'
+    """
+    return Formula(
+        text=_side_by_side([_text(part) for part in parts]),
+        latex="".join(_latex(part) for part in parts),
+    )
+
+
+def _text(part: Part) -> list[str]:
+    if isinstance(part, Words):
+        return [part.text]
+    if hasattr(part, "tolist"):  # a matrix, without importing SymPy to ask
+        return _text_matrix([[_plain(entry) for entry in row] for row in part.tolist()])
+    return [_plain(part)]
+
+
+_ROOT = re.compile(r"sqrt\((\d+)\)")
+
+
+def _plain(expression: sp.Expr) -> str:
+    text = (
+        _ROOT.sub(r"√\1", str(expression))
+        .replace("**2", "²")
+        .replace("**3", "³")
+        .replace("**", "^")
+    )
+    return text.replace("*", "·").replace("sqrt", "√").replace("-", "−").replace("kappa", "κ")
+
+
+def _latex(part: Part) -> str:
+    if isinstance(part, Words):
+        return part.latex
+    import sympy as sp
+
+    return str(sp.latex(part, mat_delim="", mat_str="bmatrix"))
+
+
+def _text_matrix(cells: list[list[str]]) -> list[str]:
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    last = len(cells) - 1
+    lines = []
+    for i, row in enumerate(cells):
+        left, right = "[]" if last == 0 else ("⎡⎤" if i == 0 else "⎣⎦" if i == last else "⎢⎥")
+        body = "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True))
+        lines.append(f"{left} {body} {right}")
+    return lines
+
+
+def _side_by_side(blocks: list[list[str]]) -> str:
+    height = max(map(len, blocks))
+    padded = []
+    for block in blocks:
+        above = (height - len(block)) // 2
+        width = max(map(len, block))
+        empty = " " * width
+        lines = [line.ljust(width) for line in block]
+        padded.append([empty] * above + lines + [empty] * (height - above - len(block)))
+    return "\n".join("".join(line).rstrip() for line in zip(*padded, strict=True))

@@ -1,0 +1,38 @@
+"""The generic matrices and vectors that the lessons argue about.
+
+A is any 3×3 matrix, n a normal, t, u, v tangents; C the cofactors of A.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+
+def generic_matrix(name: str = "a") -> sp.Matrix:
+    """Return a 3×3 matrix of nine symbols."""
+    import sympy as sp
+
+    return sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"{name}{i + 1}{j + 1}"))
+
+
+def generic_vector(name: str) -> sp.Matrix:
+    """Return a column of three symbols."""
+    import sympy as sp
+
+    return sp.Matrix([sp.Symbol(f"{name}{axis}") for axis in "xyz"])
+
+
+def cofactors(A: sp.Matrix) -> sp.Matrix:
+    """Return the cofactor matrix: its rows are cross products of the rows of A."""
+    import sympy as sp
+
+    a, b, c = (A.row(i) for i in range(3))
+    return sp.Matrix([list(b.cross(c)), list(c.cross(a)), list(a.cross(b))])
+
+
+def determinant(A: sp.Matrix) -> sp.Expr:
+    """Return det A, the first row times its cofactors."""
+    return A.row(0).dot(cofactors(A).row(0))
