@@ -137,7 +137,8 @@ class _Writer:
     def _matrix(self, block: Quantity) -> list[Line]:
         if not is_matrix(block.value):
             return self._labelled([block])
-        about = [part for part in (block.title, block.unit and f"in {block.unit}") if part]
+        title = "" if block.title == block.key else block.title
+        about = [part for part in (title, block.unit and f"in {block.unit}") if part]
         head = [Span(self._spelled(block.key), Style.TITLE)]
         if about:
             head.append(Span(self._spelled(": " + ", ".join(about))))

@@ -1,0 +1,135 @@
+"""A report as a document: one walk over its blocks, in the words of whichever dialect."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+
+from nmatrix.output.numbers import significant
+from nmatrix.output.options import OutputOptions
+from nmatrix.output.quantities import is_matrix, is_number, is_vector
+from nmatrix.report import (
+    Block,
+    Code,
+    Figure,
+    Formula,
+    Heading,
+    Quantity,
+    Report,
+    Step,
+    Table,
+    Text,
+    Verdict,
+)
+
+Cells = Sequence[Sequence[str]]
+
+
+class Dialect(ABC):
+    """How one document format writes each kind of block; strings come in unescaped."""
+
+    def __init__(self, options: OutputOptions) -> None:
+        self.digits = options.digits
+
+    @abstractmethod
+    def heading(self, text: str) -> str:
+        """Return a heading."""
+
+    @abstractmethod
+    def paragraph(self, text: str) -> str:
+        """Return a paragraph."""
+
+    @abstractmethod
+    def strong(self, text: str) -> str:
+        """Return the one line for a reader in a hurry."""
+
+    @abstractmethod
+    def matrix(self, key: str, title: str, cells: Cells) -> str:
+        """Return a matrix, or a vector as one column, under its key."""
+
+    @abstractmethod
+    def scalar(self, key: str, title: str, value: str) -> str:
+        """Return a number or a word under its key."""
+
+    @abstractmethod
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        """Return a table."""
+
+    @abstractmethod
+    def formula(self, formula: Formula) -> str:
+        """Return a formula that stands by itself."""
+
+    @abstractmethod
+    def code(self, language: str, text: str) -> str:
+        """Return program text."""
+
+    @abstractmethod
+    def remarks(self, remarks: Sequence[str]) -> str:
+        """Return the remarks as a list."""
+
+    def number(self, text: str) -> str:
+        """Return a formatted number as this format writes it."""
+        return text
+
+    def document(self, body: str) -> str:
+        """Return the body with whatever must stand around it."""
+        return body
+
+
+def compose(report: Report, dialect: Dialect) -> str:
+    """Return the whole report in a dialect, ending in a newline."""
+    parts = [_block(block, dialect) for block in report.blocks]
+    if report.remarks:
+        parts.append(dialect.remarks(report.remarks))
+    return dialect.document("\n\n".join(part.rstrip("\n") for part in parts)) + "\n"
+
+
+def _block(block: Block, dialect: Dialect) -> str:
+    match block:
+        case Heading(text):
+            found = dialect.heading(text)
+        case Text(text):
+            found = dialect.paragraph(text)
+        case Verdict(text):
+            found = dialect.strong(text)
+        case Quantity():
+            found = _quantity(block, dialect)
+        case Table(columns, rows, title):
+            cells = [[_cell(cell, dialect) for cell in row] for row in rows]
+            found = dialect.table(title, columns, cells)
+        case Formula():
+            found = dialect.formula(block)
+        case Step(formula, because, verified):
+            mark = "proved" if verified else "NOT PROVED"
+            found = f"{dialect.formula(formula)}\n\n{dialect.paragraph(f'{because} ({mark})')}"
+        case Code(language, text):
+            found = dialect.code(language, text)
+        case Figure(alternative=alternative):
+            found = dialect.paragraph(alternative)
+    return found
+
+
+def _quantity(block: Quantity, dialect: Dialect) -> str:
+    value = block.value
+    if is_matrix(value):
+        cells = [[_number(entry, dialect) for entry in row] for row in value]
+        return dialect.matrix(block.key, block.title, cells)
+    if is_vector(value):
+        column = [[_number(entry, dialect)] for entry in value]
+        return dialect.matrix(block.key, block.title, column)
+    shown = f"{_cell(value, dialect)}{block.unit}"  # type: ignore[arg-type]  # a scalar by now
+    return dialect.scalar(block.key, block.title, shown)
+
+
+def _number(value: object, dialect: Dialect) -> str:
+    return dialect.number(significant(value, dialect.digits))  # type: ignore[arg-type]  # a number
+
+
+def _cell(value: object, dialect: Dialect) -> str:
+    if is_number(value):
+        return _number(value, dialect)
+    if value is None:
+        return "none"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value)

@@ -1,0 +1,127 @@
+r"""LaTeX that compiles with pdflatex and amsmath: paste it, or wrap it in a document.
+
+Every matrix stands behind a comment `% key: …`, by which it is read again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.options import OutputOptions
+from nmatrix.report import Formula, Report
+
+_CHARACTERS = {
+    "\\": r"\textbackslash{}",
+    **{c: f"\\{c}" for c in "&%$#_{}"},
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "⁻": "$^{-}$",
+    "¹": "$^{1}$",
+    "²": "$^{2}$",
+    "³": "$^{3}$",
+    "ᵀ": r"$^{\mathsf T}$",
+    "₁": "$_{1}$",
+    "₃": "$_{3}$",
+    "κ": r"$\kappa$",
+    "σ": r"$\sigma$",
+    "θ": r"$\theta$",
+    "·": r"$\cdot$",
+    "×": r"$\times$",
+    "−": "$-$",
+    "≠": r"$\neq$",
+    "≤": r"$\le$",
+    "√": r"$\surd$",
+    "°": r"$^{\circ}$",
+    "∞": r"$\infty$",
+    "±": r"$\pm$",
+    "′": "$'$",
+    "…": r"\dots{}",
+    "—": "---",
+    "⇒": r"$\Rightarrow$",
+}
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report as LaTeX."""
+    return compose(report, _Latex(options))
+
+
+def bmatrix(cells: Cells) -> str:
+    r"""Return rows of cells as an amsmath `bmatrix`.
+
+    Examples
+    --------
+    >>> print(bmatrix([["1", "0"], ["0", "2"]]))
+    \begin{bmatrix}
+      1 & 0 \\
+      0 & 2
+    \end{bmatrix}
+    """
+    body = " \\\\\n".join("  " + " & ".join(row) for row in cells)
+    return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
+
+
+def symbol(key: str) -> str:
+    """Return a key as a formula's name."""
+    return rf"\mathtt{{{key.replace('_', chr(92) + '_')}}}"
+
+
+def power_of_ten(number: str) -> str:
+    r"""Return a number with its exponent as mathematics writes it.
+
+    Examples
+    --------
+    >>> power_of_ten("1.5e-07")
+    '1.5 \\times 10^{-7}'
+    """
+    mantissa, mark, exponent = number.partition("e")
+    return rf"{mantissa} \times 10^{{{int(exponent)}}}" if mark else number
+
+
+def escaped(text: str) -> str:
+    """Return text that LaTeX shows as it is."""
+    return "".join(_CHARACTERS.get(character, character) for character in text)
+
+
+class _Latex(Dialect):
+    def heading(self, text: str) -> str:
+        return rf"\section*{{{escaped(text)}}}"
+
+    def paragraph(self, text: str) -> str:
+        return escaped(text)
+
+    def strong(self, text: str) -> str:
+        return rf"\textbf{{{escaped(text)}}}"
+
+    def matrix(self, key: str, title: str, cells: Cells) -> str:
+        about = f"{escaped(title)}\n" if title else ""
+        return f"{about}% key: {key}\n\\[\n{symbol(key)} = {bmatrix(cells)}\n\\]"
+
+    def scalar(self, key: str, title: str, value: str) -> str:
+        shown = value if value[:1].isdigit() or value[:1] == "-" else rf"\text{{{escaped(value)}}}"
+        return f"{escaped(title or key)}: ${shown.replace('°', r'^{\circ}')}$"
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        lines = [[escaped(cell) for cell in row] for row in [columns]]
+        lines += [[_cell(cell) for cell in row] for row in rows]
+        body = " \\\\\n".join(" & ".join(row) for row in lines)
+        head = f"{escaped(title)}\n\n" if title else ""
+        return f"{head}\\begin{{tabular}}{{{'l' * len(columns)}}}\n{body}\n\\end{{tabular}}"
+
+    def formula(self, formula: Formula) -> str:
+        return f"\\[\n{formula.latex}\n\\]"
+
+    def code(self, language: str, text: str) -> str:
+        return f"\\begin{{verbatim}}\n{text.rstrip()}\n\\end{{verbatim}}"
+
+    def remarks(self, remarks: Sequence[str]) -> str:
+        items = "\n".join(rf"  \item {escaped(remark)}" for remark in remarks)
+        return f"\\begin{{itemize}}\n{items}\n\\end{{itemize}}"
+
+    def number(self, text: str) -> str:
+        return power_of_ten(text)
+
+
+def _cell(text: str) -> str:
+    return f"${text}$" if r"\times" in text else escaped(text)

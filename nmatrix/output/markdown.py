@@ -1,0 +1,58 @@
+"""Markdown with LaTeX formulas between dollars, as notebooks and wikis show them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.latex import bmatrix, power_of_ten, symbol
+from nmatrix.output.options import OutputOptions
+from nmatrix.report import Formula, Report
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report as Markdown."""
+    return compose(report, _Markdown(options))
+
+
+class _Markdown(Dialect):
+    def heading(self, text: str) -> str:
+        return f"## {_escaped(text)}"
+
+    def paragraph(self, text: str) -> str:
+        return _escaped(text)
+
+    def strong(self, text: str) -> str:
+        return f"**{_escaped(text)}**"
+
+    def matrix(self, key: str, title: str, cells: Cells) -> str:
+        about = f" ({_escaped(title)})" if title else ""
+        return f"`{key}`{about}\n\n$$\n{symbol(key)} = {bmatrix(cells)}\n$$"
+
+    def scalar(self, key: str, title: str, value: str) -> str:
+        return f"`{key}`{f' ({_escaped(title)})' if title else ''}: {value}"
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        lines = [columns, ["---"] * len(columns), *rows]
+        body = "\n".join(f"| {' | '.join(_cell(cell) for cell in line)} |" for line in lines)
+        return f"{_escaped(title)}\n\n{body}" if title else body
+
+    def formula(self, formula: Formula) -> str:
+        return f"$$\n{formula.latex}\n$$"
+
+    def code(self, language: str, text: str) -> str:
+        return f"```{language}\n{text.rstrip()}\n```"
+
+    def remarks(self, remarks: Sequence[str]) -> str:
+        return "\n".join(f"- {_escaped(remark)}" for remark in remarks)
+
+    def number(self, text: str) -> str:
+        return power_of_ten(text)
+
+
+def _escaped(text: str) -> str:
+    return "".join(f"\\{c}" if c in "\\`*_{}[]<>#|$" else c for c in text)
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|").replace("\n", " ")

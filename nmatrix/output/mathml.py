@@ -1,0 +1,71 @@
+"""MathML in a fragment of HTML: formulas that browsers show without any script."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.options import OutputOptions
+from nmatrix.report import Formula, Report
+
+OPEN = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML">'
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report as HTML with MathML."""
+    return compose(report, _MathML(options))
+
+
+class _MathML(Dialect):
+    def heading(self, text: str) -> str:
+        return f"<h2>{escape(text)}</h2>"
+
+    def paragraph(self, text: str) -> str:
+        return f"<p>{escape(text)}</p>"
+
+    def strong(self, text: str) -> str:
+        return f"<p><strong>{escape(text)}</strong></p>"
+
+    def matrix(self, key: str, title: str, cells: Cells) -> str:
+        rows = "".join(f"<mtr>{''.join(map(_cell, row))}</mtr>" for row in cells)
+        table = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
+        about = f"<p>{escape(title)}</p>\n" if title else ""
+        return f"{about}{OPEN}<mi>{escape(key)}</mi><mo>=</mo>{table}</math>"
+
+    def scalar(self, key: str, title: str, value: str) -> str:
+        return f"<p>{escape(title or key)}: {escape(value)}</p>"
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        caption = f"<caption>{escape(title)}</caption>" if title else ""
+        head = "".join(f"<th>{escape(column)}</th>" for column in columns)
+        body = "".join(
+            f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows
+        )
+        return f"<table>{caption}<tr>{head}</tr>{body}</table>"
+
+    def formula(self, formula: Formula) -> str:
+        if not formula.mathml:
+            raise IllegalValueError(
+                "--format mathml",
+                "these formulas are not written in MathML",
+                "use latex or markdown",
+            )
+        return formula.mathml
+
+    def code(self, language: str, text: str) -> str:
+        return f'<pre><code class="language-{escape(language)}">{escape(text)}</code></pre>'
+
+    def remarks(self, remarks: Sequence[str]) -> str:
+        items = "".join(f"<li>{escape(remark)}</li>" for remark in remarks)
+        return f"<ul>{items}</ul>"
+
+
+def _cell(text: str) -> str:
+    mantissa, mark, exponent = text.partition("e")
+    number = f"<mn>{escape(mantissa)}</mn>"
+    if mark:
+        power = f"<msup><mn>10</mn><mn>{int(exponent)}</mn></msup>"
+        number = f"<mrow>{number}<mo>×</mo>{power}</mrow>"
+    return f"<mtd>{number}</mtd>"

@@ -1,0 +1,60 @@
+"""Typst markup: matrices as `mat(…)` in square brackets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.options import OutputOptions
+from nmatrix.report import Formula, Report
+
+
+def write(report: Report, options: OutputOptions) -> str:
+    """Return the report as Typst."""
+    return compose(report, _Typst(options))
+
+
+class _Typst(Dialect):
+    def heading(self, text: str) -> str:
+        return f"== {_escaped(text)}"
+
+    def paragraph(self, text: str) -> str:
+        return _escaped(text)
+
+    def strong(self, text: str) -> str:
+        return f"*{_escaped(text)}*"
+
+    def matrix(self, key: str, title: str, cells: Cells) -> str:
+        rows = "; ".join(", ".join(row) for row in cells)
+        about = f"{_escaped(title)}\n" if title else ""
+        return f'{about}$ #raw("{key}") = mat(delim: "[", {rows}) $'
+
+    def scalar(self, key: str, title: str, value: str) -> str:
+        return f"{_escaped(title or key)}: {_escaped(value)}"
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        cells = [f"[{_escaped(cell)}]" for row in [columns, *rows] for cell in row]
+        head = f"{_escaped(title)}\n\n" if title else ""
+        return f"{head}#table(columns: {len(columns)}, {', '.join(cells)})"
+
+    def formula(self, formula: Formula) -> str:
+        if not formula.typst:
+            raise IllegalValueError(
+                "--format typst", "these formulas are not written in Typst", "use latex or markdown"
+            )
+        return f"$ {formula.typst} $"
+
+    def code(self, language: str, text: str) -> str:
+        return f"```{language}\n{text.rstrip()}\n```"
+
+    def remarks(self, remarks: Sequence[str]) -> str:
+        return "\n".join(f"- {_escaped(remark)}" for remark in remarks)
+
+    def number(self, text: str) -> str:
+        mantissa, mark, exponent = text.partition("e")
+        return f"{mantissa} times 10^({int(exponent)})" if mark else text
+
+
+def _escaped(text: str) -> str:
+    return "".join(f"\\{c}" if c in "\\#$*_`<>@[]=~/" else c for c in text)
