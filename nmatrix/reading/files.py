@@ -34,6 +34,20 @@ def existing_file(text: str) -> Path | None:
         return None
 
 
+def is_folder(text: str) -> bool:
+    """Say whether a text names a folder.
+
+    Examples
+    --------
+    >>> is_folder("."), is_folder("1 0; 0 1")
+    (True, False)
+    """
+    try:
+        return Path(text).is_dir()
+    except (OSError, ValueError):
+        return False
+
+
 def file_bytes(path: Path) -> bytes:
     """Return the content of a file, if it is small enough to be a matrix or a report.
 

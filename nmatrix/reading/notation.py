@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.literal import Tokens
+from nmatrix.reading.literal import ACCEPTED, Tokens
 from nmatrix.reading.quote import quoted
 
 FIRST_OF = (
@@ -61,7 +61,9 @@ def chosen(notation: Notation, key: str | None, source: str) -> Tokens:
             return found[name]
     if len(found) == 1:
         return next(iter(found.values()))
-    next_step = f"name one of {_listed(found)} after a #" if found else "give it a matrix"
+    if not any(found):
+        raise IllegalValueError(f"matrix ({source})", "it holds no matrix", ACCEPTED)
+    next_step = f"name one of {_listed(found)} after a #"
     raise IllegalValueError(f"matrix ({source})", "which of its matrices is meant?", next_step)
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading import npy
-from nmatrix.reading.files import decoded, existing_file, file_bytes
+from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.quote import quoted
@@ -51,7 +51,7 @@ def matrix_source(
         return matrix_literal(text, layout)
     raise IllegalValueError(
         f"matrix ({quoted(text)})",
-        "there is no such file",
+        "it is a folder" if is_folder(text) else "there is no such file",
         'write a matrix like "1 0 0; 0 2 0; 0 0 1", a file, or - for stdin',
     )
 
