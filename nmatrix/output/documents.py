@@ -117,7 +117,7 @@ def _quantity(block: Quantity, dialect: Dialect) -> str:
     if is_vector(value):
         column = [[_number(entry, dialect)] for entry in value]
         return dialect.matrix(block.key, block.title, column)
-    shown = f"{_cell(value, dialect)}{block.unit}"  # type: ignore[arg-type]  # a scalar by now
+    shown = f"{_cell(value, dialect)}{block.unit}"
     return dialect.scalar(block.key, block.title, shown)
 
 

@@ -100,7 +100,8 @@ class _Latex(Dialect):
 
     def scalar(self, key: str, title: str, value: str) -> str:
         shown = value if value[:1].isdigit() or value[:1] == "-" else rf"\text{{{escaped(value)}}}"
-        return f"{escaped(title or key)}: ${shown.replace('°', r'^{\circ}')}$"
+        degrees = shown.replace("°", r"^{\circ}")
+        return f"{escaped(title or key)}: ${degrees}$"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         lines = [[escaped(cell) for cell in row] for row in [columns]]

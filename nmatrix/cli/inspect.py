@@ -1,0 +1,47 @@
+"""`nmatrix inspect`: the nodes of a scene or mesh file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from typer import Argument, Option
+
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_options import ToleranceOption
+from nmatrix.cli.show import show
+from nmatrix.cli.sources import Sources
+from nmatrix.errors import IllegalValueError
+
+HELP = {
+    "inspect": """nmatrix inspect scene.glb
+
+nmatrix inspect teapot.obj -f json
+
+nmatrix inspect scene.gltf --fail-on mirrored,shear
+
+Which nodes of a glTF scene or mesh file need the inverse transpose, and why.""",
+}
+
+
+def inspect(
+    *,
+    tolerance: ToleranceOption,
+    everywhere: Everywhere,
+    file: Annotated[str, Argument(metavar="FILE", help="A .gltf, .glb, .obj, .ply or .stl file.")],
+    fail_on: Annotated[
+        str | None,
+        Option(metavar="WORDS", help="Exit 1 for mirrored, shear, degenerate (with commas)."),
+    ] = None,
+) -> None:
+    """Show the nodes of a file."""
+    from nmatrix.scene.inspection import FAILURES, inspect_file, report
+
+    words = tuple(word.strip() for word in fail_on.split(",")) if fail_on else ()
+    for word in words:
+        if word not in FAILURES:
+            raise IllegalValueError(
+                f"--fail-on ({word[:20]})", f"it knows {', '.join(FAILURES)}", "choose from them"
+            )
+    sources = Sources(any_from_file=True)
+    show(report(inspect_file(Path(file), tolerance.value(sources)), words), everywhere)

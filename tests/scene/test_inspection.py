@@ -1,0 +1,138 @@
+"""Scene and mesh files: every node as three.js sees it, and one line for every damaged file."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from nmatrix.enums import Kind
+from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.linear.rational import to_floats
+from nmatrix.scene.gltf import read_gltf
+from nmatrix.scene.inspection import inspect_file, report
+from nmatrix.scene.meshfile import read_mesh
+
+# three.js does not normalise quaternions; these files hold some that are slightly off.
+UNNORMALISED = ("Cameras", "TextureEncodingTest")
+SIN30 = 0.25881904510252074  # sine of 15°, so that the node turns by 30° about z
+COS30 = 0.9659258262890683
+
+
+def scene(folder: Path, nodes: list[dict[str, object]]) -> Path:
+    path = folder / "made.gltf"
+    path.write_text(json.dumps({"asset": {"version": "2.0"}, "nodes": nodes}))
+    return path
+
+
+def test_every_node_agrees_with_three_js(data: Path) -> None:
+    scenes: dict[str, tuple] = {}
+    compared = 0
+    for record in json.loads((data / "golden_gltf_nodes.json").read_text()):
+        name = record["args"]["file"]
+        if name not in scenes:
+            scenes[name] = read_gltf(data / "gltf" / name).nodes
+        node = scenes[name][record["args"]["node"]]
+        limit = 1e-3 if name.startswith(UNNORMALISED) else 1e-6
+        theirs = record["result"]["W"]
+        size = max(abs(x) for row in theirs for x in row)
+        ours = to_floats(node.world_from_object)
+        assert all(
+            abs(x - y) <= limit * size
+            for row, other in zip(ours, theirs, strict=True)
+            for x, y in zip(row, other, strict=True)
+        ), record["args"]
+        compared += 1
+    assert compared > 100
+
+
+def test_mirrored_nodes_are_those_that_three_js_winds_backwards(data: Path) -> None:
+    file = "NegativeScaleTest/glTF-Binary/NegativeScaleTest.glb"
+    nodes = inspect_file(data / "gltf" / file).nodes
+    for record in json.loads((data / "golden_gltf_nodes.json").read_text()):
+        if record["args"]["file"] == file:
+            found = nodes[record["args"]["node"]].found
+            assert found.mirrored == (record["result"]["winding"] != "ccw")
+    assert sum(node.found.mirrored for node in nodes) == 6
+
+
+def test_rotation_under_a_non_uniform_scale_is_sheared_by_its_ancestors(tmp_path: Path) -> None:
+    path = scene(
+        tmp_path,
+        [
+            {"name": "stretched", "scale": [1, 2, 1], "children": [1]},
+            {"name": "turned", "rotation": [0, 0, SIN30, COS30]},
+        ],
+    )
+    parent, child = inspect_file(path).nodes
+    assert parent.found.kind is Kind.NON_UNIFORM_SCALE
+    assert not parent.sheared_by_ancestors
+    assert child.found.kind is Kind.SHEAR
+    assert child.sheared_by_ancestors
+    answer = report(inspect_file(path), ("shear",))
+    assert isinstance(answer.failure, CheckFailedError)
+    assert answer.data["summary"]["sheared_by_ancestors"] == 1
+
+
+def test_world_matrices_are_products_from_the_root_down(tmp_path: Path) -> None:
+    path = scene(
+        tmp_path,
+        [{"translation": [1, 0, 0], "children": [1]}, {"scale": [2, 2, 2], "children": [2]}, {}],
+    )
+    last = read_gltf(path).nodes[2].world_from_object
+    assert [row[3] for row in last] == [1, 0, 0, 1]
+    assert last[0][0] == Fraction(2)
+
+
+def test_a_chain_of_two_thousand_nodes_needs_no_recursion(tmp_path: Path) -> None:
+    nodes = [{"translation": [0, 0, 1], "children": [i + 1]} for i in range(2000)]
+    found = read_gltf(scene(tmp_path, [*nodes, {}])).nodes
+    assert found[-1].world_from_object[2][3] == 2000
+
+
+@pytest.mark.parametrize(
+    ("nodes", "words"),
+    [
+        ([{"children": [0]}], "cycle"),
+        ([{"children": [1]}, {"children": [0]}], "cycle"),
+        ([{"children": [7]}], "does not exist"),
+        ([{"children": [2]}, {"children": [2]}, {}], "two parents"),
+        ([{"scale": [1, 2]}], "3 finite numbers"),
+        ([{"mesh": 3}], "does not exist"),
+        ([{"rotation": [0, 0, 0, 0]}], "zero|direction"),
+    ],
+)
+def test_damaged_hierarchies_are_named(
+    tmp_path: Path, nodes: list[dict[str, object]], words: str
+) -> None:
+    with pytest.raises((IllegalValueError, ArithmeticError), match=words):
+        read_gltf(scene(tmp_path, nodes))
+
+
+@pytest.mark.parametrize("content", [b"", b"{", b"[]", b"glTF\x02", b"\xff\xfe{", b"glTF" * 9])
+def test_what_is_no_gltf_is_refused(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "broken.glb"
+    path.write_bytes(content)
+    with pytest.raises(IllegalValueError):
+        read_gltf(path)
+
+
+def test_every_odd_file_loads_or_is_refused_in_one_line(data: Path) -> None:
+    loaded = refused = 0
+    for path in sorted((data / "meshes" / "odd").iterdir()):
+        try:
+            inspect_file(path)
+            loaded += 1
+        except IllegalValueError as error:
+            assert "\n" not in str(error), path.name
+            refused += 1
+    assert loaded > 15
+    assert refused >= 4
+
+
+def test_normals_that_are_missing_are_made_and_have_length_one(data: Path) -> None:
+    mesh = read_mesh(data / "meshes" / "teapot.obj")
+    lengths = (mesh.normals**2).sum(axis=1)
+    assert abs(lengths[lengths > 0] - 1).max() < 1e-12
