@@ -191,7 +191,7 @@ def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int
     for index in order:  # grows while it is walked: children follow their parents
         order.extend(nodes[index].children)
     if len(order) < len(nodes):
-        missing = next(i for i in range(len(nodes)) if i not in set(order))
+        missing = min(set(range(len(nodes))) - set(order))
         raise _bad(
             path, missing, nodes[missing], "it is its own ancestor: the hierarchy is a cycle"
         )

@@ -55,7 +55,8 @@ def _normals(found: object, positions: np.ndarray, triangles: np.ndarray) -> np.
     if given is None or np.shape(given) != positions.shape or not np.isfinite(given).all():
         return area_weighted_normals(positions, triangles)
     length = np.sqrt((np.asarray(given, np.float64) ** 2).sum(axis=1, keepdims=True))
-    return np.divide(given, length, out=np.zeros_like(positions), where=length > 0)
+    unit: np.ndarray = np.divide(given, length, out=np.zeros_like(positions), where=length > 0)
+    return unit
 
 
 def _content(path: Path) -> bytes:

@@ -1,0 +1,1 @@
+"""The rasterizer: clip, snap, cover, see, shade; every picture proves a statement."""
