@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from nmatrix.enums import Space
-from nmatrix.errors import NoAnswerError
 from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Verdict
 from nmatrix.scene.scene import Scene
 from nmatrix.spaces.seen import EyeSeen, LightSeen, eye_in, light_in
@@ -68,17 +67,15 @@ _NO_OBJECT_SPACE = (
 
 
 def _or_none(scene: Scene, space: Space) -> LightSeen | None:
-    try:
-        return light_in(scene.stage, space)
-    except NoAnswerError:
-        return None
+    return None if _is_missing(scene, space) else light_in(scene.stage, space)
 
 
 def _eye_or_none(scene: Scene, space: Space) -> EyeSeen | None:
-    try:
-        return eye_in(scene.stage, space)
-    except NoAnswerError:
-        return None
+    return None if _is_missing(scene, space) else eye_in(scene.stage, space)
+
+
+def _is_missing(scene: Scene, space: Space) -> bool:
+    return space is Space.OBJECT and scene.placed_world.linear_map.rank < 3
 
 
 def _light_data(seen: LightSeen) -> dict[str, Value]:

@@ -1,0 +1,317 @@
+"""The contract of the command line: names, keys, exit codes, and one line for every mistake."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from nmatrix.cli.app import run
+from nmatrix.cli.catalogue import COMMANDS
+
+FORMATS = ["text", "json", "csv", "latex", "markdown", "mathml", "typst", "glsl", "js", "numpy"]
+
+
+class Result:
+    def __init__(self, code: int, out: str, err: str) -> None:
+        self.code, self.out, self.err = code, out, err
+
+    @property
+    def data(self) -> dict:
+        return json.loads(self.out)
+
+
+@pytest.fixture
+def nmatrix(capsys: pytest.CaptureFixture[str]):
+    def call(*words: str) -> Result:
+        capsys.readouterr()
+        code = run(list(words))
+        captured = capsys.readouterr()
+        return Result(code, captured.out, captured.err)
+
+    return call
+
+
+def one_line(result: Result) -> bool:
+    return result.err.startswith("error: ") and result.err.count("\n") == 1
+
+
+KEYS = {
+    "world": "world_from_object normal_matrix cofactor_matrix determinant determinant_sign rank "
+    "condition transform transform_exact mirrored needs_inverse_transpose worst_angle_without_deg "
+    "parts",
+    "view": "camera_from_world rotation translation eye right up forward normal_matrix",
+    "projection": "clip_from_camera depth_range depth_step",
+    "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "
+    "determinant_sign rank condition transform transform_exact mirrored normals",
+    "calc 1+1": "expression value kind exact steps",
+    "light": "spaces",
+    "light camera": "space space_from_world direction direction_unnormalised "
+    "direction_course_rule rules_differ_deg position",
+    "eye camera": "space eye eye_by_inverse_mv relative_difference",
+    "space object": "space space_from_world space_from_object normal_matrix clip_from_object "
+    "light_direction light_position eye metric table uniforms cost pros cons vertex_shader "
+    "fragment_shader",
+    "trace": "object world camera clip ndc window reciprocal_w inside outside_planes normal",
+    "derive mirror": "cases",
+}
+
+
+@pytest.mark.parametrize("line", KEYS)
+def test_json_has_exactly_the_keys_of_the_contract(nmatrix, line: str) -> None:
+    found = nmatrix(*line.split(), "-f", "json")
+    assert found.code == 0
+    wanted = {*KEYS[line].split(), "command", "version", "layout", "remarks"}
+    assert wanted <= set(found.data)
+    assert set(found.data) - wanted <= {"used"}
+
+
+@pytest.mark.parametrize("line", [line for line in KEYS if "derive" not in line])
+@pytest.mark.parametrize("format_", FORMATS)
+def test_every_format_of_every_command(nmatrix, line: str, format_: str) -> None:
+    found = nmatrix(*line.split(), "-f", format_)
+    assert found.code == 0, found.err
+    assert found.out.endswith("\n")
+    assert "nan" not in found.out.lower().split()
+    if format_ == "text":
+        assert max(map(len, found.out.splitlines())) <= 80 or "shader" in found.out
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        (["world", "--scale", "1", "2"], 2),
+        (["world", "--scale", "1", "2", "x"], 2),
+        (["world", "--scale", "1e999", "1", "1"], 2),
+        (["world", "--scale", "nan", "1", "1"], 2),
+        (["world", "--scale", "1", "1", "1", "--scale", "1", "1", "1"], 2),
+        (["world", "--rotate", "0", "0", "0", "--quaternion", "0", "0", "0", "1"], 2),
+        (["world", "--quaternion", "0", "0", "0", "0"], 3),
+        (["world", "--order", "XYx"], 2),
+        (["world", "--order", "ZYX", "--convention", "polimi"], 2),
+        (["world", "--digits", "99"], 2),
+        (["world", "--format", "pdf"], 2),
+        (["world", "--wolrd"], 2),
+        (["wrold"], 2),
+        (["view", "--eye", "0", "0", "0"], 3),
+        (["view", "--elevation", "10", "--handed", "left"], 2),
+        (["view", "--elevation", "10", "--target", "1", "2", "3"], 2),
+        (["projection", "--fov", "180"], 2),
+        (["projection", "--near", "5", "--far", "5"], 3),
+        (["projection", "--near", "5", "--far", "1"], 2),
+        (["projection", "--ortho", "1", "1", "0", "1"], 3),
+        (["projection", "--ortho", "0", "1", "0", "1", "--fov", "3"], 2),
+        (["light", "object", "--scale", "1", "0", "1"], 3),
+        (["light", "--light-direction", "0", "0", "0"], 3),
+        (["space", "custom"], 2),
+        (["space", "nowhere"], 2),
+        (["normal"], 2),
+        (["normal", "1 0; 0 1"], 2),
+        (["normal", "no-such-file"], 2),
+        (["normal", "1 0 0; 0 1 0; 0 0 1", "--scale", "1", "1", "1"], 2),
+        (["normal", "--scale", "1", "0", "1", "--normal", "1", "0", "0"], 3),
+        (["normal", "--scale", "1", "0", "0"], 3),
+        (["normal", "--scale", "1", "0", "1"], 0),
+        (["world", "--scale", "1", "0", "1"], 0),
+        (["trace", "--viewport", "0", "5"], 2),
+        (["calc", "M.__class__"], 2),
+        (["calc", "inverse(M)", "--scale", "1", "0", "1"], 3),
+        (["calc", "9**9**9**9"], 2),
+        (["derive", "nothing"], 2),
+        (["inspect", "no-such.glb"], 2),
+        (["render", "nothing"], 2),
+        (["render", "--size", "0", "0"], 2),
+        (["render", "--size", "100000", "100000"], 2),
+        (["render", "-o", "/no/such/folder/x.png", "--size", "8", "8"], 2),
+        ([], 2),
+    ],
+)
+def test_exit_codes(nmatrix, line: list[str], code: int) -> None:
+    found = nmatrix(*line)
+    assert found.code == code, found.err
+    if code and line:
+        assert one_line(found), found.err
+
+
+def test_too_few_values_name_the_next_option(nmatrix) -> None:
+    found = nmatrix("world", "--translate", "1", "2", "--scale", "1", "1", "1")
+    assert found.err == "error: --translate takes 3 numbers, got 2 before --scale\n"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--translate", "-3", "0", "-1.5"],
+        ["--translate", "-3 0 -1.5"],
+        ["--translate=-3,0,-1.5"],
+        ["--translate", "−3", "0", "−3/2"],
+    ],
+)
+def test_a_vector_in_every_notation(nmatrix, words: list[str]) -> None:
+    found = nmatrix("world", *words, "-f", "json").data
+    assert [row[3] for row in found["world_from_object"]] == [-3.0, 0.0, -1.5, 1.0]
+
+
+def test_a_matrix_that_begins_with_a_minus(nmatrix) -> None:
+    assert nmatrix("normal", "-1 0 0; 0 1 0; 0 0 1", "-f", "json").data["mirrored"] is True
+
+
+def test_a_column_major_matrix_is_recognised(nmatrix) -> None:
+    text = "1 0 0 0; 0 1 0 0; 0 0 1 0; 5 6 7 1"
+    found = nmatrix("world", "--world-matrix", text)
+    assert found.code == 2
+    assert "this looks column-major or row-vector: --input-layout column-major" in found.err
+    good = nmatrix("world", "--world-matrix", text, "--input-layout", "column-major", "-f", "json")
+    assert [row[3] for row in good.data["world_from_object"]] == [5.0, 6.0, 7.0, 1.0]
+
+
+@pytest.mark.parametrize("format_", ["json", "csv", "numpy", "glsl", "latex"])
+def test_what_is_written_is_read_again(nmatrix, tmp_path: Path, format_: str) -> None:
+    line = ["world", "--rotate", "10", "20", "30", "--scale", "1", "2", "1/3", "--digits", "17"]
+    first = nmatrix(*line, "-f", "json").data["world_from_object"]
+    file = tmp_path / "m.txt"
+    file.write_text(nmatrix(*line, "-f", format_).out)
+    again = nmatrix("world", "--world-matrix", str(file), "-f", "json").data
+    assert again["world_from_object"] == first
+
+
+def test_a_determinant_beyond_every_float_is_null_with_its_sign(nmatrix) -> None:
+    found = nmatrix("world", "--scale", "1e200", "1e200", "1e200", "-f", "json").data
+    assert found["determinant"] is None
+    assert found["determinant_sign"] == 1
+    assert any("determinant" in remark for remark in found["remarks"])
+    assert "1e+600" in nmatrix("world", "--scale", "1e200", "1e200", "1e200").out
+
+
+def test_quarter_turns_are_exact_and_zero_has_no_sign(nmatrix) -> None:
+    found = nmatrix("world", "--rotate", "0", "0", "90", "-f", "json")
+    assert found.data["world_from_object"][0] == [0.0, -1.0, 0.0, 0.0]
+    assert "-0.0" not in found.out
+
+
+def test_the_course_slide_prints_its_numbers(nmatrix) -> None:
+    line = "view --eye 3 3 2.5 --elevation -45 --angle -40 --convention polimi"
+    first = nmatrix(*line.split(), "-f", "json").data["camera_from_world"][0]
+    assert [round(x, 6) for x in first] == [0.766044, 0.0, -0.642788, -0.691164]
+
+
+def test_the_object_space_light_of_the_counter_example(nmatrix) -> None:
+    found = nmatrix(
+        "light",
+        "object",
+        "--scale",
+        "1",
+        "1/4",
+        "1",
+        "--light-direction",
+        ".3",
+        ".9",
+        ".2",
+        "-f",
+        "json",
+    ).data
+    n = (0.5**0.5, 0.5**0.5, 0.0)
+    dot = [
+        sum(a * b for a, b in zip(n, found[key], strict=True))
+        for key in ("direction_course_rule", "direction")
+    ]
+    assert [round(x, 4) for x in dot] == [0.8735, 0.7622]
+
+
+def test_help_begins_with_examples_and_lists_every_command(nmatrix) -> None:
+    overview = nmatrix("--help").out
+    for one in COMMANDS:
+        assert f"  {one.name} " in overview
+        page = nmatrix(one.name, "--help").out
+        assert f"nmatrix {one.name}" in page.split("Options")[0], one.name
+
+
+def test_version(nmatrix) -> None:
+    assert nmatrix("--version").out == "nmatrix 0.1.0\n"
+
+
+def loaded(*words: str, environment: dict[str, str] | None = None) -> str:
+    code = (
+        "import sys; from nmatrix.cli.app import run; code = run(sys.argv[1:]);"
+        "sys.stderr.write('LOADED ' + ' '.join(m for m in ('numpy', 'sympy', 'rich', 'matplotlib')"
+        " if m in sys.modules))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, *words],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **(environment or {})},
+    )
+    return done.stderr.partition("LOADED")[2]
+
+
+@pytest.mark.parametrize(
+    ("words", "allowed"),
+    [
+        (["--help"], set()),
+        (["world", "--scale", "1", "2", "1"], set()),
+        (["derive"], {"sympy"}),
+        (["calc", "det(M)"], set()),
+    ],
+)
+def test_commands_load_only_what_they_use(words: list[str], allowed: set[str]) -> None:
+    assert set(loaded(*words).split()) <= allowed
+
+
+def test_a_closed_pipe_is_no_error() -> None:
+    done = subprocess.run(
+        f"{sys.executable} -m nmatrix space object -f json | head -c 1; exit ${{PIPESTATUS[0]}}",
+        shell=True,
+        executable="/bin/bash",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0
+    assert done.stderr == ""
+
+
+def test_stdout_that_knows_only_ascii_gets_plain_brackets() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "nmatrix", "world"],
+        capture_output=True,
+        check=True,
+        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+    )
+    assert b"?" not in done.stdout
+    assert b"[" in done.stdout
+
+
+def test_completion_offers_commands_without_loading_numpy() -> None:
+    done = subprocess.run(
+        [sys.executable, "-X", "importtime", "-m", "nmatrix"],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={
+            **os.environ,
+            "_NMATRIX_COMPLETE": "complete_bash",
+            "COMP_WORDS": "nmatrix wor",
+            "COMP_CWORD": "1",
+        },
+    )
+    assert "world" in done.stdout
+    assert "numpy" not in done.stderr
+
+
+def test_render_writes_a_picture_once(nmatrix, tmp_path: Path) -> None:
+    target = str(tmp_path / "a.png")
+    line = ["render", "normals", "--size", "48", "48", "-o", target, "-f", "json"]
+    found = nmatrix(*line)
+    assert found.code == 0
+    assert found.data["max_angle_error_deg"] == pytest.approx(36.87, abs=0.2)
+    assert Path(target).read_bytes().startswith(b"\x89PNG")
+    again = nmatrix(*line)
+    assert again.code == 2
+    assert "--force" in again.err
+    assert [one.name for one in tmp_path.iterdir()] == ["a.png"]

@@ -1,0 +1,66 @@
+"""Two thousand random command lines in one process: documented exit codes, one line, no NaN."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from nmatrix.cli.app import run
+
+DOCUMENTED = {0, 1, 2, 3, 4}
+COMMANDS = ("world view projection normal calc light eye space trace derive inspect").split()
+OPTIONS = (
+    "--translate --rotate --quaternion --scale --shear --order --convention --world-matrix --eye "
+    "--target --up --elevation --angle --roll --view-matrix --handed --fov --aspect --near --far "
+    "--ortho --frustum --depth --clip-y --api --projection-matrix --light-direction "
+    "--light-angles --light-position --space --space-matrix --normal --point --viewport --let "
+    "--digits --format --layout --input-layout --tolerance --method --steps --float --fail-on -f"
+).split()
+VALUES = [
+    "0", "1", "-1", "2.5", "-0", "1e308", "-1e308", "5e-324", "1e-400", "1e999", "nan", "inf",
+    "-inf", "NaN", "1/3", "1/0", "0/0", "−1", "1_000", "0x10", "", " ", "\x00", "１", "9" * 400,
+    "1e20000000", "--", "-", "-#", "#", "1 2 3", "1,2,3", "1 0 0; 0 1 0; 0 0 1", "[[1,0],[0,1]]",
+    "(" * 3000, "[" * 3000, "1 0 0 0; 0 1 0 0; 0 0 1 0; 5 5 5 1", "mat3(2.0)", "mat4(1)",
+    "json", "csv", "latex", "glsl", "text", "numpy", "XYZ", "zyx", "XXX", "polimi", "standard",
+    "left", "right", "reversed", "vulkan", "world", "camera", "object", "light", "custom",
+    "static", "rule", "mirror", "det(M)", "M.T@M", "M.__class__", "2**9**9", "inverse(M)",
+    "exact", "inverse", "none", "\ud800", "a=1 0; 0 1", "💥", "\n\n", "../x", ".", "/",
+]  # fmt: skip
+
+
+def line(rng: random.Random) -> list[str]:
+    words = [rng.choice(COMMANDS)] if rng.random() < 0.97 else []
+    for _ in range(rng.randrange(6)):
+        if rng.random() < 0.6:
+            option = rng.choice(OPTIONS)
+            if rng.random() < 0.1:
+                words.append(f"{option}={rng.choice(VALUES)}")
+                continue
+            words.append(option)
+            words += [rng.choice(VALUES) for _ in range(rng.choice([0, 1, 2, 3, 3, 3, 4]))]
+        else:
+            words.append(rng.choice(VALUES))
+    return words
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_command_lines(seed: int, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+    import io
+    import sys
+
+    rng = random.Random(seed)
+    answered = 0
+    for _ in range(520):
+        words = line(rng)
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"1 0 0; 0 1 0; 0 0 1")))
+        code = run(words)
+        captured = capsys.readouterr()
+        assert code in DOCUMENTED, (words, code, captured.err)
+        assert "Traceback" not in captured.err, words
+        if code and words:
+            assert captured.err.startswith("error: "), (words, captured.err)
+            assert captured.err.count("\n") == 1, (words, captured.err)
+        assert "nan" not in captured.out.lower().replace(",", " ").split(), words
+        answered += code == 0
+    assert answered > 20
