@@ -64,6 +64,8 @@ def normal(scene: Scene, request: NormalRequest) -> Report:
     )
 
 
+SAME_DIRECTION_DEG = 1e-9  # what a matrix built from angles misses by rounding
+
 _TITLES = {
     NormalMethod.EXACT: "N = A⁻ᵀ, the inverse transpose, correctly rounded",
     NormalMethod.INVERSE: "np.linalg.inv(A).T, in float64",
@@ -110,6 +112,8 @@ def _sentence(result: Normal) -> str:
         return f"two-sided: {result.reason}."
     if result.angle_without_deg is None:
         return "ok."
+    if result.angle_without_deg < SAME_DIRECTION_DEG:
+        return "ok; A itself gives the same direction."
     return f"ok; A itself would be {result.angle_without_deg:.6g}° off."
 
 

@@ -9,6 +9,8 @@ from nmatrix.calculator.values import Arithmetic, Kind, Value, as_strings
 from nmatrix.report import Block, Heading, Quantity, Report, Text
 from nmatrix.report import Value as JsonValue
 
+READABLE = 10**6  # a larger denominator is a float's own, and says nothing to a person
+
 
 def report(calculation: Calculation, *, with_steps: bool) -> Report:
     """Return the answer as a report; `exact` holds fractions where the value is rational."""
@@ -33,7 +35,7 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
             blocks += [Text(f"{step.expression}: {step.rule}")]
             blocks += [Quantity(f"steps.{i}.value", step.value.entries, f"step {i + 1}")]
     blocks.append(Quantity("value", value.entries, "value"))
-    if is_exact and any(x.denominator != 1 for x in _flat(value)):
+    if is_exact and 1 < max(x.denominator for x in _flat(value)) <= READABLE:
         blocks.append(Text(f"exactly: {_fractions(value)}"))
     return Report("calc", data, tuple(blocks), _remarks(value, calculation.arithmetic))
 

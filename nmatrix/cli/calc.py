@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.options import LensOptions, ViewOptions, WorldOptions
 from nmatrix.cli.scene_options import Groups
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
+from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 

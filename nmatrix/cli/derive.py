@@ -7,9 +7,9 @@ from typing import Annotated
 from typer import Argument
 
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.options import WorldOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
+from nmatrix.cli.world_options import WorldOptions
 from nmatrix.lessons.cases import ALL, TITLES, chosen
 
 HELP = {

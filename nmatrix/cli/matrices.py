@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.options import LensOptions, ViewOptions, WorldOptions
 from nmatrix.cli.scene_options import Groups, ToleranceOption
 from nmatrix.cli.show import show
+from nmatrix.cli.world_options import WorldOptions
 
 HELP = {
     "world": """nmatrix world --scale 1 2 1

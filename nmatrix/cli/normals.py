@@ -8,10 +8,11 @@ from typing import Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.alternatives import refuse_together
+from nmatrix.cli.camera_options import ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.options import ViewOptions, WorldOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions, ToleranceOption
 from nmatrix.cli.show import show
+from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import NormalMethod, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers

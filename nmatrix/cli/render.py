@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.files import write_file
-from nmatrix.cli.options import LensOptions, LightOptions, ViewOptions, WorldOptions
 from nmatrix.cli.scene_options import Groups
 from nmatrix.cli.show import put, put_bytes, show
+from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Shading
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers

@@ -7,9 +7,10 @@ from typing import Annotated
 
 from typer import Argument, Option
 
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.options import LensOptions, LightOptions, ViewOptions, WorldOptions
 from nmatrix.cli.sources import Sources
+from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import SPACE_SYNONYMS, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix

@@ -6,10 +6,11 @@ from typing import Annotated
 
 from typer import Option
 
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.options import LensOptions, LightOptions, ViewOptions, WorldOptions
 from nmatrix.cli.scene_options import Groups, SpaceArgument, SpaceOptions
 from nmatrix.cli.show import show
+from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers

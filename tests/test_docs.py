@@ -1,0 +1,36 @@
+"""The documentation runs: every transcript shows what the command prints, every doctest holds."""
+
+from __future__ import annotations
+
+import doctest
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+import transcripts
+
+
+@pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda page: page.name)
+def test_transcripts_are_what_the_commands_print(page: Path) -> None:
+    text = page.read_text()
+    assert transcripts.filled(text) == text, "run python tests/transcripts.py"
+
+
+@pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda page: page.name)
+def test_python_blocks_hold(page: Path) -> None:
+    failed, _ = doctest.testfile(str(page), module_relative=False)
+    assert failed == 0
+
+
+@pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
+        assert (page.parent / target).exists(), target
+
+
+def test_a_changed_output_is_noticed() -> None:
+    text = "```console\n$ nmatrix --version\nnmatrix 9.9.9\n```"
+    assert transcripts.filled(text) != text
