@@ -1,6 +1,13 @@
-"""The lessons on the rule itself, step by step, each step built as one writes it on a board."""
+"""The lessons on the rule itself, step by step, each step built as one writes it on a board.
+
+The rule is proved with the very functions that compute matrices, on polynomials in their
+entries: what holds for these holds for every matrix.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
 
 from nmatrix.lessons.notation import (
     A_INVERSE_T,
@@ -16,7 +23,14 @@ from nmatrix.lessons.notation import (
     words,
 )
 from nmatrix.lessons.steps import equal, step
-from nmatrix.lessons.symbols import cofactors, determinant, generic_matrix, generic_vector
+from nmatrix.lessons.symbols import (
+    cofactors,
+    determinant,
+    generic_matrix,
+    generic_vector,
+    polynomials,
+)
+from nmatrix.linear import rational
 from nmatrix.report import Step
 
 T_N = words("tᵀ n", r"t^{\mathsf T} n")
@@ -26,9 +40,9 @@ def rule() -> tuple[list[Step], str]:
     """Derive N = A⁻ᵀ from the one thing that a normal is: perpendicular to every tangent."""
     import sympy as sp
 
-    M, t, n, p, d = generic_matrix(), *map(generic_vector, "tnpd")
-    K, det, ones = cofactors(M), determinant(M), sp.eye(3)
-    free = generic_matrix("b")
+    M, free, t, n, p, d = polynomials()
+    K, det = rational.cofactor(M), rational.determinant(M)
+    moved_t, moved_n = rational.apply(M, t), rational.apply(free, n)
     k = sp.Symbol("kappa", positive=True)
     bent, right = sp.Matrix([k, 1, 0]), sp.Matrix([1 / k, 1, 0])
     tangent = words("t′", "t'")
@@ -36,12 +50,13 @@ def rule() -> tuple[list[Step], str]:
         step(
             formula(words("t · n"), EQUALS, T_N, EQUALS, words("0")),
             "a normal is what is perpendicular to every tangent t of the surface",
-            proved=equal(t.dot(n), (t.T * n)[0]),
+            proved=rational.dot(t, n) == rational.product((t,), rational.transpose((n,)))[0][0],
         ),
         step(
             formula(tangent, EQUALS, words("A (p + t) + d − (A p + d)"), EQUALS, words("A t")),
             "a tangent is a difference of two points, so A moves it and the translation d cancels",
-            proved=equal((M * (p + t) + d) - (M * p + d), M * t),
+            proved=_minus(_plus(rational.apply(M, _plus(p, t)), d), _plus(rational.apply(M, p), d))
+            == moved_t,
         ),
         step(
             formula(
@@ -52,17 +67,18 @@ def rule() -> tuple[list[Step], str]:
                 words("0"),
             ),
             "the new normal N n must be perpendicular to every new tangent A t",
-            proved=equal((M * t).T * (free * n), t.T * (M.T * free) * n),
+            proved=rational.dot(moved_t, moved_n)
+            == rational.dot(t, rational.apply(rational.product(rational.transpose(M), free), n)),
         ),
         step(
             formula(A_T, words(" N"), EQUALS, ONE, IMPLIES, N, EQUALS, A_INVERSE_T),
             "that holds for all t and n with t · n = 0 if AᵀN is the identity",
-            proved=equal(M.T * K, det * ones),
+            proved=rational.product(rational.transpose(M), K) == _times_identity(det),
         ),
         step(
             formula(A_INVERSE_T, EQUALS, words("C / det A", r"\frac{C}{\det A}")),
             "C, the cofactors, solves Aᵀ C = det A · 1 without any division",
-            proved=equal(K.T * M, det * ones),
+            proved=rational.product(rational.transpose(K), M) == _times_identity(det),
         ),
         step(
             formula(
@@ -71,7 +87,7 @@ def rule() -> tuple[list[Step], str]:
                 words("det A (n · t)", r"\det A \, (n \cdot t)"),
             ),
             "so C n is perpendicular too; only the sign of det A decides which side is outside",
-            proved=equal((K * n).dot(M * t), det * n.dot(t)),
+            proved=rational.dot(rational.apply(K, n), moved_t) == det * rational.dot(n, t),
         ),
         step(
             formula(
@@ -83,13 +99,25 @@ def rule() -> tuple[list[Step], str]:
             ),
             "with A itself a normal halfway between the directions stretched by κ and by 1 is "
             "off by θ, the worst there is",
-            proved=equal(bent.cross(right)[2] / bent.dot(right), (k - 1 / k) / 2),
+            proved=equal(2 * bent.cross(right)[2], (k - 1 / k) * bent.dot(right)),
         ),
     ]
     return steps, (
         "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
         "length one. A itself does only where AᵀA = s² · 1."
     )
+
+
+def _plus(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:
+    return tuple(x + y for x, y in zip(a, b, strict=True))
+
+
+def _minus(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:
+    return tuple(x - y for x, y in zip(a, b, strict=True))
+
+
+def _times_identity(factor: Any) -> tuple[tuple[Any, ...], ...]:  # noqa: ANN401 - a polynomial
+    return tuple(tuple(factor * int(i == j) for j in range(3)) for i in range(3))
 
 
 def cofactor() -> tuple[list[Step], str]:

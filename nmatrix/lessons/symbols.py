@@ -5,7 +5,7 @@ A is any 3×3 matrix, n a normal, t, u, v tangents; C the cofactors of A.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -36,3 +36,16 @@ def cofactors(A: sp.Matrix) -> sp.Matrix:
 def determinant(A: sp.Matrix) -> sp.Expr:
     """Return det A, the first row times its cofactors."""
     return A.row(0).dot(cofactors(A).row(0))
+
+
+def polynomials() -> list[Any]:
+    """Return two matrices and four vectors whose entries are free variables of one ring.
+
+    Polynomials are kept in one canonical form, so an identity holds exactly if both sides are
+    equal; no simplification has to find it.
+    """
+    from sympy import QQ, ring
+
+    _, *entries = ring("a:9,b:9,t:3,n:3,p:3,d:3", QQ)
+    matrices = [tuple(tuple(entries[k + 3 * i : k + 3 * i + 3]) for i in range(3)) for k in (0, 9)]
+    return [*matrices, *(tuple(entries[k : k + 3]) for k in range(18, 30, 3))]

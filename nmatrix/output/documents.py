@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from nmatrix.output.numbers import significant
 from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector
+from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
 from nmatrix.report import (
     Block,
     Code,
     Figure,
     Formula,
     Heading,
+    Number,
     Quantity,
     Report,
     Step,
@@ -26,7 +27,11 @@ Cells = Sequence[Sequence[str]]
 
 
 class Dialect(ABC):
-    """How one document format writes each kind of block; strings come in unescaped."""
+    """How one document format writes each kind of block.
+
+    Sentences and titles come in unescaped; cells and values are already written, by `number`
+    inside a matrix, by `inline` for a number elsewhere, by `words` for all else.
+    """
 
     def __init__(self, options: OutputOptions) -> None:
         self.digits = options.digits
@@ -68,8 +73,16 @@ class Dialect(ABC):
         """Return the remarks as a list."""
 
     def number(self, text: str) -> str:
-        """Return a formatted number as this format writes it."""
+        """Return a formatted number as this format writes it inside a matrix."""
         return text
+
+    def inline(self, text: str) -> str:
+        """Return a formatted number as this format writes it in a sentence or a table."""
+        return text
+
+    @abstractmethod
+    def words(self, text: str) -> str:
+        """Return a text escaped, so that it is shown as it is."""
 
     def document(self, body: str) -> str:
         """Return the body with whatever must stand around it."""
@@ -78,10 +91,18 @@ class Dialect(ABC):
 
 def compose(report: Report, dialect: Dialect) -> str:
     """Return the whole report in a dialect, ending in a newline."""
-    parts = [_block(block, dialect) for block in report.blocks]
+    parts = [_block(block, dialect) for block in (*report.blocks, *_untold(report))]
     if report.remarks:
         parts.append(dialect.remarks(report.remarks))
     return dialect.document("\n\n".join(part.rstrip("\n") for part in parts)) + "\n"
+
+
+def _untold(report: Report) -> Iterator[Quantity]:
+    """Give the matrices and vectors of the data that no block shows under their key."""
+    told = {block.key for block in report.blocks if isinstance(block, Quantity)}
+    for leaf in leaves(report.data):
+        if leaf.key not in told and (is_matrix(leaf.value) or is_vector(leaf.value)):
+            yield Quantity(leaf.key, leaf.value)
 
 
 def _block(block: Block, dialect: Dialect) -> str:
@@ -117,19 +138,19 @@ def _quantity(block: Quantity, dialect: Dialect) -> str:
     if is_vector(value):
         column = [[_number(entry, dialect)] for entry in value]
         return dialect.matrix(block.key, block.title, column)
-    shown = f"{_cell(value, dialect)}{block.unit}"
+    shown = _cell(value, dialect) + dialect.words(block.unit)
     return dialect.scalar(block.key, block.title, shown)
 
 
-def _number(value: object, dialect: Dialect) -> str:
-    return dialect.number(significant(value, dialect.digits))  # type: ignore[arg-type]  # a number
+def _number(value: Number, dialect: Dialect) -> str:
+    return dialect.number(significant(value, dialect.digits))
 
 
 def _cell(value: object, dialect: Dialect) -> str:
     if is_number(value):
-        return _number(value, dialect)
+        return dialect.inline(significant(value, dialect.digits))
     if value is None:
         return "none"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return str(value)
+    return dialect.words(" ".join(str(value).split()))

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nmatrix.output.charset import spelled
 from nmatrix.output.documents import Cells, Dialect, compose
-from nmatrix.output.options import OutputOptions
+from nmatrix.output.options import Charset, OutputOptions
 from nmatrix.report import Formula, Report
 
 _CHARACTERS = {
@@ -80,8 +81,21 @@ def power_of_ten(number: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return text that LaTeX shows as it is."""
-    return "".join(_CHARACTERS.get(character, character) for character in text)
+    r"""Return text that LaTeX shows as it is, also where its fonts lack a character.
+
+    Examples
+    --------
+    >>> escaped("50 % of A⁻¹")
+    '50 \\% of A$^{-}$$^{1}$'
+    """
+    return "".join(_CHARACTERS.get(mark) or _in_latin(mark) for mark in text)
+
+
+def _in_latin(mark: str) -> str:
+    """Return a letter of Latin-1 as it is, any other character spelled in ASCII."""
+    if mark.isascii() or (mark.isalpha() and mark <= "ÿ"):
+        return mark if mark.isprintable() else " "
+    return "".join(_CHARACTERS.get(c, c) for c in spelled(mark, Charset.ASCII))
 
 
 class _Latex(Dialect):
@@ -99,13 +113,10 @@ class _Latex(Dialect):
         return f"{about}% key: {key}\n\\[\n{symbol(key)} = {bmatrix(cells)}\n\\]"
 
     def scalar(self, key: str, title: str, value: str) -> str:
-        shown = value if value[:1].isdigit() or value[:1] == "-" else rf"\text{{{escaped(value)}}}"
-        degrees = shown.replace("°", r"^{\circ}")
-        return f"{escaped(title or key)}: ${degrees}$"
+        return f"{escaped(title or key)}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        lines = [[escaped(cell) for cell in row] for row in [columns]]
-        lines += [[_cell(cell) for cell in row] for row in rows]
+        lines = [[escaped(column) for column in columns], *rows]
         body = " \\\\\n".join(" & ".join(row) for row in lines)
         head = f"{escaped(title)}\n\n" if title else ""
         return f"{head}\\begin{{tabular}}{{{'l' * len(columns)}}}\n{body}\n\\end{{tabular}}"
@@ -123,6 +134,8 @@ class _Latex(Dialect):
     def number(self, text: str) -> str:
         return power_of_ten(text)
 
+    def inline(self, text: str) -> str:
+        return f"${power_of_ten(text)}$"
 
-def _cell(text: str) -> str:
-    return f"${text}$" if r"\times" in text else escaped(text)
+    def words(self, text: str) -> str:
+        return escaped(text)

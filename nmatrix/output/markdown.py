@@ -33,8 +33,9 @@ class _Markdown(Dialect):
         return f"`{key}`{f' ({_escaped(title)})' if title else ''}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        lines = [columns, ["---"] * len(columns), *rows]
-        body = "\n".join(f"| {' | '.join(_cell(cell) for cell in line)} |" for line in lines)
+        head = [_escaped(column) for column in columns]
+        lines = [head, ["---"] * len(columns), *rows]
+        body = "\n".join(f"| {' | '.join(line)} |" for line in lines)
         return f"{_escaped(title)}\n\n{body}" if title else body
 
     def formula(self, formula: Formula) -> str:
@@ -49,10 +50,12 @@ class _Markdown(Dialect):
     def number(self, text: str) -> str:
         return power_of_ten(text)
 
+    def inline(self, text: str) -> str:
+        return f"${power_of_ten(text)}$" if "e" in text else text
+
+    def words(self, text: str) -> str:
+        return _escaped(text)
+
 
 def _escaped(text: str) -> str:
     return "".join(f"\\{c}" if c in "\\`*_{}[]<>#|$" else c for c in text)
-
-
-def _cell(text: str) -> str:
-    return text.replace("|", "\\|").replace("\n", " ")

@@ -35,20 +35,18 @@ class _MathML(Dialect):
         return f"{about}{OPEN}<mi>{escape(key)}</mi><mo>=</mo>{table}</math>"
 
     def scalar(self, key: str, title: str, value: str) -> str:
-        return f"<p>{escape(title or key)}: {escape(value)}</p>"
+        return f"<p>{escape(title or key)}: {value}</p>"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         caption = f"<caption>{escape(title)}</caption>" if title else ""
         head = "".join(f"<th>{escape(column)}</th>" for column in columns)
-        body = "".join(
-            f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows
-        )
+        body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
         return f"<table>{caption}<tr>{head}</tr>{body}</table>"
 
     def formula(self, formula: Formula) -> str:
         if not formula.mathml:
             raise IllegalValueError(
-                "--format mathml",
+                "--format (mathml)",
                 "these formulas are not written in MathML",
                 "use latex or markdown",
             )
@@ -60,6 +58,9 @@ class _MathML(Dialect):
     def remarks(self, remarks: Sequence[str]) -> str:
         items = "".join(f"<li>{escape(remark)}</li>" for remark in remarks)
         return f"<ul>{items}</ul>"
+
+    def words(self, text: str) -> str:
+        return escape(text)
 
 
 def _cell(text: str) -> str:

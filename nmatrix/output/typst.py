@@ -31,17 +31,20 @@ class _Typst(Dialect):
         return f'{about}$ #raw("{key}") = mat(delim: "[", {rows}) $'
 
     def scalar(self, key: str, title: str, value: str) -> str:
-        return f"{_escaped(title or key)}: {_escaped(value)}"
+        return f"{_escaped(title or key)}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        cells = [f"[{_escaped(cell)}]" for row in [columns, *rows] for cell in row]
+        lines = [[_escaped(column) for column in columns], *rows]
+        cells = [f"[{cell}]" for line in lines for cell in line]
         head = f"{_escaped(title)}\n\n" if title else ""
         return f"{head}#table(columns: {len(columns)}, {', '.join(cells)})"
 
     def formula(self, formula: Formula) -> str:
         if not formula.typst:
             raise IllegalValueError(
-                "--format typst", "these formulas are not written in Typst", "use latex or markdown"
+                "--format (typst)",
+                "these formulas are not written in Typst",
+                "use latex or markdown",
             )
         return f"$ {formula.typst} $"
 
@@ -54,6 +57,12 @@ class _Typst(Dialect):
     def number(self, text: str) -> str:
         mantissa, mark, exponent = text.partition("e")
         return f"{mantissa} times 10^({int(exponent)})" if mark else text
+
+    def inline(self, text: str) -> str:
+        return f"${self.number(text)}$"
+
+    def words(self, text: str) -> str:
+        return _escaped(text)
 
 
 def _escaped(text: str) -> str:

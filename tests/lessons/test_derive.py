@@ -1,0 +1,75 @@
+"""Lessons: every step is proved, a false step is not, and the user's matrix is exact."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.lessons.cases import TITLES
+from nmatrix.lessons.derive import LESSONS, derive, exact_block
+from nmatrix.lessons.steps import equal
+from nmatrix.linear import rational
+from nmatrix.scene.world import World
+
+
+def steps(case: str, world: World | None = None) -> list[dict]:
+    return [step for one in derive(case, world).data["cases"] for step in one["steps"]]
+
+
+def test_every_title_has_its_lesson() -> None:
+    assert set(TITLES) == set(LESSONS)
+
+
+@pytest.mark.parametrize("case", TITLES)
+def test_every_step_is_proved(case: str) -> None:
+    found = steps(case)
+    assert len(found) >= 2
+    assert all(step["verified"] is True for step in found), found
+    for step in found:
+        assert step["latex"].count(r"\begin{") == step["latex"].count(r"\end{")
+        assert step["latex"].count("{") == step["latex"].count("}")
+
+
+def test_a_wrong_cofactor_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = rational.cofactor
+    monkeypatch.setattr(rational, "cofactor", lambda A: rational.transpose(right(A)))
+    assert [step["verified"] for step in steps("rule")].count(False) >= 2
+
+
+def test_a_false_claim_is_not_proved() -> None:
+    import sympy as sp
+
+    x = sp.Symbol("x")
+    assert equal((x + 1) ** 2, x**2 + 2 * x + 1)
+    assert not equal((x + 1) ** 2, x**2 + 1)
+
+
+def test_thirty_degrees_give_half_the_root_of_three() -> None:
+    import sympy as sp
+
+    block = exact_block(World(scale=(1, 2, 1), rotate_degrees=(0, 0, 30)))
+    assert block[0, 0] == sp.sqrt(3) / 2
+    assert block[0, 1] == -1
+    assert all(step["verified"] for step in steps("nonuniform", World(rotate_degrees=(0, 0, 30))))
+
+
+@pytest.mark.parametrize(
+    "world",
+    [
+        World(scale=(Fraction(1, 3), 2, 1)),
+        World(rotate_degrees=(7, 0, 0)),
+        World(scale=(1, 0, 1)),
+        World(scale=(-1, 1, 1), rotate_degrees=(45, 30, 60)),
+        World(quaternion=(1, 2, 3, 4)),
+        World(shear=(1, 2, 3)),
+    ],
+)
+def test_the_users_own_matrix_is_proved_too(world: World) -> None:
+    assert all(step["verified"] for step in steps("rule", world))
+
+
+def test_an_unknown_case_names_the_known_ones() -> None:
+    with pytest.raises(IllegalValueError, match="mirror"):
+        derive("nothing")
