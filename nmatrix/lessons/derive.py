@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons import derivations, examples
+from nmatrix.lessons import derivations, examples, sides
 from nmatrix.lessons.cases import TITLES, chosen
 from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, A, C, formula, words
 from nmatrix.lessons.steps import equal, step
@@ -28,8 +28,8 @@ LESSONS: dict[str, Lesson] = {
     "uniform": examples.uniform,
     "nonuniform": examples.nonuniform,
     "shear": examples.shear,
-    "mirror": examples.mirror,
-    "singular": examples.singular,
+    "mirror": sides.mirror,
+    "singular": sides.singular,
 }
 
 

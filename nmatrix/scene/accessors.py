@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf import Accessor, GltfScene, Primitive, buffer_bytes
+from nmatrix.scene.gltf import GltfScene, buffer_bytes
+from nmatrix.scene.gltf_records import Accessor, Primitive
 from nmatrix.scene.mesh import Mesh, area_weighted_normals
 
 TYPES = {

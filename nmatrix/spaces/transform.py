@@ -52,6 +52,12 @@ class Transform:
         """Return the 3×3 block at the exact level."""
         return LinearMap.of(rational.linear(self.exact))
 
+    def _repr_latex_(self) -> str:
+        """Show the matrix under its name in a notebook."""
+        rows = r" \\ ".join(" & ".join(f"{x:.6g}" for x in row) for row in self.matrix)
+        name = self.name.replace("_", r"\_")
+        return rf"$\mathtt{{{name}}} = \begin{{bmatrix}} {rows} \end{{bmatrix}}$"
+
     def __matmul__(self, other: Transform) -> Transform:
         """Return this map after the other; the inner frames must be the same."""
         if self.source is not other.to:

@@ -10,7 +10,8 @@ import pytest
 
 from nmatrix.enums import Kind
 from nmatrix.errors import CheckFailedError, IllegalValueError
-from nmatrix.linear.rational import to_floats
+from nmatrix.linear.classify import classify
+from nmatrix.linear.rational import Rows, to_floats
 from nmatrix.scene.gltf import read_gltf
 from nmatrix.scene.inspection import inspect_file, report
 from nmatrix.scene.meshfile import read_mesh
@@ -36,16 +37,21 @@ def test_every_node_agrees_with_three_js(data: Path) -> None:
             scenes[name] = read_gltf(data / "gltf" / name).nodes
         node = scenes[name][record["args"]["node"]]
         limit = 1e-3 if name.startswith(UNNORMALISED) else 1e-6
-        theirs = record["result"]["W"]
-        size = max(abs(x) for row in theirs for x in row)
-        ours = to_floats(node.world_from_object)
-        assert all(
-            abs(x - y) <= limit * size
-            for row, other in zip(ours, theirs, strict=True)
-            for x, y in zip(row, other, strict=True)
-        ), record["args"]
+        linear_map = classify(node.world_from_object).linear_map
+        assert agrees(to_floats(node.world_from_object), record["result"]["W"], limit)
+        assert agrees(to_floats(linear_map.inverse_transpose), record["result"]["N"], limit)
+        assert linear_map.determinant_sign == (1 if record["result"]["det3"] > 0 else -1)
         compared += 1
     assert compared > 100
+
+
+def agrees(ours: Rows, theirs: list[list[float]], limit: float) -> bool:
+    size = max(abs(x) for row in theirs for x in row)
+    return all(
+        abs(x - y) <= limit * size
+        for row, other in zip(ours, theirs, strict=True)
+        for x, y in zip(row, other, strict=True)
+    )
 
 
 def test_mirrored_nodes_are_those_that_three_js_winds_backwards(data: Path) -> None:
