@@ -87,6 +87,14 @@ def test_the_sign_of_the_determinant_is_exact(A: Matrix) -> None:
     check_sign(A, lambda M: LinearMap.of(M).determinant_sign)
 
 
+def test_floating_cofactors_are_not_exact() -> None:
+    A = near_singular([[0.1, 0.7, -0.3], [0.9, -0.2, 0.4]], 2, 1, 3)
+    naive = np.cross(A[0], A[1]).tolist()
+    assert any(Fraction(naive[j]) != minor(A, 2, j) for j in range(3))
+    found = LinearMap.of(A).cofactor_matrix
+    assert all(found[2][j] == minor(A, 2, j) for j in range(3))
+
+
 def test_a_floating_determinant_gets_signs_wrong() -> None:
     rng = np.random.default_rng(7)
     wrong = 0
@@ -181,6 +189,14 @@ def test_columns_of_the_normal_matrix_are_within_its_bound(A: Matrix) -> None:
                 assert mpmath.sqrt(error) <= 3.4e-16
 
 
+def test_columns_of_a_numpy_inverse_pass_that_bound() -> None:
+    rng = np.random.default_rng(2)
+    A = np.outer([1, 2, 3], [4, 5, 6]) + 1e-9 * rng.normal(size=(3, 3))
+    column = [row[0] for row in LinearMap.of(A.tolist()).cofactors]
+    numpy_column = np.linalg.inv(A).T[:, 0].tolist()
+    assert angle_between(numpy_column, unit(column)) > 3.4e-16
+
+
 FLAT = [[1.0, 0, 1], [0, 1, 1], [1, 1, 2]]
 
 
@@ -220,6 +236,15 @@ def test_powers_of_two_leave_unit_normals_bit_identical(A: Matrix, k: int) -> No
     scaled = [[x * 2.0**k for x in row] for row in A]
     n = (0.25, -1.5, 3.0)
     assert LinearMap.of(A).normal(n) == LinearMap.of(scaled).normal(n)
+
+
+def test_plain_products_are_not_scale_free() -> None:
+    turned = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
+    tiny = turned * 2.0**-540
+    plain = np.array([np.cross(tiny[1], tiny[2]), np.cross(tiny[2], tiny[0])])
+    assert not np.array_equal(plain * 2.0**540 * 2.0**540, np.cross(turned[1], turned[2]))
+    n = (0.25, -1.5, 3.0)
+    assert LinearMap.of(turned.tolist()).normal(n) == LinearMap.of(tiny.tolist()).normal(n)
 
 
 @given(any_matrix, vectors)
@@ -311,6 +336,14 @@ def test_look_at_is_orthonormal_wherever_the_camera_is(
 def test_look_at_with_up_almost_along_the_view(eps: float) -> None:
     found = look_at((0, 0, 0), (1, 2, 3), (1 + eps, 2 - 3 * eps, 3))
     assert orthonormality(found.camera_from_world) <= 1e-15
+
+
+def test_floating_cross_products_lose_the_frame() -> None:
+    forward = np.array([1.0, 2.0, 3.0])
+    right = np.cross(forward, forward * (1 + 1e-13) + [0, 1e-14, 0])
+    upward = np.cross(right, forward)
+    R = np.array([v / np.linalg.norm(v) for v in (right, upward, forward)])
+    assert np.abs(R @ R.T - np.eye(3)).max() > 1e-15
 
 
 def test_up_along_the_view_is_deterministic_and_said() -> None:
