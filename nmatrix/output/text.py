@@ -112,7 +112,7 @@ class _Writer:
             case Step():
                 lines = self._step(block)
             case Code():
-                lines = self._titled(block.title, [plain(x) for x in block.text.splitlines()])
+                lines = self._code(block)
             case Figure():
                 lines = self._figure(block)
         return lines
@@ -205,6 +205,10 @@ class _Writer:
         first = (Span("    "), Span(mark, style), Span(" " + (reason[0] if reason else "")))
         rest = [(Span(" " * (5 + len(mark))), Span(line)) for line in reason[1:]]
         return [*lines, first, *rest]
+
+    def _code(self, block: Code) -> list[Line]:
+        text = self._spelled(block.text.expandtabs(4))
+        return self._titled(block.title, [plain(line) for line in text.splitlines()])
 
     def _figure(self, block: Figure) -> list[Line]:
         named = f"{block.caption}: {block.path}" if block.caption else block.path
