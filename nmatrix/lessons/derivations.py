@@ -38,25 +38,33 @@ T_N = words("tᵀ n", r"t^{\mathsf T} n")
 
 def rule() -> tuple[list[Step], str]:
     """Derive N = A⁻ᵀ from the one thing that a normal is: perpendicular to every tangent."""
-    import sympy as sp
+    return [*_demand(), *_solution(), _worst_angle()], (
+        "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
+        "length one. A itself does only where AᵀA = s² · 1."
+    )
 
+
+def _demand() -> list[Step]:
+    """Say what a normal is, how tangents move, and what that asks of N."""
     M, free, t, n, p, d = polynomials()
-    K, det = rational.cofactor(M), rational.determinant(M)
     moved_t, moved_n = rational.apply(M, t), rational.apply(free, n)
-    k = sp.Symbol("kappa", positive=True)
-    bent, right = sp.Matrix([k, 1, 0]), sp.Matrix([1 / k, 1, 0])
-    tangent = words("t′", "t'")
-    steps = [
+    far_end, near_end = rational.apply(M, _plus(p, t)), rational.apply(M, p)
+    return [
         step(
             formula(words("t · n"), EQUALS, T_N, EQUALS, words("0")),
             "a normal is what is perpendicular to every tangent t of the surface",
             proved=rational.dot(t, n) == rational.product((t,), rational.transpose((n,)))[0][0],
         ),
         step(
-            formula(tangent, EQUALS, words("A (p + t) + d − (A p + d)"), EQUALS, words("A t")),
+            formula(
+                words("t′", "t'"),
+                EQUALS,
+                words("A (p + t) + d − (A p + d)"),
+                EQUALS,
+                words("A t"),
+            ),
             "a tangent is a difference of two points, so A moves it and the translation d cancels",
-            proved=_minus(_plus(rational.apply(M, _plus(p, t)), d), _plus(rational.apply(M, p), d))
-            == moved_t,
+            proved=_minus(_plus(far_end, d), _plus(near_end, d)) == moved_t,
         ),
         step(
             formula(
@@ -70,6 +78,15 @@ def rule() -> tuple[list[Step], str]:
             proved=rational.dot(moved_t, moved_n)
             == rational.dot(t, rational.apply(rational.product(rational.transpose(M), free), n)),
         ),
+    ]
+
+
+def _solution() -> list[Step]:
+    """Solve AᵀN = 1 by cofactors."""
+    M, _, t, n, _, _ = polynomials()
+    K, det = rational.cofactor(M), rational.determinant(M)
+    perpendicular = rational.dot(rational.apply(K, n), rational.apply(M, t))
+    return [
         step(
             formula(A_T, words(" N"), EQUALS, ONE, IMPLIES, N, EQUALS, A_INVERSE_T),
             "that holds for all t and n with t · n = 0 if AᵀN is the identity",
@@ -87,24 +104,28 @@ def rule() -> tuple[list[Step], str]:
                 words("det A (n · t)", r"\det A \, (n \cdot t)"),
             ),
             "so C n is perpendicular too; only the sign of det A decides which side is outside",
-            proved=rational.dot(rational.apply(K, n), moved_t) == det * rational.dot(n, t),
-        ),
-        step(
-            formula(
-                words("tan θ", r"\tan\theta"),
-                EQUALS,
-                words("|A n × N n| / (A n · N n)", r"\frac{|A n \times N n|}{A n \cdot N n}"),
-                EQUALS,
-                words("(κ − 1/κ) / 2", r"\frac{\kappa - 1/\kappa}{2}"),
-            ),
-            "with A itself a normal halfway between the directions stretched by κ and by 1 is "
-            "off by θ, the worst there is",
-            proved=equal(2 * bent.cross(right)[2], (k - 1 / k) * bent.dot(right)),
+            proved=perpendicular == det * rational.dot(n, t),
         ),
     ]
-    return steps, (
-        "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
-        "length one. A itself does only where AᵀA = s² · 1."
+
+
+def _worst_angle() -> Step:
+    """Measure how wrong A itself is, for stretches κ and 1."""
+    import sympy as sp
+
+    k = sp.Symbol("kappa", positive=True)
+    bent, right = sp.Matrix([k, 1, 0]), sp.Matrix([1 / k, 1, 0])
+    return step(
+        formula(
+            words("tan θ", r"\tan\theta"),
+            EQUALS,
+            words("|A n × N n| / (A n · N n)", r"\frac{|A n \times N n|}{A n \cdot N n}"),
+            EQUALS,
+            words("(κ − 1/κ) / 2", r"\frac{\kappa - 1/\kappa}{2}"),
+        ),
+        "with A itself a normal halfway between the directions stretched by κ and by 1 is "
+        "off by θ, the worst there is",
+        proved=equal(2 * bent.cross(right)[2], (k - 1 / k) * bent.dot(right)),
     )
 
 
