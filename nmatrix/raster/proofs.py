@@ -30,6 +30,8 @@ BACKGROUND = 0.93
 # Dark to light, blue to yellow: the order survives a greyscale print and colour blindness.
 HEAT = ((13, 8, 80), (78, 35, 140), (158, 50, 128), (214, 92, 82), (248, 160, 48), (250, 240, 110))
 HEAT_STEPS = 256
+RIGHT_TITLE = ("Right: A⁻ᵀ n", "the inverse transpose carries them")
+FLAT_TITLE = ("Right: C n, two-sided", "no inverse is left; the cofactors carry them")
 
 
 @dataclass(frozen=True)
@@ -80,6 +82,9 @@ def normals_proof(
     wrong = moved_by_matrix(linear_map, mesh.normals)
     pictures = [_lit(mesh, frame, stage, lighting, setup, n) for n in (wrong, right)]
     angles, defined = _angles(mesh, frame, wrong, right)
+    is_flat = not linear_map.integer_determinant
+    if is_flat:
+        angles = np.minimum(angles, 180 - angles)
     worst = float(angles[defined].max()) if defined.any() else None
     mean = float(angles[defined].mean()) if defined.any() else None
     heat = _heat(frame, angles, defined, worst or 0.0)
@@ -87,7 +92,7 @@ def normals_proof(
     difference = int(np.abs(shown[0].astype(int) - shown[1]).max())
     panels = (
         Panel(shown[0], "Wrong: A n", "the matrix itself carries the normals"),
-        Panel(shown[1], "Right: A⁻ᵀ n", "the inverse transpose carries them"),
+        Panel(shown[1], *(FLAT_TITLE if is_flat else RIGHT_TITLE)),
         Panel(levels(heat), "Angle between them", _angle_caption(worst, mean)),
     )
     legend = Legend(_heat_scale(), f"{worst or 0.0:.1f}", "°")
@@ -112,11 +117,18 @@ def _lit(
         grey = lighting.shade(normals, positions)[:, None]
         shade = frame.interpolate(mesh, grey)[:, 0]
     else:
-        shade = lighting.shade(
-            _sample_normals(mesh, frame, setup.shading, normals),
-            frame.interpolate(mesh, positions),
-        )
+        at = frame.interpolate(mesh, positions)
+        found = _sample_normals(mesh, frame, setup.shading, normals)
+        if not stage.world_from_object.linear_map.integer_determinant:
+            found = _towards(found, lighting.eye - at)
+        shade = lighting.shade(found, at)
     return frame.picture(np.repeat(shade[:, None], 3, axis=1), BACKGROUND)
+
+
+def _towards(normals: Array, to_eye: Array) -> Array:
+    """Return normals of a flattened surface on the side that is seen: both sides are alike."""
+    behind = (normals * to_eye).sum(axis=1, keepdims=True) < 0
+    return np.asarray(np.where(behind, -normals, normals))
 
 
 def _sample_normals(mesh: Mesh, frame: Frame, shading: Shading, normals: Array) -> Array:

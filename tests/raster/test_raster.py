@@ -175,6 +175,17 @@ def test_a_mirror_without_the_sign_would_be_seen(monkeypatch: pytest.MonkeyPatch
 def test_a_flattened_sphere_draws_without_a_nan() -> None:
     found = proof(sphere(16, 32), World(scale=(1, 0, 1)))
     assert found.image.dtype == np.uint8
+    assert found.max_angle_error_deg == pytest.approx(90)
+
+
+def test_both_sides_of_a_flattened_sphere_look_alike() -> None:
+    found = proof(sphere(16, 32), World(scale=(1, 0, 1)), size=96)
+    right = found.image[:, found.image.shape[1] // 3 : found.image.shape[1] * 2 // 3]
+    rows, columns = np.nonzero((right[:, :, 0] > 40) & (right[:, :, 0] < 200))
+    middle = right[
+        int(np.median(rows)), int(np.median(columns)) - 10 : int(np.median(columns)) + 10
+    ]
+    assert np.ptp(middle[:, 0].astype(int)) <= 8, "a checkerboard of both sides"
 
 
 def test_the_picture_carries_its_numbers() -> None:
