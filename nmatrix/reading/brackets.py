@@ -13,6 +13,7 @@ from nmatrix.reading.literal import ACCEPTED
 from nmatrix.reading.quote import quoted
 
 DEEPEST = 2
+PAIRS = {"[": "]", "(": ")"}
 MOST = 64  # numbers; a matrix has 16, a slip of the hand a few more
 
 _TOKEN = re.compile(r"[\[(]|[\])]|[,;]|[^\s\[\](),;]+")
@@ -38,7 +39,7 @@ def bracketed(text: str, source: str, start: int = 0) -> tuple[list[list[str]], 
     scan = _Scan(source)
     for token in _TOKEN.finditer(text, start):
         scan.take(token[0])
-        if scan.depth == 0:
+        if not scan.opened:
             return [row for row in scan.rows if row], token.end()
     raise _refusal(source, "its brackets are not closed")
 
@@ -65,19 +66,19 @@ def bare_rows(text: str, source: str) -> list[list[str]]:
 
 @dataclass
 class _Scan:
-    """Where the scan stands: the rows so far, the depth, and whether an entry must follow."""
+    """Where the scan stands: the rows so far, the open brackets, whether an entry is due."""
 
     source: str
     rows: list[list[str]] = field(default_factory=lambda: [[]])
-    depth: int = 0
+    opened: list[str] = field(default_factory=list)
     count: int = 0
     entry_due: bool = True
 
     def take(self, mark: str) -> None:
         if mark in "[(":
-            self._open()
+            self._open(mark)
         elif mark in "])":
-            self._close()
+            self._close(mark)
         elif mark == ";":
             self.rows.append([])
         elif mark == ",":
@@ -85,15 +86,16 @@ class _Scan:
         else:
             self._number(mark)
 
-    def _open(self) -> None:
-        self.depth += 1
+    def _open(self, mark: str) -> None:
+        self.opened.append(PAIRS[mark])
         self.rows.append([])
         self.entry_due = True
-        if self.depth > DEEPEST:
+        if len(self.opened) > DEEPEST:
             raise _refusal(self.source, f"its brackets nest deeper than {DEEPEST}")
 
-    def _close(self) -> None:
-        self.depth -= 1
+    def _close(self, mark: str) -> None:
+        if not self.opened or self.opened.pop() != mark:
+            raise _refusal(self.source, f"{mark} closes what it did not open")
         self.rows.append([])
         self.entry_due = False
 

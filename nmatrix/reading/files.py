@@ -43,7 +43,7 @@ def is_folder(text: str) -> bool:
     (True, False)
     """
     try:
-        return Path(text).is_dir()
+        return bool(text) and Path(text).is_dir()
     except (OSError, ValueError):
         return False
 

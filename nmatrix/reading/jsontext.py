@@ -64,7 +64,8 @@ def _matrices(value: object, key: str, depth: int) -> Iterator[tuple[str, Tokens
         if tokens is not None:
             yield key, tokens
             return
-        items = list(enumerate(value))
+        # A broken matrix is not taken apart: its sound rows are nobody's answer.
+        items = [(place, inner) for place, inner in enumerate(value) if _is_record(inner)]
     else:
         return
     for name, inner in items:
@@ -78,6 +79,13 @@ def _tokens(value: list[object]) -> Tokens | None:
     if value and all(isinstance(row, list) and _is_row(row) for row in value):
         return [[str(entry) for entry in row] for row in value if isinstance(row, list)]
     return None
+
+
+def _is_record(value: object) -> bool:
+    """Say whether a list's entry can hold matrices of its own: an object, or a list of lists."""
+    return isinstance(value, dict) or (
+        isinstance(value, list) and all(isinstance(row, list) for row in value)
+    )
 
 
 def _is_row(value: list[object]) -> bool:
