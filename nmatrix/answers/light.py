@@ -167,7 +167,7 @@ def _eye_blocks(seen: EyeSeen, prefix: str = "") -> list[Block]:
         Quantity(
             f"{prefix}eye_by_inverse_mv",
             seen.eye_by_inverse_mv,
-            "by the course's (MV)⁻¹, in float64",
+            "course's (MV)⁻¹, float64",
         ),
         Quantity(f"{prefix}relative_difference", seen.relative_difference, "relative difference"),
     ]

@@ -23,7 +23,7 @@ nmatrix light object --scale 1 1/4 1 --light-direction 0.3 0.9 0.2
 nmatrix light --light-position 2 2 8
 
 The light's direction and position in one space, or in the four usual ones.""",
-    "eye": """nmatrix eye object --rotate 0 30 0 --translate 1e7 0 0 --eye 10000003 0 0
+    "eye": """nmatrix eye object --rotate 0 30 0 --translate 1e7 0 0 --eye 10000003 1 2
 
 nmatrix eye --eye 3 3 2.5
 
