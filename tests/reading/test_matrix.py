@@ -240,3 +240,8 @@ def test_vectors(text: str) -> None:
         assert as_vector(matrix_literal(text, layout)) == (1.0, 2.0, 3.0)
     with pytest.raises(IllegalValueError, match="3 or 4 numbers"):
         as_vector(matrix_literal("1 2"))
+
+
+def test_a_vector_keeps_its_shape_in_either_layout() -> None:
+    assert matrix_literal("1 2 3", Layout.COLUMN_MAJOR).shape == (1, 3)
+    assert matrix_literal("1; 2; 3", Layout.COLUMN_MAJOR).shape == (3, 1)
