@@ -25,6 +25,7 @@ from nmatrix.scene.gltf_records import Document, NodeRecord
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 LONGEST_URI = 200
 UNIT_SLACK = 1e-6
+NAMED = 5  # nodes that a remark names
 
 
 @dataclass(frozen=True)
@@ -95,12 +96,12 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
     order, parents = _order(path, document.nodes)
     worlds: list[RationalMatrix] = [identity(4)] * len(document.nodes)
     local: list[RationalMatrix] = [identity(4)] * len(document.nodes)
-    remarks = []
+    off_length = []
     for index in order:
         record = document.nodes[index]
         local[index], off = _local(path, index, record)
         if off:
-            remarks.append(f"{_name(index, record)}: its quaternion was not of length one")
+            off_length.append(_name(index, record))
         parent = parents[index]
         above = identity(4) if parent is None else worlds[parent]
         worlds[index] = rational(to_floats(product(above, local[index])))
@@ -108,7 +109,12 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         Node(_name(i, record), local[i], worlds[i], _mesh(path, i, record, document))
         for i, record in enumerate(document.nodes)
     )
-    return nodes, tuple(remarks)
+    if not off_length:
+        return nodes, ()
+    return nodes, (
+        f"{len(off_length)} quaternions were not of length one and were normalised: "
+        f"{', '.join(off_length[:NAMED])}{', …' if len(off_length) > NAMED else ''}.",
+    )
 
 
 def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int | None]]:

@@ -142,3 +142,12 @@ def test_normals_that_are_missing_are_made_and_have_length_one(data: Path) -> No
     mesh = read_mesh(data / "meshes" / "teapot.obj")
     lengths = (mesh.normals**2).sum(axis=1)
     assert abs(lengths[lengths > 0] - 1).max() < 1e-12
+
+
+def test_quaternions_off_unit_length_are_normalised_with_one_remark(tmp_path: Path) -> None:
+    nodes: list[dict[str, object]] = [{"rotation": [0, 0, 2, 2]} for _ in range(8)]
+    found = read_gltf(scene(tmp_path, nodes))
+    assert found.nodes[0].world_from_object[0][:2] == (0, -1)
+    assert len(found.remarks) == 1
+    assert found.remarks[0].startswith("8 quaternions")
+    assert read_gltf(scene(tmp_path, [{"rotation": [0, 0, 0.6, 0.8]}])).remarks == ()
