@@ -1,9 +1,10 @@
-"""A formula as text and as LaTeX from the same parts: words, SymPy expressions and matrices."""
+"""A formula as text, LaTeX, MathML and Typst, all from the same parts: words and matrices."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING, TypeAlias
 
 from nmatrix.report import Formula
@@ -21,6 +22,9 @@ class Words:
 
 
 Part: TypeAlias = "Words | sp.Expr | sp.MatrixBase"
+
+MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML">'
+NO_BREAK = "\u00a0"  # a browser would swallow a plain space at the end
 
 EQUALS = Words(" = ", " = ")
 NOT_EQUAL = Words(" ≠ ", r" \neq ")
@@ -51,15 +55,42 @@ def formula(*parts: Part) -> Formula:
     return Formula(
         text=_side_by_side([_text(part) for part in parts]),
         latex="".join(_latex(part) for part in parts),
+        mathml=f"{MATH}{''.join(_mathml(part) for part in parts)}</math>",
+        typst=" ".join(_typst(part) for part in parts),
     )
+
+
+def _mathml(part: Part) -> str:
+    cells = _cells(part)
+    if cells is None:
+        return f"<mtext>{escape(_text(part)[0]).replace(' ', NO_BREAK)}</mtext>"
+    rows = "".join(
+        f"<mtr>{''.join(f'<mtd><mtext>{escape(cell)}</mtext></mtd>' for cell in row)}</mtr>"
+        for row in cells
+    )
+    return f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
+
+
+def _typst(part: Part) -> str:
+    cells = _cells(part)
+    if cells is None:
+        return f'"{_text(part)[0]}"'
+    rows = "; ".join(", ".join(f'"{cell}"' for cell in row) for row in cells)
+    return f'mat(delim: "[", {rows})'
+
+
+def _cells(part: Part) -> list[list[str]] | None:
+    """Return a matrix as texts, or None for anything else."""
+    if isinstance(part, Words) or not hasattr(part, "tolist"):
+        return None
+    return [[_plain(entry) for entry in row] for row in part.tolist()]
 
 
 def _text(part: Part) -> list[str]:
     if isinstance(part, Words):
         return [part.text]
-    if hasattr(part, "tolist"):  # a matrix, without importing SymPy to ask
-        return _text_matrix([[_plain(entry) for entry in row] for row in part.tolist()])
-    return [_plain(part)]
+    cells = _cells(part)
+    return [_plain(part)] if cells is None else _text_matrix(cells)
 
 
 _ROOT = re.compile(r"sqrt\((\d+)\)")

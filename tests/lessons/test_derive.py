@@ -11,6 +11,7 @@ from nmatrix.lessons.cases import TITLES
 from nmatrix.lessons.derive import LESSONS, derive, exact_block
 from nmatrix.lessons.steps import equal
 from nmatrix.linear import rational
+from nmatrix.report import Step
 from nmatrix.scene.world import World
 
 
@@ -30,6 +31,18 @@ def test_every_step_is_proved(case: str) -> None:
     for step in found:
         assert step["latex"].count(r"\begin{") == step["latex"].count(r"\end{")
         assert step["latex"].count("{") == step["latex"].count("}")
+
+
+@pytest.mark.parametrize("case", TITLES)
+def test_mathml_is_well_formed_and_holds_every_matrix(case: str) -> None:
+    from xml.etree import ElementTree
+
+    for block in derive(case).blocks:
+        if isinstance(block, Step):
+            tree = ElementTree.fromstring(block.formula.mathml)
+            tables = sum(1 for node in tree.iter() if node.tag.endswith("mtable"))
+            assert tables == block.formula.latex.count("\\begin{bmatrix}")
+            assert tables == block.formula.typst.count("mat(")
 
 
 def test_a_wrong_cofactor_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
