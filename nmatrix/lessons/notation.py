@@ -41,7 +41,7 @@ ONE = Words("1", r"\mathbf 1")
 
 def words(text: str, latex: str | None = None) -> Words:
     """Return a piece that reads alike in both."""
-    return Words(text, text if latex is None else latex)
+    return Words(text, text.replace("−", "-") if latex is None else latex)
 
 
 def formula(*parts: Part) -> Formula:

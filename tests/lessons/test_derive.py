@@ -29,6 +29,7 @@ def test_every_step_is_proved(case: str) -> None:
     assert len(found) >= 2
     assert all(step["verified"] is True for step in found), found
     for step in found:
+        assert step["latex"].isascii(), "pdflatex reads no other signs in formulas"
         assert step["latex"].count(r"\begin{") == step["latex"].count(r"\end{")
         assert step["latex"].count("{") == step["latex"].count("}")
 
