@@ -41,7 +41,9 @@ ONE = Words("1", r"\mathbf 1")
 
 def words(text: str, latex: str | None = None) -> Words:
     """Return a piece that reads alike in both."""
-    return Words(text, text.replace("−", "-") if latex is None else latex)
+    if latex is None:
+        latex = text.replace("−", "-").replace("·", r"\cdot")
+    return Words(text, latex)
 
 
 def formula(*parts: Part) -> Formula:
