@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,12 +12,14 @@ from numpy.typing import NDArray
 from nmatrix.enums import ClipY, DepthRange
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import Rows
-from nmatrix.raster.clip import clip, whole
-from nmatrix.raster.cover import snap
+from nmatrix.raster.clip import Triangles, clip, whole
+from nmatrix.raster.cover import SUBPIXELS, snap
 from nmatrix.raster.visibility import visible
 from nmatrix.scene.mesh import Mesh
 
 Array = NDArray[Any]
+
+BAND_SAMPLES = 1 << 18  # about 100 MB of samples, fragments and their attributes
 
 
 @dataclass(frozen=True)
@@ -54,40 +57,62 @@ class Frame:
         corners = values[mesh.triangles[self.triangle]]
         return np.asarray((corners * self.weights[:, :, None]).sum(axis=1))
 
-    def picture(self, colours: Array, background: float) -> Array:
-        """Return an image (height, width, 3): samples averaged into pixels."""
-        canvas = self.canvas
-        image = np.full((canvas.rows * canvas.columns, 3), background)
-        image[self.pixel] = colours
-        k = canvas.per_side
-        return np.asarray(image.reshape(canvas.height, k, canvas.width, k, 3).mean(axis=(1, 3)))
+    def resolve(self, values: Array) -> Array:
+        """Return (height, width, …): values of the samples, averaged into pixels, 0 where empty."""
+        canvas, k = self.canvas, self.canvas.per_side
+        image = np.zeros((canvas.rows * canvas.columns, *values.shape[1:]))
+        image[self.pixel] = values
+        grid = image.reshape(canvas.height, k, canvas.width, k, *values.shape[1:])
+        return np.asarray(grid.mean(axis=(1, 3)))
 
 
-def draw(mesh: Mesh, clip_from_object: Rows, canvas: Canvas, space: ClipSpace) -> Frame:
-    """Return what a camera sees of a mesh.
+@dataclass(frozen=True, eq=False)
+class Projected:
+    """Triangles on the canvas: snapped corners (N, 3, 2), depth and w (N, 3), and their origin."""
 
-    Weights are divided by w and made to add up to one again: perspective-correct, and each lies
-    in [0, 1].
-    """
-    matrix = np.array(clip_from_object)
+    canvas: Canvas
+    triangles: int
+    points: Array
+    depth: Array
+    w: Array
+    cut: Triangles
+
+    def bands(self) -> Iterator[Frame]:
+        """Draw the canvas from top to bottom, as many pixel rows at a time as memory is meant for.
+
+        Corners are integers, so moving them up by whole rows changes no sample.
+        """
+        per_row = self.canvas.columns * self.canvas.per_side
+        step = max(1, BAND_SAMPLES // per_row)
+        for top in range(0, self.canvas.height, step):
+            yield self.band(top, min(step, self.canvas.height - top))
+
+    def band(self, top: int, height: int) -> Frame:
+        """Return what is seen in some pixel rows; weights are perspective-correct, in [0, 1]."""
+        canvas = Canvas(self.canvas.width, height, self.canvas.per_side)
+        points = self.points - np.array([0, top * canvas.per_side * SUBPIXELS])
+        seen = visible(points, self.depth, canvas.columns, canvas.rows)
+        weights = np.clip(seen.barycentric, 0.0, 1.0) / self.w[seen.triangle]
+        weights /= weights.sum(axis=1, keepdims=True)
+        original = np.einsum("si,sij->sj", weights, self.cut.weights[seen.triangle])
+        source = self.cut.source[seen.triangle]
+        return Frame(canvas, seen.pixel, source, original, self.triangles, seen.fragments)
+
+
+def project(mesh: Mesh, clip_from_object: Rows, canvas: Canvas, space: ClipSpace) -> Projected:
+    """Return the triangles of a mesh on the canvas: in clip space, cut, divided by w, snapped."""
     ones = np.ones((len(mesh.positions), 1))
-    corners = np.hstack([mesh.positions, ones]) @ matrix.T
+    corners = np.hstack([mesh.positions, ones]) @ np.array(clip_from_object).T
     cut = clip(whole(corners[mesh.triangles]), space.depth, canvas.columns, canvas.rows)
     w = cut.corners[:, :, 3]
     ndc = cut.corners[:, :, :3] / w[:, :, None]
-    points = snap(_pixels(ndc, canvas, space))
-    seen = visible(points, _depth(ndc[:, :, 2], space.depth), canvas.columns, canvas.rows)
-    weights = np.clip(seen.barycentric, 0.0, 1.0) / w[seen.triangle]
-    weights /= weights.sum(axis=1, keepdims=True)
-    original = np.einsum("si,sij->sj", weights, cut.weights[seen.triangle])
-    return Frame(
-        canvas,
-        seen.pixel,
-        cut.source[seen.triangle],
-        original,
-        len(mesh.triangles),
-        seen.fragments,
-    )
+    depth = _depth(ndc[:, :, 2], space.depth)
+    return Projected(canvas, len(mesh.triangles), snap(_pixels(ndc, canvas, space)), depth, w, cut)
+
+
+def draw(mesh: Mesh, clip_from_object: Rows, canvas: Canvas, space: ClipSpace) -> Frame:
+    """Return what a camera sees of a mesh, as one band; memory follows the canvas."""
+    return project(mesh, clip_from_object, canvas, space).band(0, canvas.height)
 
 
 def _pixels(ndc: Array, canvas: Canvas, space: ClipSpace) -> Array:

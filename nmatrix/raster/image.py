@@ -22,6 +22,7 @@ Array = NDArray[Any]
 
 PAPER, INK, FAINT = (255, 255, 255), (24, 24, 28), (96, 96, 104)
 MARGIN = 16
+NARROWEST = 220  # pixels for a panel's captions to be legible in
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +49,9 @@ def levels(image: Array) -> Array:
 
 
 def compose(title: str, panels: Sequence[Panel], legend: Legend | None = None) -> Array:
-    """Return panels side by side under one title, as an 8-bit image."""
-    height, width = panels[0].image.shape[:2]
+    """Return panels of one size side by side under one title, as an 8-bit image."""
+    height, shown = panels[0].image.shape[:2]
+    width = max(shown, NARROWEST)
     text = max(11, min(22, width // 20))
     line = round(text * 1.5)
     top = MARGIN + 2 * line
@@ -63,7 +65,7 @@ def compose(title: str, panels: Sequence[Panel], legend: Legend | None = None) -
     for i, panel in enumerate(panels):
         left = MARGIN + i * (width + MARGIN)
         pen.text((left, top), panel.title, INK, _fitting(panel.title, text, width))
-        sheet.paste(Image.fromarray(panel.image), (left, top + line))
+        sheet.paste(Image.fromarray(panel.image), (left + (width - shown) // 2, top + line))
         below = (left, top + line + height + 6)
         pen.text(below, panel.caption, FAINT, _fitting(panel.caption, text - 1, width))
     if legend:

@@ -33,11 +33,33 @@ def through(matrix: Array, normals: Array) -> Array:
     return unit(normals @ matrix.T)
 
 
-def unit(vectors: Array) -> Array:
-    """Return vectors at length one; what is shorter than 1e-12 has no direction and becomes 0."""
-    length = np.sqrt((vectors * vectors).sum(axis=-1, keepdims=True))
-    found: Array = np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 1e-12)
-    return found
+def unit(vectors: Array, shortest: float = 0.0) -> Array:
+    """Return vectors (..., 3) at length one; what is not longer than `shortest` becomes zero.
+
+    Each is scaled by its largest component first, so no square over- or underflows.
+
+    Examples
+    --------
+    >>> unit(np.array([[3e-200, 0, 4e-200], [0, 0, 0]])).tolist()
+    [[0.6, 0.0, 0.8], [0.0, 0.0, 0.0]]
+    """
+    largest = np.abs(vectors).max(axis=-1, keepdims=True)
+    scaled = np.divide(vectors, largest, out=np.zeros_like(vectors), where=largest > 0)
+    length = np.sqrt((scaled * scaled).sum(axis=-1, keepdims=True))
+    kept = (largest > shortest) & (length > 0)
+    return np.asarray(np.divide(scaled, length, out=np.zeros_like(vectors), where=kept))
+
+
+def turned_towards(normals: Array, to_eye: Array) -> Array:
+    """Return normals on the side that is seen, for surfaces whose sides are alike.
+
+    Examples
+    --------
+    >>> turned_towards(np.array([[0.0, -1.0, 0.0]]), np.array([[0.0, 2.0, 1.0]])).tolist()
+    [[-0.0, 1.0, -0.0]]
+    """
+    behind = (normals * to_eye).sum(axis=1, keepdims=True) < 0
+    return np.asarray(np.where(behind, -normals, normals))
 
 
 def angles_deg(a: Array, b: Array) -> Array:

@@ -13,13 +13,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Shading
+from nmatrix.errors import NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.classify import classify
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import to_floats
-from nmatrix.raster.draw import Canvas, Frame, draw
-from nmatrix.raster.image import Legend, Panel, compose, levels, png
-from nmatrix.raster.normals import angles_deg, moved_by_matrix, outward, unit
+from nmatrix.raster.compare import Comparison, Subject, compare
+from nmatrix.raster.draw import Canvas, project
+from nmatrix.raster.heat import ROUNDING_DEG, UNDEFINED, Scale
+from nmatrix.raster.image import Panel, compose, levels, png
+from nmatrix.raster.normals import moved_by_matrix, outward, turned_towards, unit
 from nmatrix.raster.shade import Lighting
 from nmatrix.scene.mesh import Mesh
 from nmatrix.spaces.stage import Stage
@@ -27,11 +30,14 @@ from nmatrix.spaces.stage import Stage
 Array = NDArray[Any]
 
 BACKGROUND = 0.93
-# Dark to light, blue to yellow: the order survives a greyscale print and colour blindness.
-HEAT = ((13, 8, 80), (78, 35, 140), (158, 50, 128), (214, 92, 82), (248, 160, 48), (250, 240, 110))
-HEAT_STEPS = 256
-RIGHT_TITLE = ("Right: A⁻ᵀ n", "the inverse transpose carries them")
-FLAT_TITLE = ("Right: C n, two-sided", "no inverse is left; the cofactors carry them")
+FARTHEST = 1e100
+
+# What the right rule is called, by the rank of A.
+RIGHT_RULE = {
+    3: ("Right: A⁻ᵀ n", "the inverse transpose carries them"),
+    2: ("Right: C n, two-sided", "no inverse is left; the cofactors carry them"),
+}
+NO_RULE = ("Right: none", "no plane is left to be normal to")
 
 
 @dataclass(frozen=True)
@@ -75,94 +81,73 @@ def normals_proof(
     """Draw a mesh with wrong and with right normals, and the angle between them.
 
     The angle is measured at every covered sample between the two interpolated normals.
+
+    Raises
+    ------
+    NoAnswerError
+        If the mesh or the eye is so far or so small in the world that float64 cannot draw it.
     """
-    frame = draw(mesh, to_floats(stage.clip_from_object), setup.canvas, setup.clip)
-    linear_map = stage.world_from_object.linear_map
-    right = outward(linear_map, mesh.normals)
-    wrong = moved_by_matrix(linear_map, mesh.normals)
-    pictures = [_lit(mesh, frame, stage, lighting, setup, n) for n in (wrong, right)]
-    angles, defined = _angles(mesh, frame, wrong, right)
-    is_flat = not linear_map.integer_determinant
-    if is_flat:
-        angles = np.minimum(angles, 180 - angles)
-    worst = float(angles[defined].max()) if defined.any() else None
-    mean = float(angles[defined].mean()) if defined.any() else None
-    heat = _heat(frame, angles, defined, worst or 0.0)
-    shown = [levels(picture) for picture in pictures]
-    difference = int(np.abs(shown[0].astype(int) - shown[1]).max())
+    carried = subject_in_world(mesh, stage)
+    projected = project(mesh, to_floats(stage.clip_from_object), setup.canvas, setup.clip)
+    found = compare(carried, projected, lighting, setup.shading)
+    shown = [levels(_on_paper(grey, found)) for grey in (found.wrong, found.right)]
+    scale = Scale.reaching(found.worst_deg)
+    rank = stage.world_from_object.linear_map.rank
     panels = (
         Panel(shown[0], "Wrong: A n", "the matrix itself carries the normals"),
-        Panel(shown[1], *(FLAT_TITLE if is_flat else RIGHT_TITLE)),
-        Panel(levels(heat), "Angle between them", _angle_caption(worst, mean)),
+        Panel(shown[1], *RIGHT_RULE.get(rank, NO_RULE)),
+        Panel(levels(_heat(found, scale)), "Angle between them", _angle_caption(found)),
     )
-    legend = Legend(_heat_scale(), f"{worst or 0.0:.1f}", "°")
     return Proof(
-        image=compose(_title(subject, stage), panels, legend),
+        image=compose(_title(subject, stage), panels, scale.legend),
         subject=subject,
-        max_angle_error_deg=worst,
-        mean_angle_error_deg=mean,
-        max_level_difference=difference,
-        triangles=frame.triangles,
-        fragments=frame.fragments,
-        work=_work(mesh, frame),
+        max_angle_error_deg=found.worst_deg,
+        mean_angle_error_deg=found.mean_deg,
+        max_level_difference=int(np.abs(shown[0].astype(int) - shown[1]).max()),
+        triangles=projected.triangles,
+        fragments=found.fragments,
+        work=_work(mesh, found),
     )
 
 
-def _lit(
-    mesh: Mesh, frame: Frame, stage: Stage, lighting: Lighting, setup: Setup, normals: Array
-) -> Array:
-    M = np.array(stage.world_from_object.matrix)
-    positions = mesh.positions @ M[:3, :3].T + M[:3, 3]
-    if setup.shading is Shading.GOURAUD:
-        grey = lighting.shade(normals, positions)[:, None]
-        shade = frame.interpolate(mesh, grey)[:, 0]
-    else:
-        at = frame.interpolate(mesh, positions)
-        found = _sample_normals(mesh, frame, setup.shading, normals)
-        if not stage.world_from_object.linear_map.integer_determinant:
-            found = _towards(found, lighting.eye - at)
-        shade = lighting.shade(found, at)
-    return frame.picture(np.repeat(shade[:, None], 3, axis=1), BACKGROUND)
+def subject_in_world(mesh: Mesh, stage: Stage) -> Subject:
+    """Return the mesh under both rules.
+
+    A flattened mesh has two sides and shows one to the eye. Its right normals are turned there at
+    the vertices: between opposite ones interpolation would find none.
+    """
+    linear_map = stage.world_from_object.linear_map
+    positions = positions_in_world(mesh, stage)
+    wrong, right = moved_by_matrix(linear_map, mesh.normals), outward(linear_map, mesh.normals)
+    is_flat = linear_map.rank < 3
+    if is_flat:
+        eye = np.array([float(x) for x in stage.eye])
+        right = turned_towards(right, unit(eye - positions))
+    return Subject(mesh, positions, wrong, right, is_flat)
 
 
-def _towards(normals: Array, to_eye: Array) -> Array:
-    """Return normals of a flattened surface on the side that is seen: both sides are alike."""
-    behind = (normals * to_eye).sum(axis=1, keepdims=True) < 0
-    return np.asarray(np.where(behind, -normals, normals))
+def _on_paper(grey: Array, found: Comparison) -> Array:
+    """Return a grey image (height, width) in colour, on the background."""
+    return np.repeat((grey + BACKGROUND * (1 - found.covered))[:, :, None], 3, axis=2)
 
 
-def _sample_normals(mesh: Mesh, frame: Frame, shading: Shading, normals: Array) -> Array:
-    if shading is Shading.FLAT:
-        return unit(normals[mesh.triangles[frame.triangle]].mean(axis=1))
-    return unit(frame.interpolate(mesh, normals))
+def _heat(found: Comparison, scale: Scale) -> Array:
+    """Return the map of angles; grey where a normal is missing."""
+    compared, covered = found.compared[:, :, None], found.covered[:, :, None]
+    colours = scale.colours(found.angle_deg)
+    return np.asarray(
+        compared * colours + (covered - compared) * UNDEFINED + (1 - covered) * BACKGROUND
+    )
 
 
-def _angles(mesh: Mesh, frame: Frame, wrong: Array, right: Array) -> tuple[Array, Array]:
-    """Return the angle at each sample, and where both normals exist."""
-    a, b = unit(frame.interpolate(mesh, wrong)), unit(frame.interpolate(mesh, right))
-    return angles_deg(a, b), np.asarray(a.any(axis=1) & b.any(axis=1))
-
-
-def _heat(frame: Frame, angles: Array, defined: Array, worst: float) -> Array:
-    scale = np.array(_heat_scale()) / 255
-    part = angles / worst if worst > 0 else np.zeros_like(angles)
-    colours = scale[np.rint(part * (HEAT_STEPS - 1)).astype(np.intp).clip(0, HEAT_STEPS - 1)]
-    colours[~defined] = 0.5
-    return frame.picture(colours, BACKGROUND)
-
-
-def _heat_scale() -> tuple[tuple[int, int, int], ...]:
-    stops = np.linspace(0, 1, len(HEAT))
-    at = np.linspace(0, 1, HEAT_STEPS)
-    channels = [np.interp(at, stops, [stop[i] for stop in HEAT]) for i in range(3)]
-    red, green, blue = (np.rint(channel).astype(int).tolist() for channel in channels)
-    return tuple(zip(red, green, blue, strict=True))
-
-
-def _angle_caption(worst: float | None, mean: float | None) -> str:
-    if worst is None or mean is None:
+def _angle_caption(found: Comparison) -> str:
+    if not found.visible_samples:
+        return "nothing of it is seen"
+    if found.worst_deg is None or found.mean_deg is None:
         return "no normal is left to compare"
-    return f"worst {worst:.2f}°, mean {mean:.2f}° over the covered pixels"
+    if found.worst_deg <= ROUNDING_DEG:
+        return "none beyond rounding, anywhere"
+    return f"worst {found.worst_deg:.2f}°, mean {found.mean_deg:.2f}° over what is seen"
 
 
 def _title(subject: str, stage: Stage) -> str:
@@ -174,22 +159,44 @@ def _title(subject: str, stage: Stage) -> str:
     return f"{subject}: {kind}, κ = {float(found.condition):.4g}, bound {bound:.2f}°"
 
 
-def _work(mesh: Mesh, frame: Frame) -> dict[str, int]:
+def _work(mesh: Mesh, found: Comparison) -> dict[str, int]:
     """Count what was computed: the multiplications of vertices and of visible samples."""
-    vertices, samples = len(mesh.positions), len(frame.pixel)
+    vertices, samples = len(mesh.positions), found.visible_samples
     return {
         "vertices": vertices,
-        "triangles": frame.triangles,
-        "fragments": frame.fragments,
+        "triangles": len(mesh.triangles),
+        "fragments": found.fragments,
         "visible_samples": samples,
         "multiplications": vertices * (16 + 2 * 9) + samples * 3 * (9 + 6 + 3),
     }
 
 
+def positions_in_world(mesh: Mesh, stage: Stage) -> Array:
+    """Return the vertices in world space.
+
+    Raises
+    ------
+    NoAnswerError
+        If they, or the eye, are further than 1e+100 or all nearer than 1e-100 to the origin: the
+        squares of such lengths leave float64.
+    """
+    M = np.array(to_floats(stage.world_from_object.exact))
+    with np.errstate(over="ignore", invalid="ignore"):
+        moved = mesh.positions @ M[:3, :3].T + M[:3, 3]
+    mesh_size = float(np.abs(moved).max())
+    size = max(mesh_size, *(abs(float(x)) for x in stage.eye))
+    if not size <= FARTHEST or 0 < mesh_size < 1 / FARTHEST:
+        raise NoAnswerError(
+            f"a mesh that reaches {mesh_size:.3g} in a scene that reaches {size:.3g}",
+            "a picture can be computed between 1e-100 and 1e+100",
+            "scale the scene",
+        )
+    return np.asarray(moved)
+
+
 def bounding_ball(mesh: Mesh, stage: Stage) -> tuple[Array, float]:
     """Return a ball around the mesh in world space."""
-    M = np.array(to_floats(stage.world_from_object.exact))
-    moved = mesh.positions @ M[:3, :3].T + M[:3, 3]
+    moved = positions_in_world(mesh, stage)
     centre = (moved.min(axis=0) + moved.max(axis=0)) / 2
     radius = float(np.sqrt(((moved - centre) ** 2).sum(axis=1).max()))
     return centre, radius or 1.0

@@ -19,7 +19,9 @@ Array = NDArray[Any]
 TRIANGLE_BITS = 24
 DEPTH_STEPS = 2.0**38
 EMPTY = np.iinfo(np.int64).max
-CHUNK = 1 << 14  # triangles at a time, so that memory is bounded
+# A chunk ends where either is reached, so that memory is bounded whatever the triangles' size.
+CHUNK_TRIANGLES = 1 << 14
+CHUNK_SAMPLES = 1 << 18
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,11 +44,11 @@ def visible(points: Array, depth: Array, width: int, height: int) -> Visible:
             f"{len(points)} triangles", "a picture holds 2²⁴ at the most", "split the mesh"
         )
     area = signed_areas(points)
-    solid = np.flatnonzero(area)
+    size = _box_samples(points, width, height)
+    solid = np.flatnonzero((area != 0) & (size > 0))
     keys = np.full(width * height, EMPTY, np.int64)
     fragments = 0
-    for start in range(0, len(solid), CHUNK):
-        chunk = solid[start : start + CHUNK]
+    for chunk in _chunks(solid, size[solid]):
         found = cover(points[chunk], width, height)
         index = chunk[found.triangle]
         weights = barycentric(points, area, index, found.x, found.y)
@@ -58,6 +60,22 @@ def visible(points: Array, depth: Array, width: int, height: int) -> Visible:
     index = keys[pixel] & ((1 << TRIANGLE_BITS) - 1)
     weights = barycentric(points, area, index, pixel % width, pixel // width)
     return Visible(pixel, index, weights, fragments)
+
+
+def _box_samples(points: Array, width: int, height: int) -> Array:
+    """Return how many samples lie in the box around each triangle: it covers no more."""
+    low, high = points.min(axis=1), points.max(axis=1)
+    first = np.clip((low - CENTRE) // SUBPIXELS, 0, [width, height])
+    last = np.clip((high - CENTRE) // SUBPIXELS + 1, 0, [width, height])
+    return np.asarray((last - first).prod(axis=1))
+
+
+def _chunks(triangles: Array, samples: Array) -> list[Array]:
+    """Cut a list of triangles where their boxes, or they themselves, become too many."""
+    total = np.cumsum(samples) - samples
+    by_size, by_number = total // CHUNK_SAMPLES, np.arange(len(total)) // CHUNK_TRIANGLES
+    new = (np.diff(by_size) > 0) | (np.diff(by_number) > 0)
+    return np.split(triangles, np.flatnonzero(new) + 1)
 
 
 def barycentric(points: Array, area: Array, index: Array, x: Array, y: Array) -> Array:

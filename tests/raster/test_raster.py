@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from fractions import Fraction
 
 import numpy as np
 import pytest
 
 from nmatrix.enums import DepthRange
+from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.raster import cover as cover_module
+from nmatrix.raster import draw as draw_module
+from nmatrix.raster import proofs, visibility
 from nmatrix.raster.clip import clip, whole
 from nmatrix.raster.cover import CENTRE, SUBPIXELS, cover, snap
 from nmatrix.raster.draw import Canvas, draw
-from nmatrix.raster.proofs import Setup, as_array, normals_proof
+from nmatrix.raster.heat import Scale
+from nmatrix.raster.normals import outward
+from nmatrix.raster.proofs import Setup, as_array, normals_proof, subject_in_world
 from nmatrix.raster.shade import Lighting
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -119,15 +125,6 @@ def test_nothing_behind_the_eye_survives_clipping() -> None:
     assert np.abs(cut.weights.sum(axis=2) - 1).max() < 1e-9
 
 
-def test_cut_edges_are_the_same_from_either_side() -> None:
-    a, b = [0.1, 0.2, -3.0, 1.0], [0.3, -0.7, 2.0, 2.5]
-    left, right = [1.0, 1.0, 2.0, 3.0], [-1.0, 1.0, 2.0, 3.0]
-    pieces = clip(whole(np.array([[a, b, left], [b, a, right]])), DepthRange.MINUS_ONE_TO_ONE, 9, 9)
-    near = {tuple(p) for t in pieces.corners for p in t if abs(p[2] + p[3]) < 1e-9}
-    x_on_shared = sorted(p for p in near)
-    assert len(x_on_shared) == len({tuple(np.round(p, 9)) for p in near})
-
-
 def scene_of(world: World) -> Scene:
     return Scene(world, View(eye=(1.5, 1.2, 4.0)), Lens(near=0.5, far=20.0))
 
@@ -165,27 +162,76 @@ def test_a_rotation_hides_the_mistake() -> None:
 def test_a_mirror_without_the_sign_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     world = World(scale=(-1, 1, 1))
     assert proof(sphere(16, 32), world).max_angle_error_deg < 1e-9
-    from nmatrix.raster import proofs
-
     right = proofs.outward
     monkeypatch.setattr(proofs, "outward", lambda a, n: -right(a, n))
     assert proof(sphere(16, 32), world).max_angle_error_deg > 179
 
 
-def test_a_flattened_sphere_draws_without_a_nan() -> None:
-    found = proof(sphere(16, 32), World(scale=(1, 0, 1)))
-    assert found.image.dtype == np.uint8
-    assert found.max_angle_error_deg == pytest.approx(90)
+def test_a_flattened_sphere_is_one_plane_that_faces_the_eye() -> None:
+    mesh, stage = sphere(16, 32), scene_of(World(scale=(1, 0, 1))).stage
+    assert len(np.unique(subject_in_world(mesh, stage).right, axis=0)) == 1
+    # Without turning, its upper and lower half would fight for every sample.
+    assert len(np.unique(outward(stage.world_from_object.linear_map, mesh.normals), axis=0)) == 2
+    assert proof(mesh, World(scale=(1, 0, 1))).max_angle_error_deg == pytest.approx(90)
 
 
 def test_both_sides_of_a_flattened_sphere_look_alike() -> None:
-    found = proof(sphere(16, 32), World(scale=(1, 0, 1)), size=96)
+    found = proof(sphere(16, 32), World(scale=(1, 0, 1)), size=240)
     right = found.image[:, found.image.shape[1] // 3 : found.image.shape[1] * 2 // 3]
     rows, columns = np.nonzero((right[:, :, 0] > 40) & (right[:, :, 0] < 200))
     middle = right[
         int(np.median(rows)), int(np.median(columns)) - 10 : int(np.median(columns)) + 10
     ]
     assert np.ptp(middle[:, 0].astype(int)) <= 8, "a checkerboard of both sides"
+
+
+@pytest.mark.parametrize("scale", [(1, 0, 0), (0, 0, 0)])
+def test_a_line_or_a_point_has_no_normal_to_compare(scale: tuple) -> None:
+    assert proof(sphere(16, 32), World(scale=scale)).max_angle_error_deg is None
+
+
+def test_a_difference_that_is_rounding_alone_is_drawn_in_one_colour() -> None:
+    worst = proof(sphere(16, 32), World(rotate_degrees=(20, 30, 40))).max_angle_error_deg
+    angles = np.array([0.0, worst])
+    none, some = Scale.reaching(worst).colours(angles)
+    assert (none == some).all()
+    none, some = Scale(worst).colours(angles)  # what stretching to the full range would do
+    assert (none != some).any()
+
+
+@pytest.mark.parametrize("scale", [(1e200, 1e-200, 1), (1e-170, 1, 1), (1e-90, 1e-90, 1e-90)])
+def test_extreme_scales_are_drawn_or_refused_in_one_line(scale: tuple) -> None:
+    try:
+        found = proof(sphere(8, 16), World(scale=scale))
+    except NoAnswerError as error:
+        assert max(scale) > 1e100
+        assert "1e+100" in str(error)
+    else:
+        assert found.image.dtype == np.uint8
+
+
+def test_bands_and_chunks_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh, world = torus(16, 32), World(scale=(1, 2, 1), rotate_degrees=(40, 10, 0))
+    whole_picture = proof(mesh, world)
+    monkeypatch.setattr(draw_module, "BAND_SAMPLES", 128 * 5)
+    monkeypatch.setattr(visibility, "CHUNK_SAMPLES", 50)
+    monkeypatch.setattr(visibility, "CHUNK_TRIANGLES", 7)
+    banded = proof(mesh, world)
+    assert (banded.image == whole_picture.image).all()
+    assert banded.fragments == whole_picture.fragments
+    assert banded.work == whole_picture.work
+
+
+def test_memory_follows_the_band_and_not_the_fragments() -> None:
+    size, layers = 256, 60
+    screen = np.array([[[0, 0], [2 * size, 0], [0, 2 * size]]], float)
+    points, depth = snap(np.tile(screen, (layers, 1, 1))), np.full((layers, 3), 0.5)
+    tracemalloc.start()
+    seen = visibility.visible(points, depth, size, size)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert seen.fragments == layers * size * size
+    assert peak < 200 * (visibility.CHUNK_SAMPLES + size * size)
 
 
 def test_the_picture_carries_its_numbers() -> None:
