@@ -7,7 +7,19 @@ from dataclasses import asdict
 from nmatrix.answers.normal import normal_matrix_or_none
 from nmatrix.enums import Space
 from nmatrix.linear import rational
-from nmatrix.report import Block, Code, Heading, Quantity, Report, Table, Text, Value, Verdict
+from nmatrix.report import (
+    Block,
+    Code,
+    Heading,
+    Matrix,
+    Quantity,
+    Report,
+    Table,
+    Text,
+    Value,
+    Vector,
+    Verdict,
+)
 from nmatrix.scene.scene import Scene
 from nmatrix.spaces.cost import Cost, cost
 from nmatrix.spaces.metric import metric
@@ -27,19 +39,9 @@ def space(scene: Scene, request: Request) -> Report:
     ([0.0, 0.0, 0.0], None)
     """
     stage, chosen = scene.stage, request.space
-    seen = light_in(stage, chosen)
     listed = uniforms(stage, request)
-    vertex, fragment = shader_pair(stage, request)
-    quantities: dict[str, Value] = {
-        "space_from_world": stage.space_from_world(chosen).exact,
-        "space_from_object": stage.space_from_object(chosen).exact,
-        "normal_matrix": normal_matrix_or_none(stage.space_from_object(chosen).exact),
-        "clip_from_object": stage.clip_from_object,
-        "light_direction": seen.direction,
-        "light_position": seen.position,
-        "eye": stage.eye_in(chosen),
-        "metric": metric(stage, chosen),
-    }
+    shaders = shader_pair(stage, request)
+    quantities = _quantities(scene, chosen)
     rows, counted, lesson = table(chosen), cost(stage, request), LESSONS[chosen]
     data: dict[str, Value] = {
         "space": chosen.value,
@@ -50,22 +52,39 @@ def space(scene: Scene, request: Request) -> Report:
         "pros": list(lesson.pros),
         "cons": list(lesson.cons),
         "used": lesson.used,
-        "vertex_shader": vertex,
-        "fragment_shader": fragment,
+        "vertex_shader": shaders[0],
+        "fragment_shader": shaders[1],
     }
     blocks: tuple[Block, ...] = (
         Heading(f"Shading in {chosen} space"),
         _table(rows),
-        *(Quantity(key, value, _TITLES[key]) for key, value in quantities.items()),  # type: ignore[arg-type]
+        *(Quantity(key, value, _TITLES[key]) for key, value in quantities.items()),
         _cost_table(counted),
         *_lesson_blocks(chosen),
         Heading("Uniforms"),
         *_uniform_blocks(listed),
-        Code("glsl", vertex, "vertex shader"),
-        Code("glsl", fragment, "fragment shader"),
+        Code("glsl", shaders[0], "vertex shader"),
+        Code("glsl", shaders[1], "fragment shader"),
         Verdict(_verdict(chosen, rigid=stage.is_rigid(chosen))),
     )
     return Report("space", data, blocks, (*scene.remarks, *_remarks(scene, chosen)))
+
+
+def _quantities(scene: Scene, chosen: Space) -> dict[str, Vector | Matrix | None]:
+    """Return every matrix and vector of the sheet, under its key."""
+    stage = scene.stage
+    seen = light_in(stage, chosen)
+    moved = stage.space_from_object(chosen).exact
+    return {
+        "space_from_world": stage.space_from_world(chosen).exact,
+        "space_from_object": moved,
+        "normal_matrix": normal_matrix_or_none(moved),
+        "clip_from_object": stage.clip_from_object,
+        "light_direction": seen.direction,
+        "light_position": seen.position,
+        "eye": stage.eye_in(chosen),
+        "metric": metric(stage, chosen),
+    }
 
 
 _TITLES = {

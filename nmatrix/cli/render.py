@@ -215,6 +215,8 @@ def _report(proof: Proof, image: str, milliseconds: float, remarks: tuple[str, .
 
 def _verdict(proof: Proof) -> str:
     worst = proof.max_angle_error_deg
+    if not proof.fragments:
+        return "Nothing of the mesh covers a sample: move the camera or make the picture larger."
     if worst is None:
         return "No normal survives this map."
     if worst < 1e-4:

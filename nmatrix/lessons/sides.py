@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, NOT_EQUAL, A, C, formula, words
 from nmatrix.lessons.steps import equal, step
 from nmatrix.lessons.symbols import cofactors, determinant
 from nmatrix.report import Step
+
+if TYPE_CHECKING:
+    import sympy as sp
 
 
 def mirror() -> tuple[list[Step], str]:
@@ -13,8 +18,7 @@ def mirror() -> tuple[list[Step], str]:
     import sympy as sp
 
     A_ = sp.diag(-1, 1, 1)
-    K, n = cofactors(A_), sp.Matrix([1, 0, 0])
-    u, v = sp.Matrix([0, 1, 0]), sp.Matrix([0, 0, 1])
+    K = cofactors(A_)
     steps = [
         step(
             formula(A, EQUALS, A_, words(",  "), DET, EQUALS, words("−1", "-1")),
@@ -31,6 +35,20 @@ def mirror() -> tuple[list[Step], str]:
             "the cofactors carry the determinant's sign",
             proved=equal(K, -A_),
         ),
+        *_on_one_normal(A_, K),
+    ]
+    return steps, (
+        "Outward normals: sign(det A) · C n, which is the inverse transpose. Flip the winding of "
+        "the triangles, not the normals."
+    )
+
+
+def _on_one_normal(A_: sp.Matrix, K: sp.Matrix) -> list[Step]:
+    """Carry the outward normal of a triangle, and the triangle itself."""
+    import sympy as sp
+
+    n, u, v = (sp.eye(3).col(i) for i in range(3))
+    return [
         step(
             formula(C, words(" n"), EQUALS, K * n, NOT_EQUAL, A_ * n),
             "for n = (1, 0, 0), outward on the right, C n still points right: inwards now",
@@ -55,10 +73,6 @@ def mirror() -> tuple[list[Step], str]:
             proved=equal(-K * n, A_ * n),
         ),
     ]
-    return steps, (
-        "Outward normals: sign(det A) · C n, which is the inverse transpose. Flip the winding of "
-        "the triangles, not the normals."
-    )
 
 
 def singular() -> tuple[list[Step], str]:
