@@ -65,7 +65,8 @@ def _scene_names(groups: Groups, sources: Sources, expression: str) -> dict[str,
     from nmatrix.calculator.values import Value
 
     scene = groups.scene_from(sources)
-    typed = groups.world.build_exact(sources) if groups.world.world_matrix != "-" else scene.world
+    piped = (groups.world.world_matrix or "").partition("#")[0] == "-"
+    typed = scene.world if piped else groups.world.build_exact(sources)  # stdin is read once
     exact = _is_rational(typed)
     world = typed.exact if exact else scene.world.world_from_object
     names = {"M": Value(world, exact=exact)}

@@ -315,3 +315,25 @@ def test_render_writes_a_picture_once(nmatrix, tmp_path: Path) -> None:
     assert again.code == 2
     assert "--force" in again.err
     assert [one.name for one in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_standard_input_is_read_once_and_by_key(nmatrix, monkeypatch) -> None:
+    import io
+
+    text = nmatrix("view", "--eye", "1", "2", "3", "-f", "json").out
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(text.encode())))
+    found = nmatrix("calc", "translation(M)", "--world-matrix", "-#translation", "-f", "json")
+    assert found.data["value"] == [-1.0, -2.0, -3.0]
+    twice = nmatrix("normal", "-", "--view-matrix", "-")
+    assert twice.code == 2
+    assert "once" in twice.err or "empty" in twice.err
+
+
+def test_fail_on_ends_in_one(nmatrix, tmp_path: Path) -> None:
+    file = tmp_path / "m.gltf"
+    file.write_text('{"asset": {"version": "2.0"}, "nodes": [{"name": "m", "scale": [-1, 1, 1]}]}')
+    found = nmatrix("inspect", str(file), "--fail-on", "mirrored", "-f", "json")
+    assert found.code == 1
+    assert found.data["summary"]["mirrored"] == 1
+    assert found.err.startswith("error: --fail-on mirrored: 1 of 1 nodes")
+    assert nmatrix("inspect", str(file), "--fail-on", "shear").code == 0
