@@ -58,5 +58,5 @@ def _remarks(value: Value, arithmetic: Arithmetic) -> tuple[str, ...]:
     if arithmetic is Arithmetic.FLOAT:
         return ("Every operation was rounded to float64 (--float).",)
     if not value.exact:
-        return ("A root or a sine in it is irrational: the value is correctly rounded.",)
+        return ("A root or a sine in it is irrational: it is not exact where terms cancel.",)
     return ()

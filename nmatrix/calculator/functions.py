@@ -164,6 +164,16 @@ def _trace_of(A: rational.RationalMatrix) -> Fraction:
     return sum((A[i][i] for i in range(len(A))), Fraction(0))
 
 
+def _rank(A: Value) -> Value:
+    if not A.exact:
+        raise NoAnswerError(
+            "rank of a matrix with roots or sines",
+            "it is known to 130 bits only, and a rank must be exact",
+            "use rational entries",
+        )
+    return Value(Fraction(rational.rank(A.matrix)))
+
+
 _M, _V, _S = (Kind.MATRIX,), (Kind.VECTOR,), (Kind.SCALAR,)
 _VV = (Kind.VECTOR, Kind.VECTOR)
 
@@ -180,9 +190,7 @@ FUNCTIONS: dict[str, Function] = {
     ),
     "adjugate": Function(_M, "the cofactors, transposed", _matrix(rational.adjugate)),
     "det": Function(_M, "a row times its cofactors", _number(rational.determinant)),
-    "rank": Function(
-        _M, "rows left after elimination", lambda A: Value(Fraction(rational.rank(A.matrix)))
-    ),
+    "rank": Function(_M, "rows left after elimination", _rank),
     "trace": Function(_M, "the sum of the diagonal", _number(_trace_of)),
     "linear": Function(_M, "the 3×3 block", _linear),
     "translation": Function(_M, "the last column", _translation),

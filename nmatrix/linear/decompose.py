@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import atan2, degrees, hypot, sqrt
 
+from nmatrix.errors import IllegalValueError
 from nmatrix.linear.affine import AXES
 from nmatrix.linear.rational import (
     RationalMatrix,
@@ -37,7 +38,9 @@ class Parts:
 
 
 def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None:
-    """Return translation, rotation, scale and shear, or None for a singular matrix.
+    """Return translation, rotation, scale and shear.
+
+    None for a singular matrix, and where a part is beyond the largest float64.
 
     A mirror puts one minus sign on the scale, on the axis that leaves the smallest rotation.
 
@@ -48,9 +51,16 @@ def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None
     >>> parts(compose(identity(3), scale=(1, -2, 1), shear=(0.5, 0, 0))).scale
     (1.0, -2.0, 1.0)
     """
-    det = determinant(linear(world_from_object))
-    if det == 0:
+    if determinant(linear(world_from_object)) == 0:
         return None
+    try:
+        return _parts(world_from_object, order)
+    except IllegalValueError:  # a part is beyond float64 although the matrix is not
+        return None
+
+
+def _parts(world_from_object: RationalMatrix, order: str) -> Parts:
+    det = determinant(linear(world_from_object))
     a, b, c = transpose(linear(world_from_object))
     xy, xz = dot(a, b) / dot(a, a), dot(a, c) / dot(a, a)
     b = tuple(q - xy * p for p, q in zip(a, b, strict=True))

@@ -65,12 +65,19 @@ def over_root(numerator: int, square: int) -> float:
         quotient, rest = divmod(top, square << (-2 * shift))
     root = isqrt(quotient)
     root = 2 * root + (root * root != quotient or rest != 0)
-    size = root / (1 << (shift + 1)) if shift >= 0 else float(root << (-shift - 1))
+    size = nearest(
+        Fraction(root, 1 << (shift + 1)) if shift >= 0 else Fraction(root << (-shift - 1))
+    )
     return size if numerator > 0 else -size
 
 
 def root(value: Fraction) -> float:
     """Return √value correctly rounded.
+
+    Raises
+    ------
+    IllegalValueError
+        If the root is beyond the largest float64.
 
     Examples
     --------

@@ -337,3 +337,20 @@ def test_fail_on_ends_in_one(nmatrix, tmp_path: Path) -> None:
     assert found.data["summary"]["mirrored"] == 1
     assert found.err.startswith("error: --fail-on mirrored: 1 of 1 nodes")
     assert nmatrix("inspect", str(file), "--fail-on", "shear").code == 0
+
+
+@pytest.mark.parametrize(
+    "matrix", ["1.7e308 0 0; 1.7e308 1 0; 1.7e308 0 1", "1e-200 1e150 0; 0 1 0; 0 0 1"]
+)
+def test_a_part_beyond_every_float_leaves_the_rest_of_the_answer(nmatrix, matrix: str) -> None:
+    found = nmatrix("world", "--world-matrix", matrix, "-f", "json")
+    assert found.code == 0, found.err
+    assert found.data["parts"] is None
+    assert any("float64" in remark for remark in found.data["remarks"])
+
+
+def test_the_rank_of_an_irrational_matrix_is_refused(nmatrix) -> None:
+    found = nmatrix("calc", "rank(rotate_x(30).T @ rotate_x(30) - identity(4))")
+    assert found.code == 3
+    assert one_line(found)
+    assert nmatrix("calc", "rank(rotate_x(90))", "-f", "json").data["exact"] == "4"
