@@ -65,9 +65,7 @@ def over_root(numerator: int, square: int) -> float:
         quotient, rest = divmod(top, square << (-2 * shift))
     root = isqrt(quotient)
     root = 2 * root + (root * root != quotient or rest != 0)
-    size = nearest(
-        Fraction(root, 1 << (shift + 1)) if shift >= 0 else Fraction(root << (-shift - 1))
-    )
+    size = root / (1 << (shift + 1)) if shift >= 0 else nearest(Fraction(root << (-shift - 1)))
     return size if numerator > 0 else -size
 
 
