@@ -6,8 +6,9 @@ import ast
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from nmatrix.calculator.faults import fault, no_value
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import OPERATORS, fault, parse, position
+from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
 from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Kind, Value, each
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
@@ -45,7 +46,7 @@ def calculate(
     ------
     CalculatorError
         For a fault in the expression, with a caret in front of it.
-    NoAnswerError
+    NoValueError
         For the inverse of a singular matrix, a division by zero, a direction of length zero.
 
     Examples
@@ -53,7 +54,7 @@ def calculate(
     >>> calculate("det([[1, 2], [3, 4]]) / 4", {}).value.entries
     Fraction(-1, 2)
     """
-    expression = expression.replace("−", "-").strip()
+    expression = plain(expression)
     evaluation = _Evaluation(expression, names, arithmetic)
     value = evaluation.value_of(parse(expression))
     return Calculation(expression, value, arithmetic, tuple(evaluation.steps))
@@ -86,19 +87,26 @@ class _Evaluation:
                 return self._binary(node, OPERATORS[type(operator)], left, right)
         raise self._fault(node, "expression", "it is outside the grammar")
 
+    def _error(self, at: int, what: str, error: NMatrixError) -> NMatrixError:
+        """Return what an operation refused, with the place where it was asked for."""
+        place = no_value if isinstance(error, NoAnswerError) else fault
+        return place(self.expression, at, what, str(error))
+
     def _fault(self, node: ast.expr, what: str, why: str) -> NMatrixError:
-        return fault(self.expression, position(self.expression, node), what, why)
+        return fault(self.expression, node.col_offset, what, why)
 
     def _constant(self, node: ast.Constant) -> Value:
         text = ast.get_source_segment(self.expression, node) or ""
         try:
-            return self._kept(Value(fraction(text)))
+            value = Value(fraction(text))
         except IllegalValueError as error:
-            raise self._fault(node, "number", str(error)) from None
+            _, _, why = str(error).partition(": ")
+            raise self._fault(node, "number", why) from None
+        return self._kept(node, value)
 
     def _name(self, node: ast.expr, name: str) -> Value:
         if name in self.names:
-            return self._kept(self.names[name])
+            return self._kept(node, self.names[name])
         if name in FUNCTIONS:
             raise self._fault(node, name, f"it is a function: write {name}(…)")
         known = ", ".join(self.names) or "none"
@@ -122,34 +130,35 @@ class _Evaluation:
             exact = all(v.exact for v in values)
             values = [Value(tuple(v.scalar for v in values), exact)]
         if tuple(value.kind for value in values) != function.takes:
-            wanted = " and a ".join(function.takes)
-            raise self._fault(node, name, f"it takes a {wanted}")
+            wanted = "three numbers or a vector" if name in THREE_ARGUMENTS else function.wanted
+            got = " and ".join(value.shape for value in values[:4]) or "nothing"
+            raise self._fault(node, name, f"it takes {wanted}, got {got}")
         try:
             found = function.compute(*values)
-        except NoAnswerError as error:
-            raise NoAnswerError(
-                f"{name} at character {position(self.expression, node) + 1}", str(error)
-            ) from None
-        except IllegalValueError as error:
-            raise self._fault(node, name, str(error)) from None
+        except (IllegalValueError, NoAnswerError) as error:
+            raise self._error(node.col_offset, name, error) from None
         return self._step(node, found, function.rule)
 
     def _binary(self, node: ast.expr, sign: str, left: ast.expr, right: ast.expr) -> Value:
         a, b = self.value_of(left), self.value_of(right)
         try:
             entries, rule = BINARY[sign](a, b)
-        except IllegalValueError as error:
-            raise self._fault(right, sign, str(error)) from None
+        except (IllegalValueError, NoAnswerError) as error:
+            at = operator_position(self.expression, left)
+            raise self._error(at, sign, error) from None
         return self._step(node, Value(entries, a.exact and b.exact), rule)
 
     def _step(self, node: ast.expr, value: Value, rule: str) -> Value:
-        kept = self._kept(value)
+        kept = self._kept(node, value)
         segment = ast.get_source_segment(self.expression, node) or self.expression
         self.steps.append(Step(segment, kept, rule))
         return kept
 
-    def _kept(self, value: Value) -> Value:
-        return value.rounded() if self.arithmetic is Arithmetic.FLOAT else value
+    def _kept(self, node: ast.expr, value: Value) -> Value:
+        try:
+            return value.kept_by(self.arithmetic)
+        except IllegalValueError as error:
+            raise self._error(node.col_offset, "value", error) from None
 
 
 def _negative(value: Value) -> Value:

@@ -17,6 +17,14 @@ from nmatrix.linear.angle import Angle
 
 ROOT_BITS = 280
 EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
+# Where cos² is rational, the angle is a rational number of degrees only here (Niven, 1956).
+RATIONAL_ANGLES = {
+    Fraction(0): 90,
+    Fraction(1, 4): 60,
+    Fraction(1, 2): 45,
+    Fraction(3, 4): 30,
+    Fraction(1): 0,
+}
 
 Compute = Callable[..., Value]
 
@@ -28,6 +36,12 @@ class Function:
     takes: tuple[Kind, ...]
     rule: str
     compute: Compute
+
+    @property
+    def wanted(self) -> str:
+        """Return the kinds of the arguments in words."""
+        words = {Kind.SCALAR: "a number", Kind.VECTOR: "a vector", Kind.MATRIX: "a matrix"}
+        return " and ".join(words[kind] for kind in self.takes)
 
 
 def exact_root(square: Fraction) -> Value:
@@ -64,7 +78,7 @@ def _number(function: Callable[[rational.RationalMatrix], Fraction]) -> Compute:
 
 def _require_square(A: Value) -> None:
     if len(A.matrix) != len(A.matrix[0]):
-        raise IllegalValueError(A.shape, "a square matrix is needed", "use 3×3 or 4×4")
+        raise IllegalValueError(A.shape, "a square matrix is needed", "use 2×2, 3×3 or 4×4")
 
 
 def _require_size(value: Value, size: int, what: str) -> None:
@@ -95,8 +109,8 @@ def _normalize(v: Value) -> Value:
     if len(components) == 4 and components[3] != 0:
         raise IllegalValueError(
             "normalize of four components",
-            f"w = {components[3]} would count as length and shorten the direction",
-            "take the first three",
+            "w is not 0: it would count as length and shorten the direction",
+            "normalise the three of a direction, or write vector(v), whose w is 0",
         )
     square = rational.dot(components, components)
     if square == 0:
@@ -128,8 +142,12 @@ def _angle(a: Value, b: Value) -> Value:
     p, q = rounding.integers(a.vector)[0], rounding.integers(b.vector)[0]
     if not any(p) or not any(q):
         raise NoAnswerError("angle with the zero vector", "it has no direction", "use another")
-    found = rounding.angle(p, q)
-    return Value(Fraction(degrees(found)), exact=False)
+    cosine = rational.dot(a.vector, b.vector)
+    square = cosine**2 / (rational.dot(a.vector, a.vector) * rational.dot(b.vector, b.vector))
+    if square in RATIONAL_ANGLES:
+        sharp = RATIONAL_ANGLES[square]
+        return Value(Fraction(sharp if cosine >= 0 else 180 - sharp), a.exact and b.exact)
+    return Value(Fraction(degrees(rounding.angle(p, q))), exact=False)
 
 
 def _same_size(a: Value, b: Value) -> None:
@@ -139,7 +157,7 @@ def _same_size(a: Value, b: Value) -> None:
 
 def _identity(n: Value) -> Value:
     if n.scalar not in (2, 3, 4):
-        raise IllegalValueError(f"identity({n.scalar})", "sizes are 2, 3 and 4", "identity(4)")
+        raise IllegalValueError("its size", "it is 2, 3 or 4", "write identity(4)")
     return Value(rational.identity(int(n.scalar)))
 
 

@@ -1,18 +1,18 @@
 """The closed grammar: what an expression may hold, checked before anything is computed.
 
-Python's own parser makes the tree; this file admits a handful of its nodes and nothing else, and
-puts a caret where the first fault is.
+Python's own parser makes the tree; this file admits a handful of its nodes and nothing else.
 """
 
 from __future__ import annotations
 
 import ast
+import string
+import warnings
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.calculator.faults import fault
 
 LONGEST = 10_000  # characters
 DEEPEST = 200  # levels of nesting; Python's own stack holds about 1000
-WINDOW = 30  # characters shown on either side of the caret
 
 OPERATORS: dict[type[ast.operator], str] = {
     ast.Add: "+",
@@ -21,27 +21,20 @@ OPERATORS: dict[type[ast.operator], str] = {
     ast.Div: "/",
     ast.MatMult: "@",
 }
-_OPENING, _CLOSING = "([{", ")]}"
+_OPENING, _CLOSING, _SIGNS = "([", ")]", "+-"
+_CHARACTERS = frozenset(string.ascii_letters + string.digits + "_., ()[]@*/+-")
+_AS_TYPED = str.maketrans("−\t\n\r", "-   ")
 
 
-class CalculatorError(IllegalValueError):
-    """A fault in an expression, with the place where it is."""
-
-
-def fault(expression: str, at: int, what: str, why: str) -> CalculatorError:
-    """Return an error whose line shows a caret in front of the faulty character.
+def plain(expression: str) -> str:
+    r"""Return an expression on one line, with the minus of mathematics as the one of keyboards.
 
     Examples
     --------
-    >>> print(fault("M.__class__", 1, "an attribute", "only .T may follow a dot"))
-    an attribute (character 2): only .T may follow a dot; see the caret: M^.__class__
+    >>> plain(" 1 −\n2 ")
+    '1 - 2'
     """
-    before = expression[max(0, at - WINDOW) : at]
-    after = expression[at : at + WINDOW]
-    shown = f"{'…' if at > WINDOW else ''}{before}^{after}"
-    if at + WINDOW < len(expression):
-        shown += "…"
-    return CalculatorError(f"{what} (character {at + 1})", why, f"see the caret: {shown}")
+    return expression.translate(_AS_TYPED).strip()
 
 
 def parse(expression: str) -> ast.expr:
@@ -52,12 +45,15 @@ def parse(expression: str) -> ast.expr:
     CalculatorError
         For text that is too long, too deep, no expression, or outside the grammar.
     """
-    _check_size(expression)
-    _check_brackets(expression)
+    _check_characters(expression)
+    _check_depth(expression)
     try:
-        tree = ast.parse(expression, mode="eval").body
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Python's advice about `1if` is not for our readers
+            tree = ast.parse(expression, mode="eval").body
     except SyntaxError as error:
-        at = max(0, min((error.offset or 1) - 1, len(expression)))
+        at = error.offset - 1 if error.offset else len(expression)  # 0 is the end of the text
+        at = min(at, len(expression))
         raise fault(expression, at, "expression", "it does not read on from here") from None
     except (ValueError, RecursionError, MemoryError):
         raise fault(expression, 0, "expression", "it is nested too deeply to be read") from None
@@ -65,27 +61,34 @@ def parse(expression: str) -> ast.expr:
     return tree
 
 
-def position(expression: str, node: ast.expr) -> int:
-    """Return the character at which a node begins (Python counts bytes)."""
-    return len(expression.encode()[: node.col_offset].decode(errors="ignore"))
+def operator_position(expression: str, left: ast.expr) -> int:
+    """Return the character of the operator behind its left side (and its closing brackets)."""
+    at = left.end_col_offset or 0
+    while expression[at] in ") ":
+        at += 1
+    return at
 
 
-def _check_size(expression: str) -> None:
+def _check_characters(expression: str) -> None:
     if len(expression) > LONGEST:
-        raise fault(expression, LONGEST, "expression", f"{len(expression)} characters are too many")
-    if not expression.strip():
+        why = f"it has {len(expression)} characters, {LONGEST} are read"
+        raise fault(expression, LONGEST, "expression", why)
+    if not expression:
         raise fault(expression, 0, "expression", "it is empty, try det(M)")
     for at, character in enumerate(expression):
-        if not character.isprintable() or not character.isascii():
-            raise fault(expression, at, "character", "only plain ASCII characters mean something")
+        if character not in _CHARACTERS:
+            why = "only letters, digits, brackets ( ) [ ] and @ * / + - . , mean something"
+            raise fault(expression, at, "character", why)
 
 
-def _check_brackets(expression: str) -> None:
-    depth = 0
+def _check_depth(expression: str) -> None:
+    """Count open brackets and signs in a row, before a parser has to follow them down."""
+    depth = signs = 0
     for at, character in enumerate(expression):
         depth += (character in _OPENING) - (character in _CLOSING)
-        if depth > DEEPEST:
-            raise fault(expression, at, "bracket", f"nesting ends at {DEEPEST} levels")
+        signs = signs + 1 if character in _SIGNS else signs * (character == " ")
+        if depth + signs > DEEPEST:
+            raise fault(expression, at, "bracket or sign", f"nesting ends at {DEEPEST} levels")
 
 
 def _check_nodes(expression: str, tree: ast.expr) -> None:
@@ -93,16 +96,17 @@ def _check_nodes(expression: str, tree: ast.expr) -> None:
     waiting: list[tuple[ast.expr, int]] = [(tree, 1)]
     while waiting:
         node, depth = waiting.pop()
-        at = position(expression, node)
         if depth > DEEPEST:
-            raise fault(expression, at, "expression", f"nesting ends at {DEEPEST} levels")
-        waiting += [(child, depth + 1) for child in _children(expression, node, at)]
+            why = f"nesting ends at {DEEPEST} levels, and every operator is one"
+            raise fault(expression, node.col_offset, "expression", why)
+        waiting += [(child, depth + 1) for child in _children(expression, node)]
 
 
-def _children(expression: str, node: ast.expr, at: int) -> list[ast.expr]:
+def _children(expression: str, node: ast.expr) -> list[ast.expr]:
     match node:
         case ast.BinOp(left=left, op=operator, right=right):
             if type(operator) not in OPERATORS:
+                at = operator_position(expression, left)
                 raise fault(expression, at, "operator", "the operators are @ * / + -")
             return [left, right]
         case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=operand):
@@ -115,9 +119,9 @@ def _children(expression: str, node: ast.expr, at: int) -> list[ast.expr]:
             return elements
         case ast.Name() | ast.Constant():
             return []
-        case ast.Attribute(attr=name):
-            dot = max(at, (node.end_col_offset or 0) - len(name) - 1)
+        case ast.Attribute(value=value):
+            dot = operator_position(expression, value)
             raise fault(expression, dot, "an attribute", "only .T may follow a dot")
         case _:
-            word = type(node).__name__.lower()
-            raise fault(expression, at, word, "only numbers, matrices, names and calls are known")
+            why = "only numbers, [brackets], names, function(…), @ * / + - and .T are read"
+            raise fault(expression, node.col_offset, "expression", why)

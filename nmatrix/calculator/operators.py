@@ -44,7 +44,7 @@ def _over(a: Value, b: Value) -> Computed:
     if b.kind is not Kind.SCALAR:
         raise IllegalValueError(f"division by {b.shape}", "only numbers divide", "use inverse(…)")
     if b.scalar == 0:
-        raise NoAnswerError("a division by 0", "it has no value", "check the divisor")
+        raise NoAnswerError("a division by 0", "nothing times 0 gives it", "check the divisor")
     return each(a.entries, lambda x: x / b.scalar), "every entry over the number"
 
 

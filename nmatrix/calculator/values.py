@@ -7,8 +7,12 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
+from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import nearest
+
+LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
+KEPT_BITS = 320  # of an irrational value, more than twice what its root or sine is good to
 
 Entries = Fraction | RationalVector | RationalMatrix
 
@@ -69,9 +73,39 @@ class Value:
         assert self.kind is Kind.MATRIX  # callers check the kind
         return self.entries  # type: ignore[return-value]  # the assertion says so
 
-    def rounded(self) -> Value:
-        """Return the value with every entry rounded to float64."""
-        return Value(each(self.entries, lambda x: Fraction(nearest(x))), self.exact)
+    def kept_by(self, arithmetic: Arithmetic) -> Value:
+        """Return the value as the arithmetic carries it on.
+
+        Raises
+        ------
+        IllegalValueError
+            For a number beyond float64, or a fraction of more than `LARGEST_BITS` bits.
+        """
+        if arithmetic is Arithmetic.FLOAT:
+            return Value(each(self.entries, lambda x: Fraction(nearest(x))), self.exact)
+        kept = self if self.exact else Value(each(self.entries, _significant), exact=False)
+        each(kept.entries, _checked_size)
+        return kept
+
+
+def _significant(x: Fraction) -> Fraction:
+    """Return x to `KEPT_BITS` bits, so that irrational values do not grow with every step."""
+    if _bits(x) <= 2 * KEPT_BITS:
+        return x
+    shift = KEPT_BITS - x.numerator.bit_length() + x.denominator.bit_length()
+    return Fraction(round(x * Fraction(2) ** shift)) / Fraction(2) ** shift
+
+
+def _checked_size(x: Fraction) -> Fraction:
+    if _bits(x) > LARGEST_BITS:
+        raise IllegalValueError(
+            "its fraction", f"it takes {_bits(x)} bits, {LARGEST_BITS} are kept", "try --float"
+        )
+    return x
+
+
+def _bits(x: Fraction) -> int:
+    return max(x.numerator.bit_length(), x.denominator.bit_length())
 
 
 def each(entries: Entries, change: Callable[[Fraction], Fraction]) -> Entries:

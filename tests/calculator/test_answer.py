@@ -1,0 +1,78 @@
+"""The answer: the keys of the contract, fractions where they are exact, steps to redo."""
+
+from __future__ import annotations
+
+import pytest
+
+from nmatrix.calculator.answer import report
+from nmatrix.calculator.evaluate import calculate
+from nmatrix.calculator.values import Arithmetic, Value, as_strings
+from nmatrix.linear.rational import rational
+
+NAMES = {"A": Value(rational([[2, 1], [1, 1]]))}
+
+
+def data(expression, *, with_steps=False, arithmetic=Arithmetic.EXACT):
+    return report(calculate(expression, NAMES, arithmetic), with_steps=with_steps).data
+
+
+@pytest.mark.parametrize(
+    ("expression", "kind", "strings"),
+    [
+        ("1/3", "scalar", "1/3"),
+        ("[1, 1/2]", "vector", ["1", "1/2"]),
+        ("A / 2", "matrix", [["1", "1/2"], ["1/2", "1/2"]]),
+        ("length([1, 1])", "scalar", None),
+        ("rotate_z(30)", "matrix", None),
+    ],
+)
+def test_kind_and_exact_follow_the_value(expression, kind, strings):
+    found = data(expression)
+    assert list(found) == ["expression", "value", "kind", "exact", "steps"]
+    assert found["expression"] == expression
+    assert found["kind"] == kind
+    assert found["exact"] == strings
+    assert found["steps"] is None
+
+
+def test_float_arithmetic_has_no_exact_value():
+    assert data("1/3", arithmetic=Arithmetic.FLOAT)["exact"] is None
+
+
+def test_every_step_is_a_calculation_of_its_own_and_the_last_one_is_the_answer():
+    expression = "det(A) * inverse(A) @ (A.T + identity(2)) - [[1, 0], [0, length([3, 4])]]"
+    found = data(expression, with_steps=True)
+    assert [step["expression"] for step in found["steps"]] == [
+        "det(A)",
+        "inverse(A)",
+        "det(A) * inverse(A)",
+        "A.T",
+        "identity(2)",
+        "A.T + identity(2)",
+        "det(A) * inverse(A) @ (A.T + identity(2))",
+        "length([3, 4])",
+        expression,
+    ]
+    for step in found["steps"]:
+        assert step["value"] == calculate(step["expression"], NAMES).value.entries
+        assert step["rule"]
+    assert found["steps"][-1]["value"] == found["value"]
+
+
+def test_a_lone_name_has_no_steps_yet_they_were_asked_for():
+    assert data("A", with_steps=True)["steps"] == []
+
+
+def test_the_remark_says_when_a_value_is_not_exact():
+    def remarks(expression, arithmetic=Arithmetic.EXACT):
+        return report(calculate(expression, NAMES, arithmetic), with_steps=False).remarks
+
+    assert remarks("det(A)") == ()
+    assert "irrational" in remarks("length([1, 1])")[0]
+    assert "float64" in remarks("det(A)", Arithmetic.FLOAT)[0]
+
+
+def test_the_largest_fraction_that_is_kept_can_be_written_down():
+    """Python writes integers of up to 4300 digits; a longer one would end in a traceback."""
+    value = calculate("*".join(["1e308"] * 4), {}).value
+    assert len(as_strings(value.entries)) == 1233

@@ -1,0 +1,179 @@
+"""The grammar is closed: whatever is outside it is refused at once, in one line, with a caret."""
+
+from __future__ import annotations
+
+import ast
+import random
+import time
+import warnings
+
+import pytest
+
+from nmatrix.calculator import grammar
+from nmatrix.calculator.evaluate import calculate
+from nmatrix.calculator.faults import CalculatorError
+from nmatrix.calculator.functions import FUNCTIONS
+from nmatrix.calculator.values import Arithmetic, Value
+from nmatrix.errors import NMatrixError
+from nmatrix.linear.rational import rational
+
+NAMES = {"M": Value(rational([[1, 0, 0, 5], [0, 2, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))}
+AT_ONCE = 0.5  # seconds on a slow machine; a power tower or an eager parser takes minutes
+
+HUGE = {
+    "a million characters": "1" * 10**6,
+    "a million additions": "1+" * 10**6 + "1",
+    "a power tower": "9**9**9**9**9",
+    "a long power tower": "9**" * 3000 + "9",
+    "brackets 100 000 deep": "(" * 10**5 + "1" + ")" * 10**5,
+    "lists 4 900 deep": "[" * 4900 + "1" + "]" * 4900,
+    "9 999 minus signs": "-" * 9999 + "1",
+    "4 000 minus signs, parted": "- " * 4000 + "1",
+    "a long sum": "1+" * 4999 + "1",
+    "a long chain of not": "not " * 2400 + "1",
+    "a long chain of attributes": "M" + ".T" * 4900,
+    "a long chain of calls": "det" + "()" * 4900,
+    "a long conditional": "1if 1else " * 990 + "1",
+    "an exponent of millions": "1e20000000",
+    "a tiny exponent of millions": "1e-20000000",
+    "an integer of 9 999 digits": "9" * 9999,
+    "cofactors of cofactors": "cofactor(" * 150
+    + "[[1.5,2,3,1],[2,1.1,4,5],[3,5,7,8],[1,2,1,9]]"
+    + ")" * 150,
+    "a huge product": "*".join(["1e308"] * 100),
+    "an identity of 10⁹": "identity(1000000000)",
+}
+
+
+@pytest.mark.parametrize("expression", HUGE.values(), ids=HUGE.keys())
+@pytest.mark.parametrize("arithmetic", Arithmetic)
+def test_what_would_hang_or_crash_is_refused_at_once(expression, arithmetic):
+    started = time.perf_counter()
+    with pytest.raises(CalculatorError) as refused:
+        calculate(expression, NAMES, arithmetic)
+    assert time.perf_counter() - started < AT_ONCE
+    assert len(str(refused.value)) < 300
+
+
+@pytest.mark.parametrize(
+    ("expression", "position"),
+    [
+        ("M.__class__", 1),
+        ("(M).__class__", 3),
+        ("inverse(M).__class__", 10),
+        ("M.T.real", 3),
+        ("().__class__.__bases__[0]", 0),
+        ("__import__('os')", 11),
+        ("eval(M)", 0),
+        ("M[0]", 0),
+        ("[x for x in M]", 0),
+        ("lambda: 1", 6),
+        ("(x := 1)", 3),
+        ("2 ** 3", 2),
+        ("(M) // 2", 4),
+        ("M % 2", 2),
+        ("1 if M else 2", 0),
+        ("M and M", 0),
+        ("not M", 0),
+        ("det(*M)", 4),
+        ("M # comment", 2),
+        ("M; M", 1),
+        ("M @", 3),
+        ("[1, 2", 0),
+        ("[1, 2]]", 6),
+        ("det(M) + Q", 9),
+        ("det(M) + detr(M)", 9),
+        ("det", 0),
+        ("det(M, M)", 0),
+        ("det([1, 2, 3])", 0),
+        ("1 + True", 4),
+        ("1 + 0x10", 4),
+        ("1 + 2j", 4),
+        ("1 + 1_000", 4),
+        ("1 + nan", 4),
+        ("[[1, 2], [3]]", 0),
+        ("[1, 2, 3, 4, 5]", 0),
+        ("1 + M", 2),
+        ("((M)) @ [1, 2, 3]", 6),
+        ("M * M", 2),
+        ("M\u200b", 1),
+        ("dеt(M)", 1),  # a Cyrillic letter
+        ("", 0),
+        ("\x1b[31m", 0),
+        ("1 + \x00", 4),
+    ],
+)
+def test_the_caret_stands_before_the_fault(expression, position):
+    with pytest.raises(CalculatorError) as refused:
+        calculate(expression, NAMES)
+    error = refused.value
+    assert error.position == position
+    assert f"(character {position + 1})" in str(error)
+    before, caret, after = str(error).rpartition("see the caret: ")[2].partition("^")
+    assert caret
+    assert before == expression[max(0, position - 30) : position]
+    assert (before + after).isprintable()
+
+
+def test_the_caret_finds_its_character_in_a_long_line():
+    expression = "+".join(["det(M)"] * 20) + "+ oops +" + "+".join(["det(M)"] * 20)
+    with pytest.raises(CalculatorError) as refused:
+        calculate(expression, NAMES)
+    assert expression[refused.value.position :].startswith("oops")
+    assert "^oops" in str(refused.value)
+    assert len(str(refused.value)) < 200
+
+
+def test_an_operation_without_an_answer_shows_its_place_too():
+    for expression, position in (("1 + 2/0", 5), ("2 * inverse(0*M)", 4)):
+        with pytest.raises(NMatrixError) as refused:
+            calculate(expression, NAMES)
+        assert refused.value.exit_code == 3
+        assert refused.value.position == position
+        assert f"{expression[:position]}^{expression[position:]}" in str(refused.value)
+
+
+def test_depth_that_is_admitted_is_computed():
+    assert calculate("transpose(" * 198 + "M" + ")" * 198, NAMES).value == NAMES["M"]
+    assert calculate("-" * 190 + "1", NAMES).value.scalar == 1
+    assert calculate("+".join("1" * 199), NAMES).value.scalar == 199
+
+
+def test_lines_tabs_and_the_minus_of_mathematics_are_read():
+    assert calculate(" 5\n\t−  2 ", {}).value.scalar == 3
+
+
+@pytest.mark.parametrize("expression", ["1if 2else 3", "1or 2", "0x1for x in M", "[1]is 1"])
+def test_python_gives_no_advice_of_its_own(expression, capfd):
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        with pytest.raises(CalculatorError):
+            calculate(expression, NAMES)
+    assert heard == []
+    assert capfd.readouterr() == ("", "")
+
+
+def test_nothing_but_our_errors_comes_out_of_any_text():
+    chance = random.Random(7)
+    pieces = [*FUNCTIONS, "M", ".T", "(", ")", "[", "]", ",", "@", "*", "/", "+", "-", " ", "**"]
+    pieces += ["1", "0", "2.5", "1e308", "5e-324", "[1,2,3]", "lambda", ".", "_", "\n", "é", "\x07"]
+    for _ in range(3000):
+        expression = "".join(chance.choices(pieces, k=chance.randint(1, 9)))
+        try:
+            calculate(expression, NAMES, chance.choice(list(Arithmetic)))
+        except NMatrixError as error:
+            assert str(error).isprintable(), expression
+            assert len(str(error)) < 600, expression
+            assert 0 <= error.position <= len(expression)
+
+
+def test_every_kind_of_python_expression_is_refused_unless_listed():
+    """Trees are built without the parser, so that no check of the text stands before this one."""
+    admitted = {"BinOp", "UnaryOp", "Call", "Attribute", "List", "Tuple", "Name", "Constant"}
+    for kind in ast.expr.__subclasses__():
+        if kind.__name__ in admitted or kind.__module__ != "ast":
+            continue
+        node = kind()
+        node.col_offset = 0
+        with pytest.raises(CalculatorError):
+            grammar._check_nodes("M", node)
