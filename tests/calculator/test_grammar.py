@@ -76,6 +76,7 @@ def test_what_would_hang_or_crash_is_refused_at_once(expression, arithmetic):
         ("M and M", 0),
         ("not M", 0),
         ("det(*M)", 4),
+        ("det(M, **M)", 0),
         ("M # comment", 2),
         ("M; M", 1),
         ("M @", 3),
