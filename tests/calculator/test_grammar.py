@@ -6,6 +6,7 @@ import ast
 import random
 import time
 import warnings
+from types import SimpleNamespace
 
 import pytest
 
@@ -132,6 +133,19 @@ def test_an_operation_without_an_answer_shows_its_place_too():
         assert refused.value.exit_code == 3
         assert refused.value.position == position
         assert f"{expression[:position]}^{expression[position:]}" in str(refused.value)
+
+
+@pytest.mark.parametrize("deep", ["(" * 201, "[" * 201, "-" * 201, "- + " * 101])
+def test_depth_is_refused_before_the_parser_must_follow_it(deep, monkeypatch):
+    """Not every version of the parser guards the stack of the machine."""
+
+    def parser(*_, **__):
+        pytest.fail("the parser was asked")
+
+    monkeypatch.setattr(grammar, "ast", SimpleNamespace(parse=parser))
+    with pytest.raises(CalculatorError) as refused:
+        grammar.parse(deep + "1" + ")" * 201)
+    assert "200 levels" in str(refused.value)
 
 
 def test_depth_that_is_admitted_is_computed():
