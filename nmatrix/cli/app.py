@@ -15,7 +15,7 @@ from typer.exceptions import TyperException
 
 from nmatrix.cli.catalogue import COMMANDS, Entry, entry
 from nmatrix.cli.flatten import flattened
-from nmatrix.cli.show import fail
+from nmatrix.cli.show import fail, put
 from nmatrix.cli.tokens import OptionShape, gather
 from nmatrix.errors import NMatrixError
 from nmatrix.version import __version__
@@ -146,5 +146,6 @@ def run(arguments: Sequence[str]) -> int:
 def _usage(error: TyperException) -> int:
     """Show a refusal of the argument parser; without arguments, the help."""
     if type(error).__name__ == "NoArgsIsHelpError":
+        put(f"{error.format_message()}\n")
         return error.exit_code
     return fail(f"{error.format_message().rstrip('.')}; see --help", error.exit_code)

@@ -92,6 +92,10 @@ class WorldOptions:
             )
         if self.quaternion is not None and self.rotate is not None:
             refuse_together("--quaternion", {"--rotate": self.rotate}, "both are the rotation")
+        if convention is not Convention.STANDARD and self.order is not None:
+            refuse_together(
+                f"--convention {convention}", {"--order": self.order}, "the course fixes the order"
+            )
         return World(
             translate=vector(read, self.translate, "--translate", (0, 0, 0)),
             rotate_degrees=vector(read, self.rotate, "--rotate", (0, 0, 0)),

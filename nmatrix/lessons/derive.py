@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from nmatrix.lessons import derivations, examples, sides
 from nmatrix.lessons.cases import TITLES, chosen
 from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, A, C, formula, words
-from nmatrix.lessons.steps import equal, step
+from nmatrix.lessons.steps import equal, is_zero, normal_form, step
 from nmatrix.lessons.symbols import cofactors, determinant
 from nmatrix.linear.angle import Angle
 from nmatrix.report import Block, Heading, Number, Report, Step, Value, Verdict
@@ -80,7 +80,7 @@ def own_matrix(world: World) -> list[Step]:
         ),
     ]
     if det == 0:
-        rank = A_.rank(simplify=True)
+        rank = A_.rank(iszerofunc=is_zero)
         because = f"det A = 0 and the rank is {rank}: no inverse transpose; C is what is left"
         return [*steps, step(formula(DET, EQUALS, det), because, proved=rank < 3)]
     normal_matrix = (K / det).applyfunc(tidy)
@@ -114,8 +114,10 @@ def tidy(expression: sp.Expr) -> sp.Expr:
     """Return an expression without needless roots, sines and products."""
     import sympy as sp
 
-    found = sp.radsimp(sp.expand(expression))
-    return sp.trigsimp(found) if found.has(sp.sin, sp.cos) else found
+    if not expression.has(sp.sin, sp.cos):
+        return sp.radsimp(sp.expand(expression))
+    top, bottom = sp.fraction(expression)
+    return normal_form(top) / normal_form(bottom)
 
 
 def _data(name: str, steps: list[Step], conclusion: str) -> dict[str, Value]:

@@ -14,20 +14,46 @@ if TYPE_CHECKING:
 def equal(left: sp.Basic, right: sp.Basic, unit_circle: Sequence[sp.Symbol] = ()) -> bool:
     """Return whether two expressions or matrices are equal as polynomials and surds.
 
-    Both sides are expanded; `unit_circle` holds pairs c, s with c² + s² = 1.
+    `unit_circle` holds a pair c, s with c² + s² = 1; the sine and cosine of one angle are such a
+    pair by themselves.
+    """
+    difference = left - right
+    entries: Iterable[sp.Expr] = list(difference) if hasattr(difference, "tolist") else [difference]
+    pairs = [(unit_circle[0], unit_circle[1])] if unit_circle else []
+    return all(reduced(entry, pairs) == 0 for entry in entries)
+
+
+def reduced(expression: sp.Expr, pairs: Sequence[tuple[sp.Symbol, sp.Symbol]] = ()) -> sp.Expr:
+    """Return the normal form of a numerator; it is 0 exactly if the expression is 0."""
+    import sympy as sp
+
+    top = sp.fraction(sp.together(expression))[0]
+    return normal_form(top, pairs)
+
+
+def is_zero(expression: sp.Expr) -> bool:
+    """Return whether an expression in surds, sines and cosines is zero."""
+    return bool(reduced(expression) == 0)
+
+
+def normal_form(polynomial: sp.Expr, pairs: Sequence[tuple[sp.Symbol, sp.Symbol]] = ()) -> sp.Expr:
+    """Return a polynomial in sines and cosines modulo c² + s² = 1 for every angle in it.
+
+    One division with remainder for each angle; a search for a trigonometric simplification does
+    not end for the sines and cosines of several angles.
     """
     import sympy as sp
 
-    difference = left - right
-    entries: Iterable[sp.Expr] = list(difference) if hasattr(difference, "tolist") else [difference]
-    for entry in entries:
-        expanded = sp.expand(entry)
-        if unit_circle:
-            c, s = unit_circle
-            expanded = sp.expand(expanded.subs(c**2, 1 - s**2))
-        if expanded != 0 and sp.simplify(expanded) != 0:
-            return False
-    return True
+    angles = sorted({atom.args[0] for atom in polynomial.atoms(sp.sin, sp.cos)}, key=str)
+    named = {angle: (sp.Dummy(real=True), sp.Dummy(real=True)) for angle in angles}
+    there = {
+        f(a): x for a, pair in named.items() for f, x in zip((sp.cos, sp.sin), pair, strict=True)
+    }
+    found = sp.expand(polynomial.xreplace(there))
+    for c, s in (*pairs, *named.values()):
+        found = sp.expand(sp.rem(found, c**2 + s**2 - 1, c)) if found.has(c) else found
+    back = {x: value for value, x in there.items()}
+    return (sp.radsimp(found) if found.is_number else found).xreplace(back)
 
 
 def step(shown: Formula, because: str, *, proved: bool) -> Step:

@@ -354,3 +354,17 @@ def test_the_rank_of_an_irrational_matrix_is_refused(nmatrix) -> None:
     assert found.code == 3
     assert one_line(found)
     assert nmatrix("calc", "rank(rotate_x(90))", "-f", "json").data["exact"] == "4"
+
+
+def test_no_arguments_show_the_help(nmatrix) -> None:
+    found = nmatrix()
+    assert found.code == 2
+    assert "nmatrix world --scale 1 2 1" in found.out
+    assert found.err == ""
+
+
+@pytest.mark.parametrize("order", ["XYZ", "ZYX"])
+def test_a_course_convention_takes_no_order_not_even_the_default(nmatrix, order: str) -> None:
+    found = nmatrix("world", "--convention", "polimi", "--order", order)
+    assert found.code == 2
+    assert one_line(found)

@@ -87,3 +87,30 @@ def test_the_users_own_matrix_is_proved_too(world: World) -> None:
 def test_an_unknown_case_names_the_known_ones() -> None:
     with pytest.raises(IllegalValueError, match="mirror"):
         derive("nothing")
+
+
+@pytest.mark.parametrize(
+    "world",
+    [
+        World(rotate_degrees=(7, 11, 13)),
+        World(rotate_degrees=(50, 20, 40), scale=(1, 2, 3)),
+        World(rotate_degrees=(7, 7, 7), shear=(1, 2, 3)),
+        World(rotate_degrees=(7, 11, 13), scale=(1, 0, 1)),
+    ],
+)
+def test_several_angles_without_surds_are_proved_without_a_search(world: World) -> None:
+    assert all(step["verified"] for step in steps("rule", world))
+
+
+def test_a_singular_world_with_angles_has_its_rank() -> None:
+    found = steps("rule", World(rotate_degrees=(7, 11, 13), scale=(1, 0, 1)))
+    assert "the rank is 2" in found[-1]["because"]
+
+
+def test_a_false_claim_about_several_angles_is_not_proved() -> None:
+    import sympy as sp
+
+    A = exact_block(World(rotate_degrees=(7, 11, 13), scale=(1, 2, 1)))
+    assert equal(A.det(), sp.Integer(2))
+    assert not equal(A.det(), sp.Integer(2) + sp.sin(sp.pi * 7 / 180) / 10**9)
+    assert not equal(A.T * A, sp.eye(3))
