@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeVar
+
 from nmatrix.enums import Space
+from nmatrix.linear.rational import identity
 from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Verdict
 from nmatrix.scene.scene import Scene
 from nmatrix.spaces.seen import EyeSeen, LightSeen, eye_in, light_in
+from nmatrix.spaces.stage import Stage
+
+Seen = TypeVar("Seen", LightSeen, EyeSeen)
 
 USUAL = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
 
@@ -21,7 +28,7 @@ def light(scene: Scene, space: Space | None) -> Report:
     if space is not None:
         seen = light_in(scene.stage, space)
         return Report("light", _light_data(seen), _light_blocks(seen), _light_remarks(scene, seen))
-    entries = [_or_none(scene, one) for one in USUAL]
+    entries = _in_each(scene, light_in)
     blocks = [block for i, one in enumerate(entries) for block in _one_of_four(one, i)]
     remarks = list(scene.remarks)
     for one in entries:
@@ -48,7 +55,7 @@ def eye(scene: Scene, space: Space | None) -> Report:
         return Report(
             "eye", _eye_data(seen), tuple(_eye_blocks(seen)), _eye_remarks(scene, (seen,))
         )
-    entries = [_eye_or_none(scene, one) for one in USUAL]
+    entries = _in_each(scene, eye_in)
     blocks: list[Block] = []
     for i, one in enumerate(entries):
         blocks += _eye_blocks(one, f"spaces.{i}.") if one else [Text(_NO_OBJECT_SPACE)]
@@ -66,16 +73,12 @@ _NO_OBJECT_SPACE = (
 )
 
 
-def _or_none(scene: Scene, space: Space) -> LightSeen | None:
-    return None if _is_missing(scene, space) else light_in(scene.stage, space)
-
-
-def _eye_or_none(scene: Scene, space: Space) -> EyeSeen | None:
-    return None if _is_missing(scene, space) else eye_in(scene.stage, space)
-
-
-def _is_missing(scene: Scene, space: Space) -> bool:
-    return space is Space.OBJECT and scene.placed_world.linear_map.rank < 3
+def _in_each(scene: Scene, see: Callable[[Stage, Space], Seen]) -> list[Seen | None]:
+    """Return what each usual space sees; object space of a singular world is missing."""
+    singular = scene.placed_world.linear_map.rank < 3
+    return [
+        None if singular and space is Space.OBJECT else see(scene.stage, space) for space in USUAL
+    ]
 
 
 def _light_data(seen: LightSeen) -> dict[str, Value]:
@@ -143,12 +146,9 @@ def _light_remarks(scene: Scene, seen: LightSeen) -> tuple[str, ...]:
             "Lambert's cosine is n·l / (|Bᵀn| · |B⁻¹l|), the metric of `nmatrix space "
             f"{seen.space}`."
         )
-    if seen.space is Space.STATIC and scene.placed_world.matrix != _IDENTITY:
+    if seen.space is Space.STATIC and scene.placed_world.exact != identity(4):
         remarks.append("Static space: the mesh is baked into the world once, by M.")
     return tuple(remarks)
-
-
-_IDENTITY = tuple(tuple(float(i == j) for j in range(4)) for i in range(4))
 
 
 def _eye_data(seen: EyeSeen) -> dict[str, Value]:

@@ -9,11 +9,10 @@ from fractions import Fraction
 from nmatrix.answers.wording import transform_blocks, transform_data, transform_remarks
 from nmatrix.enums import NormalMethod, NormalStatus, Space
 from nmatrix.errors import NoAnswerError
-from nmatrix.linear import rational
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import LinearMap, Normal
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.linear.rules import carried_by, normal_rule
+from nmatrix.linear.rules import RULES, carried_by, normal_rule
 from nmatrix.report import Heading, Quantity, Report, Table, Text, Value, Vector
 from nmatrix.scene.scene import Scene
 
@@ -41,7 +40,7 @@ def normal(scene: Scene, request: NormalRequest) -> Report:
     found = classify(S, scene.tolerance)
     linear_map = found.linear_map
     matrix = normal_rule(request.method, linear_map)
-    results = [_carried(linear_map, request.method, n) for n in request.normals]
+    results = [_carried(linear_map, request.method, matrix, n) for n in request.normals]
     data: dict[str, Value] = {
         "normal_matrix": matrix,
         "cofactor_matrix": linear_map.cofactor_matrix,
@@ -66,19 +65,16 @@ def normal(scene: Scene, request: NormalRequest) -> Report:
 
 SAME_DIRECTION_DEG = 1e-9  # what a matrix built from angles misses by rounding
 
-_TITLES = {
-    NormalMethod.EXACT: "N = A⁻ᵀ, the inverse transpose, correctly rounded",
-    NormalMethod.INVERSE: "np.linalg.inv(A).T, in float64",
-    NormalMethod.COFACTOR: "C, the cofactors without the sign of det",
-    NormalMethod.NONE: "A itself",
-}
+_TITLES = {rule.method: rule.title for rule in RULES}
 
 
-def _carried(linear_map: LinearMap, method: NormalMethod, n: Vector) -> Normal:
-    exact = linear_map.normal([Fraction(component) for component in n])
+def _carried(
+    linear_map: LinearMap, method: NormalMethod, matrix: RationalMatrix | None, n: Vector
+) -> Normal:
+    normal_object = [Fraction(component) for component in n]
     if method is NormalMethod.EXACT:
-        return exact
-    return carried_by(normal_rule(method, linear_map), linear_map, n)
+        return linear_map.normal(normal_object)
+    return carried_by(matrix, linear_map, normal_object)
 
 
 def _normal_data(n: Vector, result: Normal) -> dict[str, Value]:
@@ -141,9 +137,3 @@ def _failure(
             "give at least two axes a scale other than 0",
         )
     return None
-
-
-def normal_matrix_or_none(block: RationalMatrix) -> RationalMatrix | None:
-    """Return the inverse transpose of a 3×3 block, or None where it has none."""
-    linear_map = LinearMap.of(rational.linear(block))
-    return linear_map.inverse_transpose if linear_map.rank == 3 else None

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.answers.normal import normal_matrix_or_none
-from nmatrix.enums import Space
+from nmatrix.enums import NormalMethod, Space
 from nmatrix.linear import rational
+from nmatrix.linear.rules import normal_rule
 from nmatrix.report import (
     Block,
     Code,
@@ -74,11 +74,11 @@ def _quantities(scene: Scene, chosen: Space) -> dict[str, Vector | Matrix | None
     """Return every matrix and vector of the sheet, under its key."""
     stage = scene.stage
     seen = light_in(stage, chosen)
-    moved = stage.space_from_object(chosen).exact
+    moved = stage.space_from_object(chosen)
     return {
         "space_from_world": stage.space_from_world(chosen).exact,
-        "space_from_object": moved,
-        "normal_matrix": normal_matrix_or_none(moved),
+        "space_from_object": moved.exact,
+        "normal_matrix": normal_rule(NormalMethod.EXACT, moved.linear_map),
         "clip_from_object": stage.clip_from_object,
         "light_direction": seen.direction,
         "light_position": seen.position,

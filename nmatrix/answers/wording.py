@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from nmatrix.enums import Kind
 from nmatrix.linear.classify import Classification
 from nmatrix.report import Block, Quantity, Value, Verdict
@@ -66,7 +64,7 @@ def transform_remarks(found: Classification) -> tuple[str, ...]:
     elif found.needs_inverse_transpose and found.worst_angle_deg is not None:
         remarks.append(
             f"With A in place of the inverse transpose a normal is off by up to "
-            f"{found.worst_angle_deg:.4g}°: arctan((κ − 1/κ)/2), κ = {_short(found.condition)}."
+            f"{found.worst_angle_deg:.4g}°: arctan((κ − 1/κ)/2), κ = {found.condition_text}."
         )
     if found.kind is Kind.SHEAR and found.linear_map.determinant == 1:
         remarks.append("The determinant is 1 and normals still bend: a determinant is no test.")
@@ -85,12 +83,3 @@ def _singular_remark(rank: int) -> str:
             "but its two sides are alike; a normal lying in the plane's edge has no image."
         )
     return f"Rank {rank} leaves no surface at all, so no normal exists."
-
-
-def _short(value: Fraction | None) -> str:
-    if value is None:
-        return "∞"
-    try:
-        return f"{float(value):.4g}"
-    except OverflowError:
-        return f"1e+{len(str(value.numerator // value.denominator)) - 1}"

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import asdict
 
 from nmatrix.answers.wording import transform_blocks, transform_data, transform_remarks
+from nmatrix.enums import NormalMethod
 from nmatrix.linear.classify import classify
 from nmatrix.linear.decompose import Parts, parts
+from nmatrix.linear.rules import normal_rule
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table
 from nmatrix.scene.scene import Scene
 
@@ -23,7 +25,7 @@ def world(scene: Scene) -> Report:
     M = scene.world.world_from_object
     found = classify(M, scene.tolerance)
     linear_map = found.linear_map
-    normal_matrix = linear_map.inverse_transpose if found.rank == 3 else None
+    normal_matrix = normal_rule(NormalMethod.EXACT, linear_map)
     taken_apart = parts(M, scene.world.order)
     cofactors = linear_map.cofactor_matrix
     data = {

@@ -60,15 +60,9 @@ def exact_root(square: Fraction) -> Value:
     return Value(Fraction(scaled, square.denominator << ROOT_BITS), exact=False)
 
 
-def _matrix(function: Callable[[rational.RationalMatrix], rational.RationalMatrix]) -> Compute:
-    def compute(A: Value) -> Value:
-        _require_square(A)
-        return Value(function(A.matrix), A.exact)
-
-    return compute
-
-
-def _number(function: Callable[[rational.RationalMatrix], Fraction]) -> Compute:
+def _of_square(
+    function: Callable[[rational.RationalMatrix], rational.RationalMatrix | Fraction],
+) -> Compute:
     def compute(A: Value) -> Value:
         _require_square(A)
         return Value(function(A.matrix), A.exact)
@@ -196,20 +190,20 @@ _M, _V, _S = (Kind.MATRIX,), (Kind.VECTOR,), (Kind.SCALAR,)
 _VV = (Kind.VECTOR, Kind.VECTOR)
 
 FUNCTIONS: dict[str, Function] = {
-    "inverse": Function(_M, "the adjugate over the determinant", _matrix(rational.inverse)),
+    "inverse": Function(_M, "the adjugate over the determinant", _of_square(rational.inverse)),
     "transpose": Function(
         _M, "rows become columns", lambda A: Value(rational.transpose(A.matrix), A.exact)
     ),
     "inverse_transpose": Function(
-        _M, "the cofactors over the determinant", _matrix(rational.inverse_transpose)
+        _M, "the cofactors over the determinant", _of_square(rational.inverse_transpose)
     ),
     "cofactor": Function(
-        _M, "each entry is a signed determinant of what is left", _matrix(rational.cofactor)
+        _M, "each entry is a signed determinant of what is left", _of_square(rational.cofactor)
     ),
-    "adjugate": Function(_M, "the cofactors, transposed", _matrix(rational.adjugate)),
-    "det": Function(_M, "a row times its cofactors", _number(rational.determinant)),
+    "adjugate": Function(_M, "the cofactors, transposed", _of_square(rational.adjugate)),
+    "det": Function(_M, "a row times its cofactors", _of_square(rational.determinant)),
     "rank": Function(_M, "rows left after elimination", _rank),
-    "trace": Function(_M, "the sum of the diagonal", _number(_trace_of)),
+    "trace": Function(_M, "the sum of the diagonal", _of_square(_trace_of)),
     "linear": Function(_M, "the 3×3 block", _linear),
     "translation": Function(_M, "the last column", _translation),
     "point": Function(_V, "w = 1: points move with the translation", _with_w(1)),

@@ -13,7 +13,6 @@ from nmatrix.cli.scene_options import Groups
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 
 if TYPE_CHECKING:
@@ -81,10 +80,7 @@ def _is_rational(world: World) -> bool:
     """Return whether the typed world matrix is rational: quarter turns, or no angles at all."""
     if world.matrix is not None or world.quaternion is not None:
         return True
-    turns = [Fraction(turn) for turn in world.rotate_degrees]
-    return all(turn % 90 == 0 for turn in turns) or (
-        world.convention is Convention.STANDARD and not any(turns)
-    )
+    return all(Fraction(turn) % 90 == 0 for turn in world.rotate_degrees)
 
 
 def _named(definition: str, sources: Sources, names: dict[str, Value]) -> tuple[str, Value]:

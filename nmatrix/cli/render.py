@@ -21,6 +21,7 @@ from nmatrix.reading.numbers import numbers
 from nmatrix.report import Block, Figure, Quantity, Report, Value, Verdict
 
 if TYPE_CHECKING:
+    from nmatrix.raster.draw import Canvas
     from nmatrix.raster.proofs import Proof
     from nmatrix.scene.mesh import Mesh
     from nmatrix.scene.scene import Scene
@@ -96,14 +97,12 @@ def _proof(
     name: str,
     groups: Groups,
     everywhere: Everywhere,
-    drawing: tuple[object, Shading, Reflection],
+    drawing: tuple[Canvas, Shading, Reflection],
 ) -> tuple[Proof, tuple[str, ...]]:
-    from nmatrix.raster.draw import Canvas
     from nmatrix.raster.proofs import Setup, as_array, normals_proof
     from nmatrix.raster.shade import Lighting
 
     canvas, shading, reflection = drawing
-    assert isinstance(canvas, Canvas)  # render() made it
     scene = groups.scene(everywhere, aspect=canvas.width / canvas.height)
     remarks: tuple[str, ...] = ()
     if not groups.view.is_given:

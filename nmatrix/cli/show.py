@@ -64,12 +64,6 @@ def fail(message: str, exit_code: int) -> int:
     return exit_code
 
 
-def note(message: str) -> None:
-    """Write one line to stderr that is no error, such as the file that was written."""
-    encoding = sys.stderr.encoding or "utf-8"
-    sys.stderr.write(f"{message}\n".encode(encoding, "replace").decode(encoding))
-
-
 def _printable(character: str) -> str:
     if character.isprintable():
         return character

@@ -29,7 +29,6 @@ NO_BREAK = "\u00a0"  # a browser would swallow a plain space at the end
 EQUALS = Words(" = ", " = ")
 NOT_EQUAL = Words(" ≠ ", r" \neq ")
 IMPLIES = Words("  ⇒  ", r" \;\Rightarrow\; ")
-TIMES = Words(" · ", r" \cdot ")
 A = Words("A", "A")
 A_T = Words("Aᵀ", r"A^{\mathsf T}")
 A_INVERSE_T = Words("A⁻ᵀ", r"A^{-\mathsf T}")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 
@@ -61,6 +62,17 @@ class Classification:
         """Return κ = σ₁/σ₃, or None for a singular map."""
         kappa = condition(self.linear_map)
         return None if kappa is None else Fraction(kappa)
+
+    @property
+    def condition_text(self) -> str:
+        """Return κ in four digits, also where it is beyond every float; ∞ for a singular map."""
+        kappa = self.condition
+        if kappa is None:
+            return "∞"
+        try:
+            return f"{float(kappa):.4g}"
+        except OverflowError:
+            return f"{Decimal(kappa.numerator) / Decimal(kappa.denominator):.0e}"
 
     @cached_property
     def worst_angle_deg(self) -> float | None:

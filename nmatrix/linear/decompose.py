@@ -51,16 +51,16 @@ def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None
     >>> parts(compose(identity(3), scale=(1, -2, 1), shear=(0.5, 0, 0))).scale
     (1.0, -2.0, 1.0)
     """
-    if determinant(linear(world_from_object)) == 0:
+    det = determinant(linear(world_from_object))
+    if det == 0:
         return None
     try:
-        return _parts(world_from_object, order)
+        return _parts(world_from_object, order, is_mirror=det < 0)
     except IllegalValueError:  # a part is beyond float64 although the matrix is not
         return None
 
 
-def _parts(world_from_object: RationalMatrix, order: str) -> Parts:
-    det = determinant(linear(world_from_object))
+def _parts(world_from_object: RationalMatrix, order: str, *, is_mirror: bool) -> Parts:
     a, b, c = transpose(linear(world_from_object))
     xy, xz = dot(a, b) / dot(a, a), dot(a, c) / dot(a, a)
     b = tuple(q - xy * p for p, q in zip(a, b, strict=True))
@@ -68,7 +68,7 @@ def _parts(world_from_object: RationalMatrix, order: str) -> Parts:
     c = tuple(r - xz * p - yz * q for p, q, r in zip(a, b, c, strict=True))
     axes = [unit(integers(axis)[0]) for axis in (a, b, c)]
     scale = [root(dot(axis, axis)) for axis in (a, b, c)]
-    if det < 0:
+    if is_mirror:
         flipped = min(range(3), key=lambda i: axes[i][i])
         axes[flipped] = tuple(-x for x in axes[flipped])
         scale[flipped] = -scale[flipped]

@@ -14,9 +14,7 @@ from math import inf
 from nmatrix.enums import ClipY, DepthRange, Handedness
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import Rows, to_floats
-
-ZERO, ONE = Fraction(0), Fraction(1)
+from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
 
 
 @dataclass(frozen=True)

@@ -22,14 +22,13 @@ class Rule:
 
     method: NormalMethod
     title: str
-    is_right: bool
 
 
 RULES: tuple[Rule, ...] = (
-    Rule(NormalMethod.EXACT, "inverse transpose, exact, outward side kept", is_right=True),
-    Rule(NormalMethod.INVERSE, "np.linalg.inv(A).T in float64", is_right=False),
-    Rule(NormalMethod.COFACTOR, "cofactors without the sign of det", is_right=False),
-    Rule(NormalMethod.NONE, "A itself", is_right=False),
+    Rule(NormalMethod.EXACT, "N = A⁻ᵀ, the inverse transpose, correctly rounded"),
+    Rule(NormalMethod.INVERSE, "np.linalg.inv(A).T, in float64"),
+    Rule(NormalMethod.COFACTOR, "C, the cofactors without the sign of det"),
+    Rule(NormalMethod.NONE, "A itself"),
 )
 
 

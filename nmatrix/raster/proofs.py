@@ -156,7 +156,7 @@ def _title(subject: str, stage: Stage) -> str:
     if found.condition is None:
         return f"{subject}: {kind}, rank {found.rank}"
     bound = found.worst_angle_deg or 0.0
-    return f"{subject}: {kind}, κ = {float(found.condition):.4g}, bound {bound:.2f}°"
+    return f"{subject}: {kind}, κ = {found.condition_text}, bound {bound:.2f}°"
 
 
 def _work(mesh: Mesh, found: Comparison) -> dict[str, int]:

@@ -6,13 +6,9 @@ Column vectors: the translation of an affine 4×4 stands in its last column, its
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from nmatrix.errors import IllegalValueError
+from nmatrix.linear.rational import AFFINE_ROW, ZERO
 from nmatrix.reading.literal import ExactRows, MatrixLiteral
-
-ZERO, ONE = Fraction(0), Fraction(1)
-AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
 
 
 def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:

@@ -49,12 +49,6 @@ class Mesh:
             )
 
     @property
-    def centre_and_radius(self) -> tuple[Array, float]:
-        """Return the middle of the bounding box, and the largest distance from it."""
-        centre = (self.positions.min(axis=0) + self.positions.max(axis=0)) / 2
-        return centre, float(np.sqrt(((self.positions - centre) ** 2).sum(axis=1).max()))
-
-    @property
     def degenerate_normals(self) -> int:
         """Return how many normals are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)

@@ -175,6 +175,12 @@ def test_a_flattened_sphere_is_one_plane_that_faces_the_eye() -> None:
     assert proof(mesh, World(scale=(1, 0, 1))).max_angle_error_deg == pytest.approx(90)
 
 
+def test_a_condition_beyond_every_float_still_has_a_title() -> None:
+    found = proof(sphere(8, 16), World(scale=(1e90, 1e-250, 1)), size=16)
+    assert found.image.dtype == np.uint8
+    assert classify(World(scale=(1e90, 1e-250, 1)).world_from_object).condition_text == "1e+340"
+
+
 def test_both_sides_of_a_flattened_sphere_look_alike() -> None:
     found = proof(sphere(16, 32), World(scale=(1, 0, 1)), size=240)
     right = found.image[:, found.image.shape[1] // 3 : found.image.shape[1] * 2 // 3]
