@@ -14,7 +14,7 @@ from nmatrix.linear.exact import LinearMap, Normal
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rules import RULES, carried_by, normal_rule
 from nmatrix.report import Heading, Quantity, Report, Table, Text, Value, Vector
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 
 
 @dataclass(frozen=True)
@@ -26,18 +26,18 @@ class NormalRequest:
     method: NormalMethod = NormalMethod.EXACT
 
 
-def normal(scene: Scene, request: NormalRequest) -> Report:
+def normal(shot: Shot, request: NormalRequest) -> Report:
     """Answer with the normal matrix of `linear(space_from_world @ M)` and the normals through it.
 
     Examples
     --------
     >>> from nmatrix.scene.world import World
-    >>> flat = normal(Scene(World(scale=(1, 0, 1))), NormalRequest(((0, 1, 0), (1, 0, 0))))
+    >>> flat = normal(Shot(World(scale=(1, 0, 1))), NormalRequest(((0, 1, 0), (1, 0, 0))))
     >>> [found["status"] for found in flat.data["normals"]], flat.failure.exit_code
     (['two-sided', 'undefined'], 3)
     """
-    S = scene.stage.space_from_object(request.space).exact
-    found = classify(S, scene.tolerance)
+    S = shot.stage.space_from_object(request.space).exact
+    found = classify(S, shot.tolerance)
     linear_map = found.linear_map
     matrix = normal_rule(request.method, linear_map)
     results = [_carried(linear_map, request.method, matrix, n) for n in request.normals]
@@ -58,7 +58,7 @@ def normal(scene: Scene, request: NormalRequest) -> Report:
         "normal",
         data,
         blocks,
-        (*scene.remarks, *transform_remarks(found), *_method_remarks(request.method, found)),
+        (*shot.remarks, *transform_remarks(found), *_method_remarks(request.method, found)),
         _failure(found, request.normals, results),
     )
 

@@ -9,7 +9,7 @@ from nmatrix.linear.depthstep import DepthStep, depth_steps
 from nmatrix.linear.rational import to_floats
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value, Verdict
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 
 _WHERE = {
     DepthRange.MINUS_ONE_TO_ONE: "depth −1 at near, 1 at far (OpenGL)",
@@ -18,15 +18,15 @@ _WHERE = {
 }
 
 
-def projection(scene: Scene) -> Report:
+def projection(shot: Shot) -> Report:
     """Answer with the projection matrix of a scene.
 
     Examples
     --------
-    >>> projection(Scene()).data["depth_range"]
+    >>> projection(Shot()).data["depth_range"]
     'minus-one-to-one'
     """
-    lens = scene.lens
+    lens = shot.lens
     P = lens.clip_from_camera
     steps = _steps(lens)
     data: dict[str, Value] = {

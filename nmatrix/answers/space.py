@@ -20,7 +20,7 @@ from nmatrix.report import (
     Vector,
     Verdict,
 )
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 from nmatrix.spaces.cost import Cost, cost
 from nmatrix.spaces.metric import metric
 from nmatrix.spaces.seen import light_in
@@ -29,19 +29,19 @@ from nmatrix.spaces.sheet import LESSONS, Row, table
 from nmatrix.spaces.uniforms import Request, Uniform, uniforms
 
 
-def space(scene: Scene, request: Request) -> Report:
+def space(shot: Shot, request: Request) -> Report:
     """Answer with what a shading space needs, by what, where, and at what price.
 
     Examples
     --------
-    >>> found = space(Scene(), Request(Space.CAMERA))
+    >>> found = space(Shot(), Request(Space.CAMERA))
     >>> [float(x) for x in found.data["eye"]], found.data["metric"]
     ([0.0, 0.0, 0.0], None)
     """
-    stage, chosen = scene.stage, request.space
+    stage, chosen = shot.stage, request.space
     listed = uniforms(stage, request)
     shaders = shader_pair(stage, request)
-    quantities = _quantities(scene, chosen)
+    quantities = _quantities(shot, chosen)
     rows, counted, lesson = table(chosen), cost(stage, request), LESSONS[chosen]
     data: dict[str, Value] = {
         "space": chosen.value,
@@ -67,12 +67,12 @@ def space(scene: Scene, request: Request) -> Report:
         Code("glsl", shaders[1], "fragment shader"),
         Verdict(_verdict(chosen, rigid=stage.is_rigid(chosen))),
     )
-    return Report("space", data, blocks, (*scene.remarks, *_remarks(scene, chosen)))
+    return Report("space", data, blocks, (*shot.remarks, *_remarks(shot, chosen)))
 
 
-def _quantities(scene: Scene, chosen: Space) -> dict[str, Vector | Matrix | None]:
+def _quantities(shot: Shot, chosen: Space) -> dict[str, Vector | Matrix | None]:
     """Return every matrix and vector of the sheet, under its key."""
-    stage = scene.stage
+    stage = shot.stage
     seen = light_in(stage, chosen)
     moved = stage.space_from_object(chosen)
     return {
@@ -148,9 +148,9 @@ def _verdict(chosen: Space, *, rigid: bool) -> str:
     )
 
 
-def _remarks(scene: Scene, chosen: Space) -> tuple[str, ...]:
+def _remarks(shot: Shot, chosen: Space) -> tuple[str, ...]:
     remarks = []
-    moved = scene.stage.world_from_object.exact != rational.identity(4)
+    moved = shot.stage.world_from_object.exact != rational.identity(4)
     if chosen is Space.STATIC and moved:
         remarks.append(
             "Static space stands still: the world matrix given here is baked into the mesh once, "
@@ -158,7 +158,7 @@ def _remarks(scene: Scene, chosen: Space) -> tuple[str, ...]:
         )
     if chosen is Space.CAMERA:
         remarks.append("The vector to the eye is −p normalised: from the point to the origin.")
-    if chosen is Space.OBJECT and not scene.stage.is_rigid(chosen):
+    if chosen is Space.OBJECT and not shot.stage.is_rigid(chosen):
         remarks.append(
             "The usual cost argument for object space leaves the metric out: two 3×3 matrices per "
             "object and work per fragment."

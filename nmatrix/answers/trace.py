@@ -4,25 +4,25 @@ from __future__ import annotations
 
 from nmatrix.linear.exact import Normal
 from nmatrix.report import Block, Heading, Quantity, Report, Value, Vector, Verdict
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 from nmatrix.spaces.trace import Trace, Viewport
 from nmatrix.spaces.trace import trace as follow
 
 
-def trace(scene: Scene, point: Vector, normal: Vector | None, viewport: Viewport) -> Report:
+def trace(shot: Shot, point: Vector, normal: Vector | None, viewport: Viewport) -> Report:
     """Answer with a vertex in every frame from object to window.
 
     Examples
     --------
-    >>> found = trace(Scene(), (0, 0, 0), None, Viewport(512, 512))
+    >>> found = trace(Shot(), (0, 0, 0), None, Viewport(512, 512))
     >>> found.data["inside"], float(found.data["window"][0])
     (True, 256.0)
     """
     found = follow(
-        scene.stage,
+        shot.stage,
         [float(component) for component in point],
         None if normal is None else [float(component) for component in normal],
-        scene.lens.clip,
+        shot.lens.clip,
         viewport,
     )
     data: dict[str, Value] = {
@@ -37,7 +37,7 @@ def trace(scene: Scene, point: Vector, normal: Vector | None, viewport: Viewport
         "outside_planes": list(found.outside_planes),
         "normal": _normal_data(found),
     }
-    return Report("trace", data, tuple(_blocks(found)), (*scene.remarks, *_remarks(found)))
+    return Report("trace", data, tuple(_blocks(found)), (*shot.remarks, *_remarks(found)))
 
 
 def _normal_data(found: Trace) -> dict[str, Value] | None:

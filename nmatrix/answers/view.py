@@ -11,23 +11,23 @@ from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.report import Heading, Quantity, Report, Value, Vector, Verdict
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 
 
-def view(scene: Scene) -> Report:
+def view(shot: Shot) -> Report:
     """Answer with the view matrix of a scene, also as R · T.
 
     Examples
     --------
-    >>> [float(x) for x in view(Scene()).data["forward"]]
+    >>> [float(x) for x in view(Shot()).data["forward"]]
     [0.0, 0.0, -1.0]
     """
-    placed = scene.camera
+    placed = shot.camera
     V = placed.camera_from_world
     R = rational.affine(rational.linear(V))
     T = translation_matrix(tuple(-component for component in placed.eye))
-    found = classify(V, scene.tolerance)
-    right, up, forward = camera_axes(V, found, scene.view.handed)
+    found = classify(V, shot.tolerance)
+    right, up, forward = camera_axes(V, found, shot.view.handed)
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
     normal_matrix = found.linear_map.inverse_transpose

@@ -10,23 +10,23 @@ from nmatrix.linear.classify import classify
 from nmatrix.linear.decompose import Parts, parts
 from nmatrix.linear.rules import normal_rule
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 
 
-def world(scene: Scene) -> Report:
+def world(shot: Shot) -> Report:
     """Answer with the world matrix of a scene.
 
     Examples
     --------
     >>> from nmatrix.scene.world import World
-    >>> world(Scene(World(scale=(1, 2, 1)))).data["transform"]
+    >>> world(Shot(World(scale=(1, 2, 1)))).data["transform"]
     'non-uniform-scale'
     """
-    M = scene.world.world_from_object
-    found = classify(M, scene.tolerance)
+    M = shot.world.world_from_object
+    found = classify(M, shot.tolerance)
     linear_map = found.linear_map
     normal_matrix = normal_rule(NormalMethod.EXACT, linear_map)
-    taken_apart = parts(M, scene.world.order)
+    taken_apart = parts(M, shot.world.order)
     cofactors = linear_map.cofactor_matrix
     data = {
         "world_from_object": M,
@@ -47,7 +47,7 @@ def world(scene: Scene) -> Report:
     ]
     if taken_apart is not None:
         blocks += [Heading("Parts"), parts_table(taken_apart)]
-    return Report("world", data, tuple(blocks), (*scene.world.remarks, *transform_remarks(found)))
+    return Report("world", data, tuple(blocks), (*shot.world.remarks, *transform_remarks(found)))
 
 
 def parts_table(taken_apart: Parts) -> Table:

@@ -63,16 +63,16 @@ def calc(
 def _scene_names(groups: Groups, sources: Sources, expression: str) -> dict[str, Value]:
     from nmatrix.calculator.values import Value
 
-    scene = groups.scene_from(sources)
+    shot = groups.shot_from(sources)
     piped = (groups.world.world_matrix or "").partition("#")[0] == "-"
-    typed = scene.world if piped else groups.world.build_exact(sources)  # stdin is read once
+    typed = shot.world if piped else groups.world.build_exact(sources)  # stdin is read once
     exact = _is_rational(typed)
-    world = typed.exact if exact else scene.world.world_from_object
+    world = typed.exact if exact else shot.world.world_from_object
     names = {"M": Value(world, exact=exact)}
     if "V" in expression:
-        names["V"] = Value(scene.camera.camera_from_world)
+        names["V"] = Value(shot.camera.camera_from_world)
     if "P" in expression:
-        names["P"] = Value(scene.lens.clip_from_camera)
+        names["P"] = Value(shot.lens.clip_from_camera)
     return names
 
 

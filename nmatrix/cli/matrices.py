@@ -35,18 +35,18 @@ def world(world: WorldOptions, tolerance: ToleranceOption, everywhere: Everywher
     """Show the world matrix."""
     from nmatrix.answers.world import world as answer
 
-    show(answer(Groups(world=world, tolerance=tolerance).scene(everywhere)), everywhere)
+    show(answer(Groups(world=world, tolerance=tolerance).shot(everywhere)), everywhere)
 
 
 def view(view: ViewOptions, everywhere: Everywhere) -> None:
     """Show the view matrix."""
     from nmatrix.answers.view import view as answer
 
-    show(answer(Groups(view=view).scene(everywhere)), everywhere)
+    show(answer(Groups(view=view).shot(everywhere)), everywhere)
 
 
 def projection(lens: LensOptions, everywhere: Everywhere) -> None:
     """Show the projection matrix."""
     from nmatrix.answers.projection import projection as answer
 
-    show(answer(Groups(lens=lens).scene(everywhere)), everywhere)
+    show(answer(Groups(lens=lens).shot(everywhere)), everywhere)

@@ -56,7 +56,7 @@ def normal(
         space=space.chosen(None, Space.WORLD) or Space.WORLD,
         method=method,
     )
-    show(answer(groups.scene(everywhere), request), everywhere)
+    show(answer(groups.shot(everywhere), request), everywhere)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from nmatrix.raster.draw import Canvas
     from nmatrix.raster.proofs import Proof
     from nmatrix.scene.mesh import Mesh
-    from nmatrix.scene.scene import Scene
+    from nmatrix.scene.shot import Shot
 
 HELP = {
     "render": """nmatrix render normals --scale 1 2 1
@@ -103,36 +103,36 @@ def _proof(
     from nmatrix.raster.shade import Lighting
 
     canvas, shading, reflection = drawing
-    scene = groups.scene(everywhere, aspect=canvas.width / canvas.height)
+    shot = groups.shot(everywhere, aspect=canvas.width / canvas.height)
     remarks: tuple[str, ...] = ()
     if not groups.view.is_given:
-        scene, remarks = _fitted(scene, model, groups)
-    stage = scene.stage
+        shot, remarks = _fitted(shot, model, groups)
+    stage = shot.stage
     eye = as_array(stage.eye)
     assert eye is not None  # a camera always has one
     lighting = Lighting(
         eye, as_array(stage.light.direction), as_array(stage.light.position), reflection
     )
-    setup = Setup(canvas, scene.lens.clip, shading)
-    return normals_proof(model, name, stage, lighting, setup), (*scene.remarks, *remarks)
+    setup = Setup(canvas, shot.lens.clip, shading)
+    return normals_proof(model, name, stage, lighting, setup), (*shot.remarks, *remarks)
 
 
-def _fitted(scene: Scene, model: Mesh, groups: Groups) -> tuple[Scene, tuple[str, ...]]:
+def _fitted(shot: Shot, model: Mesh, groups: Groups) -> tuple[Shot, tuple[str, ...]]:
     """Return the scene with a camera that sees the whole mesh."""
     from math import atan, radians, tan
 
     from nmatrix.raster.proofs import bounding_ball, fitted_eye
 
-    centre, radius = bounding_ball(model, scene.stage)
-    half = radians(scene.lens.fov_degrees / 2)
-    half = min(half, atan(tan(half) * scene.lens.aspect))
+    centre, radius = bounding_ball(model, shot.stage)
+    half = radians(shot.lens.fov_degrees / 2)
+    half = min(half, atan(tan(half) * shot.lens.aspect))
     eye, near, far = fitted_eye(centre, radius, half)
-    view = replace(scene.view, eye=tuple(eye.tolist()), target=tuple(centre.tolist()))
-    lens = scene.lens
+    view = replace(shot.view, eye=tuple(eye.tolist()), target=tuple(centre.tolist()))
+    lens = shot.lens
     if groups.lens.near is None and groups.lens.far is None:
         lens = replace(lens, near=max(near, radius * 1e-3), far=far)
     remark = "No camera was given: it was fitted to the bounding sphere of the mesh."
-    return replace(scene, view=view, lens=lens), (remark,)
+    return replace(shot, view=view, lens=lens), (remark,)
 
 
 def _subject(subject: str, mesh: str | None) -> tuple[Mesh, str]:

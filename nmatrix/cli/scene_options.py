@@ -17,7 +17,7 @@ from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.scene import LightSource, Scene
+from nmatrix.scene.shot import LightSource, Shot
 
 SPACE = "Space"
 _NAMES = (*(space.value for space in Space), *SPACE_SYNONYMS)
@@ -132,16 +132,16 @@ class Groups:
     space: SpaceOptions = field(default_factory=SpaceOptions)
     tolerance: ToleranceOption = field(default_factory=ToleranceOption)
 
-    def scene(self, everywhere: Everywhere, aspect: float = 1.0) -> Scene:
+    def shot(self, everywhere: Everywhere, aspect: float = 1.0) -> Shot:
         """Return the scene that the command line describes."""
         sources = Sources(everywhere.input_layout)
-        return self.scene_from(sources, aspect)
+        return self.shot_from(sources, aspect)
 
-    def scene_from(self, sources: Sources, aspect: float = 1.0) -> Scene:
+    def shot_from(self, sources: Sources, aspect: float = 1.0) -> Shot:
         """Return the scene, reading matrices from these sources."""
         lens: Lens = self.lens.build(sources, aspect)
         light: LightSource = self.light.build()
-        return Scene(
+        return Shot(
             world=self.world.build(sources),
             view=self._view(sources),
             lens=lens,

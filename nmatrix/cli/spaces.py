@@ -55,8 +55,8 @@ def light(
     """Show the light in a space."""
     from nmatrix.answers.light import light as answer
 
-    scene = Groups(world, view, light=light, space=space).scene(everywhere)
-    show(answer(scene, space.chosen(where, None)), everywhere)
+    shot = Groups(world, view, light=light, space=space).shot(everywhere)
+    show(answer(shot, space.chosen(where, None)), everywhere)
 
 
 def eye(
@@ -70,8 +70,8 @@ def eye(
     """Show the eye in a space."""
     from nmatrix.answers.light import eye as answer
 
-    scene = Groups(world, view, space=space).scene(everywhere)
-    show(answer(scene, space.chosen(where, None)), everywhere)
+    shot = Groups(world, view, space=space).shot(everywhere)
+    show(answer(shot, space.chosen(where, None)), everywhere)
 
 
 def space(
@@ -101,8 +101,8 @@ def space(
             "use gouraud or phong",
         )
     chosen = space.chosen(where, Space.WORLD) or Space.WORLD
-    scene = Groups(world, view, lens, light, space).scene(everywhere)
-    show(answer(scene, Request(chosen, shading, reflection)), everywhere)
+    shot = Groups(world, view, lens, light, space).shot(everywhere)
+    show(answer(shot, Request(chosen, shading, reflection)), everywhere)
 
 
 def trace(
@@ -126,7 +126,7 @@ def trace(
         raise IllegalValueError(
             f"--viewport ({viewport[:40]})", "both sides must be positive", "try 512 512"
         )
-    scene = Groups(world, view, lens).scene(everywhere, aspect=width / height)
+    shot = Groups(world, view, lens).shot(everywhere, aspect=width / height)
     n = None if normal is None else numbers(normal, 3, "--normal")
     window = Viewport(width, height)
-    show(answer(scene, numbers(point, 3, "--point"), n, window), everywhere)
+    show(answer(shot, numbers(point, 3, "--point"), n, window), everywhere)

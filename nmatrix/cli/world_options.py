@@ -13,7 +13,7 @@ from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fractions, numbers
-from nmatrix.scene.scene import LightSource
+from nmatrix.scene.shot import LightSource
 from nmatrix.scene.world import World
 
 

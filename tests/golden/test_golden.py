@@ -27,7 +27,7 @@ from nmatrix.linear.rational import to_floats
 from nmatrix.linear.vectors import direction_from_angles
 from nmatrix.linear.view import look_at
 from nmatrix.scene.camera import FirstPerson, View
-from nmatrix.scene.scene import Scene
+from nmatrix.scene.shot import Shot
 from nmatrix.scene.world import World
 from nmatrix.spaces.seen import eye_in, light_in
 from nmatrix.spaces.stage import Light, Stage
@@ -340,4 +340,4 @@ def test_difference_is_not_blind_to(value: str) -> None:
 
 
 def test_scene_defaults_are_the_contract() -> None:
-    assert to_floats(Scene().stage.camera_from_world.exact)[2] == (0.0, 0.0, 1.0, -5.0)
+    assert to_floats(Shot().stage.camera_from_world.exact)[2] == (0.0, 0.0, 1.0, -5.0)

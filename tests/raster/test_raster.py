@@ -25,8 +25,8 @@ from nmatrix.raster.shade import Lighting
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.mesh import Mesh
-from nmatrix.scene.scene import Scene
 from nmatrix.scene.shapes import sphere, torus
+from nmatrix.scene.shot import Shot
 from nmatrix.scene.world import World
 
 
@@ -125,8 +125,8 @@ def test_nothing_behind_the_eye_survives_clipping() -> None:
     assert np.abs(cut.weights.sum(axis=2) - 1).max() < 1e-9
 
 
-def scene_of(world: World) -> Scene:
-    return Scene(world, View(eye=(1.5, 1.2, 4.0)), Lens(near=0.5, far=20.0))
+def scene_of(world: World) -> Shot:
+    return Shot(world, View(eye=(1.5, 1.2, 4.0)), Lens(near=0.5, far=20.0))
 
 
 def proof(mesh: Mesh, world: World, size: int = 128):

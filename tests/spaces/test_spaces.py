@@ -15,7 +15,7 @@ from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.scene.scene import LightSource, Scene
+from nmatrix.scene.shot import LightSource, Shot
 from nmatrix.scene.world import World
 from nmatrix.spaces.metric import normal_world_from_space, vector_world_from_space
 from nmatrix.spaces.seen import light_in
@@ -31,8 +31,8 @@ SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.LIGHT, Space.CUSTOM)
 SKEWED = rational.rational([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
 
 
-def scene(world: World, light: LightSource) -> Scene:
-    return Scene(world, light=light, space_matrix=SKEWED)
+def scene(world: World, light: LightSource) -> Shot:
+    return Shot(world, light=light, space_matrix=SKEWED)
 
 
 def length(matrix: RationalMatrix, v: RationalVector) -> float:
@@ -40,7 +40,7 @@ def length(matrix: RationalMatrix, v: RationalVector) -> float:
     return sqrt(float(rational.dot(moved, moved)))
 
 
-def lambert(scene: Scene, space: Space, point: RationalVector, normal: RationalVector) -> float:
+def lambert(scene: Shot, space: Space, point: RationalVector, normal: RationalVector) -> float:
     """n·l over lengths measured by the metric's factors, in the coordinates of a space."""
     stage = scene.stage
     moved = stage.space_from_object(space)

@@ -1,4 +1,4 @@
-"""The scene: one object, one camera, one lens, one light; frozen, and staged for the spaces."""
+"""The shot: one object, one camera, one lens, one light; frozen, and staged for the spaces."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def _default_direction() -> RationalVector:
 
 
 @dataclass(frozen=True)
-class Scene:
+class Shot:
     """Everything that a command can ask about, in one value."""
 
     world: World = field(default_factory=World)
@@ -84,7 +84,7 @@ class Scene:
 
         Examples
         --------
-        >>> Scene().stage.eye
+        >>> Shot().stage.eye
         (Fraction(0, 1), Fraction(0, 1), Fraction(5, 1))
         """
         return Stage(
