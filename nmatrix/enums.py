@@ -154,3 +154,31 @@ class Format(StrEnum):
     GLSL = "glsl"
     JS = "js"
     NUMPY = "numpy"
+
+
+class LampKind(StrEnum):
+    """The kinds of light in a scene."""
+
+    DIRECTIONAL = "directional"
+    POINT = "point"
+    SPOT = "spot"
+    AMBIENT = "ambient"
+
+
+class Shape(StrEnum):
+    """The shapes that are built in."""
+
+    SPHERE = "sphere"
+    TORUS = "torus"
+    BOX = "box"
+    PLANE = "plane"
+    CONE = "cone"
+
+
+class DepthBuffer(StrEnum):
+    """How finely depth is stored."""
+
+    UNORM16 = "16"
+    UNORM24 = "24"
+    FLOAT32 = "float32"
+    FULL = "full"

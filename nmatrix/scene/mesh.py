@@ -24,11 +24,20 @@ class Mesh:
         (V, 3) arrays; normals are unit vectors or zero where there is none.
     triangles
         (F, 3) indices, counter-clockwise seen from outside.
+    uv
+        (V, 2) texture coordinates, v upwards, if the mesh has them.
+    colours
+        (V, 3) linear colours in [0, 1], if it has them.
+    tangents
+        (V, 4) tangent vectors and the sign of the bitangent, if it has them.
     """
 
     positions: Array
     normals: Array
     triangles: Indices
+    uv: Array | None = None
+    colours: Array | None = None
+    tangents: Array | None = None
 
     def __post_init__(self) -> None:
         if self.positions.shape != self.normals.shape:

@@ -1,0 +1,71 @@
+"""Where an object's triangles come from: a shape, a mesh file, a primitive of a glTF file.
+
+These are small frozen values; `mesh` reads or builds the triangles, and only then is NumPy loaded.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nmatrix.enums import Shape
+
+if TYPE_CHECKING:
+    from nmatrix.scene.gltf import GltfScene
+    from nmatrix.scene.mesh import Mesh
+
+
+@dataclass(frozen=True)
+class ShapeGeometry:
+    """A shape with analytic normals; `tessellation` is how finely it is cut, its default if empty.
+
+    Sphere and torus take rings and sectors, a cone its sectors, plane and box cells along an edge.
+    """
+
+    shape: Shape
+    tessellation: tuple[int, ...] = ()
+
+    def mesh(self) -> Mesh:
+        """Build the triangles."""
+        from nmatrix.scene import shapes
+
+        build = {
+            Shape.SPHERE: shapes.sphere,
+            Shape.TORUS: shapes.torus,
+            Shape.PLANE: shapes.plane,
+            Shape.BOX: shapes.box,
+            Shape.CONE: shapes.cone,
+        }[self.shape]
+        return build(*self.tessellation)  # type: ignore[operator]  # checked by the reader
+
+
+@dataclass(frozen=True)
+class FileGeometry:
+    """A mesh file."""
+
+    path: Path
+
+    def mesh(self) -> Mesh:
+        """Read the triangles."""
+        from nmatrix.scene.meshfile import read_mesh
+
+        return read_mesh(self.path)
+
+
+@dataclass(frozen=True)
+class GltfGeometry:
+    """One primitive of one mesh of a glTF file."""
+
+    scene: GltfScene
+    mesh_index: int
+    primitive: int
+
+    def mesh(self) -> Mesh:
+        """Read the triangles."""
+        from nmatrix.scene.accessors import primitive_mesh
+
+        return primitive_mesh(self.scene, self.mesh_index, self.primitive)
+
+
+Geometry = ShapeGeometry | FileGeometry | GltfGeometry

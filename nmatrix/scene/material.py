@@ -1,0 +1,75 @@
+"""What a surface does with light, and the words that scene files use for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from nmatrix.enums import Reflection
+
+Colour = tuple[float, float, float]
+
+CHECKER = "checker"  # the built-in texture: eight squares to the unit of u and v
+
+
+def grey(level: float) -> Colour:
+    """Return a colour with the three channels alike.
+
+    Examples
+    --------
+    >>> grey(0.5)
+    (0.5, 0.5, 0.5)
+    """
+    return (level, level, level)
+
+
+@dataclass(frozen=True)
+class Material:
+    """How much of each kind of light a surface sends back, channel by channel, in [0, 1].
+
+    Parameters
+    ----------
+    ambient, diffuse, specular
+        Reflected parts of red, green and blue.
+    shininess
+        The exponent of the highlight, not negative.
+    reflection
+        Lambert has no highlight; toon has bands in its place.
+    opacity
+        1 hides what is behind, 0 is glass.
+    texture
+        An image file, or `CHECKER`; it multiplies ambient and diffuse.
+    normal_map
+        An image of normals in tangent space.
+    toon_steps
+        Bands of toon reflection, 1 at least.
+    outline
+        A surface whose normal makes a cosine below this with the way to the eye is drawn black.
+    vertex_colours
+        Whether the mesh's own colours multiply ambient and diffuse.
+    two_sided
+        Whether the back is drawn even of a closed mesh.
+    """
+
+    name: str = "default"
+    ambient: Colour = grey(0.12)
+    diffuse: Colour = grey(0.78)
+    specular: Colour = grey(0.45)
+    shininess: float = 32.0
+    reflection: Reflection = Reflection.LAMBERT
+    opacity: float = 1.0
+    texture: Path | str | None = None
+    normal_map: Path | None = None
+    toon_steps: int = 3
+    outline: float = 0.0
+    vertex_colours: bool = False
+    two_sided: bool = False
+
+    @property
+    def shines(self) -> bool:
+        """Return whether there is a highlight at all."""
+        models = (Reflection.PHONG, Reflection.BLINN_PHONG)
+        return self.reflection in models and any(self.specular)
+
+
+DEFAULT_MATERIAL = Material()

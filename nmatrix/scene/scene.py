@@ -1,0 +1,69 @@
+"""The scene: objects with materials, lights, one camera, and how to draw them; frozen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from nmatrix.enums import DepthBuffer, Shading, Space
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import Geometry
+from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material, grey
+
+
+@dataclass(frozen=True)
+class SceneObject:
+    """One object: its triangles, its place in the world, its material."""
+
+    name: str
+    geometry: Geometry
+    world_from_object: RationalMatrix
+    material: Material = DEFAULT_MATERIAL
+
+
+@dataclass(frozen=True)
+class Fog:
+    """Fog that grows linearly with the distance to the eye: none at `start`, all at `end`."""
+
+    color: Colour
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a scene is drawn.
+
+    `samples` are those of one pixel: 1, 4, 16 or 64. `gamma` writes sRGB instead of linear levels.
+    """
+
+    space: Space = Space.WORLD
+    space_matrix: RationalMatrix | None = None
+    shading: Shading = Shading.PHONG
+    size: tuple[int, int] = (512, 512)
+    samples: int = 4
+    background: Colour = grey(0.93)
+    fog: Fog | None = None
+    gamma: bool = False
+    depth: DepthBuffer = DepthBuffer.FULL
+    shadow_map: int = 512
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything that a scene file says.
+
+    `has_camera` tells whether the file chose the view; if not, it is fitted to what is drawn.
+    """
+
+    objects: tuple[SceneObject, ...]
+    lamps: tuple[Lamp, ...] = ()
+    view: View = field(default_factory=View)
+    lens: Lens = field(default_factory=Lens)
+    settings: Settings = field(default_factory=Settings)
+    has_camera: bool = True
+    path: Path | None = None
+    remarks: tuple[str, ...] = ()
