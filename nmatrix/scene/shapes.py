@@ -22,16 +22,14 @@ def sphere(rings: int = 48, sectors: int = 96) -> Mesh:
     True
     """
     latitude = np.linspace(0, np.pi, rings + 1)[:, None]
-    longitude = np.linspace(0, 2 * np.pi, sectors + 1)[None, :]
+    away = np.sin(latitude)
+    away[-1] = 0.0  # sin π is 1e-16 in floats, and the south pole would be a ring
+    across, along = _around(sectors)
     positions = np.stack(
-        [
-            np.sin(latitude) * np.sin(longitude),
-            np.cos(latitude) * np.ones_like(longitude),
-            np.sin(latitude) * np.cos(longitude),
-        ],
-        axis=2,
+        [away * across, np.cos(latitude) * np.ones_like(across), away * along], axis=2
     ).reshape(-1, 3)
-    return _without_slivers(positions, positions.copy(), _grid(rings, sectors))
+    triangles = _without_slivers(positions, _grid(rings, sectors))
+    return Mesh(positions, positions.copy(), triangles, _unit_square(rings, sectors))
 
 
 def torus(rings: int = 32, sectors: int = 64, radius: float = 1.0, tube: float = 0.4) -> Mesh:
@@ -42,15 +40,17 @@ def torus(rings: int = 32, sectors: int = 64, radius: float = 1.0, tube: float =
     >>> float(torus().positions[:, 1].max())
     0.4
     """
-    around = np.linspace(0, 2 * np.pi, sectors + 1)[None, :]
-    turn = np.linspace(0, 2 * np.pi, rings + 1)[:, None]
-    out = np.stack(
-        [np.sin(around) + 0 * turn, 0 * around + 0 * turn, np.cos(around) + 0 * turn], axis=2
-    )
-    up = np.array([0.0, 1.0, 0.0])
-    normals = np.sin(turn)[:, :, None] * out + np.cos(turn)[:, :, None] * up
+    across, along = _around(sectors)
+    sine, cosine = (one[:, None, None] for one in _around(rings))
+    out = np.stack([across, 0 * across, along], axis=1)
+    normals = sine * out + cosine * np.array([0.0, 1.0, 0.0])
     positions = radius * out + tube * normals
-    return Mesh(positions.reshape(-1, 3), normals.reshape(-1, 3), _grid(rings, sectors))
+    return Mesh(
+        positions.reshape(-1, 3),
+        normals.reshape(-1, 3),
+        _grid(rings, sectors),
+        _unit_square(rings, sectors),
+    )
 
 
 def plane(cells: int = 1) -> Mesh:
@@ -61,7 +61,7 @@ def plane(cells: int = 1) -> Mesh:
     >>> plane().normals.tolist()[0]
     [0.0, 1.0, 0.0]
     """
-    return Mesh(*_face(np.array([0.0, 1.0, 0.0]), cells))
+    return Mesh(*_face(np.array([0.0, 1.0, 0.0]), cells), _unit_square(cells, cells))
 
 
 def box(cells: int = 1) -> Mesh:
@@ -76,7 +76,8 @@ def box(cells: int = 1) -> Mesh:
     positions, normals, triangles = zip(*(_face(n, cells) for n in outward), strict=True)
     shifted = [t + i * len(positions[0]) for i, t in enumerate(triangles)]
     corners = np.concatenate([p + n for p, n in zip(positions, normals, strict=True)])
-    return Mesh(corners, np.concatenate(normals), np.concatenate(shifted))
+    uv = np.tile(_unit_square(cells, cells), (6, 1))
+    return Mesh(corners, np.concatenate(normals), np.concatenate(shifted), uv)
 
 
 def cone(sectors: int = 64) -> Mesh:
@@ -92,39 +93,67 @@ def cone(sectors: int = 64) -> Mesh:
     (np.float64(-1.0), np.float64(1.0))
     """
     side, base = np.arange(sectors), np.zeros(sectors, np.intp)
-    around = np.linspace(0, 2 * np.pi, sectors + 1)
-    rim = np.stack([np.sin(around), -np.ones_like(around), np.cos(around)], axis=1)
-    slope = _sideways((around[:-1] + around[1:]) / 2), _sideways(around)
+    across, along = _around(sectors)
+    rim = np.stack([across, -np.ones_like(across), along], axis=1)
+    between = (side + 0.5) * (2 * np.pi / sectors)
+    slope = _sideways(np.sin(between), np.cos(between)), _sideways(across, along)
     down = np.array([0.0, -1.0, 0.0])
     positions = np.concatenate([np.tile(-down, (sectors, 1)), rim, rim, down[None]])
     normals = np.concatenate([*slope, np.tile(down, (sectors + 2, 1))])
     first, under = sectors + side, 2 * sectors + 1 + side
     mantle = np.stack([side, first, first + 1], axis=1)
     disc = np.stack([base + len(positions) - 1, under + 1, under], axis=1)
-    return Mesh(positions, normals, np.concatenate([mantle, disc]).astype(np.intp))
+    turn = np.arange(sectors + 1) / sectors
+    uv = np.concatenate(
+        [
+            np.stack([(side + 0.5) / sectors, np.ones(sectors)], axis=1),
+            np.stack([turn, np.zeros(sectors + 1)], axis=1),
+            (rim[:, [0, 2]] + 1) / 2,
+            [[0.5, 0.5]],
+        ]
+    )
+    return Mesh(positions, normals, np.concatenate([mantle, disc]).astype(np.intp), uv)
 
 
-def _sideways(around: Array) -> Array:
+def _around(sectors: int) -> tuple[Array, Array]:
+    """Return sine and cosine of a full turn; the last is the first, bit for bit, so that it closes.
+
+    Examples
+    --------
+    >>> [one[0] == one[-1] for one in _around(7)]
+    [np.True_, np.True_]
+    """
+    turn = np.linspace(0, 2 * np.pi, sectors + 1)
+    turn[-1] = 0.0
+    return np.sin(turn), np.cos(turn)
+
+
+def _unit_square(rings: int, sectors: int) -> Array:
+    """Return texture coordinates for a grid: u along a row, v upwards."""
+    u, v = np.meshgrid(np.arange(sectors + 1) / sectors, 1 - np.arange(rings + 1) / rings)
+    return np.stack([u, v], axis=2).reshape(-1, 2)
+
+
+def _sideways(across: Array, along: Array) -> Array:
     """Return the normals of the cone's side: it falls by 2 over 1, so they are (2, 1)/√5."""
-    out = np.stack([2 * np.sin(around), np.ones_like(around), 2 * np.cos(around)], axis=1)
-    return np.asarray(out / np.sqrt(5.0))
+    return np.asarray(
+        np.stack([2 * across, np.ones_like(across), 2 * along], axis=1) / np.sqrt(5.0)
+    )
 
 
 def _face(normal: Array, cells: int) -> tuple[Array, Array, Indices]:
     """Return a square grid through the origin with this axis as its normal."""
     u = np.roll(normal, 1)
     v = np.cross(normal, u)
-    step = np.linspace(-1, 1, cells + 1)
+    step = (2 * np.arange(cells + 1) - cells) / cells  # symmetric, bit for bit
     positions = (step[None, :, None] * u - step[:, None, None] * v).reshape(-1, 3)
     return positions, np.tile(normal, (len(positions), 1)), _grid(cells, cells)
 
 
-def _without_slivers(positions: Array, normals: Array, triangles: Indices) -> Mesh:
-    """Return a mesh without the triangles that a pole shrinks to a line."""
+def _without_slivers(positions: Array, triangles: Indices) -> Indices:
+    """Return the triangles that a pole does not shrink to a line."""
     a, b, c = (positions[triangles[:, i]] for i in range(3))
-    area = np.sqrt((np.cross(b - a, c - a) ** 2).sum(axis=1))
-    # What is left of a pole triangle is rounding, 1e-16 of its neighbours.
-    return Mesh(positions, normals, triangles[area > 1e-12 * area.max()])
+    return np.asarray(triangles[np.cross(b - a, c - a).any(axis=1)])
 
 
 def _grid(rings: int, sectors: int) -> Indices:
