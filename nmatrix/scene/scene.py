@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from nmatrix.enums import DepthBuffer, Shading, Space
+from nmatrix.enums import DepthBuffer, NormalRule, Shading, Space
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
@@ -38,6 +38,7 @@ class Settings:
     """How a scene is drawn.
 
     `samples` are those of one pixel: 1, 4, 16 or 64. `gamma` writes sRGB instead of linear levels.
+    `normals` is the rule that carries them; every one but the first is a mistake worth seeing.
     """
 
     space: Space = Space.WORLD
@@ -50,6 +51,7 @@ class Settings:
     gamma: bool = False
     depth: DepthBuffer = DepthBuffer.FULL
     shadow_map: int = 512
+    normals: NormalRule = NormalRule.EXACT
 
 
 @dataclass(frozen=True)
