@@ -9,30 +9,38 @@ import numpy as np
 import pytest
 
 from nmatrix.enums import DepthRange
+from nmatrix.linear.projection import ClipSpace
 from nmatrix.raster import clip as clip_module
-from nmatrix.raster.clip import GUARD, Triangles, clip, whole
-from nmatrix.raster.cover import cover, snap
+from nmatrix.raster import vertices
+from nmatrix.raster.canvas import Canvas
+from nmatrix.raster.clip import GUARD, clip, whole
+from nmatrix.raster.spans import SUBPIXELS, spans
+from nmatrix.raster.vertices import Projected, project
+from nmatrix.scene.mesh import Mesh
 
-SIZE = 32
+CANVAS = Canvas(32, 32)
+ONE = np.zeros(1, np.intp)
+Plane = tuple[Fraction | int, ...]
 Point = tuple[Fraction, ...]
+NEAR_AND_FAR = {
+    DepthRange.MINUS_ONE_TO_ONE: ((0, 0, 1, 1), (0, 0, -1, 1)),
+    DepthRange.ZERO_TO_ONE: ((0, 0, 1, 0), (0, 0, -1, 1)),
+    DepthRange.REVERSED: ((0, 0, -1, 1), (0, 0, 1, 0)),
+}
 
 
 def exact_polygon(triangle: np.ndarray, depth: DepthRange) -> list[Point]:
-    """Cut by near, the eye plane and the guard band, one after the other, without rounding."""
-    near = {
-        DepthRange.MINUS_ONE_TO_ONE: (0, 0, 1, 1),
-        DepthRange.ZERO_TO_ONE: (0, 0, 1, 0),
-        DepthRange.REVERSED: (0, 0, -1, 1),
-    }[depth]
-    band = Fraction(2 * int(GUARD), SIZE)
+    """Cut by near, the eye plane, far and the guard band, one after the other, without rounding."""
+    near, far = NEAR_AND_FAR[depth]
+    band = Fraction(2 * int(GUARD), CANVAS.columns)
     sides = [(1, 0, 0, band), (-1, 0, 0, band), (0, 1, 0, band), (0, -1, 0, band)]
     polygon = [tuple(map(Fraction, corner)) for corner in triangle.tolist()]
-    for plane in [near, (0, 0, 0, 1), *sides]:
+    for plane in [near, (0, 0, 0, 1), far, *sides]:
         polygon = cut_polygon(polygon, plane)
     return polygon
 
 
-def cut_polygon(polygon: list[Point], plane: tuple[Fraction | int, ...]) -> list[Point]:
+def cut_polygon(polygon: list[Point], plane: Plane) -> list[Point]:
     kept = []
     for i, p in enumerate(polygon):
         q = polygon[(i + 1) % len(polygon)]
@@ -46,30 +54,43 @@ def cut_polygon(polygon: list[Point], plane: tuple[Fraction | int, ...]) -> list
 
 
 def exact_samples(triangle: np.ndarray, depth: DepthRange) -> set[tuple[int, int]]:
-    corners = [p for p in exact_polygon(triangle, depth) if p[3] > 0]
+    """Return what the exact polygon covers, snapped and cut into a fan."""
+    half = Fraction(SUBPIXELS, 2)
     snapped = [
-        (round((x / w + 1) / 2 * SIZE * 256), round((1 - y / w) / 2 * SIZE * 256))
-        for x, y, _, w in corners
+        (
+            round((x / w + 1) * CANVAS.columns * half - half),
+            round((1 - y / w) * CANVAS.rows * half - half),
+        )
+        for x, y, _, w in exact_polygon(triangle, depth)
+        if w > 0
     ]
     fan = [[snapped[0], *pair] for pair in pairwise(snapped[1:])]
-    return covered(np.array(fan, np.int64)) if fan else set()
+    return covered(*np.array(fan, float).transpose(2, 1, 0)) if fan else set()
 
 
-def our_samples(cut: Triangles) -> set[tuple[int, int]]:
-    ndc = cut.corners[:, :, :2] / cut.corners[:, :, 3:]
-    return covered(snap((ndc * [1, -1] + 1) / 2 * SIZE))
+def our_samples(triangle: np.ndarray, depth: DepthRange) -> set[tuple[int, int]]:
+    """Return what is covered of one triangle of clip coordinates: a mesh of three unit vectors
+    and a matrix that holds the corners as columns give them exactly.
+    """
+    mesh = Mesh(np.eye(3), np.zeros((3, 3)), np.array([[0, 1, 2]]))
+    matrix = np.concatenate([triangle.T, np.zeros((4, 1))], axis=1)
+    found = project(mesh, matrix, CANVAS, ClipSpace(depth))
+    return covered(found.x[found.triangles], found.y[found.triangles])
 
 
-def covered(snapped: np.ndarray) -> set[tuple[int, int]]:
-    found = cover(snapped, SIZE, SIZE)
-    return set(zip(found.x.tolist(), found.y.tolist(), strict=True))
+def covered(x: np.ndarray, y: np.ndarray) -> set[tuple[int, int]]:
+    """Return the samples of triangles with area; a sample that two take is a mistake."""
+    found: list[tuple[int, int]] = []
+    for one in spans(x, y, (0, CANVAS.rows), CANVAS.columns):
+        rows, firsts, lengths = (part.astype(int).tolist() for part in one[1:])
+        for row, first, length in zip(rows, firsts, lengths, strict=True):
+            found += [(row, column) for column in range(first, first + length)]
+    assert len(found) == len(set(found))
+    return set(found)
 
 
 def disagreements(triangles: np.ndarray, depth: DepthRange) -> int:
-    return sum(
-        our_samples(clip(whole(t[None]), depth, SIZE, SIZE)) != exact_samples(t, depth)
-        for t in triangles
-    )
+    return sum(our_samples(t, depth) != exact_samples(t, depth) for t in triangles)
 
 
 def random_triangles(count: int, seed: int, depth: DepthRange) -> np.ndarray:
@@ -133,8 +154,8 @@ def test_cutting_a_little_in_front_of_the_near_plane_is_noticed(
 ) -> None:
     right = clip_module._planes
 
-    def shifted(depth: DepthRange, x: float, y: float) -> list[tuple[float, ...]]:
-        near, *others = right(depth, x, y)
+    def shifted(depth: DepthRange, canvas: Canvas) -> list[tuple[float, ...]]:
+        near, *others = right(depth, canvas)
         return [(*near[:3], near[3] - 0.02), *others]
 
     monkeypatch.setattr(clip_module, "_planes", shifted)
@@ -154,8 +175,8 @@ def different_cuts(count: int) -> int:
     # second one corner inside, a; each is cut from its odd corner.
     left[:, 2], right[:, 2] = 100.0, -100.0
     for i in range(count):
-        one = clip_module._cut(whole(np.stack([a[i], b[i], left[i]])[None]), near)
-        other = clip_module._cut(whole(np.stack([b[i], a[i], right[i]])[None]), near)
+        one = clip_module._cut(whole(np.stack([a[i], b[i], left[i]])[None], ONE), near)
+        other = clip_module._cut(whole(np.stack([b[i], a[i], right[i]])[None], ONE), near)
         corners = [{tuple(p) for t in cut.corners for p in t.tolist()} for cut in (one, other)]
         common = (corners[0] & corners[1]) - {tuple(a[i].tolist())}
         found += len(common) != 1
@@ -169,3 +190,62 @@ def test_neighbours_cut_their_edge_at_the_same_point() -> None:
 def test_cutting_from_the_first_end_would_leave_cracks(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(clip_module, "_is_larger", lambda a, b: np.zeros(len(a), bool))
     assert different_cuts(300) > 100
+
+
+def floor_under_the_eye(tilt: float) -> Projected:
+    """Return a floor of many triangles that runs under the eye and far behind it, on the canvas."""
+    rng = np.random.default_rng(8)
+    steps = np.linspace(-1.0, 1.0, 18)
+    x, z = np.meshgrid(steps, steps)
+    x, z = (one + rng.uniform(-0.04, 0.04, one.shape) for one in (x, z))
+    positions = np.stack([30 * x, -1 + tilt * x, 30 * z], axis=2).reshape(-1, 3)
+    a = (np.arange(17)[:, None] * 18 + np.arange(17)).ravel()
+    triangles = np.concatenate(
+        [np.stack([a, a + 18, a + 1], 1), np.stack([a + 1, a + 18, a + 19], 1)]
+    )
+    matrix = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1.02, -0.202], [0, 0, -1, 0]])
+    mesh = Mesh(positions, np.zeros_like(positions), triangles)
+    return project(mesh, matrix, CANVAS, ClipSpace())
+
+
+@pytest.mark.parametrize("tilt", [0.0, 0.3, -1.0])
+def test_a_floor_under_the_eye_has_no_cracks_and_no_doubles(tilt: float) -> None:
+    found = floor_under_the_eye(tilt)
+    assert found.cut is not None
+    samples = covered(found.x[found.triangles], found.y[found.triangles])
+    columns = [[row for row, column in samples if column == i] for i in range(CANVAS.columns)]
+    assert len(samples) > 100
+    assert all(rows == [] or len(rows) == max(rows) - min(rows) + 1 for rows in columns)
+
+
+def test_nothing_behind_the_eye_survives_and_nothing_divides_by_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    divided = []
+    right = vertices._divided
+
+    def watched(corners: np.ndarray, *args: object) -> tuple[np.ndarray, ...]:
+        divided.append(corners[3].min())
+        return right(corners, *args)
+
+    monkeypatch.setattr(vertices, "_divided", watched)
+    for depth in DepthRange:
+        for triangle in random_triangles(100, 5, depth):
+            our_samples(triangle, depth)
+    floor_under_the_eye(0.0)
+    assert len(divided) == 301
+    assert min(divided) > 0
+
+
+@pytest.mark.parametrize("depth", DepthRange)
+def test_what_is_left_lies_inside_and_is_made_of_its_own_corners(depth: DepthRange) -> None:
+    corners = random_triangles(2000, 6, depth)
+    cut = clip(whole(corners, np.arange(2000)), depth, CANVAS)
+    assert len(cut.corners) > 200
+    size = np.abs(cut.corners).max()
+    for plane in NEAR_AND_FAR[depth]:
+        assert (cut.corners @ np.array(plane) >= -1e-12 * size).all()
+    assert np.abs(cut.weights.sum(axis=2) - 1).max() < 1e-9
+    assert (cut.weights > -1e-12).all()
+    rebuilt = np.einsum("nij,njk->nik", cut.weights, corners[cut.source])
+    assert np.allclose(rebuilt, cut.corners, rtol=1e-9, atol=1e-9)
