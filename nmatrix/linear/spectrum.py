@@ -1,16 +1,20 @@
-"""The condition number and the worst angle, from the exact characteristic polynomial.
+"""The condition number and the worst angle, from exact characteristic polynomials.
 
-G = AᵀA; its eigenvalues are the squared singular values; κ = σ₁/σ₃. A singular value
-decomposition in float64 loses κ beyond 1e16; decimals of `DIGITS` digits do not.
+G = AᵀA; its eigenvalues λ₁ ≥ λ₂ ≥ λ₃ are the squared singular values; κ = σ₁/σ₃. A singular value
+decomposition in float64 loses κ beyond 1e16 and κ − 1 below 1e-16; what is done here loses neither,
+since λ₁ − λ₃ and λ₃ each come from a polynomial of their own.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from decimal import Context, Decimal, localcontext
-from math import atan2, degrees
+from fractions import Fraction
 
+from nmatrix.linear.angle import PI
+from nmatrix.linear.arctangent import arctangent
 from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rounding import nearest
 
 DIGITS = 130  # a triple root costs two thirds of them
 SETTLED = Decimal(10) ** -90
@@ -34,7 +38,7 @@ def condition(linear_map: LinearMap) -> Decimal | None:
     if linear_map.rank < 3:
         return None
     with localcontext(CONTEXT):
-        return _condition_squared(linear_map).sqrt()
+        return (1 + _excess(linear_map)).sqrt()
 
 
 def worst_angle_deg(linear_map: LinearMap) -> float | None:
@@ -51,28 +55,52 @@ def worst_angle_deg(linear_map: LinearMap) -> float | None:
     if linear_map.rank < 3:
         return 90.0 if linear_map.rank == 2 else None
     with localcontext(CONTEXT):
-        squared = _condition_squared(linear_map)
-        opposite, adjacent = squared - 1, 2 * squared.sqrt()
-        larger = max(opposite, adjacent)
-        return degrees(atan2(float(opposite / larger), float(adjacent / larger)))
+        excess = _excess(linear_map)
+        tangent = excess / (2 * (1 + excess).sqrt())
+    return nearest(arctangent(Fraction(tangent)) * 180 / PI)
 
 
-def _condition_squared(linear_map: LinearMap) -> Decimal:
+def _excess(linear_map: LinearMap) -> Decimal:
+    """Return κ² − 1 = (λ₁ − λ₃)/λ₃, to 30 digits of itself, however small it is."""
     G = gram(linear_map)
-    if _is_multiple_of_identity(G):
-        return Decimal(1)
-    # λ³ − t λ² + m λ − d = 0; x = λ/t for the largest root, y = (d/m)/λ for the smallest.
+    # λ³ − t λ² + m λ − d = 0; y = (d/m)/λ for the smallest root.
     t = Decimal(G[0][0] + G[1][1] + G[2][2])
     m = Decimal(_principal_minors(G))
     d = Decimal(linear_map.integer_determinant) ** 2
-    x = _largest_root(m / t**2, d / t**3)
     y = _largest_root(t * d / m**2, d * d / m**3)
-    return max(Decimal(1), t * x * y * m / d)
+    return _spread(G) * y * m / d
 
 
-def _is_multiple_of_identity(G: Sequence[Sequence[int]]) -> bool:
-    equal = G[0][0] == G[1][1] == G[2][2]
-    return equal and G[0][1] == G[0][2] == G[1][2] == 0
+def _spread(G: Sequence[Sequence[int]]) -> Decimal:
+    """Return λ₁ − λ₃ from D = 3 G − t, whose eigenvalues are 3 λ − t and have the sum 0.
+
+    They solve e³ − p e − q = 0; with e = √p x that is x³ − x − q/√p³ = 0, where nothing is small.
+    """
+    t = G[0][0] + G[1][1] + G[2][2]
+    D = [[3 * G[i][j] - t * (i == j) for j in range(3)] for i in range(3)]
+    p = sum(entry * entry for row in D for entry in row) // 2
+    if p == 0:
+        return Decimal(0)
+    root = Decimal(p).sqrt()
+    x = _largest_depressed_root(Decimal(LinearMap.of(D).integer_determinant) / root**3)
+    return root * (3 * x + max(Decimal(0), 4 - 3 * x * x).sqrt()) / 6
+
+
+def _largest_depressed_root(r: Decimal) -> Decimal:
+    """Return the largest root of x³ − x − r, all of whose roots are real.
+
+    Newton's iteration from 2/√3, the largest value it can have, comes down to it.
+    """
+    x = 2 / Decimal(3).sqrt()
+    for _ in range(400):
+        value, slope = (x * x - 1) * x - r, 3 * x * x - 1
+        if value <= 0 or slope <= 0:
+            break
+        step = value / slope
+        x -= step
+        if step < x * SETTLED:
+            break
+    return x
 
 
 def _principal_minors(G: Sequence[Sequence[int]]) -> int:
