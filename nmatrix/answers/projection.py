@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import inf
 
 from nmatrix.enums import ClipY, DepthRange
-from nmatrix.linear.depthstep import DepthStep, depth_steps
-from nmatrix.linear.rational import to_floats
+from nmatrix.linear.depthstep import DepthStep, orthographic_steps, perspective_steps
+from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.shot import Shot
@@ -48,7 +48,8 @@ def _steps(lens: Lens) -> tuple[DepthStep, ...] | None:
     """Return the table of depth steps; a matrix that was given says nothing of near and far."""
     if lens.matrix is not None:
         return None
-    return depth_steps(to_floats(lens.clip_from_camera), lens.near, lens.far, lens.clip.depth)
+    steps = perspective_steps if lens.ortho is None else orthographic_steps
+    return steps(lens.near, lens.far, lens.clip.depth)
 
 
 def _step_data(step: DepthStep) -> dict[str, Value]:
@@ -59,8 +60,7 @@ _COLUMNS = ("distance", "float32", "unorm24")
 
 
 def _cells(step: DepthStep) -> Cells:
-    gaps = (step.float32, step.unorm24)
-    return (step.distance, *(None if gap == inf else gap for gap in gaps))
+    return (step.distance, step.float32, step.unorm24)
 
 
 def _table(steps: tuple[DepthStep, ...]) -> Table:
@@ -91,7 +91,7 @@ def _remarks(lens: Lens, steps: tuple[DepthStep, ...] | None) -> tuple[str, ...]
         elif last.float32 > last.distance / 100:
             remarks.append(
                 "At the far end two surfaces closer than "
-                f"{last.float32:.3g} fight for the same depth: a larger near or "
+                f"{in_short(last.float32, 3)} fight for the same depth: a larger near or "
                 "--depth reversed helps."
             )
     if lens.matrix is not None:

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Kind
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalVector, linear, rational, translation
+from nmatrix.linear.rounding import in_short
 from nmatrix.linear.spectrum import condition, gram, worst_angle_deg
 
 BUILT = 1e-12  # columns of a matrix built from angles agree to a few 1e-16; room for products
@@ -69,10 +69,7 @@ class Classification:
         kappa = self.condition
         if kappa is None:
             return "∞"
-        try:
-            return f"{float(kappa):.4g}"
-        except OverflowError:
-            return f"{Decimal(kappa.numerator) / Decimal(kappa.denominator):.0e}"
+        return in_short(kappa, 4)
 
     @cached_property
     def worst_angle_deg(self) -> float | None:

@@ -1,85 +1,90 @@
 """How small a gap in depth a depth buffer can tell, at distances from near to far.
 
-z is the distance along the view direction, d(z) the window depth; the step is the spacing of
-stored depths at d over the slope |d′(z)|.
+z is the distance along the view direction, d(z) the window depth: a + c/z in a perspective view,
+a·z + c in a parallel one. The step is the spacing of stored depths at d over the slope |d′(z)|.
+All of it is exact for the near and far that were given; only the distances are rounded, once.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import frexp, inf, ldexp
+from fractions import Fraction
+from math import frexp, inf
+from sys import float_info
 
 from nmatrix.enums import DepthRange
-from nmatrix.linear.rational import Rows
+from nmatrix.linear.projection import orthographic_depth, perspective_depth
+from nmatrix.linear.rounding import nearest, nth_root
 
 DISTANCES = 7
-BEYOND_NEAR = 1e6  # how far the table goes when far is infinite
-UNORM24 = 1 / (2**24 - 1)
+INTERVALS = DISTANCES - 1
+BEYOND_NEAR = 10**6  # how far the table goes when far is infinite
+UNORM24 = Fraction(1, 2**24 - 1)
+LARGEST = Fraction(float_info.max)
 
 
 @dataclass(frozen=True)
 class DepthStep:
-    """The smallest gap that two buffer formats tell at one distance, in scene units."""
+    """The smallest gap that two buffer formats tell at one distance, in scene units, exactly."""
 
     distance: float
-    float32: float
-    unorm24: float
+    float32: Fraction
+    unorm24: Fraction
 
 
-def depth_steps(
-    clip_from_camera: Rows, near: float, far: float, depth: DepthRange
-) -> tuple[DepthStep, ...]:
+def perspective_steps(near: float, far: float, depth: DepthRange) -> tuple[DepthStep, ...]:
     """Return the table for seven distances in geometric steps from near to far.
 
-    A parallel view has arithmetic steps, since its near may be zero or negative.
+    Where far is infinite it ends at 10⁶ near, or at the largest float.
 
     Examples
     --------
-    >>> from nmatrix.linear.angle import Angle
-    >>> from nmatrix.linear.projection import ClipSpace, perspective
-    >>> clip = perspective(Angle.degrees(30), 1, 1, inf, ClipSpace(DepthRange.REVERSED))
-    >>> steps = depth_steps(clip, 1.0, inf, DepthRange.REVERSED)
-    >>> max(step.float32 / step.distance for step in steps) < 2.4e-7
+    >>> steps = perspective_steps(1.0, inf, DepthRange.REVERSED)
+    >>> [step.distance for step in steps]
+    [1.0, 10.0, 100.0, 1000.0, 10000.0, 100000.0, 1000000.0]
+    >>> max(float(step.float32) / step.distance for step in steps) < 2.4e-7
     True
     """
-    last = near * BEYOND_NEAR if far == inf else far
-    is_perspective = clip_from_camera[3][3] == 0
+    a, c = perspective_depth(near, far, depth)
+    first = Fraction(near)
+    last = min(BEYOND_NEAR * first, LARGEST) if far == inf else Fraction(far)
+    distances = (nth_root(first ** (INTERVALS - i) * last**i, INTERVALS) for i in range(DISTANCES))
     return tuple(
-        _step(clip_from_camera, distance, depth)
-        for distance in _distances(near, last, geometric=is_perspective)
+        _step(distance, a + c / z, abs(c) / z**2, depth)
+        for distance, z in ((distance, Fraction(distance)) for distance in distances)
     )
 
 
-def _distances(near: float, far: float, *, geometric: bool) -> list[float]:
-    inner = range(1, DISTANCES - 1)
-    parts = [i / (DISTANCES - 1) for i in inner]
-    if geometric:
-        middle = [near ** (1 - t) * far**t for t in parts]
-    else:
-        middle = [near + (far - near) * t for t in parts]
-    return [near, *middle, far]
+def orthographic_steps(near: float, far: float, depth: DepthRange) -> tuple[DepthStep, ...]:
+    """Return the table of a parallel view: arithmetic steps, since near may be zero or negative.
+
+    Examples
+    --------
+    >>> [step.distance for step in orthographic_steps(-1.0, 2.0, DepthRange.ZERO_TO_ONE)]
+    [-1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0]
+    """
+    a, c = orthographic_depth(near, far, depth)
+    first, whole = Fraction(near), Fraction(far) - Fraction(near)
+    distances = (nearest(first + whole * i / INTERVALS) for i in range(DISTANCES))
+    return tuple(
+        _step(distance, a * Fraction(distance) + c, abs(a), depth) for distance in distances
+    )
 
 
-def _step(clip_from_camera: Rows, distance: float, depth: DepthRange) -> DepthStep:
-    z_row, w_row = clip_from_camera[2], clip_from_camera[3]
-    g = w_row[2] if w_row[3] == 0 else (1.0 if z_row[2] > 0 else -1.0)
-    if w_row[3] == 0:
-        ndc = (z_row[2] * g) + z_row[3] / distance
-        slope = abs(z_row[3]) / distance / distance
-    else:
-        ndc = z_row[2] * g * distance + z_row[3]
-        slope = abs(z_row[2])
+def _step(distance: float, ndc: Fraction, slope: Fraction, depth: DepthRange) -> DepthStep:
     spacing = _float32_spacing(ndc)
     if depth is DepthRange.MINUS_ONE_TO_ONE:
         # Halving and adding ½ leaves the coarser of the two roundings.
         spacing = max(spacing / 2, _float32_spacing((ndc + 1) / 2))
         slope /= 2
-    if slope == 0:
-        return DepthStep(distance, inf, inf)
     return DepthStep(distance, spacing / slope, UNORM24 / slope)
 
 
-def _float32_spacing(value: float) -> float:
-    """Return the gap between the float32 numbers around a value."""
-    exponent = frexp(min(abs(value), 1.0))[1] if value else -125
-    return ldexp(1.0, max(exponent - 24, -149))
+def _float32_spacing(depth: Fraction) -> Fraction:
+    """Return the gap between the float32 numbers around a depth; below, where it is ±1.
+
+    No depth passes 1, so the gap above it, which is twice as wide, is never used.
+    """
+    rounded = float(depth)
+    exponent = min(frexp(rounded)[1], 0) if rounded else -125
+    return Fraction(2) ** max(exponent - 24, -149)

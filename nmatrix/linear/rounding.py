@@ -6,6 +6,7 @@ u is 2⁻⁵³; a result that is correctly rounded is within half a unit in the 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from decimal import Context, Decimal
 from fractions import Fraction
 from math import atan2, isqrt, lcm, pi
 
@@ -83,6 +84,51 @@ def root(value: Fraction) -> float:
     1.5
     """
     return over_root(value.numerator, value.numerator * value.denominator) if value else 0.0
+
+
+def nth_root(value: Fraction, degree: int) -> float:
+    """Return the root of any degree of a positive value, correctly rounded.
+
+    As with a square root, an integer root with bits to spare and one last bit that says whether
+    anything was cut off are enough for one rounding to decide.
+
+    Examples
+    --------
+    >>> nth_root(Fraction(10**36), 6), nth_root(Fraction(1, 8), 3)
+    (1000000.0, 0.5)
+    """
+    size = value.numerator.bit_length() - value.denominator.bit_length()
+    shift = ROOT_BITS - size // degree
+    scaled = value * Fraction(2) ** (degree * shift)
+    whole, rest = divmod(scaled.numerator, scaled.denominator)
+    found = _integer_root(whole, degree)
+    found = 2 * found + (found**degree != whole or rest != 0)
+    return nearest(Fraction(found) / Fraction(2) ** (shift + 1))
+
+
+def _integer_root(n: int, degree: int) -> int:
+    """Return the largest integer whose power is not above n, by Newton's iteration from above."""
+    x = 1 << -(-n.bit_length() // degree)
+    while True:
+        lower = ((degree - 1) * x + n // x ** (degree - 1)) // degree
+        if lower >= x:
+            return x
+        x = lower
+
+
+def in_short(value: Fraction, digits: int) -> str:
+    """Return a number in a few digits for a sentence, also where it is beyond every float.
+
+    Examples
+    --------
+    >>> in_short(Fraction(2, 3), 3), in_short(Fraction(10) ** 400, 3)
+    ('0.667', '1e+400')
+    """
+    try:
+        return f"{float(value):.{digits}g}"
+    except OverflowError:
+        rounded = Context(prec=digits).divide(Decimal(value.numerator), Decimal(value.denominator))
+        return f"{rounded.normalize():g}"
 
 
 def integers(values: Iterable[Fraction | float]) -> tuple[list[int], int]:
