@@ -7,40 +7,41 @@ rational, the scales are single roots, and only R's angles need a rounded functi
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan2, degrees, hypot, sqrt
+from fractions import Fraction
+from math import atan2, degrees, hypot, isqrt, sqrt
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.affine import AXES
 from nmatrix.linear.rational import (
     RationalMatrix,
+    RationalVector,
     Rows,
     determinant,
     dot,
     linear,
-    to_floats,
+    to_shown,
     translation,
     transpose,
 )
-from nmatrix.linear.rounding import integers, nearest, root, unit
+from nmatrix.linear.rounding import integers, root, unit
 
 Three = tuple[float, ...]
+Exact = tuple[Fraction, ...]  # floats, but for what no float64 can hold
 
 
 @dataclass(frozen=True)
 class Parts:
     """The parts of a world matrix; angles in degrees, about x, y, z in the order asked for."""
 
-    translate: Three
+    translate: Exact
     quaternion: Three
     rotate: Three
-    scale: Three
-    shear: Three
+    scale: Exact
+    shear: Exact
 
 
 def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None:
-    """Return translation, rotation, scale and shear.
-
-    None for a singular matrix, and where a part is beyond the largest float64.
+    """Return translation, rotation, scale and shear, or None for a singular matrix.
 
     A mirror puts one minus sign on the scale, on the axis that leaves the smallest rotation.
 
@@ -48,38 +49,40 @@ def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None
     --------
     >>> from nmatrix.linear.affine import compose
     >>> from nmatrix.linear.rational import identity
-    >>> parts(compose(identity(3), scale=(1, -2, 1), shear=(0.5, 0, 0))).scale
-    (1.0, -2.0, 1.0)
+    >>> [float(s) for s in parts(compose(identity(3), scale=(1, -2, 1), shear=(0.5, 0, 0))).scale]
+    [1.0, -2.0, 1.0]
     """
     det = determinant(linear(world_from_object))
     if det == 0:
         return None
-    try:
-        return _parts(world_from_object, order, is_mirror=det < 0)
-    except IllegalValueError:  # a part is beyond float64 although the matrix is not
-        return None
-
-
-def _parts(world_from_object: RationalMatrix, order: str, *, is_mirror: bool) -> Parts:
     a, b, c = transpose(linear(world_from_object))
     xy, xz = dot(a, b) / dot(a, a), dot(a, c) / dot(a, a)
     b = tuple(q - xy * p for p, q in zip(a, b, strict=True))
     yz = dot(b, c) / dot(b, b)
     c = tuple(r - xz * p - yz * q for p, q, r in zip(a, b, c, strict=True))
     axes = [unit(integers(axis)[0]) for axis in (a, b, c)]
-    scale = [root(dot(axis, axis)) for axis in (a, b, c)]
-    if is_mirror:
+    scale = [_length(axis) for axis in (a, b, c)]
+    if det < 0:
         flipped = min(range(3), key=lambda i: axes[i][i])
         axes[flipped] = tuple(-x for x in axes[flipped])
         scale[flipped] = -scale[flipped]
     R = tuple(zip(*axes, strict=True))
     return Parts(
-        translate=tuple(map(nearest, translation(world_from_object))),
+        translate=to_shown((translation(world_from_object),))[0],
         quaternion=quaternion_of(R),
         rotate=angles_of(R, order),
         scale=tuple(scale),
-        shear=to_floats(((xy, xz, yz),))[0],
+        shear=to_shown(((xy, xz, yz),))[0],
     )
+
+
+def _length(axis: RationalVector) -> Fraction:
+    """Return the length of an axis, rounded once; beyond float64 the whole number below it."""
+    square = dot(axis, axis)
+    try:
+        return Fraction(root(square))
+    except IllegalValueError:
+        return Fraction(isqrt(square.numerator // square.denominator))
 
 
 def quaternion_of(R: Rows) -> Three:

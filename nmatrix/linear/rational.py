@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.rounding import nearest
 
 RationalVector = tuple[Fraction, ...]
@@ -39,6 +39,27 @@ def rational_vector(values: Iterable[float | Fraction]) -> RationalVector:
 def to_floats(A: RationalMatrix) -> Rows:
     """Round every entry once, to the nearest float64."""
     return tuple(tuple(nearest(entry) for entry in row) for row in A)
+
+
+def to_shown(A: RationalMatrix) -> RationalMatrix:
+    """Round every entry once to the nearest float64, but keep one that is beyond all of them.
+
+    A product of legal numbers may lie there: it is then shown as it is, and what is derived from
+    the matrix is derived from it.
+
+    Examples
+    --------
+    >>> to_shown(((Fraction(1, 3), Fraction(10) ** 309),))[0][1] == 10**309
+    True
+    """
+    return tuple(tuple(_shown(entry) for entry in row) for row in A)
+
+
+def _shown(entry: Fraction) -> Fraction:
+    try:
+        return Fraction(nearest(entry))
+    except IllegalValueError:
+        return entry
 
 
 def identity(n: int) -> RationalMatrix:

@@ -10,7 +10,7 @@ from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import RationalMatrix, rational, to_floats
+from nmatrix.linear.rational import RationalMatrix, to_shown
 from nmatrix.report import Number, Vector
 
 _POLIMI_REMARK = (
@@ -92,12 +92,14 @@ class World:
     def world_from_object(self) -> RationalMatrix:
         """Return the matrix of floats that is shown; what is derived from it is exact for it.
 
+        An entry beyond the largest float64 stays the exact number that it is.
+
         Examples
         --------
         >>> World(scale=(1, 2, 1)).world_from_object[1][1]
         Fraction(2, 1)
         """
-        return rational(to_floats(self.exact))
+        return to_shown(self.exact)
 
     @property
     def remarks(self) -> tuple[str, ...]:

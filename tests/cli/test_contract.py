@@ -340,13 +340,32 @@ def test_fail_on_ends_in_one(nmatrix, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "matrix", ["1.7e308 0 0; 1.7e308 1 0; 1.7e308 0 1", "1e-200 1e150 0; 0 1 0; 0 0 1"]
+    ("matrix", "null"),
+    [
+        ("1.7e308 0 0; 1.7e308 1 0; 1.7e308 0 1", ("scale", 0)),
+        ("1e-200 1e150 0; 0 1 0; 0 0 1", ("shear", 0)),
+    ],
 )
-def test_a_part_beyond_every_float_leaves_the_rest_of_the_answer(nmatrix, matrix: str) -> None:
+def test_a_part_beyond_every_float_is_null_alone(nmatrix, matrix: str, null: tuple) -> None:
+    part, place = null
     found = nmatrix("world", "--world-matrix", matrix, "-f", "json")
     assert found.code == 0, found.err
-    assert found.data["parts"] is None
-    assert any("float64" in remark for remark in found.data["remarks"])
+    parts = found.data["parts"]
+    assert parts[part][place] is None
+    assert sum(entry is None for entries in parts.values() for entry in entries) == 1
+    assert any(f"parts.{part}.{place} is" in remark for remark in found.data["remarks"])
+
+
+def test_a_built_entry_beyond_every_float_is_null_and_shown_in_text(nmatrix) -> None:
+    line = "world --scale 1e308 1e308 1 --shear 10 0 0".split()
+    found = nmatrix(*line, "-f", "json")
+    assert found.code == 0, found.err
+    assert found.data["world_from_object"][0] == [1e308, None, 0.0, 0.0]
+    assert any("world_from_object.0.1" in remark for remark in found.data["remarks"])
+    assert found.data["determinant_sign"] == 1
+    assert found.data["parts"]["shear"] == [10.0, 0.0, 0.0]
+    assert "1e+309" in nmatrix(*line).out
+    assert nmatrix("world", "--scale", "1e309", "1", "1").code == 2
 
 
 def test_the_rank_of_an_irrational_matrix_is_refused(nmatrix) -> None:
