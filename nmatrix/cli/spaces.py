@@ -122,9 +122,9 @@ def trace(
     from nmatrix.spaces.trace import Viewport
 
     width, height = numbers(viewport, 2, "--viewport")
-    if width <= 0 or height <= 0:
+    if not all(side > 0 and side.is_integer() for side in (width, height)):
         raise IllegalValueError(
-            f"--viewport ({viewport[:40]})", "both sides must be positive", "try 512 512"
+            f"--viewport ({viewport[:40]})", "both sides are whole pixels, 1 or more", "try 512 512"
         )
     shot = Groups(world, view, lens).shot(everywhere, aspect=width / height)
     n = None if normal is None else numbers(normal, 3, "--normal")

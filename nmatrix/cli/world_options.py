@@ -92,6 +92,10 @@ class WorldOptions:
             )
         if self.quaternion is not None and self.rotate is not None:
             refuse_together("--quaternion", {"--rotate": self.rotate}, "both are the rotation")
+        if self.quaternion is not None and self.order is not None:
+            refuse_together(
+                "--quaternion", {"--order": self.order}, "an order is for angles, it has none"
+            )
         if convention is not Convention.STANDARD and self.order is not None:
             refuse_together(
                 f"--convention {convention}", {"--order": self.order}, "the course fixes the order"
@@ -124,6 +128,12 @@ class LightOptions:
     light_position: Annotated[
         str | None, Option(metavar="X Y Z", help="Where a lamp is.", rich_help_panel=LIGHT)
     ] = None
+
+    @property
+    def is_given(self) -> bool:
+        """Return whether any option described the light."""
+        given = (self.light_direction, self.light_angles, self.light_position)
+        return any(value is not None for value in given)
 
     def build(self) -> LightSource:
         """Return the light that was described."""
