@@ -5,6 +5,7 @@ They are read here and not by a mesh library, so that a bad number is an error w
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ TYPES = {
     5125: np.uint32,
     5126: np.float32,
 }
+LARGEST = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}  # of normalised integers
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 TRIANGLES, STRIP, FAN = 4, 5, 6
 
@@ -50,10 +52,49 @@ def gltf_mesh(scene: GltfScene, index: int) -> Mesh | None:
     )
 
 
+def primitive_mesh(scene: GltfScene, mesh_index: int, primitive: int) -> Mesh:
+    """Return the triangles of one primitive, with its coordinates, colours and tangents.
+
+    Texture coordinates have v upwards; the file has it downwards.
+
+    Raises
+    ------
+    IllegalValueError
+        As `gltf_mesh`, and for a primitive without triangles.
+    """
+    record = scene.document.meshes[mesh_index].primitives[primitive]
+    found = _primitive(scene, record)
+    if found is None:
+        raise _bad(scene, f"primitive {primitive} of mesh {mesh_index} has no triangles")
+    uv = _attribute(scene, record, "TEXCOORD_0", (2,))
+    colours = _attribute(scene, record, "COLOR_0", (3, 4))
+    tangents = _attribute(scene, record, "TANGENT", (4,))
+    for one in (uv, colours, tangents):
+        if one is not None and len(one) != len(found.positions):
+            raise _bad(scene, f"{len(one)} attributes stand beside {len(found.positions)} vertices")
+    return replace(
+        found,
+        uv=None if uv is None else uv * (1, -1) + (0, 1),
+        colours=None if colours is None else np.clip(colours[:, :3], 0.0, 1.0),
+        tangents=tangents,
+    )
+
+
+def _attribute(
+    scene: GltfScene, primitive: Primitive, name: str, widths: tuple[int, ...]
+) -> Array | None:
+    if name not in primitive.attributes:
+        return None
+    found = _read(scene, primitive.attributes[name]).astype(np.float64)
+    if found.shape[1] not in widths:
+        raise _bad(scene, f"{name} has {found.shape[1]} components")
+    return found
+
+
 def _primitive(scene: GltfScene, primitive: Primitive) -> Mesh | None:
     if "POSITION" not in primitive.attributes or primitive.mode not in (TRIANGLES, STRIP, FAN):
         return None
-    positions = _read(scene, primitive.attributes["POSITION"]).astype(np.float64)
+    positions = _vectors(scene, primitive.attributes["POSITION"])
     if primitive.indices is None:
         order = np.arange(len(positions), dtype=np.intp)
     else:
@@ -62,10 +103,23 @@ def _primitive(scene: GltfScene, primitive: Primitive) -> Mesh | None:
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(positions)):
         raise _bad(scene, f"index {int(triangles.max())} is beyond {len(positions)} vertices")
     if "NORMAL" in primitive.attributes:
-        normals = _read(scene, primitive.attributes["NORMAL"]).astype(np.float64)
+        normals = _unit(_vectors(scene, primitive.attributes["NORMAL"]))
     else:
         normals = area_weighted_normals(positions, triangles)
     return Mesh(positions, normals, triangles)
+
+
+def _vectors(scene: GltfScene, index: int) -> Array:
+    found = _read(scene, index)
+    if found.shape[1] != 3:
+        raise _bad(scene, f"accessor {index} has {found.shape[1]} components and needs 3")
+    return found.astype(np.float64)
+
+
+def _unit(vectors: Array) -> Array:
+    """Return the vectors at length one, as far as float32 left them short of it; zero stays."""
+    length = np.sqrt((vectors * vectors).sum(axis=1, keepdims=True))
+    return np.asarray(np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0))
 
 
 def _triangles(order: Array, mode: int) -> Array:
@@ -89,6 +143,8 @@ def _read(scene: GltfScene, index: int) -> Array:
     if record.sparse is not None:
         raise _bad(scene, f"accessor {index} is sparse, which this reader does not know")
     found = _from_view(scene, record)
+    if record.normalized and record.component_type in LARGEST:
+        return np.maximum(found / np.float64(LARGEST[record.component_type]), -1.0)
     if not np.isfinite(found).all():
         row = int(np.argwhere(~np.isfinite(found))[0][0])
         raise _bad(scene, f"row {row} of accessor {index} is not a finite number")

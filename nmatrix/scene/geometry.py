@@ -5,6 +5,7 @@ These are small frozen values; `mesh` reads or builds the triangles, and only th
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -30,14 +31,14 @@ class ShapeGeometry:
         """Build the triangles."""
         from nmatrix.scene import shapes
 
-        build = {
+        build: dict[Shape, Callable[..., Mesh]] = {
             Shape.SPHERE: shapes.sphere,
             Shape.TORUS: shapes.torus,
             Shape.PLANE: shapes.plane,
             Shape.BOX: shapes.box,
             Shape.CONE: shapes.cone,
-        }[self.shape]
-        return build(*self.tessellation)  # type: ignore[operator]  # checked by the reader
+        }
+        return build[self.shape](*self.tessellation)
 
 
 @dataclass(frozen=True)
@@ -68,4 +69,15 @@ class GltfGeometry:
         return primitive_mesh(self.scene, self.mesh_index, self.primitive)
 
 
-Geometry = ShapeGeometry | FileGeometry | GltfGeometry
+@dataclass(frozen=True, eq=False)
+class LoadedGeometry:
+    """Triangles that are there already."""
+
+    loaded: Mesh
+
+    def mesh(self) -> Mesh:
+        """Return them."""
+        return self.loaded
+
+
+Geometry = ShapeGeometry | FileGeometry | GltfGeometry | LoadedGeometry

@@ -36,9 +36,10 @@ class Node:
     local: RationalMatrix
     world_from_object: RationalMatrix
     mesh: int | None
+    parent: int | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GltfScene:
     """A file that was read: nodes in the file's order, and its bytes for the meshes."""
 
@@ -106,7 +107,7 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         above = identity(4) if parent is None else worlds[parent]
         worlds[index] = rational(to_floats(product(above, local[index])))
     nodes = tuple(
-        Node(_name(i, record), local[i], worlds[i], _mesh(path, i, record, document))
+        Node(_name(i, record), local[i], worlds[i], _mesh(path, i, record, document), parents[i])
         for i, record in enumerate(document.nodes)
     )
     if not off_length:

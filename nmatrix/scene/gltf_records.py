@@ -16,6 +16,8 @@ class NodeRecord(msgspec.Struct):
     translation: list[float] | None = None
     rotation: list[float] | None = None
     scale: list[float] | None = None
+    skin: int | None = None
+    extensions: dict[str, object] = {}
 
 
 class Primitive(msgspec.Struct):
@@ -24,6 +26,8 @@ class Primitive(msgspec.Struct):
     attributes: dict[str, int] = {}
     indices: int | None = None
     mode: int = 4
+    material: int | None = None
+    targets: list[dict[str, int]] = []
 
 
 class MeshRecord(msgspec.Struct):
@@ -43,6 +47,8 @@ class Accessor(msgspec.Struct, rename="camel"):
     byte_offset: int = 0
     normalized: bool = False
     sparse: dict[str, object] | None = None
+    min: list[float] | None = None
+    max: list[float] | None = None
 
 
 class BufferView(msgspec.Struct, rename="camel"):
@@ -61,6 +67,111 @@ class Buffer(msgspec.Struct, rename="camel"):
     uri: str | None = None
 
 
+class Perspective(msgspec.Struct, rename="camel"):
+    """A perspective camera; the angle is in radians."""
+
+    yfov: float
+    znear: float
+    zfar: float | None = None
+    aspect_ratio: float | None = None
+
+
+class Orthographic(msgspec.Struct):
+    """A parallel camera: half of its width and of its height."""
+
+    xmag: float
+    ymag: float
+    zfar: float
+    znear: float
+
+
+class CameraRecord(msgspec.Struct):
+    """A camera."""
+
+    type: str
+    perspective: Perspective | None = None
+    orthographic: Orthographic | None = None
+
+
+class TextureReference(msgspec.Struct, rename="camel"):
+    """Which texture a material uses, by which coordinates."""
+
+    index: int
+    tex_coord: int = 0
+
+
+class MetallicRoughness(msgspec.Struct, rename="camel"):
+    """The base colour of a material, and what makes it metallic or rough."""
+
+    base_color_factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
+    base_color_texture: TextureReference | None = None
+    metallic_roughness_texture: TextureReference | None = None
+    metallic_factor: float = 1.0
+    roughness_factor: float = 1.0
+
+
+class MaterialRecord(msgspec.Struct, rename="camel"):
+    """A material as the file has it."""
+
+    name: str | None = None
+    pbr_metallic_roughness: MetallicRoughness | None = None
+    normal_texture: TextureReference | None = None
+    occlusion_texture: TextureReference | None = None
+    emissive_texture: TextureReference | None = None
+    emissive_factor: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    alpha_mode: str = "OPAQUE"
+    double_sided: bool = False
+
+
+class TextureRecord(msgspec.Struct):
+    """A texture: its image."""
+
+    source: int | None = None
+
+
+class ImageRecord(msgspec.Struct, rename="camel"):
+    """An image, inside the file or beside it."""
+
+    uri: str | None = None
+    buffer_view: int | None = None
+
+
+class SpotCone(msgspec.Struct, rename="camel"):
+    """The half angles of a spot light, in radians."""
+
+    inner_cone_angle: float = 0.0
+    outer_cone_angle: float = 0.7853981633974483
+
+
+class PunctualLight(msgspec.Struct):
+    """A light of the extension KHR_lights_punctual."""
+
+    type: str
+    name: str | None = None
+    color: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    intensity: float = 1.0
+    range: float | None = None
+    spot: SpotCone | None = None
+
+
+class PunctualLights(msgspec.Struct):
+    """The lights that nodes refer to."""
+
+    lights: list[PunctualLight] = []
+
+
+class PunctualReference(msgspec.Struct):
+    """Which light a node carries."""
+
+    light: int
+
+
+class SceneRecord(msgspec.Struct):
+    """The roots of what is drawn."""
+
+    nodes: list[int] = []
+
+
 class Document(msgspec.Struct, rename="camel"):
     """The parts of a glTF file that matter here."""
 
@@ -70,3 +181,13 @@ class Document(msgspec.Struct, rename="camel"):
     accessors: list[Accessor] = []
     buffer_views: list[BufferView] = []
     buffers: list[Buffer] = []
+    scene: int | None = None
+    scenes: list[SceneRecord] = []
+    cameras: list[CameraRecord] = []
+    materials: list[MaterialRecord] = []
+    textures: list[TextureRecord] = []
+    images: list[ImageRecord] = []
+    animations: list[msgspec.Raw] = []
+    extensions: dict[str, object] = {}
+    extensions_used: list[str] = []
+    extensions_required: list[str] = []

@@ -7,7 +7,7 @@ from math import inf
 
 from nmatrix.enums import LampKind
 from nmatrix.report import Vector
-from nmatrix.scene.material import Colour, grey
+from nmatrix.scene.material import Colour
 
 WORLD, EYE = "world", "eye"
 
@@ -40,7 +40,7 @@ class Lamp:
     kind: LampKind
     position: Vector = (0, 0, 0)
     direction: Vector = (-1, -1, -1)
-    color: Colour = grey(1.0)
+    color: Colour = (1.0, 1.0, 1.0)
     intensity: float = 1.0
     attenuation: tuple[float, float, float] = (1.0, 0.0, 0.0)
     range: float = inf
@@ -52,6 +52,11 @@ class Lamp:
     def has_position(self) -> bool:
         """Return whether the light comes from somewhere."""
         return self.kind in (LampKind.POINT, LampKind.SPOT)
+
+    @property
+    def fades(self) -> bool:
+        """Return whether less arrives farther away."""
+        return self.attenuation != (1.0, 0.0, 0.0) or self.range < inf
 
     @property
     def has_direction(self) -> bool:

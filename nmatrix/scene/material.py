@@ -9,6 +9,7 @@ from nmatrix.enums import Reflection
 
 Colour = tuple[float, float, float]
 
+AMBIENT_SHARE = 0.15  # of diffuse, where a file does not say
 CHECKER = "checker"  # the built-in texture: eight squares to the unit of u and v
 
 
@@ -52,9 +53,9 @@ class Material:
     """
 
     name: str = "default"
-    ambient: Colour = grey(0.12)
-    diffuse: Colour = grey(0.78)
-    specular: Colour = grey(0.45)
+    ambient: Colour = (0.12, 0.12, 0.12)
+    diffuse: Colour = (0.78, 0.78, 0.78)
+    specular: Colour = (0.45, 0.45, 0.45)
     shininess: float = 32.0
     reflection: Reflection = Reflection.LAMBERT
     opacity: float = 1.0

@@ -62,8 +62,10 @@ class Mesh:
 
     @cached_property
     def is_closed(self) -> bool:
-        """Return whether the surface has an inside: each edge is shared by two triangles, turned
-        against each other, once vertices in the same place count as one.
+        """Return whether the surface has an inside.
+
+        Then each edge is shared by two triangles, turned against each other, once vertices in the
+        same place count as one.
         """
         place = _same_place(self.positions)
         if place is None:

@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from nmatrix.enums import DepthBuffer, NormalRule, Shading, Space
+from nmatrix.enums import DepthBuffer, Effort, NormalRule, Shading, Space
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material, grey
+from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material
+from nmatrix.scene.world import World
 
 
 @dataclass(frozen=True)
 class SceneObject:
-    """One object: its triangles, its place in the world, its material."""
+    """One object: its triangles, its place in the world, its material.
+
+    `place` and `world_from_parent` are what the file says of that place, where it says it in parts:
+    world_from_object is their product.
+    """
 
     name: str
     geometry: Geometry
     world_from_object: RationalMatrix
     material: Material = DEFAULT_MATERIAL
+    place: World | None = None
+    world_from_parent: RationalMatrix | None = None
 
 
 @dataclass(frozen=True)
@@ -38,6 +45,7 @@ class Settings:
     """How a scene is drawn.
 
     `samples` are those of one pixel: 1, 4, 16 or 64. `gamma` writes sRGB instead of linear levels.
+    `turn_degrees` walks the camera around the middle of what is drawn, about the world's y axis.
     `normals` is the rule that carries them; every one but the first is a mistake worth seeing.
     """
 
@@ -46,12 +54,14 @@ class Settings:
     shading: Shading = Shading.PHONG
     size: tuple[int, int] = (512, 512)
     samples: int = 4
-    background: Colour = grey(0.93)
+    background: Colour = (0.93, 0.93, 0.93)
     fog: Fog | None = None
     gamma: bool = False
     depth: DepthBuffer = DepthBuffer.FULL
     shadow_map: int = 512
     normals: NormalRule = NormalRule.EXACT
+    effort: Effort = Effort.PLANNED
+    turn_degrees: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -59,6 +69,7 @@ class Scene:
     """Everything that a scene file says.
 
     `has_camera` tells whether the file chose the view; if not, it is fitted to what is drawn.
+    `has_aspect` tells whether it chose the lens's width over height; if not, the picture's is used.
     """
 
     objects: tuple[SceneObject, ...]
@@ -67,5 +78,17 @@ class Scene:
     lens: Lens = field(default_factory=Lens)
     settings: Settings = field(default_factory=Settings)
     has_camera: bool = True
+    has_aspect: bool = False
     path: Path | None = None
     remarks: tuple[str, ...] = ()
+
+    def sized(self, width: int, height: int) -> Scene:
+        """Return the scene at another size, with the lens's aspect to match if it is free.
+
+        Examples
+        --------
+        >>> Scene(()).sized(640, 320).lens.aspect
+        2.0
+        """
+        lens = self.lens if self.has_aspect else replace(self.lens, aspect=width / height)
+        return replace(self, lens=lens, settings=replace(self.settings, size=(width, height)))

@@ -1,0 +1,42 @@
+"""Any file that can be drawn, as a scene: scene files, glTF files, meshes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.linear.rational import identity
+from nmatrix.scene.geometry import FileGeometry
+from nmatrix.scene.scene import Scene, SceneObject
+from nmatrix.scene.scene_lights import DAYLIGHT
+from nmatrix.scene.scene_objects import MESHES
+from nmatrix.scene.world import World
+
+SUFFIXES = (".toml", ".gltf", ".glb", *MESHES)
+
+
+def scene_of(path: Path) -> Scene:
+    """Read a scene from a .toml, .gltf or .glb file; a mesh is one object that stands still.
+
+    Raises
+    ------
+    IllegalValueError
+        For another kind of file, one that is not there, or one that is damaged.
+    """
+    suffix = path.suffix.lower()
+    if suffix == ".toml":
+        from nmatrix.scene.scenefile import read_scene
+
+        return read_scene(path)
+    if suffix in (".gltf", ".glb"):
+        from nmatrix.scene.gltf_scene import gltf_scene
+
+        return gltf_scene(path)
+    if suffix not in MESHES:
+        raise IllegalValueError(
+            f"{path}", f"scenes and meshes are {', '.join(SUFFIXES)}", "check the name"
+        )
+    if not path.is_file():
+        raise IllegalValueError(f"{path}", "there is no such file", "check the name")
+    still = SceneObject(path.stem, FileGeometry(path), identity(4), place=World())
+    return Scene((still,), (DAYLIGHT,), has_camera=False, path=path)
