@@ -1,6 +1,6 @@
 """The calculator's functions: name, what they take, and the rule that a student would quote.
 
-A root or a sine that is not rational is carried to 2⁻¹³⁰ and marked as not exact.
+A root, a sine or an angle that is not rational is carried to 2⁻¹³⁰ and marked as not exact.
 """
 
 from __future__ import annotations
@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees, isqrt
+from math import isqrt
 
 from nmatrix.calculator.values import Kind, Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import affine, rational, rounding
-from nmatrix.linear.angle import Angle
+from nmatrix.linear.angle import PI, Angle
+from nmatrix.linear.arctangent import angle_between
 
 ROOT_BITS = 280
 EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
@@ -141,7 +142,7 @@ def _angle(a: Value, b: Value) -> Value:
     if square in RATIONAL_ANGLES:
         sharp = RATIONAL_ANGLES[square]
         return Value(Fraction(sharp if cosine >= 0 else 180 - sharp), a.exact and b.exact)
-    return Value(Fraction(degrees(rounding.angle(p, q))), exact=False)
+    return Value(angle_between(p, q) * 180 / PI, exact=False)
 
 
 def _same_size(a: Value, b: Value) -> None:

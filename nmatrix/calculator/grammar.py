@@ -22,7 +22,8 @@ OPERATORS: dict[type[ast.operator], str] = {
     ast.MatMult: "@",
 }
 _OPENING, _CLOSING, _SIGNS = "([", ")]", "+-"
-_CHARACTERS = frozenset(string.ascii_letters + string.digits + "_., ()[]@*/+-")
+# Quotes are let through to the parser, so that the call around a string is the fault, if it is one.
+_CHARACTERS = frozenset(string.ascii_letters + string.digits + "_., ()[]@*/+-'\"")
 _AS_TYPED = str.maketrans("−\t\n\r", "-   ")
 
 

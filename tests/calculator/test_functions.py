@@ -6,6 +6,7 @@ import random
 from fractions import Fraction
 from math import acos, degrees, isclose
 
+import mpmath
 import pytest
 
 from nmatrix.calculator import evaluate, functions, values
@@ -221,3 +222,16 @@ def test_float_rounds_after_every_operation_as_a_float_program_does():
 def test_float_overflow_is_refused_and_not_infinite():
     with pytest.raises(IllegalValueError, match="beyond the largest float64"):
         calculate("1e308 * 10", {}, Arithmetic.FLOAT)
+
+
+def test_an_angle_is_the_nearest_float() -> None:
+    numbers = random.Random(5)
+    for _ in range(200):
+        a, b = ([numbers.randint(-9, 9) for _ in range(3)] for _ in range(2))
+        if not any(a) or not any(b):
+            continue
+        with mpmath.workdps(60):
+            dot = sum(x * y for x, y in zip(a, b, strict=True))
+            square = sum(x * x for x in a) * sum(x * x for x in b) - dot * dot
+            right = float(mpmath.degrees(mpmath.atan2(mpmath.sqrt(square), dot)))
+        assert float(calculate(f"angle({a}, {b})", {}).value.scalar) == right
