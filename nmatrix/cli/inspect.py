@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 from typer import Argument, Option
@@ -12,6 +11,7 @@ from nmatrix.cli.scene_options import ToleranceOption
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
 from nmatrix.errors import IllegalValueError
+from nmatrix.reading.files import existing_file, is_folder
 
 HELP = {
     "inspect": """nmatrix inspect scene.glb
@@ -43,5 +43,12 @@ def inspect(
             raise IllegalValueError(
                 f"--fail-on ({word[:20]})", f"it knows {', '.join(FAILURES)}", "choose from them"
             )
+    path = existing_file(file)
+    if path is None:
+        raise IllegalValueError(
+            f"file ({file[:60]})",
+            "it is a folder" if is_folder(file) else "it does not exist",
+            "give a .gltf, .glb, .obj, .ply or .stl file",
+        )
     sources = Sources(any_from_file=True)
-    show(report(inspect_file(Path(file), tolerance.value(sources)), words), everywhere)
+    show(report(inspect_file(path, tolerance.value(sources)), words), everywhere)

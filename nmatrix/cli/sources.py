@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from dataclasses import dataclass, field
 
@@ -16,6 +17,9 @@ from nmatrix.reading.source import matrix_source
 
 MOST_STDIN = 16_000_000  # bytes; a report with its shaders has some ten thousand
 
+# What only a text report has: a ruled heading, or a bracket of several lines.
+_FOR_PEOPLE = re.compile(r"^(?:─{4,}|-{4,})$|[⎡⎢⎣]", re.MULTILINE)
+
 
 @dataclass
 class Sources:
@@ -24,6 +28,7 @@ class Sources:
     layout: Layout = Layout.ROW_MAJOR
     any_from_file: bool = False
     _stdin_used: bool = field(default=False, init=False)
+    _from_stdin: str = field(default="", init=False)
 
     @property
     def tolerance(self) -> float:
@@ -49,7 +54,16 @@ class Sources:
     def _read(self, text: str) -> MatrixLiteral:
         if existing_file(text.rpartition("#")[0] or text) or existing_file(text):
             self.any_from_file = True
-        return matrix_source(text, self._stdin, self.layout)
+        try:
+            return matrix_source(text, self._stdin, self.layout)
+        except IllegalValueError:
+            if _FOR_PEOPLE.search(self._from_stdin):
+                raise IllegalValueError(
+                    "matrix (stdin)",
+                    "it is a report for people to read",
+                    "add -f json to the command before the pipe",
+                ) from None
+            raise
 
     def _stdin(self) -> str:
         if self._stdin_used:
@@ -66,4 +80,5 @@ class Sources:
             raise IllegalValueError(
                 "standard input", "it is empty", "pipe a matrix in, or write it as an argument"
             )
-        return decoded(content, "standard input")
+        self._from_stdin = decoded(content, "standard input")
+        return self._from_stdin

@@ -389,3 +389,29 @@ def test_a_course_convention_takes_no_order_not_even_the_default(nmatrix, order:
     found = nmatrix("world", "--convention", "polimi", "--order", order)
     assert found.code == 2
     assert one_line(found)
+
+
+@pytest.mark.parametrize("command", ["world", "view", "projection --ortho 0 1 0 1", "space"])
+@pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
+def test_a_text_report_in_the_pipe_gets_a_hint(
+    nmatrix, monkeypatch, command: str, encoding: str
+) -> None:
+    import io
+
+    done = subprocess.run(
+        [sys.executable, "-m", "nmatrix", *command.split()],
+        capture_output=True,
+        check=True,
+        env={**os.environ, "PYTHONIOENCODING": encoding},
+    )
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(done.stdout)))
+    found = nmatrix("normal", "-")
+    assert found.code == 2
+    assert "add -f json to the command before the pipe" in found.err
+
+
+def test_inspect_says_that_a_file_does_not_exist_and_what_it_reads(nmatrix, tmp_path: Path) -> None:
+    assert nmatrix("inspect", "nofile").err == (
+        "error: file (nofile): it does not exist; give a .gltf, .glb, .obj, .ply or .stl file\n"
+    )
+    assert "it is a folder" in nmatrix("inspect", str(tmp_path)).err
