@@ -10,36 +10,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from typer.core import TyperCommand, TyperGroup, TyperOption
+from typer.core import TyperCommand, TyperGroup
 from typer.exceptions import TyperException
 
 from nmatrix.cli.catalogue import COMMANDS, Entry, entry
+from nmatrix.cli.command import GatheringCommand, examples_and_sentence
 from nmatrix.cli.flatten import flattened
 from nmatrix.cli.show import fail, put
-from nmatrix.cli.tokens import OptionShape, gather
-from nmatrix.errors import NMatrixError
+from nmatrix.cli.tokens import did_you_mean
+from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:
     from typer._click import Command, Context, HelpFormatter
 
 DEFECT, INTERRUPTED = 70, 130
-
-
-class GatheringCommand(TyperCommand):
-    """A command whose options take their values as separate words."""
-
-    def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
-        """Gather the words first; while completing, leave them as they are."""
-        if not ctx.resilient_parsing and "--help" not in args:
-            options = [one for one in self.get_params(ctx) if isinstance(one, TyperOption)]
-            args = gather(args, [_shape(one) for one in options])
-        return super().parse_args(ctx, args)
-
-
-def _shape(option: TyperOption) -> OptionShape:
-    arity = 0 if option.is_flag else len((option.metavar or "VALUE").split())
-    return OptionShape((*option.opts, *option.secondary_opts), arity, bool(option.multiple))
 
 
 class OnDemandGroup(TyperGroup):
@@ -55,6 +40,37 @@ class OnDemandGroup(TyperGroup):
         if found is None:
             return None
         return _placeholder(found) if ctx.resilient_parsing else load(found)
+
+    def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
+        """Refuse an unknown option before the command in our own words."""
+        if not ctx.resilient_parsing:
+            known = [name for one in self.get_params(ctx) for name in one.opts]
+            first = args[0].partition("=")[0] if args else ""
+            if first.startswith("-") and first not in (*known, "--"):
+                raise IllegalValueError(
+                    f"option ({first[:40]})",
+                    "it is unknown before a command",
+                    did_you_mean(first, known, "try nmatrix world -f json"),
+                )
+        return super().parse_args(ctx, args)
+
+    def resolve_command(
+        self, ctx: Context, args: list[str]
+    ) -> tuple[str | None, Command | None, list[str]]:
+        """Find the command, or say which one was probably meant."""
+        if not ctx.resilient_parsing and entry(args[0]) is None:
+            names = self.list_commands(ctx)
+            raise IllegalValueError(
+                f"command ({args[0][:40]})",
+                "there is no such command",
+                did_you_mean(args[0], names, f"the commands are {', '.join(names)}"),
+            )
+        return super().resolve_command(ctx, args)
+
+    def format_help(self, ctx: Context, formatter: HelpFormatter) -> None:
+        """Write the examples, then everything else."""
+        formatter.write("".join(f"  {example}\n" for example in EXAMPLES) + "\n")
+        super().format_help(ctx, formatter)
 
     def format_commands(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write one section for each panel, from the catalogue, importing no command."""
@@ -74,9 +90,13 @@ def load(one: Entry) -> Command:
     """Return the real command of an entry."""
     module = import_module(f"nmatrix.cli.{one.module}")
     function: Callable[..., None] = getattr(module, one.name)
+    examples, sentence = examples_and_sentence(module.HELP[one.name])
     single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-    single.command(one.name, cls=GatheringCommand, help=module.HELP[one.name])(flattened(function))
-    return typer.main.get_command(single)
+    single.command(one.name, cls=GatheringCommand, help=sentence)(flattened(function))
+    command = typer.main.get_command(single)
+    if isinstance(command, GatheringCommand):
+        command.examples = examples
+    return command
 
 
 def _show_version(*, wanted: bool) -> None:
@@ -90,11 +110,12 @@ app = typer.Typer(
     cls=OnDemandGroup, no_args_is_help=True, pretty_exceptions_enable=False, rich_markup_mode=None
 )
 
-OVERVIEW = """\b
-nmatrix world --scale 1 2 1
-nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0
-nmatrix space camera -f glsl
-
+EXAMPLES = (
+    "nmatrix world --scale 1 2 1",
+    'nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0',
+    "nmatrix space camera -f glsl",
+)
+OVERVIEW = """\
 The matrices of computer graphics, exact and explained.
 
 Conventions: column vectors, right-handed world, the camera looks down −z, degrees;
@@ -148,4 +169,5 @@ def _usage(error: TyperException) -> int:
     if type(error).__name__ == "NoArgsIsHelpError":
         put(f"{error.format_message()}\n")
         return error.exit_code
-    return fail(f"{error.format_message().rstrip('.')}; see --help", error.exit_code)
+    message = error.format_message().rstrip(".")
+    return fail(f"arguments: {message[:1].lower()}{message[1:]}; see --help", error.exit_code)

@@ -20,11 +20,12 @@ _SEPARATOR = re.compile(r"[\s,]")
 
 @dataclass(frozen=True)
 class OptionShape:
-    """What gathering must know of an option: its names, how many values, whether it repeats."""
+    """What gathering must know of an option: its names, its values, whether it repeats."""
 
     names: tuple[str, ...]
     arity: int
     repeats: bool = False
+    choices: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
@@ -99,7 +100,15 @@ def _option(word: str, by_name: dict[str, OptionShape], reader: _Reader) -> str:
         if joined is not None:
             raise IllegalValueError(f"{name} ({joined[:20]})", "it takes no value", f"use {name}")
         return shape.name
-    return f"{shape.name}={_values(shape, joined, reader)}"
+    value = _values(shape, joined, reader)
+    if shape.choices and value not in shape.choices:
+        known = ", ".join(shape.choices)
+        raise IllegalValueError(
+            f"{shape.name} ({value[:40]})",
+            f"it is one of {known}",
+            did_you_mean(value, shape.choices, f"try {shape.choices[0]}"),
+        )
+    return f"{shape.name}={value}"
 
 
 def _split(word: str) -> tuple[str, str | None]:
@@ -127,10 +136,21 @@ def _values(shape: OptionShape, joined: str | None, reader: _Reader) -> str:
     return " ".join(taken)
 
 
-def _unknown(name: str, by_name: dict[str, OptionShape]) -> IllegalValueError:
-    near = get_close_matches(name, by_name, n=1, cutoff=0.6)
+def _unknown(name: str, known: Iterable[str]) -> IllegalValueError:
     return IllegalValueError(
-        f"option {name}",
+        f"option ({name[:40]})",
         "this command does not know it",
-        f"did you mean {near[0]}?" if near else "see --help",
+        did_you_mean(name, known, "see --help"),
     )
+
+
+def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
+    """Return a question that names the nearest known word, or another next step.
+
+    Examples
+    --------
+    >>> did_you_mean("wrold", ["view", "world"], "see --help")
+    'did you mean world?'
+    """
+    near = get_close_matches(word[:40], known, n=1, cutoff=0.6)
+    return f"did you mean {near[0]}?" if near else otherwise
