@@ -182,3 +182,61 @@ class DepthBuffer(StrEnum):
     UNORM24 = "24"
     FLOAT32 = "float32"
     FULL = "full"
+
+
+class NormalRule(StrEnum):
+    """Ways to carry the normals of a mesh: the right one, and those that people write instead."""
+
+    EXACT = "exact"
+    INVERSE = "inverse"
+    COFACTOR = "cofactor"
+    NONE = "none"
+    NOT_TRANSPOSED = "not-transposed"
+    NOT_INVERTED = "not-inverted"
+    TRANSLATED = "translated"
+    FOUR_COMPONENT = "four-component-normalise"
+
+
+class Effect(StrEnum):
+    """Everything that a picture can be made of, each computed only where a scene calls for it."""
+
+    AMBIENT = "ambient"
+    DIFFUSE = "diffuse"
+    INVERSE_TRANSPOSE = "inverse-transpose"
+    METRIC = "metric"
+    SPECULAR = "specular"
+    TOON = "toon"
+    OUTLINE = "outline"
+    POSITION = "position"
+    EYE = "eye"
+    ATTENUATION = "attenuation"
+    SPOT = "spot"
+    SHADOWS = "shadows"
+    RENORMALISE = "renormalise"
+    PERSPECTIVE = "perspective"
+    EXACT_WEIGHTS = "exact-weights"
+    NEAR_CLIP = "near-clip"
+    BACK_FACES = "back-faces"
+    TEXTURE = "texture"
+    NORMAL_MAP = "normal-map"
+    VERTEX_COLOURS = "vertex-colours"
+    TRANSPARENCY = "transparency"
+    FOG = "fog"
+    COLOUR = "colour"
+    GAMMA = "gamma"
+    SUPERSAMPLING = "supersampling"
+
+
+class LeftOut(StrEnum):
+    """How safe it is to leave an effect out: no bit changes, rounding does, or a proved bound."""
+
+    EXACT = "exact"
+    ROUNDING = "rounding"
+    BOUNDED = "bounded"
+
+
+class Effort(StrEnum):
+    """Whether a picture computes what its scene calls for, or everything that can be on."""
+
+    PLANNED = "planned"
+    ALL = "all"

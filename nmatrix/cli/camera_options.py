@@ -147,6 +147,25 @@ class LensOptions:
     ] = None
 
     @property
+    def is_given(self) -> bool:
+        """Return whether any option said how the camera projects."""
+        return any(
+            value is not None
+            for value in (
+                self.fov,
+                self.aspect,
+                self.near,
+                self.far,
+                self.ortho,
+                self.frustum,
+                self.depth,
+                self.clip_y,
+                self.api,
+                self.projection_matrix,
+            )
+        )
+
+    @property
     def effective_handed(self) -> Handedness | None:
         """Return the hand that was asked for, by itself or by the interface."""
         if self.handed is not None or self.api is None:

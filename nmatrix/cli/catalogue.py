@@ -30,7 +30,8 @@ COMMANDS: tuple[Entry, ...] = (
     Entry("space", SPACES, "spaces", "The whole sheet of a shading space, and its shaders"),
     Entry("trace", SPACES, "spaces", "One vertex from object space to the window"),
     Entry("derive", PROOFS, "derive", "The inverse-transpose rule, step by step, proved"),
-    Entry("render", PROOFS, "render", "Proof images: wrong beside right"),
+    Entry("render", PROOFS, "render", "Proof images: wrong beside right; scenes and meshes"),
+    Entry("plan", PROOFS, "plan", "Which effects a scene calls for, and why"),
     Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
 )
 

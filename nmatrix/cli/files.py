@@ -4,9 +4,33 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from nmatrix.errors import IllegalValueError
+
+
+def refuse_existing(paths: Sequence[Path], *, force: bool) -> None:
+    """Refuse to overwrite, before the work is done and not after.
+
+    Raises
+    ------
+    IllegalValueError
+        If one of the files exists and `force` is not given, or their folder does not exist.
+    """
+    for path in paths:
+        if str(path) == "-":
+            continue
+        if path.exists() and not force:
+            raise _exists(path)
+        if not path.parent.is_dir():
+            raise IllegalValueError(
+                f"{path}", f"there is no folder {path.parent}", "choose another one with -o"
+            )
+
+
+def _exists(path: Path) -> IllegalValueError:
+    return IllegalValueError(f"{path}", "the file exists", "use --force, or -o with another name")
 
 
 def write_file(path: Path, content: bytes, *, force: bool) -> None:
@@ -18,9 +42,7 @@ def write_file(path: Path, content: bytes, *, force: bool) -> None:
         If the file exists and `force` is not given, or the place cannot be written.
     """
     if path.exists() and not force:
-        raise IllegalValueError(
-            f"{path}", "the file exists", "use --force, or -o with another name"
-        )
+        raise _exists(path)
     try:
         descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:

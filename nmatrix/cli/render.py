@@ -1,4 +1,4 @@
-"""`nmatrix render`: proof images to a file, their numbers to stdout."""
+"""`nmatrix render`: proof images, scenes and meshes to a file, their numbers to stdout."""
 
 from __future__ import annotations
 
@@ -11,19 +11,22 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.files import write_file
-from nmatrix.cli.scene_options import Groups
-from nmatrix.cli.show import put, put_bytes, show
+from nmatrix.cli.files import refuse_existing, write_file
+from nmatrix.cli.pictures import FrameOptions, PictureOptions, frame_names
+from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import Reflection, Shading
+from nmatrix.enums import LampKind, Reflection, Space
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.numbers import numbers
-from nmatrix.report import Block, Figure, Quantity, Report, Value, Verdict
+from nmatrix.raster.proofs.catalogue import PROOFS, entry
 
 if TYPE_CHECKING:
-    from nmatrix.raster.draw import Canvas
-    from nmatrix.raster.proofs import Proof
-    from nmatrix.scene.mesh import Mesh
+    from collections.abc import Sequence
+
+    from nmatrix.raster.proofs.brief import Brief, Proof
+    from nmatrix.raster.proofs.frames import Job
+    from nmatrix.scene.lamp import Lamp
+    from nmatrix.scene.scene import Scene, Settings
     from nmatrix.scene.shot import Shot
 
 HELP = {
@@ -31,16 +34,15 @@ HELP = {
 
 nmatrix render normals --mesh teapot.obj --shear 1 0 0 -o teapot.png
 
-nmatrix render teapot.ply --samples 16
+nmatrix render scene.toml --frames 36 --turn -o scene.gif
 
-A proof image: the wrong normals, the right ones, and the angle between them.""",
+A proof image, a scene, or a mesh. A proof shows wrong beside right, with the number between.""",
 }
 
-PROOFS = {"normals": "wrong normals, right normals, and a map of the angle between them"}
-SAMPLES = {"1": 1, "4": 2, "16": 4, "64": 8}
+SCENES = (".toml", ".gltf", ".glb")
 MESHES = (".obj", ".ply", ".stl")
-LARGEST = 8192  # pixels on a side
-MOST_SAMPLES = 1 << 26
+PANEL = (360, 360)
+PICTURE = (512, 512)
 
 
 def render(
@@ -49,175 +51,174 @@ def render(
     view: ViewOptions,
     lens: LensOptions,
     light: LightOptions,
+    space: SpaceOptions,
+    picture: PictureOptions,
+    frames: FrameOptions,
     everywhere: Everywhere,
     subject: Annotated[
-        str, Argument(metavar="PROOF", help="A proof (see --list) or a mesh file.")
+        str, Argument(metavar="PROOF|SCENE|MESH", help="A proof (see --list), or a file.")
     ] = "normals",
-    mesh: Annotated[
-        str | None, Option(metavar="FILE", help="Draw this mesh, not a sphere.")
-    ] = None,
+    mesh: Annotated[str | None, Option(metavar="FILE", help="Draw a proof of this mesh.")] = None,
     output: Annotated[
-        str | None, Option("--output", "-o", metavar="FILE", help="PNG file; - is stdout.")
+        str | None, Option("--output", "-o", metavar="FILE", help="PNG or GIF; - is stdout.")
     ] = None,
-    size: Annotated[str, Option(metavar="W H", help="Pixels of each panel.")] = "360 360",
-    shading: Annotated[Shading, Option(help="Where light is evaluated.")] = Shading.PHONG,
-    reflection: Annotated[
-        Reflection, Option(help="How the surface reflects.")
-    ] = Reflection.LAMBERT,
-    samples: Annotated[
-        str, Option(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
-    ] = "4",
     force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False,
     list_: Annotated[bool, Option("--list", help="Show the proofs.")] = False,
+    preview: Annotated[bool, Option("--preview", help="Show it in the terminal too.")] = False,
 ) -> None:
-    """Draw a proof image."""
+    """Draw a proof image, a scene or a mesh."""
     if list_:
-        put("".join(f"{name:10}{line}\n" for name, line in PROOFS.items()))
+        put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
-    from nmatrix.raster.draw import Canvas
-
-    width, height = _size(size)
-    canvas = Canvas(width, height, _per_side(samples, width, height))
-    model, name = _subject(subject, mesh)
-    target = f"{name}.png" if output is None else output
-    groups = Groups(_with_default_scale(world), view, lens, light)
+    groups = Groups(world, view, lens, light, space)
+    job = _job(subject, mesh, groups, picture, everywhere)
+    target = output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
+    names = _names(target, frames.count)
+    refuse_existing(names, force=force)
     started = time.perf_counter()
-    proof, remarks = _proof(model, name, groups, everywhere, (canvas, shading, reflection))
-    content = proof.png()
+    proofs = _draw(job, frames)
     milliseconds = (time.perf_counter() - started) * 1000
     if target == "-":
-        put_bytes(content)
+        put_bytes(_content(proofs, "-")[0])
         return
-    write_file(Path(target), content, force=force)
-    show(_report(proof, target, milliseconds, remarks), everywhere)
+    for name, content in zip(names, _content(proofs, target), strict=True):
+        write_file(name, content, force=force)
+    from nmatrix.answers.render import render as answer
+
+    show(answer(proofs[0], _named(names), milliseconds), everywhere)
+    if preview:
+        show_picture(proofs[0].image, everywhere)
 
 
-def _proof(
-    model: Mesh,
-    name: str,
-    groups: Groups,
-    everywhere: Everywhere,
-    drawing: tuple[Canvas, Shading, Reflection],
-) -> tuple[Proof, tuple[str, ...]]:
-    from nmatrix.raster.proofs import Setup, as_array, normals_proof
-    from nmatrix.raster.shade import Lighting
+def _job(
+    subject: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
+) -> Job:
+    """Return what the command line asks for: a proof with its brief, or a scene."""
+    from nmatrix.raster.proofs.frames import Job
 
-    canvas, shading, reflection = drawing
-    shot = groups.shot(everywhere, aspect=canvas.width / canvas.height)
-    remarks: tuple[str, ...] = ()
-    if not groups.view.is_given:
-        shot, remarks = _fitted(shot, model, groups)
-    stage = shot.stage
-    eye = as_array(stage.eye)
-    assert eye is not None  # a camera always has one
-    lighting = Lighting(
-        eye, as_array(stage.light.direction), as_array(stage.light.position), reflection
-    )
-    setup = Setup(canvas, shot.lens.clip, shading)
-    return normals_proof(model, name, stage, lighting, setup), (*shot.remarks, *remarks)
-
-
-def _fitted(shot: Shot, model: Mesh, groups: Groups) -> tuple[Shot, tuple[str, ...]]:
-    """Return the scene with a camera that sees the whole mesh."""
-    from math import atan, radians, tan
-
-    from nmatrix.raster.proofs import bounding_ball, fitted_eye
-
-    centre, radius = bounding_ball(model, shot.stage)
-    half = radians(shot.lens.fov_degrees / 2)
-    half = min(half, atan(tan(half) * shot.lens.aspect))
-    eye, near, far = fitted_eye(centre, radius, half)
-    view = replace(shot.view, eye=tuple(eye.tolist()), target=tuple(centre.tolist()))
-    lens = shot.lens
-    if groups.lens.near is None and groups.lens.far is None:
-        lens = replace(lens, near=max(near, radius * 1e-3), far=far)
-    remark = "No camera was given: it was fitted to the bounding sphere of the mesh."
-    return replace(shot, view=view, lens=lens), (remark,)
-
-
-def _subject(subject: str, mesh: str | None) -> tuple[Mesh, str]:
-    from nmatrix.scene.meshfile import read_mesh
-    from nmatrix.scene.shapes import sphere
-
-    if subject not in PROOFS and Path(subject).suffix.lower() not in MESHES:
+    suffix = Path(subject).suffix.lower()
+    if entry(subject) is not None:
+        return Job(subject, brief=_brief(subject, mesh, groups, picture, everywhere))
+    if suffix not in SCENES + MESHES:
         raise IllegalValueError(
             f"render ({subject[:60]})",
-            f"the proofs are {', '.join(PROOFS)}; meshes end in {', '.join(MESHES)}",
+            f"it is no proof; scenes end in {', '.join(SCENES)}, meshes in {', '.join(MESHES)}",
             "see nmatrix render --list",
         )
-    if subject not in PROOFS and mesh is not None:
-        raise IllegalValueError(f"{subject[:60]} with --mesh", "both are the mesh", "keep one")
-    file = mesh if subject in PROOFS else subject
-    if file is None:
-        return sphere(), "normals"
-    path = Path(file)
-    return read_mesh(path), path.stem
+    if mesh is not None:
+        raise IllegalValueError(f"{subject[:60]} with --mesh", "a proof takes it", "keep one")
+    path = Path(subject)
+    return Job(path.stem, scene=_scene(path, groups, picture, everywhere))
 
 
-def _with_default_scale(world: WorldOptions) -> WorldOptions:
-    return world if world.is_given else replace(world, scale="1 2 1")
+def _brief(
+    name: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
+) -> Brief:
+    from nmatrix.raster.proofs.brief import Brief
+    from nmatrix.scene.meshfile import read_mesh
+    from nmatrix.scene.scene import Settings
 
-
-def _size(text: str) -> tuple[int, int]:
-    width, height = numbers(text, 2, "--size")
-    if not (width.is_integer() and height.is_integer() and min(width, height) >= 1):
-        raise IllegalValueError(
-            f"--size ({text[:40]})",
-            "both sides are whole numbers of pixels, 1 at least",
-            "try 360 360",
-        )
-    if max(width, height) > LARGEST:
-        raise IllegalValueError(
-            f"--size ({text[:40]})", f"a side has {LARGEST} pixels at the most", "try 1024 1024"
-        )
-    return int(width), int(height)
-
-
-def _per_side(samples: str, width: int, height: int) -> int:
-    if samples not in SAMPLES:
-        raise IllegalValueError(
-            f"--samples ({samples[:20]})", "a pixel has 1, 4, 16 or 64", "try --samples 4"
-        )
-    if width * height * int(samples) > MOST_SAMPLES:
-        raise IllegalValueError(
-            f"--size {width} {height} --samples {samples}",
-            f"more than {MOST_SAMPLES} samples would not fit into memory",
-            "take fewer of either",
-        )
-    return SAMPLES[samples]
-
-
-def _report(proof: Proof, image: str, milliseconds: float, remarks: tuple[str, ...]) -> Report:
-    height, width = proof.image.shape[:2]
-    data: dict[str, Value] = {
-        "image": image,
-        "width": width,
-        "height": height,
-        "subject": proof.subject,
-        "max_angle_error_deg": proof.max_angle_error_deg,
-        "mean_angle_error_deg": proof.mean_angle_error_deg,
-        "max_level_difference": proof.max_level_difference,
-        "triangles": proof.triangles,
-        "fragments": proof.fragments,
-        "work": dict(proof.work),
-        "milliseconds": milliseconds,
-        "effects": ["diffuse"],
-    }
-    shown = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
-    blocks: tuple[Block, ...] = (
-        Figure(image, f"{proof.subject}: wrong normals, right normals, the angle between them"),
-        *(Quantity(key, data[key]) for key in shown),  # type: ignore[arg-type]  # numbers or None
-        Verdict(_verdict(proof)),
+    size = picture.checked_size(PANEL)
+    shot = groups.shot(everywhere, aspect=size[0] / size[1])
+    settings = _settings(Settings(size=size), groups, picture, shot)
+    return Brief(
+        name if mesh is None else Path(mesh).stem,
+        None if mesh is None else read_mesh(Path(mesh)),
+        shot.world if groups.world.is_given else None,
+        shot.view if groups.view.is_given else None,
+        shot.lens,
+        _lamps(shot),
+        settings,
+        picture.reflection or Reflection.LAMBERT,
+        time.perf_counter,
     )
-    return Report("render", data, blocks, remarks)
 
 
-def _verdict(proof: Proof) -> str:
-    worst = proof.max_angle_error_deg
-    if not proof.fragments:
-        return "Nothing of the mesh covers a sample: move the camera or make the picture larger."
-    if worst is None:
-        return "No normal survives this map."
-    if worst < 1e-4:
-        return "Both are the same here: a test on this map cannot tell a wrong normal matrix."
-    return f"With A itself the normals are up to {worst:.2f}° off."
+def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Everywhere) -> Scene:
+    """Return the scene of a file, with what the command line says in place of its own."""
+    from nmatrix.scene.open import scene_of
+
+    found = scene_of(path)
+    size = picture.checked_size(found.settings.size)
+    shot = groups.shot(everywhere, aspect=size[0] / size[1])
+    settings = _settings(replace(found.settings, size=size), groups, picture, shot)
+    objects = found.objects
+    if groups.world.is_given:
+        if len(objects) > 1:
+            raise IllegalValueError(
+                f"World options with {path.name}",
+                f"it has {len(objects)} objects, each in its own place",
+                "move them in the file",
+            )
+        placed = shot.world.world_from_object
+        objects = tuple(replace(one, world_from_object=placed) for one in objects)
+    if picture.reflection is not None:
+        objects = tuple(
+            replace(one, material=replace(one.material, reflection=picture.reflection))
+            for one in objects
+        )
+    lens = shot.lens if groups.lens.is_given else found.lens
+    if not groups.lens.is_given and picture.size is not None:
+        lens = replace(lens, aspect=size[0] / size[1])
+    return replace(
+        found,
+        objects=objects,
+        lamps=_lamps(shot) if groups.light.is_given or not found.lamps else found.lamps,
+        view=shot.view if groups.view.is_given else found.view,
+        lens=lens,
+        settings=settings,
+        has_camera=found.has_camera or groups.view.is_given,
+    )
+
+
+def _settings(settings: Settings, groups: Groups, picture: PictureOptions, shot: Shot) -> Settings:
+    chosen = groups.space.chosen(None, settings.space)
+    return replace(
+        settings,
+        space=chosen or Space.WORLD,
+        space_matrix=shot.space_matrix or settings.space_matrix,
+        shading=picture.shading or settings.shading,
+        samples=picture.checked_samples(settings.samples, settings.size),
+        normals=picture.normals or settings.normals,
+        effort=picture.effects,
+    )
+
+
+def _lamps(shot: Shot) -> tuple[Lamp, ...]:
+    """Return the light of the command line as lamps: one for its direction, one for its place."""
+    from nmatrix.scene.lamp import Lamp
+
+    light = shot.light.placed()
+    lamps = []
+    if light.direction is not None:
+        lamps.append(Lamp("sun", LampKind.DIRECTIONAL, direction=light.direction))
+    if light.position is not None:
+        lamps.append(Lamp("bulb", LampKind.POINT, position=light.position))
+    return tuple(lamps)
+
+
+def _draw(job: Job, frames: FrameOptions) -> list[Proof]:
+    from nmatrix.raster.proofs.frames import drawn, turns
+
+    jobs = [job.turned(angle) for angle in turns(frames.count)] if frames.count > 1 else [job]
+    with frames.executor() as executor:
+        return list(progress(drawn(jobs, executor), len(jobs), "frames"))
+
+
+def _names(target: str, count: int) -> list[Path]:
+    path = Path(target)
+    if count == 1 or target == "-" or path.suffix.lower() == ".gif":
+        return [path]
+    return frame_names(path, count)
+
+
+def _content(proofs: Sequence[Proof], target: str) -> list[bytes]:
+    from nmatrix.raster.proofs.frames import gif
+
+    if Path(target).suffix.lower() == ".gif" or (target == "-" and len(proofs) > 1):
+        return [gif([one.image for one in proofs])]
+    return [one.png() for one in proofs]
+
+
+def _named(names: Sequence[Path]) -> str:
+    return str(names[0]) if len(names) == 1 else f"{names[0]} … {names[-1]}"

@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from nmatrix.cli.everywhere import ColorWhen, Everywhere
 from nmatrix.enums import Format
 from nmatrix.output.options import Charset, Colour, OutputOptions
 from nmatrix.output.write import write
 from nmatrix.report import Report
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+Item = TypeVar("Item")
 
 LONGEST_LINE = 600
 WIDTH = 80
@@ -48,6 +57,25 @@ def put_bytes(content: bytes) -> None:
         sys.stdout.buffer.flush()
     except BrokenPipeError:
         _forget(sys.stdout.fileno())
+
+
+def show_picture(image: Array, everywhere: Everywhere) -> None:
+    """Show an 8-bit image in the terminal, in its colours where those may be written."""
+    from nmatrix.output.preview import preview
+
+    in_colour = _colour(everywhere) is Colour.ANSI and _charset() is Charset.UNICODE
+    put(preview(image, _width(), in_colour=in_colour))
+
+
+def progress(items: Iterator[Item], total: int, what: str) -> Iterator[Item]:
+    """Return the items, with a bar on stderr while they come, if that is a terminal."""
+    if total == 1 or not sys.stderr.isatty():
+        yield from items
+        return
+    from rich.console import Console
+    from rich.progress import track
+
+    yield from track(items, what, total, console=Console(stderr=True), transient=True)
 
 
 def fail(message: str, exit_code: int) -> int:

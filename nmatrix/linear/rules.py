@@ -10,9 +10,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import degrees
 
-from nmatrix.enums import NormalMethod, NormalStatus
+from nmatrix.enums import NormalMethod, NormalRule, NormalStatus
 from nmatrix.linear.exact import LinearMap, Normal
-from nmatrix.linear.rational import RationalMatrix, apply, rational, to_floats
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    affine,
+    apply,
+    inverse,
+    linear,
+    rational,
+    scaled,
+    to_floats,
+    transpose,
+)
 from nmatrix.linear.rounding import angle, integers, unit
 
 
@@ -66,6 +76,55 @@ def carried_by(
         "",
         degrees(angle(moved, carried)) if any(moved) else None,
     )
+
+
+@dataclass(frozen=True)
+class Carrier:
+    """How a rule carries a mesh's normals: n' = K·(n, w), over the length of its components.
+
+    Of n' three components are the normal. `components` is 3, or 4 where the fourth one is part
+    of the length by mistake.
+    """
+
+    matrix: RationalMatrix
+    w: int = 0
+    components: int = 3
+
+
+def carrier(rule: NormalRule, world_from_object: RationalMatrix) -> Carrier | None:
+    """Return how a rule carries normals through an affine map, or None where it has no answer.
+
+    The right rule is sign(det A)·C, which also serves where no inverse is left.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.affine import translation_matrix
+    >>> found = carrier(NormalRule.TRANSLATED, translation_matrix((5, 0, 0)))
+    >>> [int(found.matrix[0][3]), found.w]
+    [5, 1]
+    """
+    A = linear(world_from_object)
+    linear_map = LinearMap.of(A)
+    sign = Fraction(-1 if linear_map.integer_determinant < 0 else 1)
+    found: RationalMatrix | None
+    if rule is NormalRule.TRANSLATED:
+        return Carrier(world_from_object, w=1)
+    if rule in (NormalRule.NOT_TRANSPOSED, NormalRule.FOUR_COMPONENT):
+        return _by_inverse(rule, world_from_object) if linear_map.integer_determinant else None
+    if rule is NormalRule.EXACT:
+        found = scaled(linear_map.cofactor_matrix, sign)
+    elif rule is NormalRule.NOT_INVERTED:
+        found = transpose(A)
+    else:
+        found = normal_rule(NormalMethod(rule.value), linear_map)
+    return None if found is None else Carrier(affine(found))
+
+
+def _by_inverse(rule: NormalRule, world_from_object: RationalMatrix) -> Carrier:
+    inverted = inverse(world_from_object)
+    if rule is NormalRule.NOT_TRANSPOSED:
+        return Carrier(affine(linear(inverted)))
+    return Carrier(transpose(inverted), components=4)
 
 
 def _entries(linear_map: LinearMap) -> RationalMatrix:

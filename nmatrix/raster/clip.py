@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import DepthRange
+from nmatrix.raster.canvas import Canvas
 
 Array = NDArray[Any]
 
-GUARD = 2.0**15  # pixels on either side of the picture; beyond it triangles are cut
+GUARD = 2.0**15  # samples on either side of the middle; beyond them triangles are cut
 SMALLEST_W = 1e-300  # a corner with w > 0 stays away from the eye plane
 
 
@@ -33,31 +34,43 @@ class Triangles:
         return Triangles(self.corners[which], self.weights[which], self.source[which])
 
 
-def whole(corners: Array) -> Triangles:
+def whole(corners: Array, source: Array) -> Triangles:
     """Return triangles that nothing has cut yet."""
-    n = len(corners)
-    return Triangles(corners, np.broadcast_to(np.eye(3), (n, 3, 3)), np.arange(n))
+    return Triangles(corners, np.broadcast_to(np.eye(3), (len(corners), 3, 3)), source)
 
 
-def clip(triangles: Triangles, depth: DepthRange, width: int, height: int) -> Triangles:
-    """Return what lies in front of the near plane and inside the guard band.
+def clip(triangles: Triangles, depth: DepthRange, canvas: Canvas) -> Triangles:
+    """Return what lies between near and far and inside the guard band.
 
     Every plane is a linear function of the clip coordinates that is ≥ 0 inside; a point with
     w ≤ 0 is outside of at least one, so none survives.
     """
-    for plane in _planes(depth, 2 * GUARD / width, 2 * GUARD / height):
+    for plane in _planes(depth, canvas):
         triangles = _cut(triangles, np.array(plane))
     return triangles.kept(np.asarray((triangles.corners[:, :, 3] > SMALLEST_W).all(axis=1)))
 
 
-def _planes(depth: DepthRange, x: float, y: float) -> list[tuple[float, float, float, float]]:
-    near = {
-        DepthRange.MINUS_ONE_TO_ONE: (0.0, 0.0, 1.0, 1.0),
-        DepthRange.ZERO_TO_ONE: (0.0, 0.0, 1.0, 0.0),
-        DepthRange.REVERSED: (0.0, 0.0, -1.0, 1.0),
+def inside(corners: Array, depth: DepthRange, canvas: Canvas) -> Array:
+    """Return for corners (4, V) whether nothing cuts them off; what is not finite is outside."""
+    x, y, z, w = corners
+    near, far = (w - z, z) if depth is DepthRange.REVERSED else (z, w - z)
+    if depth is DepthRange.MINUS_ONE_TO_ONE:
+        near = z + w
+    kept = (w > SMALLEST_W) & (near >= 0) & (far >= 0)
+    kept &= np.abs(x) <= 2 * GUARD / canvas.columns * w
+    kept &= np.abs(y) <= 2 * GUARD / canvas.rows * w
+    return np.asarray(kept)
+
+
+def _planes(depth: DepthRange, canvas: Canvas) -> list[tuple[float, float, float, float]]:
+    near, far = {
+        DepthRange.MINUS_ONE_TO_ONE: ((0.0, 0.0, 1.0, 1.0), (0.0, 0.0, -1.0, 1.0)),
+        DepthRange.ZERO_TO_ONE: ((0.0, 0.0, 1.0, 0.0), (0.0, 0.0, -1.0, 1.0)),
+        DepthRange.REVERSED: ((0.0, 0.0, -1.0, 1.0), (0.0, 0.0, 1.0, 0.0)),
     }[depth]
     eye = (0.0, 0.0, 0.0, 1.0)
-    return [near, eye, (1, 0, 0, x), (-1, 0, 0, x), (0, 1, 0, y), (0, -1, 0, y)]
+    x, y = 2 * GUARD / canvas.columns, 2 * GUARD / canvas.rows
+    return [near, eye, far, (1, 0, 0, x), (-1, 0, 0, x), (0, 1, 0, y), (0, -1, 0, y)]
 
 
 def _cut(triangles: Triangles, plane: Array) -> Triangles:

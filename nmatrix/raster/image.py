@@ -48,29 +48,60 @@ def levels(image: Array) -> Array:
     return np.asarray(np.rint(np.clip(image, 0.0, 1.0) * 255).astype(np.uint8))
 
 
-def compose(title: str, panels: Sequence[Panel], legend: Legend | None = None) -> Array:
-    """Return panels of one size side by side under one title, as an 8-bit image."""
+def compose(
+    title: str, panels: Sequence[Panel], legend: Legend | None = None, columns: int = 3
+) -> Array:
+    """Return panels of one size in rows under one title, as an 8-bit image."""
     height, shown = panels[0].image.shape[:2]
-    width = max(shown, NARROWEST)
-    text = max(11, min(22, width // 20))
-    line = round(text * 1.5)
-    top = MARGIN + 2 * line
+    grid = _Grid(max(shown, NARROWEST), height, columns=min(columns, len(panels)))
+    rows = -(-len(panels) // grid.columns)
     total = (
-        MARGIN + len(panels) * (width + MARGIN),
-        top + line + height + 2 * line + (2 * line if legend else 0),
+        MARGIN + grid.columns * (grid.width + MARGIN),
+        grid.top + rows * grid.pitch + (2 * grid.line if legend else 0),
     )
     sheet = Image.new("RGB", total, PAPER)
     pen = ImageDraw.Draw(sheet)
-    pen.text((MARGIN, MARGIN), title, INK, _fitting(title, text + 2, total[0] - 2 * MARGIN))
+    pen.text((MARGIN, MARGIN), title, INK, _fitting(title, grid.text + 2, total[0] - 2 * MARGIN))
     for i, panel in enumerate(panels):
-        left = MARGIN + i * (width + MARGIN)
-        pen.text((left, top), panel.title, INK, _fitting(panel.title, text, width))
-        sheet.paste(Image.fromarray(panel.image), (left + (width - shown) // 2, top + line))
-        below = (left, top + line + height + 6)
-        pen.text(below, panel.caption, FAINT, _fitting(panel.caption, text - 1, width))
+        left, top = grid.place(i)
+        pen.text((left, top), panel.title, INK, _fitting(panel.title, grid.text, grid.width))
+        picture = Image.fromarray(panel.image)
+        sheet.paste(picture, (left + (grid.width - shown) // 2, top + grid.line))
+        below = (left, top + grid.line + height + 6)
+        pen.text(below, panel.caption, FAINT, _fitting(panel.caption, grid.text - 1, grid.width))
     if legend:
-        _draw_legend(pen, legend, (total[0] - MARGIN - width, total[1] - 2 * line + 4, width, line))
+        left = total[0] - MARGIN - grid.width
+        _draw_legend(pen, legend, (left, total[1] - 2 * grid.line + 4, grid.width, grid.line))
     return np.asarray(sheet)
+
+
+@dataclass(frozen=True)
+class _Grid:
+    """Where panels stand: their width and height in pixels, and the lines of text around them."""
+
+    width: int
+    height: int
+    columns: int
+
+    @property
+    def text(self) -> int:
+        return max(11, min(22, self.width // 20))
+
+    @property
+    def line(self) -> int:
+        return round(self.text * 1.5)
+
+    @property
+    def top(self) -> int:
+        return MARGIN + 2 * self.line
+
+    @property
+    def pitch(self) -> int:
+        return self.line + self.height + 2 * self.line
+
+    def place(self, i: int) -> tuple[int, int]:
+        row, column = divmod(i, self.columns)
+        return MARGIN + column * (self.width + MARGIN), self.top + row * self.pitch
 
 
 def png(image: Array, texts: Mapping[str, str]) -> bytes:

@@ -1,0 +1,131 @@
+"""`plan`: which effects a scene calls for, why, what each needs, and what was left out."""
+
+from __future__ import annotations
+
+from nmatrix.enums import Effect
+from nmatrix.raster.decisions import Decision
+from nmatrix.raster.effects import RECIPES
+from nmatrix.raster.plan import BUDGET, BodyPlan, Plan
+from nmatrix.report import Block, Code, Heading, Report, Table, Value, Verdict
+
+PASSES = "main"
+
+
+def plan(found: Plan, shaders: tuple[str, str]) -> Report:
+    """Return the plan of a scene as a report, with the shaders of its first object.
+
+    A row speaks for all bodies: an effect is on if one of them calls for it.
+    """
+    rows = [_row(effect, found) for effect in Effect]
+    rows += [_lamp_row(i, found) for i in range(len(found.studio.lamps))]
+    on = [effect for effect in Effect if effect in found.effects]
+    data: dict[str, Value] = {
+        "effects": rows,
+        "attributes": _needs(on, "attributes", ("position", "normal")),
+        "uniforms": _needs(on, "uniforms", ("clip_from_object",)),
+        "passes": _needs(on, "passes", (PASSES,)),
+        "objects": [_body(one) for one in found.bodies],
+        "vertex_shader": shaders[0],
+        "fragment_shader": shaders[1],
+    }
+    blocks: tuple[Block, ...] = (
+        Heading(f"{len(found.bodies)} objects, {len(found.studio.lamps)} lights"),
+        _table("Called for", rows, on=True),
+        _table("Left out", rows, on=False),
+        Verdict(_sentence(found)),
+        Code("glsl", shaders[0], "vertex shader"),
+        Code("glsl", shaders[1], "fragment shader"),
+    )
+    return Report("plan", data, blocks, found.studio.remarks)
+
+
+def _row(effect: Effect, found: Plan) -> dict[str, Value]:
+    """Return one effect's decision over all bodies."""
+    decisions = _decisions(effect, found)
+    on = [one for one in decisions if one.on]
+    chosen = on[0] if on else max(decisions, key=lambda one: one.bound)
+    because = chosen.because
+    if on and len(decisions) > 1:
+        because = f"{len(on)} of {len(decisions)} objects: {because}"
+    return {
+        "name": effect.value,
+        "on": bool(on),
+        "because": because,
+        "kind": chosen.kind.value,
+        "bound": max((one.bound for one in decisions if not one.on), default=0.0),
+        "needs": _needed(effect),
+    }
+
+
+def _decisions(effect: Effect, found: Plan) -> list[Decision]:
+    if effect in found.picture:
+        return [found.picture[effect]]
+    return [one.decisions[effect] for one in found.bodies]
+
+
+def _lamp_row(i: int, found: Plan) -> dict[str, Value]:
+    """Return whether a lamp lights anything."""
+    placed = found.studio.lamps[i]
+    decisions = [
+        one for body in found.bodies for one in body.lamp_decisions if one.placed is placed
+    ]
+    on = [one for one in decisions if one.on]
+    because = f"it can reach {len(on)} of {len(decisions)} objects"
+    if not decisions:
+        because = "it comes from everywhere"
+    elif not on:
+        because = f"it {decisions[0].because}"
+    return {
+        "name": f"light {placed.lamp.name}",
+        "on": bool(on) or not decisions,
+        "because": because,
+        "kind": "exact",
+        "bound": 0.0,
+        "needs": ["position"] if placed.position is not None else [],
+    }
+
+
+def _needed(effect: Effect) -> list[Value]:
+    recipe = RECIPES[effect]
+    needs = (one.value for one in recipe.needs)
+    return [*needs, *recipe.attributes, *recipe.uniforms, *recipe.passes]
+
+
+def _needs(on: list[Effect], what: str, always: tuple[str, ...]) -> list[Value]:
+    named = (name for effect in on for name in getattr(RECIPES[effect], what))
+    return list(dict.fromkeys((*always, *named)))
+
+
+def _body(one: BodyPlan) -> dict[str, Value]:
+    return {
+        "name": one.body.name,
+        "effects": [effect.value for effect in Effect if effect in one.effects],
+        "lights": [placed.lamp.name for placed in one.lamps],
+        "bound": one.bound,
+    }
+
+
+def _table(title: str, rows: list[dict[str, Value]], *, on: bool) -> Table:
+    cells = tuple(
+        (str(row["name"]), str(row["because"]), "" if on else _safety(row))
+        for row in rows
+        if row["on"] is on
+    )
+    return Table(("effect", "because", "" if on else "how safe"), cells, title)
+
+
+def _safety(row: dict[str, Value]) -> str:
+    bound = row["bound"]
+    if not isinstance(bound, float) or not bound:
+        return str(row["kind"])
+    return f"{row['kind']}, ≤ {bound * 255:.2g} levels"
+
+
+def _sentence(found: Plan) -> str:
+    total = len(Effect)
+    on = len(found.effects)
+    worst = max((one.bound for one in found.bodies), default=0.0)
+    return (
+        f"{on} of {total} effects are called for; what is left out moves no channel by more than "
+        f"{worst * 255:.2g} of the {BUDGET * 255:g} levels allowed."
+    )

@@ -1,0 +1,165 @@
+"""Options of pictures: how large, how finely, how many, and where they go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from typer import Option
+
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading
+from nmatrix.errors import IllegalValueError, MissingPackageError
+from nmatrix.reading.numbers import numbers
+
+PICTURE, FRAMES = "Picture", "Frames"
+SAMPLES = ("1", "4", "16", "64")
+LARGEST = 8192  # pixels on a side
+MOST_SAMPLES = 1 << 28
+MOST_FRAMES = 10_000
+MOST_WORKERS = 256
+
+
+@dataclass(frozen=True)
+class PictureOptions:
+    """What a picture looks like; what is not given is the scene file's or the proof's."""
+
+    size: Annotated[
+        str | None,
+        Option(
+            metavar="W H", help="Pixels of a picture, or of each panel.", rich_help_panel=PICTURE
+        ),
+    ] = None
+    shading: Annotated[
+        Shading | None, Option(help="Where light is evaluated.", rich_help_panel=PICTURE)
+    ] = None
+    reflection: Annotated[
+        Reflection | None, Option(help="How the surface reflects.", rich_help_panel=PICTURE)
+    ] = None
+    normals: Annotated[
+        NormalRule | None,
+        Option(help="The rule that carries normals.", rich_help_panel=PICTURE),
+    ] = None
+    samples: Annotated[
+        str | None,
+        Option(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.", rich_help_panel=PICTURE),
+    ] = None
+    effects: Annotated[
+        Effort, Option(help="What the scene calls for, or everything.", rich_help_panel=PICTURE)
+    ] = Effort.PLANNED
+
+    def checked_size(self, default: tuple[int, int]) -> tuple[int, int]:
+        """Return width and height, or say which are possible."""
+        if self.size is None:
+            return default
+        width, height = numbers(self.size, 2, "--size")
+        if not (width.is_integer() and height.is_integer() and min(width, height) >= 1):
+            raise IllegalValueError(
+                f"--size ({self.size[:40]})",
+                "both sides are whole numbers of pixels, 1 at least",
+                "try 360 360",
+            )
+        if max(width, height) > LARGEST:
+            raise IllegalValueError(
+                f"--size ({self.size[:40]})",
+                f"a side has {LARGEST} pixels at the most",
+                "try 1024 1024",
+            )
+        return int(width), int(height)
+
+    def checked_samples(self, default: int, size: tuple[int, int]) -> int:
+        """Return the samples of a pixel, or say which are possible."""
+        if self.samples is not None and self.samples not in SAMPLES:
+            raise IllegalValueError(
+                f"--samples ({self.samples[:20]})",
+                "a pixel has 1, 4, 16 or 64",
+                "try --samples 4",
+            )
+        samples = default if self.samples is None else int(self.samples)
+        if size[0] * size[1] * samples > MOST_SAMPLES:
+            raise IllegalValueError(
+                f"--size {size[0]} {size[1]} with {samples} samples",
+                f"a picture has {MOST_SAMPLES} samples at the most",
+                "take fewer of either",
+            )
+        return samples
+
+
+@dataclass(frozen=True)
+class FrameOptions:
+    """How many pictures, and who draws them."""
+
+    frames: Annotated[
+        str | None,
+        Option(
+            metavar="N", help="So many pictures: a GIF, or numbered files.", rich_help_panel=FRAMES
+        ),
+    ] = None
+    turn: Annotated[
+        bool, Option("--turn", help="Walk once around what is drawn.", rich_help_panel=FRAMES)
+    ] = False
+    workers: Annotated[
+        str | None, Option(metavar="N", help="Processes that draw.", rich_help_panel=FRAMES)
+    ] = None
+    dask: Annotated[
+        str | None, Option(metavar="ADDRESS", help="A cluster that draws.", rich_help_panel=FRAMES)
+    ] = None
+
+    @property
+    def count(self) -> int:
+        """Return how many pictures there are."""
+        default = "36" if self.turn else "1"
+        return _whole(self.frames or default, "--frames", MOST_FRAMES)
+
+    @contextmanager
+    def executor(self) -> Iterator[Executor | None]:
+        """Open what runs the jobs: nothing, processes, or a cluster's executor."""
+        workers = _whole(self.workers or "1", "--workers", MOST_WORKERS)
+        if self.dask is not None:
+            with _cluster(self.dask) as client:
+                yield client.get_executor()
+        elif workers > 1:
+            with ProcessPoolExecutor(workers) as pool:
+                yield pool
+        else:
+            yield None
+
+
+def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an optional package's client
+    try:
+        from distributed import Client
+    except ImportError:
+        raise MissingPackageError(
+            f"--dask {address[:60]}",
+            "the package distributed is not installed",
+            'run: python -m pip install "nmatrix[dask]"',
+        ) from None
+    try:
+        return Client(address, timeout="10s")
+    except (OSError, ValueError) as error:
+        raise IllegalValueError(
+            f"--dask ({address[:60]})", f"no scheduler answers there ({error})", "check the address"
+        ) from None
+
+
+def _whole(text: str, option: str, most: int) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 9 and 1 <= int(text) <= most):
+        raise IllegalValueError(
+            f"{option} ({text[:20]})", f"it is a whole number from 1 to {most}", f"try {option} 2"
+        )
+    return int(text)
+
+
+def frame_names(target: Path, count: int) -> list[Path]:
+    """Return the numbered names of a sequence.
+
+    Examples
+    --------
+    >>> [str(one) for one in frame_names(Path("a.png"), 2)]
+    ['a-0.png', 'a-1.png']
+    """
+    digits = len(str(count - 1))
+    return [target.with_stem(f"{target.stem}-{i:0{digits}}") for i in range(count)]

@@ -1,0 +1,156 @@
+"""Facts that decisions about one body rest on: each a number, computed when it is asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import e, inf, sqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.linear.classify import Classification, classify
+from nmatrix.raster.clip import inside
+from nmatrix.raster.moved import moved
+from nmatrix.raster.shading_space import ShadingSpace, as_array, dot
+from nmatrix.raster.studio import Body, PlacedLamp, Studio
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Facts:
+    """One body, the lamps that reach it, and the space that it is shaded in."""
+
+    studio: Studio
+    body: Body
+    lamps: tuple[PlacedLamp, ...]
+
+    @property
+    def space(self) -> Space:
+        """Return the shading space."""
+        return self.studio.settings.space
+
+    @cached_property
+    def map_to_space(self) -> Classification:
+        """Return what kind of map takes the body to its shading space."""
+        seen = ShadingSpace(self.studio, self.body, self.space, uses_metric=False)
+        return classify(seen.exact_from_object)
+
+    @cached_property
+    def space_is_rigid(self) -> bool:
+        """Return whether lengths read off the space's coordinates are true, to rounding."""
+        return self.studio.stage(self.body).is_rigid(self.space)
+
+    @cached_property
+    def clip_corners(self) -> Array:
+        """Return the vertices (4, V) in clip space."""
+        matrix = as_array(self.studio.clip_from_object(self.body))
+        with np.errstate(over="ignore", invalid="ignore"):
+            return moved(matrix, self.body.mesh.positions.T)
+
+    @cached_property
+    def is_whole(self) -> bool:
+        """Return whether no plane of the view cuts the body."""
+        return bool(inside(self.clip_corners, self.studio.clip.depth, self.studio.canvas).all())
+
+    @property
+    def is_parallel(self) -> bool:
+        """Return whether w is the same everywhere."""
+        return not any(self.studio.clip_from_object(self.body)[3][:3])
+
+    @cached_property
+    def w_ratio(self) -> float:
+        """Return the largest ratio of w between corners of one triangle; infinite if it is cut."""
+        if not self.is_whole:
+            return inf
+        w = self.clip_corners[3]
+        low, high = float(w.min()), float(w.max())
+        if high <= 2.0 * low:  # one triangle's ratio is no larger than the whole body's
+            return high / low
+        of_corners = w.take(self.body.mesh.triangles)
+        return float((of_corners.max(axis=1) / of_corners.min(axis=1)).max())
+
+    @cached_property
+    def normal_cosine(self) -> float:
+        """Return the smallest cosine between the world normals of one triangle's corners."""
+        space = ShadingSpace(self.studio, self.body, Space.WORLD, uses_metric=False)
+        normals = space.normals(self.studio.settings.normals)
+        a, b, c = (normals[:, self.body.mesh.triangles[:, i]] for i in range(3))
+        return min(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a)))
+
+    @property
+    def shortest_normal(self) -> float:
+        """Return the length that interpolation can shrink a normal to: √((1 + 2 cos θ)/3)."""
+        return sqrt(max(0.0, (1.0 + 2.0 * self.normal_cosine) / 3.0))
+
+    @cached_property
+    def brightness(self) -> float:
+        """Return the brightest channel of all the lamps together."""
+        return max(
+            (sum(one) for one in zip(*(lamp.colour for lamp in self.lamps), strict=True)),
+            default=0.0,
+        )
+
+    @property
+    def shines(self) -> bool:
+        """Return whether there is a highlight: the material has one, and light comes."""
+        return self.body.material.shines and bool(self.lamps)
+
+    @property
+    def slope(self) -> float:
+        """Return how much a channel moves at the most for a normal that turns by one radian.
+
+        The slope of max(0, cos) is 1, that of cosˢ is √(s/e) at the most; a mirrored ray turns
+        twice as far as the normal.
+        """
+        material = self.body.material
+        found = max(material.diffuse)
+        if self.shines:
+            turns = 2.0 if material.reflection is Reflection.PHONG else 1.0
+            found += max(material.specular) * turns * sqrt(material.shininess / e)
+        return found * self.brightness * self.contrast
+
+    @property
+    def contrast(self) -> float:
+        """Return how much levels move for light: 1, or the steepest part of sRGB."""
+        return 12.92 if self.studio.settings.gamma else 1.0
+
+    @property
+    def colour_range(self) -> float:
+        """Return how far apart the light at two vertices can be."""
+        material = self.body.material
+        found = max(material.diffuse) + (max(material.specular) if self.shines else 0.0)
+        return found * self.brightness * self.contrast
+
+    @property
+    def reads_places(self) -> bool:
+        """Return whether fragments ask where they are: in the scene or on an image."""
+        material, is_phong = self.body.material, self.studio.settings.shading is Shading.PHONG
+        placed = any(one.position is not None for one in self.lamps)
+        return bool(
+            (is_phong and (placed or self.shines or material.outline))
+            or material.texture
+            or material.normal_map
+            or material.vertex_colours
+            or self.studio.settings.fog
+            or any(one.lamp.shadows for one in self.lamps)
+        )
+
+    @property
+    def has_jumps(self) -> bool:
+        """Return whether light jumps where n·l passes 0 (highlights) or a band's edge (toon)."""
+        return self.shines or self.body.material.reflection is Reflection.TOON
+
+    @cached_property
+    def eye(self) -> Array:
+        """Return the eye in the world."""
+        return np.array([float(one) for one in self.studio.eye])
+
+    @cached_property
+    def eye_is_outside(self) -> bool:
+        """Return whether the eye is outside of the box around the body."""
+        at = self.body.positions_world
+        return bool((self.eye < at.min(axis=0)).any() or (self.eye > at.max(axis=0)).any())

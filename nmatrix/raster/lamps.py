@@ -1,0 +1,60 @@
+"""Which lamps a body need not ask: black ones, those out of range, those behind all its faces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import LampKind, Space
+from nmatrix.raster.shading_space import ShadingSpace, dot, length
+from nmatrix.raster.studio import Body, PlacedLamp, Studio
+
+Array = NDArray[Any]
+
+EDGE_ON = 1e-9  # cosines nearer to 0 than this are left to the picture
+
+
+def why_dark(studio: Studio, body: Body, placed: PlacedLamp) -> str | None:
+    """Return why a lamp cannot change a sample of a body, or None if it may.
+
+    Each reason is exact: what is left out would add zero.
+    """
+    if not any(placed.colour):
+        return "is black"
+    if placed.position is not None:
+        place = np.array([float(one) for one in placed.position])
+        gap = float(np.sqrt(((body.centre - place) ** 2).sum())) - body.radius
+        if gap > placed.lamp.range * (1 + 1e-9):
+            return f"ends at {placed.lamp.range:g}, and the body begins at {gap:.4g}"
+    return "is behind every face" if _is_behind(studio, body, placed) else None
+
+
+def _is_behind(studio: Studio, body: Body, placed: PlacedLamp) -> bool:
+    """Return whether n·l ≤ 0 for every normal and every place that interpolation can make.
+
+    Both are mixtures of a triangle's corners, so it is enough to ask each normal with each corner.
+    Only a body that is seen from one side is asked: the back of a face turns to the light. What
+    faces the light edge-on counts as lit: there rounding decides.
+    """
+    if placed.lamp.kind is LampKind.AMBIENT or body.linear_map.rank < 3:
+        return False
+    if body.material.two_sided or body.material.normal_map or not body.mesh.is_closed:
+        return False
+    normals = ShadingSpace(studio, body, Space.WORLD, uses_metric=False).normals(
+        studio.settings.normals
+    )
+    if placed.position is None:
+        assert placed.direction is not None  # a lamp is somewhere or comes from somewhere
+        travel = np.array([[float(one)] for one in placed.direction])
+        return bool((dot(normals, travel) >= EDGE_ON * length(travel)).all())
+    place = np.array([[float(one)] for one in placed.position])
+    way = place - body.positions_world.T
+    corners = body.mesh.triangles.T
+    margin = -EDGE_ON * float(length(way).max())
+    return all(
+        bool((dot(normals[:, corners[i]], way[:, corners[j]]) <= margin).all())
+        for i in range(3)
+        for j in range(3)
+    )

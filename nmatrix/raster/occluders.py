@@ -1,0 +1,48 @@
+"""What can keep a lamp's light off a body: balls between balls, so never one too few."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.raster.studio import Body, PlacedLamp, Studio
+
+Array = NDArray[Any]
+
+FLAT = 1e-9  # of the radius: what lies this close to a plane cannot stand in its own light
+
+
+def occluders(studio: Studio, placed: PlacedLamp, body: Body) -> list[str]:
+    """Return the names of bodies that can stand between a lamp and a body."""
+    return [
+        one.name
+        for one in studio.bodies
+        if one.material.opacity == 1.0
+        and (_can_shade_itself(one) if one is body else _is_between(placed, one, body))
+    ]
+
+
+def _can_shade_itself(body: Body) -> bool:
+    spread = body.positions_world - body.centre
+    thickness = float(np.linalg.svd(spread, compute_uv=False)[-1])
+    return thickness > FLAT * body.radius * float(np.sqrt(len(spread)))
+
+
+def _is_between(placed: PlacedLamp, caster: Body, body: Body) -> bool:
+    reach = caster.radius + body.radius
+    way = caster.centre - body.centre
+    if placed.position is None:
+        assert placed.direction is not None  # a lamp is somewhere or comes from somewhere
+        travel = np.array([float(one) for one in placed.direction])
+        travel /= np.sqrt(travel @ travel)
+        ahead = -float(way @ travel)
+        aside = float(np.sqrt(max(0.0, way @ way - ahead * ahead)))
+        return ahead > -reach and aside < reach
+    place = np.array([float(one) for one in placed.position])
+    to_light = place - body.centre
+    size = float(to_light @ to_light)
+    share = float(np.clip(way @ to_light / size, 0.0, 1.0)) if size else 0.0
+    nearest = way - share * to_light
+    return float(np.sqrt(nearest @ nearest)) < reach

@@ -1,0 +1,80 @@
+"""The angle between two sets of normals, measured at every visible sample of a body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import NormalRule, Space
+from nmatrix.raster.fragments import Fragments, Reads
+from nmatrix.raster.normals import angles_deg, turned_towards, unit
+from nmatrix.raster.picture import Drawable, Drawing
+from nmatrix.raster.shading_space import ShadingSpace, as_array
+from nmatrix.raster.studio import Body, Studio
+from nmatrix.raster.vertices import front_sign, project
+
+Array = NDArray[Any]
+
+CANCELLED = 1e-12  # an interpolated normal this short is rounding, not a direction
+
+
+@dataclass(frozen=True, eq=False)
+class AngleMap:
+    """Angles over a picture (height, width), and their statistics over the samples.
+
+    `mean_deg` of a pixel is over its samples that have both normals, the part `compared` of it.
+    """
+
+    pixel_deg: Array
+    compared: Array
+    covered: Array
+    worst_deg: float | None
+    mean_deg: float | None
+
+
+def angle_map(studio: Studio, wrong: Array, right: Array) -> AngleMap:
+    """Measure the angle between normals (3, V) of the studio's only body, in world space.
+
+    The two sides of a flattened body are alike: there normals count up to their sign.
+    """
+    (body,) = studio.bodies
+    exact = studio.clip_from_object(body)
+    front = front_sign(exact, studio.clip)
+    culled = -front if body.mesh.is_closed else 0
+    projected = project(body.mesh, as_array(exact), studio.canvas, studio.clip, culled)
+    of_samples: list[Array] = []
+
+    def colours(found: Fragments) -> Array:
+        a, b = (unit(found[name].T, CANCELLED) for name in ("wrong", "right"))
+        both = np.asarray(a.any(axis=1) & b.any(axis=1))
+        angles = angles_deg(a, b)
+        if body.linear_map.rank < 3:
+            angles = np.minimum(angles, 180 - angles)
+        of_samples.append(angles[both])
+        return np.stack([angles * both, both.astype(float), np.ones(len(both))])
+
+    reads = Reads(
+        points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
+    )
+    drawing = Drawing([Drawable(projected, reads, colours)], studio.canvas, np.zeros(3))
+    total, compared, covered = np.moveaxis(drawing.picture().image, 2, 0)
+    angles = np.concatenate([np.zeros(0), *of_samples])
+    return AngleMap(
+        np.divide(total, compared, out=np.zeros_like(total), where=compared > 0),
+        compared,
+        covered,
+        float(angles.max()) if len(angles) else None,
+        float(angles.mean()) if len(angles) else None,
+    )
+
+
+def normals_by(studio: Studio, body: Body, rule: NormalRule) -> Array:
+    """Return a body's normals (3, V) in the world by a rule, turned to the eye if it is flat."""
+    normals = ShadingSpace(studio, body, Space.WORLD, uses_metric=False).normals(rule)
+    if body.linear_map.rank == 3 or rule is not NormalRule.EXACT:
+        return normals
+    eye = np.array([[float(one)] for one in studio.eye])
+    return turned_towards(normals, eye - body.positions_world.T)

@@ -1,0 +1,148 @@
+"""What a proof is told, and what it hands back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Effect, LampKind, Reflection, Shape
+from nmatrix.raster.image import levels, png
+from nmatrix.raster.plan import Plan, plan_for
+from nmatrix.raster.render import Rendered, Work, render
+from nmatrix.raster.studio import Studio, studio
+from nmatrix.report import Value
+from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import Geometry, LoadedGeometry, ShapeGeometry
+from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import Material
+from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.world import World
+
+Array = NDArray[Any]
+
+SPHERE = ShapeGeometry(Shape.SPHERE)
+TORUS = ShapeGeometry(Shape.TORUS)
+SUN = Lamp("sun", LampKind.DIRECTIONAL)
+
+
+@dataclass(frozen=True)
+class Brief:
+    """How to draw: the object and its place, the camera, the light, the settings.
+
+    `mesh` is None for the proof's own shape, `world` None for its own map, and `view` None for a
+    camera that is fitted to what is drawn. `clock` tells seconds; by default it is always 0.
+    """
+
+    subject: str
+    mesh: Mesh | None = None
+    world: World | None = None
+    view: View | None = None
+    lens: Lens = field(default_factory=Lens)
+    lamps: tuple[Lamp, ...] = (SUN,)
+    settings: Settings = field(default_factory=Settings)
+    reflection: Reflection = Reflection.LAMBERT
+    clock: Callable[[], float] = float
+
+    def placed(self, default: World) -> World:
+        """Return the world that was asked for, or the proof's own."""
+        return self.world or default
+
+    def geometry(self, default: Geometry = SPHERE) -> Geometry:
+        """Return the mesh that was given, or the proof's own shape."""
+        return default if self.mesh is None else LoadedGeometry(self.mesh)
+
+    def scene(self, world: World, geometry: Geometry | None = None, **settings: Any) -> Scene:  # noqa: ANN401  # fields of Settings
+        """Return a scene with the one object, under settings that differ from the brief's."""
+        material = Material(reflection=self.reflection)
+        shown = SceneObject(
+            self.subject, geometry or self.geometry(), world.world_from_object, material
+        )
+        return self.with_objects(shown, **settings)
+
+    def with_objects(self, *objects: SceneObject, **settings: Any) -> Scene:  # noqa: ANN401  # fields of Settings
+        """Return a scene with these objects, under settings that differ from the brief's."""
+        return Scene(
+            objects,
+            self.lamps,
+            self.view or View(),
+            self.lens,
+            replace(self.settings, **settings),
+            has_camera=self.view is not None,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """A finished picture and the numbers that it shows."""
+
+    image: Array
+    subject: str
+    verdict: str
+    work: Work
+    effects: tuple[str, ...]
+    numbers: Mapping[str, Value] = field(default_factory=dict)
+    max_angle_error_deg: float | None = None
+    mean_angle_error_deg: float | None = None
+    max_level_difference: int = 0
+    remarks: tuple[str, ...] = ()
+
+    def png(self) -> bytes:
+        """Return the picture as PNG, its numbers in text chunks; never a time."""
+        texts = {
+            "Title": f"nmatrix {self.subject}",
+            "Description": self.verdict,
+            "max_angle_error_deg": repr(self.max_angle_error_deg),
+            "mean_angle_error_deg": repr(self.mean_angle_error_deg),
+            "max_level_difference": str(self.max_level_difference),
+            **{name: str(count) for name, count in asdict(self.work).items()},
+            **{k: repr(v) for k, v in self.numbers.items() if not k.startswith("milliseconds")},
+        }
+        return png(self.image, texts)
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """A scene that was drawn: its studio, its plan, its levels."""
+
+    studio: Studio
+    plan: Plan
+    rendered: Rendered
+
+    @property
+    def levels(self) -> Array:
+        """Return the 8-bit image (height, width, 3)."""
+        return levels(self.rendered.rgb)
+
+    @property
+    def effects(self) -> tuple[str, ...]:
+        """Return the effects that were on, in the order of the table."""
+        return named(self.plan)
+
+
+def named(plan: Plan) -> tuple[str, ...]:
+    """Return the effects that are on, in the order of the table."""
+    return tuple(one.value for one in Effect if one in plan.effects)
+
+
+def shown(scene: Scene) -> Shown:
+    """Draw a scene by its plan."""
+    ready = studio(scene)
+    plan = plan_for(ready)
+    return Shown(ready, plan, render(plan))
+
+
+def together(*works: Work) -> Work:
+    """Return the work of several pictures."""
+    totals = (sum(column) for column in zip(*(asdict(one).values() for one in works), strict=True))
+    return Work(*totals)
+
+
+def level_difference(a: Array, b: Array) -> int:
+    """Return the largest difference of two 8-bit images."""
+    return int(np.abs(a.astype(int) - b).max())

@@ -1,0 +1,243 @@
+"""Proofs about the rule that carries normals: right and wrong ones, side by side."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import NormalRule, Shading
+from nmatrix.linear.classify import Classification
+from nmatrix.raster.heat import ROUNDING_DEG, UNDEFINED, Scale
+from nmatrix.raster.image import Panel, compose, levels
+from nmatrix.raster.proofs.angles import AngleMap, angle_map, normals_by
+from nmatrix.raster.proofs.brief import (
+    TORUS,
+    Brief,
+    Proof,
+    Shown,
+    level_difference,
+    shown,
+    together,
+)
+from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.scene.scene import Scene
+from nmatrix.scene.world import World
+
+Array = NDArray[Any]
+
+TALL = World(scale=(1, 2, 1))
+TURNED = World(rotate_degrees=(20, 30, 40))
+INVISIBLE = 1e-4  # degrees: far below what a picture can show
+
+# What the right rule is called, by the rank of A.
+RIGHT_RULE = {
+    3: ("Right: A⁻ᵀ n", "the inverse transpose carries them"),
+    2: ("Right: C n, two-sided", "no inverse is left; the cofactors carry them"),
+}
+NO_RULE = ("Right: none", "no plane is left to be normal to")
+
+
+def normals(brief: Brief) -> Proof:
+    """Draw a mesh with wrong and with right normals, and the angle between them."""
+    scene = brief.scene(brief.placed(TALL))
+    wrong, right = _both(scene)
+    found = _measured(right, NormalRule.NONE)
+    scale = Scale.reaching(found.worst_deg)
+    kind = right.studio.bodies[0].kind
+    panels = (
+        Panel(wrong.levels, "Wrong: A n", "the matrix itself carries the normals"),
+        Panel(right.levels, *RIGHT_RULE.get(kind.rank, NO_RULE)),
+        Panel(heat(found, scale, right), "Angle between them", _angle_caption(found)),
+    )
+    image = compose(_title(brief.subject, kind), panels, scale.legend)
+    return _proof(brief, image, _verdict(found), (wrong, right), found)
+
+
+def bias(brief: Brief) -> Proof:
+    """Draw what a rotation hides and a scale shows: the same wrong matrix under both."""
+    shape = brief.geometry(TORUS)
+    turned = _both(brief.scene(TURNED, shape))
+    stretched = brief.placed(replace(TALL, rotate_degrees=TURNED.rotate_degrees))
+    scaled = _both(brief.scene(stretched, shape))
+    hidden, seen = (level_difference(a.levels, b.levels) for a, b in (turned, scaled))
+    found = _measured(scaled[1], NormalRule.NONE)
+    panels = (
+        Panel(turned[0].levels, "Rotation: A n", "looks right, and is"),
+        Panel(turned[1].levels, "Rotation: A⁻ᵀ n", f"differs by {hidden} levels: A⁻ᵀ = A"),
+        Panel(scaled[0].levels, "Scale: A n", "the same code, and wrong"),
+        Panel(scaled[1].levels, "Scale: A⁻ᵀ n", f"differs by {seen} levels"),
+    )
+    return replace(
+        _proof(
+            brief,
+            compose("A test on rotations cannot tell a wrong normal matrix", panels, columns=4),
+            f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a scale.",
+            (*turned, *scaled),
+            found,
+        ),
+        numbers={"rotation_level_difference": hidden, "scale_level_difference": seen},
+        max_level_difference=seen,
+    )
+
+
+def mirror(brief: Brief) -> Proof:
+    """Draw a mirrored object by cofactors without their sign, rightly, and with wrong winding."""
+    scene = brief.scene(brief.placed(World(scale=(-1, 1.4, 1), rotate_degrees=(0, 30, 0))))
+    right = shown(scene)
+    unsigned = shown(by_rule(scene, NormalRule.COFACTOR))
+    inside_out = shown(_other_winding(scene))
+    found = _measured(right, NormalRule.COFACTOR)
+    difference = level_difference(inside_out.levels, right.levels)
+    panels = (
+        Panel(unsigned.levels, "Cofactors, sign dropped", _angle_caption(found)),
+        Panel(right.levels, "sign(det) · C = A⁻ᵀ · |det|", "normals point outwards"),
+        Panel(inside_out.levels, "Winding not flipped", "faces are culled from the wrong side"),
+    )
+    proof = _proof(
+        brief,
+        compose("A mirror flips the sign of the cofactors, and the winding", panels),
+        f"Without the sign of det A the normals are {found.worst_deg or 0:.0f}° off.",
+        (unsigned, right, inside_out),
+        found,
+    )
+    return replace(proof, numbers={"winding_level_difference": difference})
+
+
+def translation(brief: Brief) -> Proof:
+    """Draw normals that a translation moved, and normals measured over four components."""
+    scene = brief.scene(brief.placed(World(translate=(5, 0, 0))))
+    right = shown(scene)
+    moved = shown(by_rule(scene, NormalRule.TRANSLATED))
+    per_vertex = replace(scene, settings=replace(scene.settings, shading=Shading.GOURAUD))
+    short = shown(by_rule(per_vertex, NormalRule.FOUR_COMPONENT))
+    found = _measured(right, NormalRule.TRANSLATED)
+    shrunk = normals_by(right.studio, right.studio.bodies[0], NormalRule.FOUR_COMPONENT)
+    shortest = float(np.sqrt((shrunk * shrunk).sum(axis=0)).min())
+    panels = (
+        Panel(moved.levels, "w = 1 with M", _angle_caption(found)),
+        Panel(short.levels, "A⁻ᵀ in 4×4, 4-component normalise", f"lengths fall to {shortest:.3f}"),
+        Panel(right.levels, "Right: w = 0, three components", "a normal knows no place"),
+    )
+    proof = _proof(
+        brief,
+        compose("A normal is no point: a translation must not reach it", panels),
+        f"With w = 1 the normals are up to {found.worst_deg or 0:.2f}° off; normalised over four "
+        f"components the shortest has length {shortest:.3f}.",
+        (moved, short, right),
+        found,
+    )
+    return replace(proof, numbers={"shortest_normal": shortest})
+
+
+def flatten(brief: Brief) -> Proof:
+    """Draw a flattened object: with no inverse, with a zero matrix, with the cofactors."""
+    scene = brief.scene(
+        brief.placed(World(scale=(1, 0, 1), rotate_degrees=(25, 0, 0), order="XYZ"))
+    )
+    right = shown(scene)
+    without = shown(by_rule(scene, NormalRule.INVERSE))
+    found = _measured(right, NormalRule.INVERSE)
+    covered = angle_map(
+        right.studio, *(normals_by(right.studio, right.studio.bodies[0], NormalRule.EXACT),) * 2
+    )
+    missing = np.repeat((covered.covered * UNDEFINED)[:, :, None], 3, axis=2)
+    missing += _paper(right, covered)
+    panels = (
+        Panel(levels(missing), "inv(A): no answer", "det A = 0: it raises, nothing is drawn"),
+        Panel(without.levels, "A zero matrix instead", "normals of length 0: ambient light alone"),
+        Panel(right.levels, "C n, two-sided", "the plane's own normal, and its shade"),
+    )
+    lost = level_difference(without.levels, right.levels)
+    proof = _proof(
+        brief,
+        compose("Flattened: the inverse is gone, the normal of the plane is not", panels),
+        f"The cofactors still know the plane's normal; without it {lost} levels of light are lost.",
+        (without, right),
+        found,
+    )
+    return replace(
+        proof, max_level_difference=lost, numbers={"rank": right.studio.bodies[0].kind.rank}
+    )
+
+
+def by_rule(scene: Scene, rule: NormalRule) -> Scene:
+    """Return the scene with normals carried by a rule."""
+    return replace(scene, settings=replace(scene.settings, normals=rule))
+
+
+def heat(found: AngleMap, scale: Scale, on: Shown) -> Array:
+    """Return the map of angles as an 8-bit image; grey where a normal is missing."""
+    compared, covered = found.compared[:, :, None], found.covered[:, :, None]
+    colours = compared * scale.colours(found.pixel_deg) + (covered - compared) * UNDEFINED
+    return levels(colours + _paper(on, found))
+
+
+def _paper(on: Shown, found: AngleMap) -> Array:
+    background = np.array(on.studio.settings.background)
+    return np.asarray((1 - found.covered[:, :, None]) * background)
+
+
+def _both(scene: Scene) -> tuple[Shown, Shown]:
+    """Return the scene by the matrix itself, and by the right rule."""
+    return shown(by_rule(scene, NormalRule.NONE)), shown(scene)
+
+
+def _measured(right: Shown, wrong: NormalRule) -> AngleMap:
+    body = right.studio.bodies[0]
+    by_both = (normals_by(right.studio, body, rule) for rule in (wrong, NormalRule.EXACT))
+    return angle_map(right.studio, *by_both)
+
+
+def _other_winding(scene: Scene) -> Scene:
+    """Return the scene with every triangle turned the other way, and its faces still culled."""
+    (one,) = scene.objects
+    mesh = one.geometry.mesh()
+    turned = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
+    return replace(scene, objects=(replace(one, geometry=LoadedGeometry(turned)),))
+
+
+def _proof(
+    brief: Brief, image: Array, verdict: str, drawn: tuple[Shown, ...], found: AngleMap
+) -> Proof:
+    return Proof(
+        image,
+        brief.subject,
+        verdict,
+        together(*(one.rendered.work for one in drawn)),
+        drawn[-1].effects,
+        max_angle_error_deg=found.worst_deg,
+        mean_angle_error_deg=found.mean_deg,
+        max_level_difference=level_difference(drawn[0].levels, drawn[1].levels),
+        remarks=drawn[-1].studio.remarks,
+    )
+
+
+def _title(subject: str, found: Classification) -> str:
+    kind = found.kind.value.replace("-", " ")
+    if found.condition is None:
+        return f"{subject}: {kind}, rank {found.rank}"
+    bound = found.worst_angle_deg or 0.0
+    return f"{subject}: {kind}, κ = {found.condition_text}, bound {bound:.2f}°"
+
+
+def _angle_caption(found: AngleMap) -> str:
+    if not found.covered.any():
+        return "nothing of it is seen"
+    if found.worst_deg is None or found.mean_deg is None:
+        return "no normal is left to compare"
+    if found.worst_deg <= ROUNDING_DEG:
+        return "none beyond rounding, anywhere"
+    return f"worst {found.worst_deg:.2f}°, mean {found.mean_deg:.2f}° over what is seen"
+
+
+def _verdict(found: AngleMap) -> str:
+    if not found.covered.any():
+        return "Nothing of the mesh covers a sample: move the camera or make the picture larger."
+    if found.worst_deg is None:
+        return "No normal survives this map."
+    if found.worst_deg < INVISIBLE:
+        return "Both are the same here: a test on this map cannot tell a wrong normal matrix."
+    return f"With A itself the normals are up to {found.worst_deg:.2f}° off."

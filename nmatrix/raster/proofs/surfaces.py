@@ -1,0 +1,140 @@
+"""Proofs about what happens between vertices: where light is evaluated, how normals get there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Effect, NormalRule, Reflection, Shading, Shape
+from nmatrix.raster.image import Panel, compose
+from nmatrix.raster.proofs.angles import angle_map
+from nmatrix.raster.proofs.brief import Brief, Proof, level_difference, shown, together
+from nmatrix.raster.proofs.redraw import as_levels, redrawn
+from nmatrix.raster.render import surface_of
+from nmatrix.raster.surface import Surface
+from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.material import CHECKER, Material
+from nmatrix.scene.scene import Scene, SceneObject
+from nmatrix.scene.world import World
+
+Array = NDArray[Any]
+
+COARSE = ShapeGeometry(Shape.SPHERE, (6, 12))
+TALL = World(scale=(1, 2.5, 1))
+FLOOR = World(translate=(0, -1, -3), scale=(3, 1, 6))
+
+
+def shading(brief: Brief) -> Proof:
+    """Draw flat, Gouraud and Phong shading, two highlights, and toon bands."""
+    world = brief.placed(World())
+    shape = brief.geometry(ShapeGeometry(Shape.TORUS, (12, 24)))
+    shiny = (Shading.PHONG, Reflection.PHONG)
+    drawn = {
+        "Flat shading": (Shading.FLAT, Reflection.PHONG, "light once for each triangle"),
+        "Gouraud shading": (Shading.GOURAUD, Reflection.PHONG, "light at vertices, interpolated"),
+        "Phong shading": (*shiny, "normals interpolated, light at fragments"),
+        "Phong reflection": (*shiny, "the mirrored light and the eye"),
+        "Blinn-Phong reflection": (Shading.PHONG, Reflection.BLINN_PHONG, "normal and half vector"),
+        "Toon": (Shading.PHONG, Reflection.TOON, "the cosine in bands, and an outline"),
+    }
+    found = {
+        title: shown(_as_material(brief.scene(world, shape, shading=where), reflection))
+        for title, (where, reflection, _) in drawn.items()
+    }
+    panels = [Panel(found[title].levels, title, row[2]) for title, row in drawn.items()]
+    images = {title: one.levels for title, one in found.items()}
+    apart = {
+        "flat_against_phong": level_difference(images["Flat shading"], images["Phong shading"]),
+        "gouraud_against_phong": level_difference(
+            images["Gouraud shading"], images["Phong shading"]
+        ),
+        "phong_against_blinn_phong": level_difference(
+            images["Phong reflection"], images["Blinn-Phong reflection"]
+        ),
+        "toon_levels": len(np.unique(images["Toon"])),
+    }
+    return Proof(
+        compose("Phong shading is where, Phong reflection is how", panels),
+        brief.subject,
+        f"Gouraud shading is up to {apart['gouraud_against_phong']} levels from Phong shading: it "
+        "misses highlights between vertices.",
+        together(*(one.rendered.work for one in found.values())),
+        found["Phong reflection"].effects,
+        apart,
+        max_level_difference=apart["flat_against_phong"],
+        remarks=found["Toon"].studio.remarks,
+    )
+
+
+def _as_material(scene: Scene, reflection: Reflection) -> Scene:
+    (one,) = scene.objects
+    outline = 0.3 if reflection is Reflection.TOON else 0.0
+    material = replace(one.material, reflection=reflection, outline=outline)
+    return replace(scene, objects=(replace(one, material=material),))
+
+
+def interpolation(brief: Brief) -> Proof:
+    """Draw normals normalised never, after and before interpolation; and affine interpolation."""
+    scene = brief.scene(brief.placed(TALL), brief.geometry(COARSE))
+    right = shown(scene)
+    never = as_levels(redrawn(right, lambda one: _normalised(one, before=False, after=False)))
+    after = as_levels(redrawn(right, lambda one: _normalised(one, before=False, after=True)))
+    both = as_levels(redrawn(right, lambda one: _normalised(one, before=True, after=True)))
+    surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
+    bent = angle_map(
+        right.studio,
+        *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
+    )
+    floor = shown(_checkered(brief))
+    correct = as_levels(floor.rendered.image)
+    affine = as_levels(
+        redrawn(floor, lambda one: replace(one, effects=one.effects - {Effect.PERSPECTIVE}))
+    )
+    swum = float((np.abs(affine.astype(int) - correct).max(axis=2) > 8).mean())
+    panels = (
+        Panel(never, "Never normalised", "short normals: too dark between vertices"),
+        Panel(after, "After interpolation only", f"bent by up to {bent.worst_deg or 0:.1f}°"),
+        Panel(both, "Before and after", "right"),
+        Panel(affine, "Affine interpolation", f"{swum:.0%} of the pixels are wrong"),
+        Panel(correct, "Perspective-correct", "each corner weighed by 1/w"),
+    )
+    return Proof(
+        compose("Unequal lengths bend a direction; unequal depths bend a pattern", panels),
+        brief.subject,
+        f"Normals of unequal length are bent by up to {bent.worst_deg or 0:.1f}°; affine "
+        f"interpolation moves the pattern in {swum:.0%} of the pixels.",
+        together(right.rendered.work, floor.rendered.work),
+        right.effects,
+        {
+            "never_level_difference": level_difference(never, both),
+            "after_level_difference": level_difference(after, both),
+            "affine_wrong_part": swum,
+        },
+        max_angle_error_deg=bent.worst_deg,
+        mean_angle_error_deg=bent.mean_deg,
+        max_level_difference=level_difference(never, both),
+        remarks=right.studio.remarks,
+    )
+
+
+def _normalised(surface: Surface, *, before: bool, after: bool) -> Surface:
+    on = surface.effects | {Effect.RENORMALISE} if after else surface.effects - {Effect.RENORMALISE}
+    rule = NormalRule.EXACT if before else NormalRule.INVERSE
+    look = replace(surface.look, unit_vertices=before, rule=rule)
+    return replace(surface, look=look, effects=on)
+
+
+def _checkered(brief: Brief) -> Scene:
+    """Return a floor of two large triangles that runs away from the eye."""
+    material = Material("checker", texture=CHECKER)
+    geometry = ShapeGeometry(Shape.PLANE)
+    floor = SceneObject("floor", geometry, FLOOR.world_from_object, material)
+    scene = brief.with_objects(floor)
+    lens = replace(scene.lens, near=0.1, far=50.0, fov_degrees=60.0)
+    return replace(
+        scene, view=View(eye=(0.8, 0.4, 4.5), target=(0, -1, 0.5)), lens=lens, has_camera=True
+    )

@@ -1,0 +1,180 @@
+"""A scene's picture: the plan turned into drawables, drawn, and counted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import cos, radians
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Effect, LampKind, NormalRule
+from nmatrix.raster.effects import per_sample, per_vertex
+from nmatrix.raster.lighting import Lighting, SpaceLamp, colour
+from nmatrix.raster.picture import Drawable, Drawing, Picture
+from nmatrix.raster.plan import BodyPlan, Plan
+from nmatrix.raster.shading_space import ShadingSpace, as_array
+from nmatrix.raster.shadow import Occluded, ShadowMap, shadow_maps
+from nmatrix.raster.studio import PlacedLamp, Studio
+from nmatrix.raster.surface import Look, Surface
+from nmatrix.raster.texture import to_srgb
+from nmatrix.raster.vertices import front_sign, project
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Work:
+    """What a picture took, counted: the same on every machine."""
+
+    vertices: int
+    triangles: int
+    fragments: int
+    shaded_samples: int
+    passes: int
+    multiplications: int
+
+
+@dataclass(frozen=True, eq=False)
+class Rendered:
+    """An image (height, width, 1 or 3) of levels in [0, 1], and the work that it took."""
+
+    image: Array
+    work: Work
+
+    @property
+    def rgb(self) -> Array:
+        """Return the image with three channels."""
+        return np.broadcast_to(self.image, (*self.image.shape[:2], 3))
+
+
+def render(plan: Plan, finish: Callable[[Array], Array] = np.asarray) -> Rendered:
+    """Draw a plan's studio; `finish` turns rows of levels into what is kept of them.
+
+    Raises
+    ------
+    IllegalValueError
+        For textures that cannot be read, or too many triangles.
+    NoAnswerError
+        For a shading space that a body does not have.
+    """
+    studio = plan.studio
+    maps = _shadow_maps(plan)
+    drawables = [_drawable(plan, body, maps) for body in plan.bodies]
+    background = np.array(studio.settings.background[: plan.channels])
+    drawing = Drawing(drawables, studio.canvas, background, studio.settings.depth)
+    has_gamma = plan.picture[Effect.GAMMA].on
+    picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))
+    return Rendered(picture.image, _work(plan, picture, sum(map(len, maps.values()))))
+
+
+def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
+    """Return the maps of every lamp whose shadows some body asks for."""
+    asked = {
+        placed.lamp.name: placed
+        for body in plan.bodies
+        if Effect.SHADOWS in body.effects
+        for placed in body.lamps
+        if placed.lamp.shadows
+    }
+    size, bodies = plan.studio.settings.shadow_map, plan.studio.bodies
+    return {name: shadow_maps(placed, bodies, size) for name, placed in asked.items()}
+
+
+def _drawable(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]]) -> Drawable:
+    studio = plan.studio
+    exact = studio.clip_from_object(body.body)
+    front = front_sign(exact, studio.clip)
+    culled = 0 if Effect.BACK_FACES in body.effects else -front
+    projected = project(body.body.mesh, as_array(exact), studio.canvas, studio.clip, culled)
+    surface = surface_of(plan, body, maps, front)
+    return Drawable(
+        projected, surface.reads(projected), surface.colours, body.body.material.opacity
+    )
+
+
+def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:
+    """Return how one body looks under its plan."""
+    settings = plan.studio.settings
+    space = ShadingSpace(
+        plan.studio, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
+    )
+    lighting = Lighting(
+        body.body.material,
+        tuple(_seen(one, space, body, maps, plan.channels) for one in body.lamps),
+        colour(ambient_light(plan.studio), plan.channels),
+        space.point(plan.studio.eye),
+        space.measure,
+        body.effects,
+    )
+    look = Look(
+        settings.shading,
+        plan.channels,
+        _rule(plan, body),
+        settings.fog,
+        plan.picture[Effect.GAMMA].on,
+    )
+    return Surface(space, lighting, look, body.effects, front)
+
+
+def ambient_light(studio: Studio) -> tuple[float, ...]:
+    """Return the light that comes from everywhere: the ambient lamps' sum, white if there is none.
+
+    Materials say how much of it they send back.
+    """
+    found = [one.colour for one in studio.lamps if one.lamp.kind is LampKind.AMBIENT]
+    return tuple(map(sum, zip(*found, strict=True))) if found else (1.0, 1.0, 1.0)
+
+
+def _rule(plan: Plan, body: BodyPlan) -> NormalRule:
+    """Return how normals are carried: by the matrix itself where that is right."""
+    wanted = plan.studio.settings.normals
+    if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in body.effects:
+        return NormalRule.NONE
+    return wanted
+
+
+def _seen(
+    placed: PlacedLamp,
+    space: ShadingSpace,
+    body: BodyPlan,
+    maps: dict[str, list[ShadowMap]],
+    channels: int,
+) -> SpaceLamp:
+    """Return a lamp as the body's shading space sees it."""
+    lamp = placed.lamp
+    looks = maps.get(lamp.name) if Effect.SHADOWS in body.effects else None
+    axis = None if placed.direction is None else space.direction(placed.direction)
+    return SpaceLamp(
+        colour(placed.colour, channels),
+        to_light=None if axis is None or placed.position is not None else -axis,
+        position=None if placed.position is None else space.point(placed.position),
+        axis=axis,
+        attenuation=lamp.attenuation,
+        range=lamp.range,
+        cone=tuple(cos(radians(angle)) for angle in lamp.cone_degrees)  # type: ignore[arg-type]  # two
+        if lamp.kind is LampKind.SPOT
+        else None,
+        occlusion=Occluded(looks, space) if looks and lamp.shadows else None,
+    )
+
+
+def _work(plan: Plan, picture: Picture, shadow_passes: int) -> Work:
+    bodies = plan.bodies
+    vertices = [len(one.body.mesh.positions) for one in bodies]
+    layered = any(Effect.TRANSPARENCY in one.effects for one in bodies)
+    at_vertices = sum(n * per_vertex(one.effects) for n, one in zip(vertices, bodies, strict=True))
+    at_samples = sum(
+        n * per_sample(one.effects, len(one.lamps))
+        for n, one in zip(picture.shaded, bodies, strict=True)
+    )
+    return Work(
+        vertices=sum(vertices),
+        triangles=sum(len(one.body.mesh.triangles) for one in bodies),
+        fragments=picture.fragments,
+        shaded_samples=sum(picture.shaded),
+        passes=1 + shadow_passes + layered,
+        multiplications=at_vertices + at_samples,
+    )

@@ -1,0 +1,45 @@
+"""A camera that sees everything, for files that bring none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import atan, radians, sin, tan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.scene.scene import Scene
+
+Array = NDArray[Any]
+Ball = tuple[Array, float]
+
+TOWARDS_EYE = (0.45, 0.35, 1.0)  # from the front, a little from the right and above
+ROOM = 1.05
+NEAREST = 1e-3  # of the radius, for an eye that stands inside
+
+
+def fitted(scene: Scene, balls: Sequence[Ball]) -> Scene:
+    """Return the scene with an eye that sees the balls (centre, radius) that hold its objects."""
+    centre, radius = enclosing(balls)
+    half = radians(scene.lens.fov_degrees / 2)
+    half = min(half, atan(tan(half) * scene.lens.aspect))
+    direction = np.array(TOWARDS_EYE) / np.sqrt(np.dot(TOWARDS_EYE, TOWARDS_EYE))
+    distance = radius / sin(half) * ROOM
+    eye = centre + direction * distance
+    near = max(distance - radius * ROOM, radius * NEAREST)
+    return replace(
+        scene,
+        view=replace(scene.view, eye=tuple(eye.tolist()), target=tuple(centre.tolist())),
+        lens=replace(scene.lens, near=near, far=distance + radius * ROOM),
+    )
+
+
+def enclosing(balls: Sequence[Ball]) -> Ball:
+    """Return a ball around balls: the middle of their box, and the farthest reach from there."""
+    low = np.min([centre - radius for centre, radius in balls], axis=0)
+    high = np.max([centre + radius for centre, radius in balls], axis=0)
+    middle = (low + high) / 2
+    reach = max(float(np.sqrt(((c - middle) ** 2).sum())) + r for c, r in balls)
+    return middle, reach or 1.0

@@ -1,0 +1,166 @@
+"""The plan against everything on: the same picture, for less work; and each decision's reason."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
+
+from nmatrix.enums import Effect, LampKind, LeftOut, Shading, Shape, Space
+from nmatrix.raster import decisions as decisions_module
+from nmatrix.raster import plan as plan_module
+from nmatrix.raster.plan import BUDGET, everything, planned
+from nmatrix.raster.proofs.showpiece import showpiece
+from nmatrix.raster.render import render
+from nmatrix.raster.studio import studio
+from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.scene import Scene, Settings
+from nmatrix.scene.world import World
+
+TINY_SHEAR = World(shear=(1e-4, 0, 0))
+FINE = ShapeGeometry(Shape.SPHERE, (200, 400))
+
+SCENES = {
+    "matt": single(World(rotate_degrees=(20, 30, 0))),
+    "scaled": single(World(scale=(1, 2, 1))),
+    "almost rigid": single(TINY_SHEAR),
+    "fine": single(shape=FINE),
+    "shiny": single(material=PHONG, lamps=(SUN, BULB)),
+    "fine and shiny": single(material=BLINN, shape=FINE),
+    "gouraud": single(material=PHONG, lamps=(BULB,), shading=Shading.GOURAUD),
+    "flat": single(material=PHONG, shading=Shading.FLAT),
+    "object space": single(World(scale=(1, 2, 1)), material=PHONG, space=Space.OBJECT),
+    "open": single(World(rotate_degrees=(70, 0, 0)), shape=ShapeGeometry(Shape.PLANE)),
+    "inside": single(view=View(eye=(0, 0, 0.2), target=(0, 0, -1))),
+    "box": single(World(rotate_degrees=(20, 30, 0)), shape=ShapeGeometry(Shape.BOX)),
+    "gamma": single(TINY_SHEAR, gamma=True, samples=4),
+    "showpiece": showpiece(Settings(size=(160, 120), samples=4)),
+}
+
+
+def both(scene: Scene) -> tuple[np.ndarray, np.ndarray, float]:
+    ready = studio(scene)
+    plan = planned(ready)
+    return (
+        render(plan).rgb,
+        render(everything(ready)).rgb,
+        max(body.bound for body in plan.bodies),
+    )
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_plan_changes_no_channel_by_more_than_it_says(name: str) -> None:
+    ready = studio(SCENES[name])
+    plan = planned(ready)
+    found, full = render(plan), render(everything(ready))
+    bound = max(body.bound for body in plan.bodies)
+    assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+    assert bound <= BUDGET
+    assert found.work.multiplications < full.work.multiplications
+
+
+def test_where_only_exact_shortcuts_are_taken_no_bit_changes() -> None:
+    ready = studio(single(material=PHONG, lamps=(SUN, BULB)))
+    plan = planned(ready)
+    full = everything(ready)
+    (body,), (all_on,) = plan.bodies, full.bodies
+    exact = {
+        effect for effect, one in body.decisions.items() if not one.on and one.kind is LeftOut.EXACT
+    }
+    trimmed = replace(all_on, effects=all_on.effects - exact)
+    assert exact & plan_module.SHORTCUTS
+    assert (render(replace(full, bodies=(trimmed,))).rgb == render(full).rgb).all()
+
+
+def test_a_bound_that_is_too_small_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = single(World(scale=(1, 1.5, 1)))
+    judge = decisions_module._inverse_transpose
+    monkeypatch.setitem(
+        decisions_module.JUDGES,
+        Effect.INVERSE_TRANSPOSE,
+        lambda facts: (False, judge(facts)[1], LeftOut.BOUNDED, 1e-3),
+    )
+    found, full, bound = both(scene)
+    assert np.abs(found - full).max() > bound + 1e-12
+
+
+def decision(scene: Scene, effect: Effect) -> plan_module.Decision:
+    return planned(studio(scene)).bodies[0].decisions[effect]
+
+
+def test_a_scale_calls_for_the_inverse_transpose_and_says_why() -> None:
+    found = decision(single(World(scale=(1, 2, 1))), Effect.INVERSE_TRANSPOSE)
+    assert found.on
+    assert "κ = 2" in found.because
+    assert "36.9°" in found.because
+
+
+def test_what_has_no_part_is_left_out_exactly() -> None:
+    for effect in (Effect.SPECULAR, Effect.POSITION, Effect.EYE, Effect.FOG, Effect.TEXTURE):
+        found = decision(single(), effect)
+        assert not found.on
+        assert found.kind is LeftOut.EXACT
+
+
+def test_a_tiny_shear_is_bounded_and_a_larger_one_is_not_afforded() -> None:
+    small = decision(single(TINY_SHEAR), Effect.INVERSE_TRANSPOSE)
+    assert not small.on
+    assert small.kind is LeftOut.BOUNDED
+    assert 0 < small.bound <= BUDGET
+    large = decision(single(World(shear=(0.1, 0, 0))), Effect.INVERSE_TRANSPOSE)
+    assert large.on
+    assert "levels" in large.because
+
+
+def test_highlights_allow_no_bound_because_they_jump() -> None:
+    assert decision(single(TINY_SHEAR, material=PHONG), Effect.INVERSE_TRANSPOSE).on
+
+
+def test_a_closed_mesh_needs_no_back_faces_until_the_eye_is_inside() -> None:
+    assert not decision(single(), Effect.BACK_FACES).on
+    assert decision(SCENES["inside"], Effect.BACK_FACES).on
+    assert decision(SCENES["open"], Effect.BACK_FACES).on
+
+
+def test_lamps_that_cannot_reach_are_named() -> None:
+    far = replace(BULB, name="far", position=(100, 0, 0), range=5)
+    black = Lamp("black", LampKind.DIRECTIONAL, intensity=0)
+    (body,) = planned(studio(single(lamps=(SUN, far, black)))).bodies
+    assert [one.on for one in body.lamp_decisions] == [True, False, False]
+    assert "ends at 5" in body.lamp_decisions[1].because
+    assert "black" in body.lamp_decisions[2].because
+
+
+def test_a_lamp_behind_every_face_is_left_out() -> None:
+    below = Lamp("below", LampKind.DIRECTIONAL, direction=(0, 1, 0))
+    lid = ShapeGeometry(Shape.BOX)
+    (body,) = planned(studio(single(lamps=(below,), shape=lid))).bodies
+    assert body.lamp_decisions[0].on, "a box has a face for every light"
+
+
+def test_shadows_are_left_out_where_nothing_stands_in_the_way() -> None:
+    casting = replace(SUN, shadows=True)
+    alone = single(lamps=(casting,), shape=ShapeGeometry(Shape.PLANE))
+    assert not decision(alone, Effect.SHADOWS).on
+    assert decision(single(lamps=(casting,)), Effect.SHADOWS).on
+
+
+def test_steep_ratios_of_w_call_for_exact_weights() -> None:
+    steep = single(
+        World(translate=(0, -0.5, -900), scale=(5, 1, 903)),
+        shape=ShapeGeometry(Shape.PLANE),
+        view=View(eye=(0, 0, 4.5)),
+    )
+    wide = replace(steep, lens=replace(steep.lens, near=1e-3, far=1e4))
+    assert decision(wide, Effect.EXACT_WEIGHTS).on
+    assert not decision(single(), Effect.EXACT_WEIGHTS).on
+
+
+def test_grey_scenes_have_one_channel() -> None:
+    assert planned(studio(single())).channels == 1
+    tinted = single(material=replace(LAMBERT, diffuse=(0.8, 0.2, 0.2)))
+    assert planned(studio(tinted)).channels == 3

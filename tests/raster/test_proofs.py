@@ -1,0 +1,229 @@
+"""Every proof image by its claim: an angle, a difference, a count."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+from importlib import import_module
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from nmatrix.enums import NormalRule
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.classify import classify
+from nmatrix.raster.heat import Scale
+from nmatrix.raster.proofs import rules
+from nmatrix.raster.proofs.angles import normals_by
+from nmatrix.raster.proofs.brief import Brief, Proof
+from nmatrix.raster.proofs.catalogue import PROOFS, entry
+from nmatrix.raster.proofs.frames import Job, gif, turns
+from nmatrix.raster.studio import studio
+from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.scene import Settings
+from nmatrix.scene.shapes import sphere, torus
+from nmatrix.scene.world import World
+
+SMALL = Settings(size=(96, 96), samples=4)
+
+
+def proof(name: str, **brief: object) -> Proof:
+    return Job(name, brief=Brief(name, **{"settings": SMALL, **brief})).draw()  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", [one.name for one in PROOFS])
+def test_every_proof_draws_a_picture_with_its_numbers(name: str) -> None:
+    found = proof(name)
+    assert found.image.dtype == np.uint8
+    assert np.ptp(found.image) > 100
+    assert found.verdict.endswith(".")
+    assert found.work.multiplications > 0
+    image = Image.open(io.BytesIO(found.png()))
+    assert image.text["Description"] == found.verdict
+    assert not any("milliseconds" in key for key in image.text)
+
+
+@pytest.mark.parametrize("name", [one.name for one in PROOFS])
+def test_the_same_proof_is_the_same_bytes(name: str) -> None:
+    assert proof(name).png() == proof(name).png()
+
+
+@pytest.mark.parametrize("scale", [(1, 2, 1), (1, 0.25, 1), (3, 1, 1)])
+def test_normals_come_close_to_the_bound_and_never_pass_it(scale: tuple) -> None:
+    world = World(scale=scale)
+    found = proof("normals", world=world).max_angle_error_deg
+    bound = classify(world.world_from_object).worst_angle_deg
+    assert bound * 0.98 < found <= bound * (1 + 1e-3)
+
+
+def test_bias_is_invisible_under_a_rotation_and_plain_under_a_scale() -> None:
+    found = proof("bias")
+    assert found.numbers["rotation_level_difference"] == 0
+    assert found.numbers["scale_level_difference"] > 50
+
+
+def test_five_spaces_differ_by_rounding_alone() -> None:
+    found = proof("spaces")
+    assert max(found.numbers["differences"].values()) <= 1e-12
+    assert len(found.numbers["differences"]) == 5
+    assert found.max_level_difference == 0
+
+
+def test_object_rule_keeps_or_moves_the_terminator() -> None:
+    found = proof("object-rule", settings=replace(SMALL, size=(160, 160), samples=1)).numbers
+    # Normals of another length between vertices bend a little: a pixel here and there.
+    assert found["terminator_inverted_pixels"] <= 4
+    assert found["terminator_transposed_against_naive_pixels"] <= 4
+    assert found["terminator_transposed_pixels"] > 200
+    assert min(found["levels_transposed"], found["levels_inverted"]) > 50
+
+
+def test_mirror_without_the_sign_is_upside_down() -> None:
+    found = proof("mirror")
+    assert found.max_angle_error_deg == pytest.approx(180)
+    assert found.numbers["winding_level_difference"] > 100
+
+
+def test_a_mirror_by_the_right_rule_hides_nothing() -> None:
+    found = proof("normals", world=World(scale=(-1, 1, 1)))
+    assert found.max_angle_error_deg < 1e-9
+
+
+def test_the_light_sticks_in_model_space_alone() -> None:
+    found = proof("stuck-light").numbers
+    assert found["vertex_change_model_space"] < 1e-12
+    assert found["vertex_change_eye_space"] > 0.5
+
+
+def test_a_flashlight_walks_along() -> None:
+    found = proof("flashlight").numbers
+    assert found["middle_change_eye"] <= 1
+    assert found["middle_change_world"] > 100
+
+
+def test_shading_models_differ_where_they_should() -> None:
+    found = proof("shading").numbers
+    assert 0 < found["gouraud_against_phong"] <= found["flat_against_phong"] + 20
+    assert found["phong_against_blinn_phong"] > 10
+
+
+def test_interpolation_bends_directions_and_patterns() -> None:
+    found = proof("interpolation")
+    assert 3 < found.max_angle_error_deg < 20
+    assert found.numbers["never_level_difference"] > 50
+    assert found.numbers["affine_wrong_part"] > 0.2
+
+
+def test_a_four_component_normalise_leaves_a_fifth_of_the_length() -> None:
+    found = proof("translation")
+    assert found.numbers["shortest_normal"] == pytest.approx(1 / np.sqrt(26), rel=1e-3)
+    assert found.max_angle_error_deg > 90
+
+
+def test_flattened_normals_come_from_the_cofactors() -> None:
+    found = proof("flatten")
+    assert found.numbers["rank"] == 2
+    assert found.max_level_difference > 50
+
+
+def test_reversed_float_depth_alone_ends_the_fight() -> None:
+    found = proof("depth").numbers
+    assert found["wrong_float32_reversed"] == 0
+    assert found["wrong_float32_standard"] > 0.02
+    assert found["wrong_unorm24_reversed"] == pytest.approx(
+        found["wrong_unorm24_standard"], abs=0.02
+    )
+    assert found["wrong_unorm16_standard"] > 0.5
+
+
+def test_accuracy_falls_step_by_step() -> None:
+    found = proof("accuracy").numbers
+    assert found["worst_deg_float16"] > 20
+    assert 0.1 < found["worst_deg_float32"] < 20
+    assert found["worst_deg_float64"] < 1e-6
+
+
+def test_effects_are_left_out_without_a_trace() -> None:
+    found = proof("effects").numbers
+    assert found["difference"] <= 1e-12
+    assert found["multiplications_planned"] < 0.9 * found["multiplications_everything"]
+
+
+def test_the_claims_would_fail_with_the_wrong_rule(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        rules, "normals_by", lambda ready, body, rule: normals_by(ready, body, NormalRule.NONE)
+    )
+    assert proof("normals").max_angle_error_deg == 0
+    assert proof("mirror").max_angle_error_deg == 0
+
+
+def test_the_order_of_triangles_does_not_matter() -> None:
+    mesh = torus(16, 32)
+    shuffled = np.random.default_rng(1).permutation(len(mesh.triangles))
+    other = Mesh(mesh.positions, mesh.normals, mesh.triangles[shuffled])
+    world = World(scale=(1, 2, 1), rotate_degrees=(40, 10, 0))
+    first, second = (proof("normals", mesh=one, world=world).image for one in (mesh, other))
+    assert (first == second).all()
+
+
+def test_a_flattened_sphere_is_one_plane_that_faces_the_eye() -> None:
+    scene = Brief("flat", sphere(16, 32), settings=SMALL).scene(World(scale=(1, 0, 1)))
+    ready = studio(scene)
+    normals = normals_by(ready, ready.bodies[0], NormalRule.EXACT)
+    assert len(np.unique(normals + 0.0, axis=1).T) == 1
+    found = proof("normals", mesh=sphere(16, 32), world=World(scale=(1, 0, 1)))
+    assert found.max_angle_error_deg == pytest.approx(90)
+
+
+def test_both_sides_of_a_flattened_sphere_look_alike() -> None:
+    found = proof("normals", world=World(scale=(1, 0, 1)), settings=replace(SMALL, size=(240, 240)))
+    right = found.image[:, found.image.shape[1] // 3 : found.image.shape[1] * 2 // 3]
+    rows, columns = np.nonzero((right[:, :, 0] > 40) & (right[:, :, 0] < 200))
+    middle = int(np.median(columns))
+    line = right[int(np.median(rows)), middle - 10 : middle + 10]
+    assert np.ptp(line[:, 0].astype(int)) <= 8, "a checkerboard of both sides"
+
+
+@pytest.mark.parametrize("scale", [(1, 0, 0), (0, 0, 0)])
+def test_a_line_or_a_point_has_no_normal_to_compare(scale: tuple) -> None:
+    assert proof("normals", world=World(scale=scale)).max_angle_error_deg is None
+
+
+def test_a_difference_that_is_rounding_alone_is_drawn_in_one_colour() -> None:
+    worst = proof("normals", world=World(rotate_degrees=(20, 30, 40))).max_angle_error_deg
+    angles = np.array([0.0, worst])
+    none, some = Scale.reaching(worst).colours(angles)
+    assert (none == some).all()
+    none, some = Scale(worst).colours(angles)  # what stretching to the full range would do
+    assert (none != some).any()
+
+
+@pytest.mark.parametrize(
+    "scale", [(1e200, 1e-200, 1), (1e-170, 1, 1), (1e-90, 1e-90, 1e-90), (1e90, 1e-250, 1)]
+)
+def test_extreme_scales_are_drawn_or_refused_in_one_line(scale: tuple) -> None:
+    try:
+        found = proof("normals", world=World(scale=scale))
+    except NoAnswerError as error:
+        assert max(scale) > 1e100
+        assert "1e+100" in str(error)
+    else:
+        assert found.image.dtype == np.uint8
+
+
+def test_walking_around_turns_the_picture_and_comes_back() -> None:
+    job = Job(
+        "normals", brief=Brief("normals", torus(), World(rotate_degrees=(50, 0, 0)), settings=SMALL)
+    )
+    images = [job.turned(angle).draw().image for angle in (*turns(4), 360.0)]
+    assert (images[0] == images[4]).all()
+    assert (images[0] != images[1]).any()
+    assert gif(images[:4])[:6] == b"GIF89a"
+    assert Image.open(io.BytesIO(gif(images[:4]))).n_frames == 4
+
+
+def test_every_entry_has_its_function() -> None:
+    for one in PROOFS:
+        assert callable(getattr(import_module(f"nmatrix.raster.proofs.{one.module}"), one.function))
+    assert entry("nothing") is None
