@@ -105,7 +105,6 @@ class ToleranceOption:
         Option(
             metavar="T",
             help="Relative tolerance for the kind of map (1e-12, files 1e-6).",
-            rich_help_panel="World",
         ),
     ] = None
 

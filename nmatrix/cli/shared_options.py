@@ -13,13 +13,16 @@ from nmatrix.reading.numbers import number, numbers
 from nmatrix.report import Vector
 
 WORLD, VIEW, LENS, LIGHT = "World", "View", "Lens", "Light"
+CONVENTIONS = "Conventions"  # options of two groups, of which a command may take only one
 
 ReadNumbers = Callable[[str, int, str], Vector]
 
 ConventionOption = Annotated[
     Convention | None,
     Option(
-        "--convention", help="How angles make a matrix (default: standard).", rich_help_panel=WORLD
+        "--convention",
+        help="How angles make a matrix (default: standard).",
+        rich_help_panel=CONVENTIONS,
     ),
 ]
 HandedOption = Annotated[
@@ -27,7 +30,7 @@ HandedOption = Annotated[
     Option(
         "--handed",
         help="The camera looks down −z (right, the default) or +z (left).",
-        rich_help_panel=VIEW,
+        rich_help_panel=CONVENTIONS,
     ),
 ]
 

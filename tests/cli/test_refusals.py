@@ -73,3 +73,20 @@ def test_help_is_shown_whatever_stands_beside_it(nmatrix, words: list[str]) -> N
     code, out, err = nmatrix(*words)
     assert (code, err) == (0, "")
     assert "Usage:" in out
+
+
+@pytest.mark.parametrize(
+    ("name", "panels"),
+    [
+        ("view", {"Options", "View", "Conventions", "Output"}),
+        ("projection", {"Options", "Lens", "Conventions", "Output"}),
+        ("world", {"Options", "World", "Conventions", "Output"}),
+        ("inspect", {"Arguments", "Options", "Output"}),
+    ],
+)
+def test_help_has_a_panel_for_each_group_that_the_command_takes(
+    nmatrix, name: str, panels: set[str]
+) -> None:
+    _, out, _ = nmatrix(name, "--help")
+    shown = {line.split()[1] for line in out.splitlines() if line.startswith("╭─")}
+    assert shown - {"Scene"} == panels
