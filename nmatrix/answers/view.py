@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from nmatrix.answers.wording import transform_remarks
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError
@@ -10,7 +12,7 @@ from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.report import Heading, Quantity, Report, Value, Vector, Verdict
+from nmatrix.report import Block, Heading, Matrix, Quantity, Report, Vector, Verdict
 from nmatrix.scene.shot import Shot
 
 
@@ -31,7 +33,7 @@ def view(shot: Shot) -> Report:
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
     normal_matrix = found.linear_map.inverse_transpose
-    data: dict[str, Value] = {
+    data: dict[str, Vector | Matrix] = {
         "camera_from_world": V,
         "rotation": R,
         "translation": T,
@@ -41,21 +43,30 @@ def view(shot: Shot) -> Report:
         "forward": forward,
         "normal_matrix": normal_matrix,
     }
-    blocks = (
-        Heading("View matrix: camera from world, V = R · T"),
-        Quantity("camera_from_world", V, "V"),
-        Heading("Its factors: first move the eye to the origin, then turn"),
-        Quantity("rotation", R, "R"),
-        Quantity("translation", T, "T"),
-        Heading("The camera in the world"),
-        Quantity("eye", placed.eye, "eye"),
-        Quantity("right", right, "right"),
-        Quantity("up", up, "up"),
-        Quantity("forward", forward, "forward"),
-        Quantity("normal_matrix", normal_matrix, "normal matrix, V⁻ᵀ of the 3×3 block"),
-        Verdict(_verdict(needs=found.needs_inverse_transpose)),
-    )
-    return Report("view", data, blocks, (*placed.remarks, *transform_remarks(found)))
+    return Report("view", data, _blocks(data, found), (*placed.remarks, *transform_remarks(found)))
+
+
+_HEADINGS = {
+    "camera_from_world": "View matrix: camera from world, V = R · T",
+    "rotation": "Its factors: first move the eye to the origin, then turn",
+    "eye": "The camera in the world",
+}
+_TITLES = {
+    "camera_from_world": "V",
+    "rotation": "R",
+    "translation": "T",
+    "normal_matrix": "normal matrix, V⁻ᵀ of the 3×3 block",
+}
+
+
+def _blocks(data: Mapping[str, Vector | Matrix], found: Classification) -> tuple[Block, ...]:
+    """Return every quantity in the order of the data, under three headings."""
+    blocks: list[Block] = []
+    for key, value in data.items():
+        if key in _HEADINGS:
+            blocks.append(Heading(_HEADINGS[key]))
+        blocks.append(Quantity(key, value, _TITLES.get(key, key)))
+    return (*blocks, Verdict(_verdict(needs=found.needs_inverse_transpose)))
 
 
 def camera_axes(

@@ -124,22 +124,28 @@ def shear() -> tuple[list[Step], str]:
 
 def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> list[Step]:
     """Carry one normal both ways and measure both against the moved tangent."""
-    K, det = cofactors(A_), determinant(A_)
-    right = K * n / det
-    wrong_dot, right_dot = (A_ * t).dot(A_ * n), (A_ * t).dot(right)
-    bent = (A_ * n).cross(right).norm() / (A_ * n).dot(right)
-    return [
-        step(
-            formula(
-                words("n = ", "n = "),
-                n,
-                words(",  t = ", r",\; t = "),
-                t,
-                words(",  t · n = 0", r",\; t \cdot n = 0"),
-            ),
-            "take one normal and a tangent perpendicular to it",
-            proved=t.dot(n) == 0,
+    wrong, right = A_ * n, cofactors(A_) * n / determinant(A_)
+    return [_chosen(n, t), *_against_tangent(A_ * t, wrong, right), _angle_between(wrong, right)]
+
+
+def _chosen(n: sp.Matrix, t: sp.Matrix) -> Step:
+    return step(
+        formula(
+            words("n = ", "n = "),
+            n,
+            words(",  t = ", r",\; t = "),
+            t,
+            words(",  t · n = 0", r",\; t \cdot n = 0"),
         ),
+        "take one normal and a tangent perpendicular to it",
+        proved=t.dot(n) == 0,
+    )
+
+
+def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> list[Step]:
+    """Measure A n and A⁻ᵀ n against the moved tangent."""
+    wrong_dot, right_dot = moved_t.dot(wrong), moved_t.dot(right)
+    return [
         step(
             formula(_dot("A n"), EQUALS, wrong_dot, NOT_EQUAL, words("0")),
             "moved by A the normal is no longer perpendicular to the moved tangent",
@@ -157,15 +163,18 @@ def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> list[Step]:
             "moved by the inverse transpose it is",
             proved=right_dot == 0,
         ),
-        step(
-            formula(words("tan θ", r"\tan\theta"), EQUALS, bent),
-            "θ is the angle between the two",
-            proved=equal(
-                bent**2 * (A_ * n).dot(right) ** 2,
-                (A_ * n).dot(A_ * n) * right.dot(right) - (A_ * n).dot(right) ** 2,
-            ),
-        ),
     ]
+
+
+def _angle_between(wrong: sp.Matrix, right: sp.Matrix) -> Step:
+    """Prove tan θ by Lagrange's identity: |a × b|² = a² b² − (a · b)²."""
+    along = wrong.dot(right)
+    tangent = wrong.cross(right).norm() / along
+    return step(
+        formula(words("tan θ", r"\tan\theta"), EQUALS, tangent),
+        "θ is the angle between the two",
+        proved=equal(tangent**2 * along**2, wrong.dot(wrong) * right.dot(right) - along**2),
+    )
 
 
 def _dot(text: str, latex: str | None = None) -> Words:

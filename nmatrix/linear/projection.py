@@ -62,6 +62,7 @@ class Window:
 
 
 DEFAULT_CLIP_SPACE = ClipSpace()
+CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 
 
 def perspective(
@@ -102,6 +103,12 @@ def perspective(
     (0.0, 0.0, -1.0, -2.0)
     (0.0, 0.0, -1.0, 0.0)
     """
+    focal = _focal_lengths(half_fov_y, aspect)
+    return _perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
+
+
+def _focal_lengths(half_fov_y: Angle, aspect: float) -> tuple[Fraction, Fraction]:
+    """Return how far away a view of width 2, and one of height 2, fill the field."""
     if half_fov_y.sine <= 0 or half_fov_y.cosine <= 0:
         raise IllegalValueError(
             "the field of view",
@@ -110,12 +117,22 @@ def perspective(
         )
     check_aspect(aspect)
     focal = half_fov_y.cosine / half_fov_y.sine
-    slope, offset = perspective_depth(near, far, clip.depth)
-    g = clip.forward_z
+    return focal / Fraction(aspect), focal
+
+
+def _perspective_rows(
+    focal: tuple[Fraction, Fraction],
+    centre: tuple[Fraction, Fraction],
+    depth_row: tuple[Fraction, Fraction],
+    clip: ClipSpace,
+) -> Rows:
+    """Return what every perspective matrix is: focal lengths, off-centre terms, depth, w = g·z."""
+    g, y = clip.forward_z, clip.y_sign
+    slope, offset = depth_row
     return to_floats(
         (
-            (focal / Fraction(aspect), ZERO, ZERO, ZERO),
-            (ZERO, clip.y_sign * focal, ZERO, ZERO),
+            (focal[0], ZERO, -g * centre[0], ZERO),
+            (ZERO, y * focal[1], -g * y * centre[1], ZERO),
             (ZERO, ZERO, g * slope, offset),
             (ZERO, ZERO, Fraction(g), ZERO),
         )
@@ -131,15 +148,12 @@ def frustum(window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_C
     (1.0, 0.0, 1.0, 0.0)
     """
     left, right, bottom, top = window.checked()
-    slope, offset = perspective_depth(near, far, clip.depth)
-    n, g, y = Fraction(near), clip.forward_z, clip.y_sign
-    return to_floats(
-        (
-            (2 * n / (right - left), ZERO, -g * (right + left) / (right - left), ZERO),
-            (ZERO, y * 2 * n / (top - bottom), -g * y * (top + bottom) / (top - bottom), ZERO),
-            (ZERO, ZERO, g * slope, offset),
-            (ZERO, ZERO, Fraction(g), ZERO),
-        )
+    width, height, n = right - left, top - bottom, Fraction(near)
+    return _perspective_rows(
+        (2 * n / width, 2 * n / height),
+        ((right + left) / width, (top + bottom) / height),
+        perspective_depth(near, far, clip.depth),
+        clip,
     )
 
 
