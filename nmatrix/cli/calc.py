@@ -9,6 +9,7 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
@@ -37,6 +38,7 @@ def calc(
     world: WorldOptions,
     view: ViewOptions,
     lens: LensOptions,
+    scene: SceneOptions,
     everywhere: Everywhere,
     expression: Annotated[str, Argument(metavar="EXPRESSION", help="What to compute.")],
     let: Annotated[
@@ -52,7 +54,7 @@ def calc(
     from nmatrix.calculator.values import Arithmetic
 
     sources = Sources(everywhere.input_layout)
-    names = _scene_names(Groups(world, view, lens), sources, expression)
+    names = _scene_names(Groups(world, view, lens, scene=scene), sources, expression)
     for definition in let or ():
         name, value = _named(definition, sources, names)
         names[name] = value
@@ -65,7 +67,7 @@ def _scene_names(groups: Groups, sources: Sources, expression: str) -> dict[str,
 
     shot = groups.shot_from(sources)
     piped = (groups.world.world_matrix or "").partition("#")[0] == "-"
-    typed = shot.world if piped else groups.world.build_exact(sources)  # stdin is read once
+    typed = shot.world if piped else groups.typed_world(sources, shot)  # stdin is read once
     exact = _is_rational(typed)
     world = typed.exact if exact else shot.world.world_from_object
     names = {"M": Value(world, exact=exact)}

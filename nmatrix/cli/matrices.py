@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, ToleranceOption
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import WorldOptions
@@ -13,7 +14,7 @@ HELP = {
 
 nmatrix world --translate -3 0 -1.5 --rotate 0 30 0 --order ZYX
 
-nmatrix world --world-matrix node.json -f json
+nmatrix world --scene arm.toml --object hand -f json
 
 The world matrix M = T · R · S · H, what kind of map it is, its parts, its normal matrix.""",
     "view": """nmatrix view --eye 3 3 2.5 --target 0 0 0
@@ -31,22 +32,25 @@ The projection matrix, and the smallest gap that its depth can tell.""",
 }
 
 
-def world(world: WorldOptions, tolerance: ToleranceOption, everywhere: Everywhere) -> None:
+def world(
+    world: WorldOptions, tolerance: ToleranceOption, scene: SceneOptions, everywhere: Everywhere
+) -> None:
     """Show the world matrix."""
     from nmatrix.answers.world import world as answer
 
-    show(answer(Groups(world=world, tolerance=tolerance).shot(everywhere)), everywhere)
+    groups = Groups(world=world, tolerance=tolerance, scene=scene)
+    show(answer(groups.shot(everywhere)), everywhere)
 
 
-def view(view: ViewOptions, everywhere: Everywhere) -> None:
+def view(view: ViewOptions, scene: SceneOptions, everywhere: Everywhere) -> None:
     """Show the view matrix."""
     from nmatrix.answers.view import view as answer
 
-    show(answer(Groups(view=view).shot(everywhere)), everywhere)
+    show(answer(Groups(view=view, scene=scene).shot(everywhere)), everywhere)
 
 
-def projection(lens: LensOptions, everywhere: Everywhere) -> None:
+def projection(lens: LensOptions, scene: SceneOptions, everywhere: Everywhere) -> None:
     """Show the projection matrix."""
     from nmatrix.answers.projection import projection as answer
 
-    show(answer(Groups(lens=lens).shot(everywhere)), everywhere)
+    show(answer(Groups(lens=lens, scene=scene).shot(everywhere)), everywhere)

@@ -10,6 +10,7 @@ from typer import Argument, Option
 from nmatrix.cli.alternatives import refuse_together
 from nmatrix.cli.camera_options import ViewOptions
 from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions, ToleranceOption
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import WorldOptions
@@ -34,6 +35,7 @@ def normal(
     view: ViewOptions,
     space: SpaceOptions,
     tolerance: ToleranceOption,
+    scene: SceneOptions,
     everywhere: Everywhere,
     matrix: Annotated[
         str | None, Argument(metavar="MATRIX", help="The world matrix; - reads stdin.")
@@ -50,10 +52,12 @@ def normal(
     from nmatrix.answers.normal import NormalRequest
     from nmatrix.answers.normal import normal as answer
 
-    groups = Groups(_with_matrix(world, matrix), view, space=space, tolerance=tolerance)
+    if matrix is not None or scene.scene is None:
+        world = _with_matrix(world, matrix)
+    groups = Groups(world, view, space=space, tolerance=tolerance, scene=scene)
     request = NormalRequest(
         normals=tuple(numbers(text, 3, "--normal") for text in normals or ()),
-        space=space.chosen(None, Space.WORLD) or Space.WORLD,
+        space=space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
         method=method,
     )
     show(answer(groups.shot(everywhere), request), everywhere)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import SPACE_SYNONYMS, Space
@@ -16,8 +17,11 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import number
 from nmatrix.scene.camera import View
-from nmatrix.scene.lens import Lens
 from nmatrix.scene.shot import LightSource, Shot
+
+if TYPE_CHECKING:
+    from nmatrix.scene.scene import Scene
+    from nmatrix.scene.world import World
 
 SPACE = "Space"
 _NAMES = (*(space.value for space in Space), *SPACE_SYNONYMS)
@@ -130,26 +134,64 @@ class Groups:
     light: LightOptions = field(default_factory=LightOptions)
     space: SpaceOptions = field(default_factory=SpaceOptions)
     tolerance: ToleranceOption = field(default_factory=ToleranceOption)
+    scene: SceneOptions = field(default_factory=SceneOptions)
 
-    def shot(self, everywhere: Everywhere, aspect: float = 1.0) -> Shot:
-        """Return the scene that the command line describes."""
+    def shot(self, everywhere: Everywhere, aspect: float | None = None) -> Shot:
+        """Return what the command line describes; `aspect` is that of a picture, if it has one."""
         sources = Sources(everywhere.input_layout)
         return self.shot_from(sources, aspect)
 
-    def shot_from(self, sources: Sources, aspect: float = 1.0) -> Shot:
-        """Return the scene, reading matrices from these sources."""
-        lens: Lens = self.lens.build(sources, aspect)
-        light: LightSource = self.light.build()
+    def shot_from(self, sources: Sources, aspect: float | None = None) -> Shot:
+        """Return the same, reading matrices from these sources."""
+        if self.scene.scene is not None:
+            return self._shot_of_scene(self.scene.scene, sources, aspect)
         return Shot(
             world=self.world.build(sources),
-            view=self._view(sources),
-            lens=lens,
-            light=light,
+            view=self._handed(self.view.build(sources)),
+            lens=self.lens.build(sources, aspect or 1.0),
+            light=self.light.build(),
             space_matrix=self.space.matrix(sources),
             tolerance=self.tolerance.value(sources),
         )
 
-    def _view(self, sources: Sources) -> View:
-        view = self.view.build(sources)
+    def _shot_of_scene(self, scene: Scene, sources: Sources, aspect: float | None) -> Shot:
+        from nmatrix.cli.overlay import lens_over, light_over, view_over, world_over
+
+        chosen = self.scene.chosen_object
+        assert chosen is not None  # a scene has an object
+        if scene.path is not None and scene.path.suffix.lower() != ".toml":
+            sources.any_from_file = True  # such files hold float32
+        world = world_over(chosen, self.world, self.world.build(sources))
+        view = self._handed(view_over(scene.view, self.view, self.view.build(sources)))
+        free = aspect is not None and not scene.has_aspect
+        lens = replace(scene.lens, aspect=aspect) if free and aspect else scene.lens
+        light = self.scene.light_source(view, world) or LightSource()
+        space_matrix = self.space.matrix(sources)
+        return Shot(
+            world=world,
+            view=view,
+            lens=lens_over(lens, self.lens, self.lens.build(sources)),
+            light=light_over(light, self.light.build()),
+            space_matrix=scene.settings.space_matrix if space_matrix is None else space_matrix,
+            tolerance=self.tolerance.value(sources),
+        )
+
+    def typed_world(self, sources: Sources, shot: Shot) -> World:
+        """Return the world with every number as it was typed, where it was typed in parts."""
+        typed = self.world.build_exact(sources)
+        chosen = self.scene.chosen_object
+        if chosen is None or self.world.world_matrix is not None:
+            return typed
+        if chosen.world_from_parent is not None or chosen.place is None:
+            return shot.world
+        from nmatrix.cli.overlay import as_typed, world_over
+
+        return world_over(replace(chosen, place=as_typed(chosen.place)), self.world, typed)
+
+    def usual_space(self, default: Space) -> Space:
+        """Return the scene's shading space, or the default without a scene."""
+        return default if self.scene.scene is None else self.scene.scene.settings.space
+
+    def _handed(self, view: View) -> View:
         handed = self.lens.effective_handed
         return view if handed is None else replace(view, handed=handed)

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceArgument, SpaceOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers
+
+if TYPE_CHECKING:
+    from nmatrix.spaces.trace import Viewport
 
 HELP = {
     "light": """nmatrix light camera --eye 3 3 3 --light-angles -60 -120
@@ -49,13 +53,14 @@ def light(
     view: ViewOptions,
     light: LightOptions,
     space: SpaceOptions,
+    scene: SceneOptions,
     everywhere: Everywhere,
     where: SpaceArgument = None,
 ) -> None:
     """Show the light in a space."""
     from nmatrix.answers.light import light as answer
 
-    shot = Groups(world, view, light=light, space=space).shot(everywhere)
+    shot = Groups(world, view, light=light, space=space, scene=scene).shot(everywhere)
     show(answer(shot, space.chosen(where, None)), everywhere)
 
 
@@ -64,13 +69,14 @@ def eye(
     world: WorldOptions,
     view: ViewOptions,
     space: SpaceOptions,
+    scene: SceneOptions,
     everywhere: Everywhere,
     where: SpaceArgument = None,
 ) -> None:
     """Show the eye in a space."""
     from nmatrix.answers.light import eye as answer
 
-    shot = Groups(world, view, space=space).shot(everywhere)
+    shot = Groups(world, view, space=space, scene=scene).shot(everywhere)
     show(answer(shot, space.chosen(where, None)), everywhere)
 
 
@@ -81,6 +87,7 @@ def space(
     lens: LensOptions,
     light: LightOptions,
     space: SpaceOptions,
+    scene: SceneOptions,
     everywhere: Everywhere,
     where: SpaceArgument = None,
     shading: Annotated[
@@ -100,8 +107,9 @@ def space(
             "the sheet's shaders light per vertex or per fragment",
             "use gouraud or phong",
         )
-    chosen = space.chosen(where, Space.WORLD) or Space.WORLD
-    shot = Groups(world, view, lens, light, space).shot(everywhere)
+    groups = Groups(world, view, lens, light, space, scene=scene)
+    chosen = space.chosen(where, groups.usual_space(Space.WORLD)) or Space.WORLD
+    shot = groups.shot(everywhere)
     show(answer(shot, Request(chosen, shading, reflection)), everywhere)
 
 
@@ -110,23 +118,36 @@ def trace(
     world: WorldOptions,
     view: ViewOptions,
     lens: LensOptions,
+    scene: SceneOptions,
     everywhere: Everywhere,
     point: Annotated[str, Option(metavar="X Y Z", help="The vertex, in object space.")] = "0 0 0",
     normal: Annotated[
         str | None, Option(metavar="X Y Z", help="Its normal, in object space.")
     ] = None,
-    viewport: Annotated[str, Option(metavar="W H", help="The window in pixels.")] = "512 512",
+    viewport: Annotated[
+        str | None, Option(metavar="W H", help="The window in pixels (512 512).")
+    ] = None,
 ) -> None:
     """Show one vertex on its way."""
     from nmatrix.answers.trace import trace as answer
+
+    window = _window(viewport, scene)
+    aspect = None if viewport is None else window.width / window.height
+    shot = Groups(world, view, lens, scene=scene).shot(everywhere, aspect=aspect)
+    n = None if normal is None else numbers(normal, 3, "--normal")
+    show(answer(shot, numbers(point, 3, "--point"), n, window), everywhere)
+
+
+def _window(viewport: str | None, scene: SceneOptions) -> Viewport:
+    """Return the window that was typed, or the scene's picture."""
     from nmatrix.spaces.trace import Viewport
 
+    if viewport is None:
+        size = (512, 512) if scene.scene is None else scene.scene.settings.size
+        return Viewport(*map(float, size))
     width, height = numbers(viewport, 2, "--viewport")
     if not all(side > 0 and side.is_integer() for side in (width, height)):
         raise IllegalValueError(
             f"--viewport ({viewport[:40]})", "both sides are whole pixels, 1 or more", "try 512 512"
         )
-    shot = Groups(world, view, lens).shot(everywhere, aspect=width / height)
-    n = None if normal is None else numbers(normal, 3, "--normal")
-    window = Viewport(width, height)
-    show(answer(shot, numbers(point, 3, "--point"), n, window), everywhere)
+    return Viewport(width, height)

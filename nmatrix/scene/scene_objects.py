@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Convention, Shape
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.rational import RationalMatrix, affine, product, rational
+from nmatrix.linear.rational import RationalMatrix, affine, product, rational, to_floats
 from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry
 from nmatrix.scene.lamp import EYE, WORLD
 from nmatrix.scene.material import DEFAULT_MATERIAL, Material
 from nmatrix.scene.scene import SceneObject
-from nmatrix.scene.scene_faults import Place, converted, shown
+from nmatrix.scene.scene_faults import Place, converted
 from nmatrix.scene.scene_records import ObjectRecord
 from nmatrix.scene.world import World
 
@@ -106,7 +106,7 @@ def _parents_first(by_name: Mapping[str, Entry]) -> list[Entry]:
 def _under(entry: Entry, above: RationalMatrix | None, own: World) -> RationalMatrix:
     """Return the world matrix, rounded once, under the parent's."""
     try:
-        return world_under(above, own).world_from_object
+        return rational(to_floats(world_under(above, own).exact))
     except NMatrixError as error:
         raise entry.place.refused("its place", str(error), "") from None
 
@@ -177,7 +177,7 @@ def matrix_of(place: Place, key: str, rows: Sequence[Sequence[float]]) -> Ration
     exact = rational(rows)
     if size == LARGEST_MATRIX and tuple(rows[3]) != (0, 0, 0, 1):
         raise place.refused(
-            f"{key} (last row {shown(list(rows[3]))})",
+            f"{key} (last row {' '.join(f'{x:g}' for x in rows[3])})",
             "an affine matrix ends in 0 0 0 1",
             "write rows, not columns",
         )

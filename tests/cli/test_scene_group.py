@@ -1,0 +1,203 @@
+"""`--scene` gives what the same options by hand give; an option beside it replaces its own key."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from nmatrix.cli.app import run
+
+ROOT = Path(__file__).parents[2]
+TEXT = """
+[camera]
+eye = [3.0, 2.5, 5.0]
+target = [0.0, 0.5, 0.0]
+fov = 40
+near = 0.5
+far = 50
+depth = "zero-to-one"
+
+[render]
+size = [640, 480]
+space = "camera"
+
+[[light]]
+name = "sky"
+kind = "ambient"
+
+[[light]]
+name = "sun"
+direction = [-1.0, -2.0, -1.5]
+
+[[light]]
+name = "lantern"
+kind = "point"
+fixed_to = "tall"
+position = [0.0, 1.0, 0.0]
+
+[[light]]
+name = "torch"
+kind = "spot"
+fixed_to = "eye"
+
+[[object]]
+name = "egg"
+shape = "sphere"
+translate = [0.1, 0.5, -0.25]
+rotate = [0.0, 90.0, 0.0]
+scale = [1.0, 2.0, 1.0]
+
+[[object]]
+name = "tall"
+shape = "box"
+scale = [1.0, 3.0, 1.0]
+
+[[object]]
+name = "turned"
+parent = "tall"
+shape = "box"
+rotate = [0.0, 0.0, 90.0]
+translate = [0.0, 1.0, 0.0]
+
+[[object]]
+name = "given"
+shape = "box"
+matrix = [[1, 0, 0.5], [0, 1, 0], [0, 0, 1]]
+"""
+WORLD = "--translate 0.1 0.5 -0.25 --rotate 0 90 0 --scale 1 2 1"
+VIEW = "--eye 3 2.5 5 --target 0 0.5 0"
+LENS = "--fov 40 --near 0.5 --far 50 --aspect 4/3 --depth zero-to-one"
+SUN = "--light-direction -1 -2 -1.5"
+
+BY_HAND = [
+    ("world", "", WORLD),
+    ("view", "", VIEW),
+    ("projection", "", LENS),
+    ("normal", "--normal 1 1 0", f"{WORLD} {VIEW} --space camera --normal 1 1 0"),
+    ("light", "", f"{WORLD} {VIEW} {SUN}"),
+    ("eye", "object", f"object {WORLD} {VIEW}"),
+    ("space", "", f"{WORLD} {VIEW} {LENS} {SUN} --space camera"),
+    ("trace", "--point 1 1 1", f"{WORLD} {VIEW} {LENS} --viewport 640 480 --point 1 1 1"),
+    ("calc", "M", f"M {WORLD}"),
+    ("calc", "P@V@M", f"P@V@M {WORLD} {VIEW} {LENS}"),
+    # an option replaces its own key
+    ("world", "--scale 2 2 2", "--translate 0.1 0.5 -0.25 --rotate 0 90 0 --scale 2 2 2"),
+    ("calc", "M --translate 1/3 0 0", "M --translate 1/3 0 0 --rotate 0 90 0 --scale 1 2 1"),
+    ("view", "--eye 1 2 3", "--eye 1 2 3 --target 0 0.5 0"),
+    ("projection", "--far inf", f"{LENS} --far inf".replace("--far 50 ", "")),
+    ("projection", "--api vulkan", f"{LENS} --api vulkan".replace("--depth zero-to-one", "")),
+    ("light", "--light-position 1 2 3", f"{WORLD} {VIEW} {SUN} --light-position 1 2 3"),
+    ("space", "world", f"world {WORLD} {VIEW} {LENS} {SUN}"),
+    # an alternative replaces the whole alternative
+    (
+        "world",
+        "--quaternion 0 0 1 1",
+        "--translate 0.1 0.5 -0.25 --quaternion 0 0 1 1 --scale 1 2 1",
+    ),
+    ("world", "--world-matrix 1,0,0;0,1,0;0,0,2", "--world-matrix 1,0,0;0,1,0;0,0,2"),
+    ("view", "--elevation -10", "--eye 3 2.5 5 --elevation -10"),
+    (
+        "projection",
+        "--ortho -1 1 -1 1",
+        "--ortho -1 1 -1 1 --near 0.5 --far 50 --depth zero-to-one",
+    ),
+    ("trace", "--viewport 100 200", f"{WORLD} {VIEW} {LENS} --viewport 100 200"),
+    # other objects and lights
+    ("world", "--object tall", "--scale 1 3 1"),
+    ("world", "--object turned", "--world-matrix 0,-1,0,0;3,0,0,3;0,0,1,0;0,0,0,1"),
+    # beside a parent, an option replaces the object's own key
+    (
+        "world",
+        "--object turned --translate 0 2 0",
+        "--world-matrix 0,-1,0,0;3,0,0,6;0,0,1,0;0,0,0,1",
+    ),
+    ("world", "--object given", "--world-matrix 1,0,0.5;0,1,0;0,0,1"),
+    ("world", "--object given --scale 1 2 1", "--scale 1 2 1"),
+    ("light", "--light lantern", f"{WORLD} {VIEW} --light-position 0 3 0"),
+    (
+        "light",
+        "world --object tall --scale 1 5 1 --light lantern",
+        f"world --scale 1 5 1 {VIEW} --light-position 0 5 0",
+    ),
+]
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    path = tmp_path / "scene.toml"
+    path.write_text(TEXT)
+    return path
+
+
+def answer(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, object]:
+    capsys.readouterr()
+    code = run([*words, "-f", "json"])
+    captured = capsys.readouterr()
+    assert code == 0, captured.err
+    return json.loads(captured.out)
+
+
+@pytest.mark.parametrize(("command", "beside", "by_hand"), BY_HAND, ids=lambda text: text[:40])
+def test_a_scene_gives_what_its_options_give(
+    capsys: pytest.CaptureFixture[str], scene: Path, command: str, beside: str, by_hand: str
+) -> None:
+    free = "trace" in command and "100 200" in beside
+    if free:  # the picture's shape follows the window
+        by_hand = by_hand.replace("--aspect 4/3", "--aspect 0.5")
+    found = answer(capsys, command, "--scene", str(scene), *beside.split())
+    assert found == answer(capsys, command, *by_hand.split())
+
+
+def test_a_flashlight_points_where_the_camera_looks(
+    capsys: pytest.CaptureFixture[str], scene: Path
+) -> None:
+    words = ("light", "camera", "--scene", str(scene), "--light", "torch", "--eye", "1", "2", "3")
+    found = answer(capsys, *words)
+    assert found["direction"] == [0, 0, -1]
+    assert found["position"] == pytest.approx([0, 0, 0], abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("world --scene SCENE --object eg", "did you mean egg? there are egg, tall, turned, given"),
+        ("world --scene SCENE --object lamp", "there are egg, tall"),
+        ("light --scene SCENE --light son", "did you mean sun?"),
+        ("light --scene SCENE --light sky", "ambient light has neither a direction"),
+        ("world --object egg", "it is a name in a scene; add --scene FILE"),
+        ("light --light sun", "it is a name in a scene; add --scene FILE"),
+        ("world --scene none.toml", "No such file"),
+        ("world --scene scene.txt", "scenes and meshes are"),
+        ("world --scene SCENE --scale 1 2", "--scale takes 3 numbers"),
+        ("world --scene SCENE --order ZYX --quaternion 0 0 0 1", "--quaternion with --order"),
+        ("projection --scene SCENE --near 60", "near"),
+        ("view --scene SCENE --eye 0 0.5 0", "they coincide"),
+    ],
+)
+def test_refusals(capsys: pytest.CaptureFixture[str], scene: Path, line: str, words: str) -> None:
+    assert run(line.replace("SCENE", str(scene)).split()) in (2, 3)
+    message = capsys.readouterr().err
+    assert words in message
+    assert message.count("\n") == 1
+
+
+def test_nodes_of_a_gltf_file(capsys: pytest.CaptureFixture[str], data: Path) -> None:
+    file = data / "gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf"
+    found = answer(capsys, "light", "world", "--scene", str(file), "--light", "Point.003")
+    assert found["position"] == pytest.approx([0.137618, 2.066984, -1.178986], abs=1e-6)
+    file = data / "gltf/NegativeScaleTest/glTF-Binary/NegativeScaleTest.glb"
+    assert answer(capsys, "world", "--scene", str(file))["transform"]
+
+
+def test_without_a_scene_no_reader_is_loaded() -> None:
+    code = (
+        "import sys; from nmatrix.cli.app import run\n"
+        "run(['world', '--scale', '1', '2', '1'])\n"
+        "sys.exit(any(one in sys.modules for one in ('msgspec', 'tomllib', 'nmatrix.cli.overlay')))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], check=False, cwd=ROOT, capture_output=True)
+    assert done.returncode == 0

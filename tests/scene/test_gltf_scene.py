@@ -1,0 +1,344 @@
+"""glTF files as scenes: nodes, cameras, lights, materials, and a sentence for what is not drawn."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from math import cos, degrees, pi, sin
+from pathlib import Path
+from struct import pack
+
+import numpy as np
+import pytest
+
+from nmatrix.enums import LampKind
+from nmatrix.errors import IllegalValueError
+from nmatrix.linear.rational import identity, product, to_floats
+from nmatrix.scene.geometry import FileGeometry
+from nmatrix.scene.gltf_scene import gltf_scene
+from nmatrix.scene.open import scene_of
+from nmatrix.scene.scene import Scene
+
+TRIANGLE = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+
+
+def made(folder: Path, **changes: object) -> Scene:
+    """Return the scene of one triangle with these parts of the file changed."""
+    document: dict[str, object] = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": "one"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [
+            {
+                "bufferView": 0,
+                "componentType": 5126,
+                "count": 3,
+                "type": "VEC3",
+                "min": [0, 0, 0],
+                "max": [1, 1, 0],
+            }
+        ],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [buffer(TRIANGLE)],
+    } | changes
+    path = folder / "made.gltf"
+    path.write_text(json.dumps(document))
+    return gltf_scene(path)
+
+
+def buffer(content: bytes) -> dict[str, object]:
+    uri = f"data:application/octet-stream;base64,{b64encode(content).decode()}"
+    return {"byteLength": len(content), "uri": uri}
+
+
+def lit(*lights: dict[str, object], **node: object) -> dict[str, object]:
+    carriers = [
+        {"extensions": {"KHR_lights_punctual": {"light": i}}, **node} for i in range(len(lights))
+    ]
+    return {
+        "nodes": [{"mesh": 0}, *carriers],
+        "scenes": [{"nodes": list(range(len(lights) + 1))}],
+        "extensions": {"KHR_lights_punctual": {"lights": list(lights)}},
+        "extensionsUsed": ["KHR_lights_punctual"],
+    }
+
+
+def test_every_file_is_a_scene_with_triangles(data: Path) -> None:
+    for path in sorted((data / "gltf").glob("**/*.gl*")):
+        scene = gltf_scene(path)
+        names = [one.name for one in scene.objects]
+        assert len(set(names)) == len(names), path.name
+        assert len(scene.objects[0].geometry.mesh().triangles) > 0
+        assert all(text.endswith(".") and "\n" not in text for text in scene.remarks)
+
+
+def test_every_odd_file_is_a_scene_or_is_refused_in_one_line(data: Path) -> None:
+    refused = 0
+    for path in sorted((data / "meshes" / "odd").iterdir()):
+        try:
+            for one in scene_of(path).objects:
+                one.geometry.mesh()
+        except IllegalValueError as error:
+            assert "\n" not in str(error), path.name
+            refused += 1
+    assert refused >= 4
+
+
+def test_objects_stand_where_three_js_puts_their_nodes(data: Path) -> None:
+    compared = 0
+    scenes: dict[str, dict[str, object]] = {}
+    for record in json.loads((data / "golden_gltf_nodes.json").read_text()):
+        name, args = record["args"]["file"], record["args"]
+        if not args["name"] or args["mesh"] is None:
+            continue
+        if name not in scenes:
+            found = gltf_scene(data / "gltf" / name).objects
+            scenes[name] = {one.name: one.world_from_object for one in found}
+        if args["name"] in scenes[name]:
+            ours = np.array(to_floats(scenes[name][args["name"]]))  # type: ignore[arg-type]
+            theirs = np.array(record["result"]["W"])
+            assert np.abs(ours - theirs).max() <= 1e-3 * np.abs(theirs).max()
+            compared += 1
+    assert compared > 50
+
+
+def test_a_camera_undoes_its_node(data: Path) -> None:
+    file = "Cameras/glTF-Embedded/Cameras.gltf"
+    scene = gltf_scene(data / "gltf" / file)
+    for record in json.loads((data / "golden_gltf_nodes.json").read_text()):
+        if record["args"]["file"] == file and record["args"]["camera"] == 0:
+            view = np.array(to_floats(scene.view.placed().camera_from_world))
+            assert np.abs(view @ np.array(record["result"]["W"]) - np.eye(4)).max() < 1e-12
+    assert scene.has_camera
+    assert scene.lens.fov_degrees == pytest.approx(degrees(0.7))
+    assert (scene.lens.near, scene.lens.far) == (0.01, 100)
+    assert "Of 2 cameras the first is used." in scene.remarks
+
+
+def test_a_cameras_scale_does_not_matter(tmp_path: Path) -> None:
+    turned = {"rotation": [0, sin(pi / 8), 0, cos(pi / 8)], "translation": [1, 2, 3]}
+    box = {"xmag": 2, "ymag": 1, "znear": 0, "zfar": 9}
+    camera = {"type": "orthographic", "orthographic": box}
+    scenes = [
+        made(
+            tmp_path,
+            nodes=[{"mesh": 0}, {"camera": 0, **turned, **scale}],
+            scenes=[{"nodes": [0, 1]}],
+            cameras=[camera],
+        )
+        for scale in ({}, {"scale": [2, 3, 4]})
+    ]
+    views = [np.array(to_floats(scene.view.placed().camera_from_world)) for scene in scenes]
+    assert np.abs(views[0] - views[1]).max() < 1e-15
+    assert scenes[0].lens.ortho is not None
+    assert scenes[0].settings.size == (512, 256)
+
+
+def test_an_infinite_camera(tmp_path: Path) -> None:
+    camera = {"type": "perspective", "perspective": {"yfov": 1.0, "znear": 0.5}}
+    scene = made(tmp_path, nodes=[{"mesh": 0, "camera": 0}], cameras=[camera])
+    assert scene.lens.far == float("inf")
+
+
+def test_lights_of_the_lamp(data: Path) -> None:
+    path = data / "gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf"
+    scene, raw = gltf_scene(path), json.loads(path.read_text())
+    stored = raw["extensions"]["KHR_lights_punctual"]["lights"]
+    assert len(scene.lamps) == len(stored) == 5
+    brightest = max(one["intensity"] for one in stored)
+    by_name = {one["name"]: one for one in stored}
+    for lamp in scene.lamps:
+        assert lamp.kind is LampKind.POINT
+        assert lamp.intensity == by_name[lamp.name]["intensity"] / brightest
+        assert lamp.color == tuple(by_name[lamp.name].get("color", (1, 1, 1)))
+    assert max(lamp.intensity for lamp in scene.lamps) == 1
+    assert "Intensities of light are relative: the brightest light is 1." in scene.remarks
+
+
+def test_light_travels_along_minus_z_of_its_node(tmp_path: Path) -> None:
+    down = {"rotation": [-sin(pi / 4), 0, 0, cos(pi / 4)], "translation": [0, 4, 0]}
+    spot = {"innerConeAngle": pi / 8, "outerConeAngle": pi / 4}
+    scene = made(
+        tmp_path,
+        **lit(
+            {"type": "directional", "name": "sun", "intensity": 3},
+            {"type": "spot", "spot": spot, "range": 7, "intensity": 6, "color": [1, 0.5, 0]},
+            **down,
+        ),
+    )
+    sun, lamp = scene.lamps
+    assert sun.direction == pytest.approx((0, -1, 0), abs=1e-15)
+    assert (sun.intensity, sun.attenuation) == (0.5, (1, 0, 0))
+    assert lamp.direction == pytest.approx((0, -1, 0), abs=1e-15)
+    assert lamp.position == (0, 4, 0)
+    assert lamp.cone_degrees == pytest.approx((22.5, 45))
+    assert (lamp.range, lamp.color) == (7, (1, 0.5, 0))
+    # half the diagonal of the triangle's box is 1/√2, so q = 1/r² = 2
+    assert lamp.attenuation == pytest.approx((1, 0, 2))
+
+
+def test_materials(tmp_path: Path) -> None:
+    (tmp_path / "a b.png").write_bytes(b"")
+    material = {
+        "name": "glass",
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [1, 0.5, 0, 0.25],
+            "baseColorTexture": {"index": 0},
+        },
+        "normalTexture": {"index": 1},
+        "alphaMode": "BLEND",
+        "doubleSided": True,
+        "emissiveFactor": [1, 0, 0],
+    }
+    scene = made(
+        tmp_path,
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+        materials=[material],
+        textures=[{"source": 0}, {"source": 1}, {"source": 2}],
+        images=[{"uri": "a%20b.png"}, {"uri": "none.png"}, {"uri": "data:image/png;base64,"}],
+    )
+    found = scene.objects[0].material
+    assert (found.name, found.opacity, found.two_sided) == ("glass", 0.25, True)
+    assert found.diffuse == (1, 0.5, 0)
+    assert found.ambient == (0.15, 0.075, 0)
+    assert (found.texture, found.normal_map) == (tmp_path / "a b.png", None)
+    assert "Images are missing: none.png." in scene.remarks
+    assert "Not drawn of the materials: emission, metallic and roughness." in scene.remarks
+
+
+def test_colours_coordinates_and_tangents_of_vertices(tmp_path: Path) -> None:
+    colours = bytes([255, 0, 0, 255, 0, 128, 0, 255, 0, 0, 255, 255])
+    uv = pack("<6H", 0, 0, 65535, 0, 0, 65535)
+    tangents = pack("<12f", *[1, 0, 0, -1] * 3)
+    content = TRIANGLE + colours + uv + tangents
+    starts = [0, 36, 48, 60]
+    scene = made(
+        tmp_path,
+        meshes=[
+            {
+                "primitives": [
+                    {
+                        "attributes": {
+                            "POSITION": 0,
+                            "COLOR_0": 1,
+                            "TEXCOORD_0": 2,
+                            "TANGENT": 3,
+                        }
+                    }
+                ]
+            }
+        ],
+        accessors=[
+            {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+            {
+                "bufferView": 1,
+                "componentType": 5121,
+                "normalized": True,
+                "count": 3,
+                "type": "VEC4",
+            },
+            {
+                "bufferView": 2,
+                "componentType": 5123,
+                "normalized": True,
+                "count": 3,
+                "type": "VEC2",
+            },
+            {"bufferView": 3, "componentType": 5126, "count": 3, "type": "VEC4"},
+        ],
+        bufferViews=[
+            {"buffer": 0, "byteOffset": start, "byteLength": end - start}
+            for start, end in zip(starts, [*starts[1:], len(content)], strict=True)
+        ],
+        buffers=[buffer(content)],
+    )
+    mesh = scene.objects[0].geometry.mesh()
+    assert mesh.colours is not None
+    assert mesh.uv is not None
+    assert mesh.tangents is not None
+    assert mesh.colours.tolist() == [[1, 0, 0], [0, 128 / 255, 0], [0, 0, 1]]
+    assert mesh.uv.tolist() == [[0, 1], [1, 1], [0, 0]]  # v upwards
+    assert mesh.tangents[:, 3].tolist() == [-1, -1, -1]
+    assert scene.objects[0].material.vertex_colours
+
+
+def test_vertex_colours_of_the_box(data: Path) -> None:
+    path = data / "gltf/BoxVertexColors/glTF-Binary/BoxVertexColors.glb"
+    (box,) = gltf_scene(path).objects
+    colours = box.geometry.mesh().colours
+    assert colours is not None
+    assert colours.min() >= 0
+    assert colours.max() == 1
+    assert box.material.vertex_colours
+
+
+def test_each_primitive_is_an_object_and_instances_share_it(tmp_path: Path) -> None:
+    triangle = {"attributes": {"POSITION": 0}}
+    scene = made(
+        tmp_path,
+        nodes=[{"mesh": 0, "name": "a", "children": [1]}, {"mesh": 0, "name": "a"}, {"mesh": 0}],
+        meshes=[{"primitives": [triangle, {**triangle, "mode": 1}, triangle]}],
+    )
+    assert [one.name for one in scene.objects] == ["a", "a 2", "a 3", "a 4"]
+    assert scene.objects[0].geometry is scene.objects[2].geometry
+    assert "Points and lines are not drawn: 1." in scene.remarks
+    assert "Nodes outside of the scene are not drawn: 1." in scene.remarks
+
+
+def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
+    scene = made(
+        tmp_path,
+        nodes=[
+            {"scale": [1, 2, 1], "children": [1]},
+            {"mesh": 0, "translation": [0, 3, 0], "rotation": [0, 0, 0, 1]},
+        ],
+    )
+    (one,) = scene.objects
+    assert one.place is not None
+    assert one.place.translate == (0, 3, 0)
+    assert one.world_from_parent is not None
+    assert product(one.world_from_parent, one.place.exact) == one.world_from_object
+    assert scene_of(tmp_path / "made.gltf").objects[0].world_from_object[1][3] == 6
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"scene": 3}, "scene 3 does not exist"),
+        ({"scenes": [{"nodes": [9]}]}, "node 9 does not exist"),
+        ({"nodes": [{}]}, "it draws nothing"),
+        ({"nodes": [{"mesh": 0, "camera": 2}]}, "camera 2 does not exist"),
+        (
+            {"nodes": [{"mesh": 0, "camera": 0}], "cameras": [{"type": "perspective"}]},
+            "its camera sees nothing",
+        ),
+        (lit({"type": "laser"}), "light of type laser is unknown"),
+        (lit({"type": "point", "range": -1}), "below zero"),
+        (lit({"type": "point", "color": [1, 1]}), "KHR_lights_punctual"),
+        (lit({"type": "spot", "spot": {"outerConeAngle": 0}}), "its cone goes from 0 to 0"),
+        (lit({"type": "directional"}, scale=[1, 1, 0]), "flattens the direction"),
+        ({"extensionsRequired": ["KHR_draco_mesh_compression"]}, "its meshes are packed"),
+        (
+            {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 1}]}]},
+            "material 1 does not exist",
+        ),
+    ],
+)
+def test_damage_is_named(tmp_path: Path, changes: dict[str, object], words: str) -> None:
+    with pytest.raises(IllegalValueError, match=words) as caught:
+        made(tmp_path, **changes)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_mesh_is_one_object_that_stands_still(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    scene = scene_of(path)
+    (one,) = scene.objects
+    assert (one.name, one.geometry, one.world_from_object) == ("a", FileGeometry(path), identity(4))
+    assert not scene.has_camera
+    for wrong in ("b.obj", "b.txt", "b.toml", "b.glb"):
+        with pytest.raises(IllegalValueError):
+            scene_of(tmp_path / wrong)
