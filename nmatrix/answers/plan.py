@@ -6,7 +6,7 @@ from nmatrix.enums import Effect
 from nmatrix.raster.decisions import Decision
 from nmatrix.raster.effects import RECIPES
 from nmatrix.raster.plan import BUDGET, BodyPlan, Plan
-from nmatrix.report import Block, Code, Heading, Report, Table, Value, Verdict
+from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
 
 PASSES = "main"
 
@@ -33,6 +33,7 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
         Verdict(_sentence(found)),
+        Text(f"The shaders of {found.bodies[0].body.name}, with just the terms of its plan:"),
         Code("glsl", shaders[0], "vertex shader"),
         Code("glsl", shaders[1], "fragment shader"),
     )

@@ -29,7 +29,7 @@ def render(proof: Proof, image: str, milliseconds: float) -> Report:
         "numbers": dict(proof.numbers),
     }
     blocks: tuple[Block, ...] = (
-        Figure(image, f"{proof.subject}: {proof.verdict}"),
+        Figure(image, f"a picture of {proof.subject}"),
         *(Quantity(key, data[key]) for key in SHOWN),  # type: ignore[arg-type]  # numbers or None
         Verdict(proof.verdict),
     )

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nmatrix.enums import Effect, LampKind, Reflection, Shading
+from nmatrix.enums import Effect, Shading
+from nmatrix.raster.emit_lamp import Terms, number
 from nmatrix.raster.plan import BodyPlan, Plan
-from nmatrix.raster.studio import PlacedLamp
 
 HEADER = ("#version 300 es", "precision highp float;")
 TEXTURE_COLOUR = "texture(surface_texture, fragment_uv).rgb"
@@ -21,6 +21,7 @@ class Shaders:
 
     def __init__(self, plan: Plan, body: BodyPlan) -> None:
         self.settings, self.body, self.on = plan.studio.settings, body, body.effects
+        self.terms = Terms(body)
         self.has_gamma = plan.picture[Effect.GAMMA].on
         self.per_vertex = self.settings.shading is not Shading.PHONG
         self.reads_position = Effect.POSITION in self.on
@@ -56,9 +57,8 @@ class Shaders:
         if self.reads_position or self._has_fog:
             yield "    vec3 p = (space_from_object * vec4(vertex_position, 1.0)).xyz;"
         if self.per_vertex:
-            yield from ("    vec3 matte = vec3(0.0);", "    vec3 gloss = vec3(0.0);")
             yield from self._lighting()
-            yield from ("    vertex_matte = matte;", "    vertex_gloss = gloss;")
+            yield from (f"    vertex_{one} = {one};" for one in self._sums)
         else:
             yield "    fragment_normal = n;"
         if self._fragment_reads_position:
@@ -92,18 +92,17 @@ class Shaders:
         if self._fragment_reads_position:
             yield "    vec3 p = fragment_position;"
         if self.per_vertex:
-            yield from ("    vec3 matte = vertex_matte;", "    vec3 gloss = vertex_gloss;")
+            yield from (f"    vec3 {one} = vertex_{one};" for one in self._sums)
         else:
             yield from self._normal()
-            yield from ("    vec3 matte = vec3(0.0);", "    vec3 gloss = vec3(0.0);")
             yield from self._lighting()
         if Effect.TEXTURE in self.on:
             yield f"    matte *= {TEXTURE_COLOUR};"
         if Effect.VERTEX_COLOURS in self.on:
             yield "    matte *= fragment_colour;"
-        yield "    vec3 color = min(matte + gloss, 1.0);"
+        yield f"    vec3 color = min({' + '.join(self._sums)}, 1.0);"
         if Effect.OUTLINE in self.on:
-            width = _number(self.body.body.material.outline)
+            width = number(self.body.body.material.outline)
             yield f"    if (abs(dot(n, v)) < {width}) color = vec3(0.0);"
         if self._has_fog:
             yield "    float distance_to_eye = length(eye - p);"
@@ -112,7 +111,7 @@ class Shaders:
         if self.has_gamma:
             yield "    vec3 bright = 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055;"
             yield "    color = mix(12.92 * color, bright, step(0.0031308, color));"
-        yield f"    fragment_color = vec4(color, {_number(self.body.body.material.opacity)});"
+        yield f"    fragment_color = vec4(color, {number(self.body.body.material.opacity)});"
 
     def _normal(self) -> Iterator[str]:
         yield "    vec3 n = fragment_normal;"
@@ -121,56 +120,19 @@ class Shaders:
             yield "    vec3 b = cross(n, t) * fragment_tangent.w;"
             yield "    n = mat3(t, b, n) * (texture(normal_map, fragment_uv).xyz * 2.0 - 1.0);"
         if Effect.RENORMALISE in self.on:
-            length = "length(normal_world_from_space * n)" if self._has_metric else "length(n)"
+            length = "length(normal_world_from_space * n)" if self.terms.has_metric else "length(n)"
             yield f"    n /= {length};"
         if Effect.BACK_FACES in self.on:
             yield "    if (!gl_FrontFacing) n = -n;"
 
     def _lighting(self) -> Iterator[str]:
+        yield from (f"    vec3 {one} = vec3(0.0);" for one in self._sums)
         if Effect.AMBIENT in self.on:
             yield "    matte += ambient_color;"
         if Effect.EYE in self.on:
-            yield f"    vec3 v = {self._unit('eye - p')};"
+            yield f"    vec3 v = {self.terms.unit('eye - p')};"
         for i, placed in enumerate(self.body.lamps):
-            yield from ("    {", *self._lamp(i, placed), "    }")
-
-    def _lamp(self, i: int, placed: PlacedLamp) -> Iterator[str]:
-        yield f"        // {placed.lamp.kind} light"
-        yield "        float strength = 1.0;"
-        if placed.position is None:
-            yield f"        vec3 l = to_light_{i};"
-        else:
-            yield f"        vec3 way = light_position_{i} - p;"
-            yield f"        float d = {self._length('way')};"
-            yield "        vec3 l = way / d;"
-            if Effect.ATTENUATION in self.on and placed.lamp.fades:
-                yield f"        strength /= dot(attenuation_{i}, vec3(1.0, d, d * d));"
-                yield f"        strength *= step(d, range_{i});"
-        if placed.lamp.kind is LampKind.SPOT and Effect.SPOT in self.on:
-            cosine = f"-dot({self._in_world('l')}, {self._in_world(f'light_axis_{i}')})"
-            yield f"        strength *= smoothstep(cone_{i}.y, cone_{i}.x, {cosine});"
-        if placed.lamp.shadows and Effect.SHADOWS in self.on:
-            yield f"        vec4 seen = light_from_space_{i} * vec4(p, 1.0);"
-            yield "        vec3 at = seen.xyz / seen.w * 0.5 + 0.5;"
-            yield f"        float nearest = texture(shadow_map_{i}, at.xy).r;"
-            yield f"        strength *= step(at.z - shadow_bias_{i}, nearest);"
-        yield "        float n_dot_l = dot(n, l);"
-        yield "        float shade = max(n_dot_l, 0.0);"
-        if Effect.TOON in self.on:
-            steps = _number(self.body.body.material.toon_steps)
-            yield f"        shade = ceil(shade * {steps}) / {steps};"
-        if Effect.DIFFUSE in self.on:
-            yield f"        matte += light_color_{i} * diffuse_color * (shade * strength);"
-        if Effect.SPECULAR in self.on:
-            yield f"        float highlight = clamp({self._highlight()}, 0.0, 1.0);"
-            yield "        if (n_dot_l > 0.0)"
-            yield f"            gloss += light_color_{i} * specular_color"
-            yield "                * (pow(highlight, shininess) * strength);"
-
-    def _highlight(self) -> str:
-        if self.body.body.material.reflection is Reflection.BLINN_PHONG:
-            return f"dot(n, {self._unit('l + v')})"
-        return f"2.0 * n_dot_l * dot(n, v) - dot({self._in_world('l')}, {self._in_world('v')})"
+            yield from ("    {", *self.terms.lamp(i, placed), "    }")
 
     def _light_uniforms(self) -> Iterator[str]:
         if Effect.AMBIENT in self.on:
@@ -181,27 +143,16 @@ class Shaders:
             yield from ("uniform vec3 specular_color;", "uniform float shininess;")
         if Effect.EYE in self.on or (self._has_fog and not self.per_vertex):
             yield "uniform vec3 eye;"
-        if self._has_metric:
+        if self.terms.has_metric:
             yield "uniform mat3 vector_world_from_space;"
             yield "uniform mat3 normal_world_from_space;"
         for i, placed in enumerate(self.body.lamps):
-            yield from self._lamp_uniforms(i, placed)
-
-    def _lamp_uniforms(self, i: int, placed: PlacedLamp) -> Iterator[str]:
-        yield f"uniform vec3 light_color_{i};"
-        yield f"uniform vec3 {'to_light' if placed.position is None else 'light_position'}_{i};"
-        if placed.position is not None and placed.lamp.fades and Effect.ATTENUATION in self.on:
-            yield from (f"uniform vec3 attenuation_{i};", f"uniform float range_{i};")
-        if placed.lamp.kind is LampKind.SPOT and Effect.SPOT in self.on:
-            yield from (f"uniform vec3 light_axis_{i};", f"uniform vec2 cone_{i};")
-        if placed.lamp.shadows and Effect.SHADOWS in self.on:
-            yield f"uniform mat4 light_from_space_{i};"
-            yield from (f"uniform sampler2D shadow_map_{i};", f"uniform float shadow_bias_{i};")
+            yield from self.terms.uniforms(i, placed)
 
     def _varyings(self) -> Iterator[tuple[str, str]]:
         """Return what the vertex shader hands on."""
         if self.per_vertex:
-            yield from (("vec3", "vertex_matte"), ("vec3", "vertex_gloss"))
+            yield from (("vec3", f"vertex_{one}") for one in self._sums)
         else:
             yield "vec3", "fragment_normal"
         if self._fragment_reads_position:
@@ -214,8 +165,9 @@ class Shaders:
             yield "vec4", "fragment_tangent"
 
     @property
-    def _has_metric(self) -> bool:
-        return Effect.METRIC in self.on
+    def _sums(self) -> tuple[str, ...]:
+        """The parts of the light: what takes the texture's colour, and the highlights."""
+        return ("matte", "gloss") if Effect.SPECULAR in self.on else ("matte",)
 
     @property
     def _has_fog(self) -> bool:
@@ -229,15 +181,6 @@ class Shaders:
     def _fragment_reads_position(self) -> bool:
         return self._has_fog or (self.reads_position and not self.per_vertex)
 
-    def _in_world(self, vector: str) -> str:
-        return f"vector_world_from_space * {vector}" if self._has_metric else vector
-
-    def _length(self, vector: str) -> str:
-        return f"length({self._in_world(f'({vector})')})"
-
-    def _unit(self, vector: str) -> str:
-        return f"({vector}) / {self._length(vector)}"
-
 
 def shaders(plan: Plan, body: BodyPlan) -> tuple[str, str]:
     """Return the vertex and the fragment shader of one body, as `#version 300 es` text."""
@@ -247,7 +190,3 @@ def shaders(plan: Plan, body: BodyPlan) -> tuple[str, str]:
 
 def _text(lines: Iterator[str]) -> str:
     return "\n".join(lines) + "\n"
-
-
-def _number(value: float) -> str:
-    return repr(float(value))

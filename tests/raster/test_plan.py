@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,9 +19,11 @@ from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.world import World
 
+EXAMPLES = Path(__file__).resolve().parents[2] / "docs" / "scenes"
 TINY_SHEAR = World(shear=(1e-4, 0, 0))
 FINE = ShapeGeometry(Shape.SPHERE, (200, 400))
 
@@ -61,6 +64,29 @@ def test_the_plan_changes_no_channel_by_more_than_it_says(name: str) -> None:
     assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
     assert bound <= BUDGET
     assert found.work.multiplications < full.work.multiplications
+
+
+@pytest.mark.parametrize("name", [one.stem for one in sorted(EXAMPLES.glob("*.toml"))])
+def test_the_plan_changes_no_example_scene(name: str) -> None:
+    scene = scene_of(EXAMPLES / f"{name}.toml")
+    settings = replace(scene.settings, size=(160, 120), samples=min(scene.settings.samples, 4))
+    ready = studio(replace(scene, settings=settings))
+    plan = planned(ready)
+    found, full = render(plan), render(everything(ready))
+    bound = max(body.bound for body in plan.bodies)
+    assert np.abs(found.rgb - full.rgb).max() <= max(bound, 1e-12)
+    assert found.work.multiplications < full.work.multiplications
+
+
+def test_the_classroom_calls_for_few_effects_and_everything_for_nearly_all() -> None:
+    few, many = (
+        planned(studio(scene_of(EXAMPLES / f"{name}.toml"))).effects
+        for name in ("classroom", "everything")
+    )
+    assert len(few) <= 6
+    assert len(many) >= 18
+    assert Effect.SHADOWS in many
+    assert Effect.TRANSPARENCY in many
 
 
 def test_where_only_exact_shortcuts_are_taken_no_bit_changes() -> None:

@@ -9,6 +9,8 @@ from nmatrix.raster.proofs.angles import angle_map, normals_by
 from nmatrix.raster.proofs.brief import Proof, Shown, level_difference, named, shown
 from nmatrix.scene.scene import Scene
 
+INVISIBLE = 1e-4  # degrees: far below what a picture can show
+
 
 def picture(scene: Scene, subject: str) -> Proof:
     """Draw a scene; under a wrong rule for normals, compare it with the right one.
@@ -52,6 +54,8 @@ def _verdict(drawn: Shown, worst: float | None, rule: NormalRule) -> str:
         return "Nothing covers a sample: move the camera or make the picture larger."
     if worst is None:
         return f"{len(drawn.studio.bodies)} objects, drawn."
+    if worst < INVISIBLE:
+        return "Drawn; here A itself carries the normals just as well."
     if rule is NormalRule.EXACT:
         return f"Drawn rightly; with A itself the normals would be up to {worst:.3g}° off."
     return f"By the rule “{rule}” the normals are up to {worst:.3g}° off."
