@@ -27,6 +27,7 @@ TYPES = {
 LARGEST = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}  # of normalised integers
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 TRIANGLES, STRIP, FAN = 4, 5, 6
+MOST_ROWS = 1 << 28  # more than memory holds, and a damaged file asks for
 
 Array = NDArray[Any]
 
@@ -106,7 +107,12 @@ def _primitive(scene: GltfScene, primitive: Primitive) -> Mesh | None:
         normals = _unit(_vectors(scene, primitive.attributes["NORMAL"]))
     else:
         normals = area_weighted_normals(positions, triangles)
-    return Mesh(positions, normals, triangles)
+    if len(triangles) == 0:
+        return None
+    try:
+        return Mesh(positions, normals, triangles)
+    except IllegalValueError as error:
+        raise _bad(scene, str(error)) from None
 
 
 def _vectors(scene: GltfScene, index: int) -> Array:
@@ -138,8 +144,9 @@ def _read(scene: GltfScene, index: int) -> Array:
     if not 0 <= index < len(accessors):
         raise _bad(scene, f"accessor {index} does not exist")
     record = accessors[index]
-    if record.component_type not in TYPES or record.type not in WIDTHS or record.count < 0:
-        raise _bad(scene, f"accessor {index} has an unknown type")
+    known = record.component_type in TYPES and record.type in WIDTHS
+    if not known or not 0 <= record.count <= MOST_ROWS:
+        raise _bad(scene, f"accessor {index} has an unknown type or size")
     if record.sparse is not None:
         raise _bad(scene, f"accessor {index} is sparse, which this reader does not know")
     found = _from_view(scene, record)

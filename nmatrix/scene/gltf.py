@@ -17,7 +17,7 @@ from urllib.parse import unquote
 
 import msgspec
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, identity, product, rational, to_floats
 from nmatrix.scene.gltf_records import Document, NodeRecord
@@ -100,12 +100,18 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
     off_length = []
     for index in order:
         record = document.nodes[index]
-        local[index], off = _local(path, index, record)
-        if off:
-            off_length.append(_name(index, record))
         parent = parents[index]
         above = identity(4) if parent is None else worlds[parent]
-        worlds[index] = rational(to_floats(product(above, local[index])))
+        try:
+            local[index], off = _local(path, index, record)
+        except NoAnswerError as error:
+            raise _bad(path, index, record, str(error)) from None
+        try:
+            worlds[index] = rational(to_floats(product(above, local[index])))
+        except IllegalValueError as error:
+            raise _bad(path, index, record, str(error)) from None
+        if off:
+            off_length.append(_name(index, record))
     nodes = tuple(
         Node(_name(i, record), local[i], worlds[i], _mesh(path, i, record, document), parents[i])
         for i, record in enumerate(document.nodes)

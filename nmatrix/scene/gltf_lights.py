@@ -7,10 +7,11 @@ lux and leaves the exposure open: here the brightest light is 1, and light from 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees, inf, isfinite
+from itertools import product as iterproduct
+from math import degrees, inf
 
 import msgspec
 
@@ -185,19 +186,28 @@ def radius_of(file: GltfScene, places: Sequence[tuple[RationalMatrix, int]]) -> 
     `places` are world matrices with the index of a mesh.
     """
     corners = [
-        tuple(map(float, apply(world, (*map(Fraction, corner), ONE))[:3]))
+        apply(world, (*map(Fraction, corner), ONE))[:3]
         for world, mesh in places
-        for low, high in _bounds(file, mesh)
-        for corner in (
-            (x, y, z)
-            for x in (low[0], high[0])
-            for y in (low[1], high[1])
-            for z in (low[2], high[2])
-        )
+        for bounds in _bounds(file, mesh)
+        for corner in corners_of(*bounds)
     ]
     sides = [max(axis) - min(axis) for axis in zip(*corners, strict=True)]
-    found = sum(side * side for side in sides) ** 0.5 / 2
-    return found if found > 0 and isfinite(found) else 1.0
+    try:
+        found = float(sum(side * side for side in sides)) ** 0.5 / 2
+    except OverflowError:
+        return 1.0
+    return found or 1.0
+
+
+def corners_of(low: Sequence[float], high: Sequence[float]) -> Iterator[tuple[float, ...]]:
+    """Return the eight corners of a box.
+
+    Examples
+    --------
+    >>> list(corners_of((0, 0, 0), (1, 1, 1)))[-1]
+    (1, 1, 1)
+    """
+    return iterproduct(*zip(low, high, strict=True))
 
 
 def _bounds(file: GltfScene, mesh: int) -> list[tuple[list[float], list[float]]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +17,8 @@ SUFFIXES = (".obj", ".ply", ".stl")
 
 def read_mesh(path: Path) -> Mesh:
     """Read the triangles of a mesh file, with its own normals or area-weighted ones.
+
+    Texture coordinates and colours of vertices come along where the file has them.
 
     Raises
     ------
@@ -42,8 +45,15 @@ def read_mesh(path: Path) -> Mesh:
     if positions.ndim != 2 or len(triangles) == 0:
         raise _unreadable(path, "it holds no triangles")
     normals = _normals(found, positions, triangles)
+    visual = getattr(found, "visual", None)
     try:
-        return Mesh(positions, normals, triangles)
+        return Mesh(
+            positions,
+            normals,
+            triangles,
+            uv=_finite(getattr(visual, "uv", None), (len(positions), 2)),
+            colours=_colours(visual, len(positions)),
+        )
     except IllegalValueError as error:
         raise _unreadable(path, str(error)) from None
 
@@ -57,6 +67,22 @@ def _normals(found: object, positions: np.ndarray, triangles: np.ndarray) -> np.
     length = np.sqrt((np.asarray(given, np.float64) ** 2).sum(axis=1, keepdims=True))
     unit: np.ndarray = np.divide(given, length, out=np.zeros_like(positions), where=length > 0)
     return unit
+
+
+def _colours(visual: Any, count: int) -> np.ndarray | None:  # noqa: ANN401  # of a library without types
+    """Return the colours of the vertices in [0, 1], if the file has any."""
+    if getattr(visual, "kind", None) != "vertex":
+        return None
+    found = _finite(visual.vertex_colors, (count, 4))
+    return None if found is None else found[:, :3] / 255.0
+
+
+def _finite(values: Any, shape: tuple[int, int]) -> np.ndarray | None:  # noqa: ANN401  # as above
+    """Return what a file has for each vertex, or None if it is not all there."""
+    if values is None or np.shape(values) != shape:
+        return None
+    found = np.asarray(values, np.float64)
+    return found if np.isfinite(found).all() else None
 
 
 def _content(path: Path) -> bytes:

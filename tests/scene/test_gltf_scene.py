@@ -319,6 +319,16 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
         (lit({"type": "point", "color": [1, 1]}), "KHR_lights_punctual"),
         (lit({"type": "spot", "spot": {"outerConeAngle": 0}}), "its cone goes from 0 to 0"),
         (lit({"type": "directional"}, scale=[1, 1, 0]), "flattens the direction"),
+        ({"nodes": [{"mesh": 0, "rotation": [0, 0, 0, 0]}]}, "made.gltf \\(node 0\\): quaternion"),
+        (
+            {
+                "nodes": [
+                    {"mesh": 0, "scale": [1e200, 1, 1], "children": [1]},
+                    {"scale": [1e200, 1, 1]},
+                ]
+            },
+            "1e400",
+        ),
         ({"extensionsRequired": ["KHR_draco_mesh_compression"]}, "its meshes are packed"),
         (
             {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 1}]}]},
@@ -342,3 +352,32 @@ def test_a_mesh_is_one_object_that_stands_still(tmp_path: Path) -> None:
     for wrong in ("b.obj", "b.txt", "b.toml", "b.glb"):
         with pytest.raises(IllegalValueError):
             scene_of(tmp_path / wrong)
+
+
+@pytest.mark.parametrize(
+    "accessor",
+    [
+        {"componentType": 5126, "count": 10**15, "type": "VEC3"},
+        {"bufferView": 0, "componentType": 5126, "count": 30, "type": "VEC3"},
+        {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"},
+        {"bufferView": 0, "componentType": 5126, "count": 1, "type": "VEC3"},
+    ],
+)
+def test_damaged_numbers_are_refused_when_they_are_read(
+    tmp_path: Path, accessor: dict[str, object]
+) -> None:
+    scene = made(tmp_path, accessors=[accessor])
+    with pytest.raises(IllegalValueError, match=r"made\.gltf"):
+        scene.objects[0].geometry.mesh()
+
+
+def test_mesh_files_bring_coordinates_and_colours(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n")
+    uv = scene_of(path).objects[0].geometry.mesh().uv
+    assert uv is not None
+    assert uv.tolist() == [[0, 0], [1, 0], [0, 1]]
+    path.write_text("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n")
+    colours = scene_of(path).objects[0].geometry.mesh().colours
+    assert colours is not None
+    assert colours.tolist() == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]

@@ -88,3 +88,10 @@ def test_every_key_has_a_description_and_no_null() -> None:
         assert set(properties) == set(getattr(scene_records, name).__struct_fields__)
         assert all(one.get("description") for one in properties.values())
     assert '"null"' not in schema()
+
+
+def test_every_key_stands_in_the_reference() -> None:
+    page = (SCENES.parent / "scenes.md").read_text(encoding="utf-8")
+    for name in ("ObjectRecord", "LightRecord", "CameraRecord", "MaterialRecord", "RenderRecord"):
+        for key in WHOLE["$defs"][name]["properties"]:
+            assert f"`{key}`" in page, key
