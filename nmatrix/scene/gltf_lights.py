@@ -145,20 +145,14 @@ def camera(file: GltfScene, node: Node, index: int) -> tuple[View, Lens]:
     cameras = file.document.cameras
     if not 0 <= index < len(cameras):
         raise _bad(file, node, f"camera {index} does not exist")
-    world = node.world_from_object
+    world, lens = node.world_from_object, _lens(cameras[index])
     back, up = (tuple(row[i] for row in world[:3]) for i in (2, 1))
+    if lens is None or not any(back):
+        raise _bad(file, node, "its camera sees nothing")
+    ahead = tuple(-component for component in back)
     try:
-        found = (
-            looking_along(translation(world), tuple(-x for x in back), up, Handedness.RIGHT)
-            if any(back)
-            else None
-        )
-        lens = _lens(cameras[index])
-        if found is None or lens is None:
-            raise _bad(file, node, "its camera sees nothing")
+        found = looking_along(translation(world), ahead, up, Handedness.RIGHT)
         _ = lens.clip_from_camera
-    except IllegalValueError:
-        raise
     except NMatrixError as error:
         raise _bad(file, node, f"its camera: {error}") from None
     return View(matrix=rational(found.camera_from_world)), lens

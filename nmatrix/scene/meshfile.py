@@ -25,21 +25,7 @@ def read_mesh(path: Path) -> Mesh:
     IllegalValueError
         For a file that cannot be read, holds no triangles, or has numbers that are not finite.
     """
-    content = _content(path)
-    import trimesh
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            found = trimesh.load(
-                io.BytesIO(content),
-                file_type=path.suffix[1:].lower(),
-                process=False,
-                force="mesh",
-                skip_materials=True,
-            )
-        except Exception as error:  # trimesh's readers raise whatever they meet
-            raise _unreadable(path, f"it cannot be read ({type(error).__name__})") from None
+    found = _loaded(path)
     positions = np.asarray(getattr(found, "vertices", np.zeros((0, 3))), np.float64)
     triangles = np.asarray(getattr(found, "faces", np.zeros((0, 3))), np.intp)
     if positions.ndim != 2 or len(triangles) == 0:
@@ -56,6 +42,25 @@ def read_mesh(path: Path) -> Mesh:
         )
     except IllegalValueError as error:
         raise _unreadable(path, str(error)) from None
+
+
+def _loaded(path: Path) -> object:
+    """Return what trimesh makes of a file."""
+    content = _content(path)
+    import trimesh
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return trimesh.load(
+                io.BytesIO(content),
+                file_type=path.suffix[1:].lower(),
+                process=False,
+                force="mesh",
+                skip_materials=True,
+            )
+        except Exception as error:  # trimesh's readers raise whatever they meet
+            raise _unreadable(path, f"it cannot be read ({type(error).__name__})") from None
 
 
 def _normals(found: object, positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from math import isfinite
@@ -63,7 +63,7 @@ class Place:
             pass
         raise self.fault(key, "there is no such file", "names are relative to the scene file")
 
-    def known(self, key: str, name: str, names: Iterable[str], what: str) -> str:
+    def known(self, key: str, name: str, names: Collection[str], what: str) -> str:
         """Return a name that the key refers to, if it is one of the names.
 
         Raises
@@ -71,10 +71,9 @@ class Place:
         IllegalValueError
             With the nearest of the names, or all of them.
         """
-        choice = list(names)
-        if name in choice:
+        if name in names:
             return name
-        raise self.fault(key, f"no {what} has this name", suggestion(name, choice))
+        raise self.fault(key, f"no {what} has this name", suggestion(name, names))
 
 
 def suggestion(name: str, names: Iterable[str]) -> str:

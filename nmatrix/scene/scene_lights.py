@@ -39,13 +39,13 @@ def lamps(tables: list[Place], homes: Collection[str]) -> tuple[Lamp, ...]:
         For a key that the kind does not have, one that it lacks, an unknown object, a name that
         is taken.
     """
-    found: list[Lamp] = []
+    found: dict[str, Lamp] = {}
     for index, place in enumerate(tables):
         lamp = _lamp(place, converted(place, LightRecord), index, homes)
-        if lamp.name in [one.name for one in found]:
+        if lamp.name in found:
             raise place.fault("name", "another light has it already", "choose another")
-        found.append(lamp)
-    return tuple(found) or (DAYLIGHT,)
+        found[lamp.name] = lamp
+    return tuple(found.values()) or (DAYLIGHT,)
 
 
 def colour(value: float | list[float]) -> Colour:

@@ -70,7 +70,8 @@ def objects(
     worlds: dict[str, RationalMatrix] = {}
     for entry in _parents_first(by_name):
         worlds[entry.name] = _under(entry, worlds.get(entry.record.parent or ""), own[entry.name])
-    origins = {name: _origin(e, by_name) for name, e in by_name.items() if not e.is_group}
+    drawn = {name: entry for name, entry in by_name.items() if not entry.is_group}
+    origins = {name: _origin(entry, drawn) for name, entry in drawn.items()}
     geometries = {name: _geometry(e) for name, e in origins.items() if e.name == name}
     return tuple(
         SceneObject(
@@ -184,13 +185,12 @@ def matrix_of(place: Place, key: str, rows: Sequence[Sequence[float]]) -> Ration
     return exact if size == LARGEST_MATRIX else affine(exact)
 
 
-def _origin(entry: Entry, by_name: Mapping[str, Entry]) -> Entry:
+def _origin(entry: Entry, drawn: Mapping[str, Entry]) -> Entry:
     """Return the object whose triangles this one shares, itself if it has its own."""
-    drawable = [name for name, one in by_name.items() if not one.is_group]
     at, passed = entry, [entry.name]
     while at.record.copy_of is not None:
         _refuse_beside(at.place, "copy_of", ("shape", "mesh", "tessellation"), "a copy shares them")
-        at = by_name[at.place.known("copy_of", at.record.copy_of, drawable, "drawn object")]
+        at = drawn[at.place.known("copy_of", at.record.copy_of, drawn, "drawn object")]
         if at.name in passed:
             raise entry.place.fault("copy_of", "it is a copy of itself", "name an original")
         passed.append(at.name)

@@ -314,6 +314,13 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
             {"nodes": [{"mesh": 0, "camera": 0}], "cameras": [{"type": "perspective"}]},
             "its camera sees nothing",
         ),
+        (
+            {
+                "nodes": [{"mesh": 0, "camera": 0}],
+                "cameras": [{"type": "perspective", "perspective": {"yfov": 4, "znear": 1}}],
+            },
+            r"made.gltf \(node 0\): its camera: fov",
+        ),
         (lit({"type": "laser"}), "light of type laser is unknown"),
         (lit({"type": "point", "range": -1}), "below zero"),
         (lit({"type": "point", "color": [1, 1]}), "KHR_lights_punctual"),
