@@ -73,8 +73,8 @@ def interpolate(projected: Projected, runs: Runs, columns: int, reads: Reads) ->
     """Return what is read at every sample of the runs."""
     spread = Spread(runs.length)
     first = runs.row * columns + runs.first
-    sample = spread.ramps(first[None], np.ones_like(first)[None])[0]
-    corners = projected.triangles[:, runs.triangle]
+    sample = spread.counted(first)
+    corners = projected.triangles.take(runs.triangle, 1)
     *areas, side = _areas(projected, corners, runs)
     near = np.ones(()) if reads.weighing is Weighing.AFFINE else projected.inverse_w.take(corners)
     of_runs = {name: one[:, runs.triangle] for name, one in reads.faces.items()}

@@ -27,6 +27,7 @@ Array = NDArray[Any]
 
 TILE_SAMPLES = 1 << 22
 STRIPE_SAMPLES = 1 << 15
+LARGEST_KEPT = 30 << 20  # bytes; beyond 32 MiB the allocator does not learn
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +73,7 @@ class Drawing:
         IllegalValueError
             For more triangles than a key can name.
         """
+        _keep_freed_memory()
         kept, fragments, shaded = [], 0, np.zeros(len(self.drawables), np.int64)
         for rows in _steps((0, self.canvas.rows), TILE_SAMPLES, self.canvas):
             tile = Tile.empty(rows, self.canvas.columns, self.depth)
@@ -143,6 +145,16 @@ class Drawing:
         for i in range(1, k * k):  # in one order everywhere: no bit depends on the stripe
             pixels = pixels + grid[:, :, i // k, :, i % k]
         return np.asarray((pixels / (k * k)).transpose(1, 2, 0))
+
+
+def _keep_freed_memory() -> None:
+    """Let the allocator keep what is freed, so that arrays of a stripe reuse warm pages.
+
+    The C library gives larger blocks back to the system at once, and each new one costs a page
+    fault for every 4 KiB. It stops doing so for sizes up to the largest block that it has seen
+    freed, and this one is never touched.
+    """
+    np.empty(LARGEST_KEPT, np.uint8)
 
 
 def _steps(rows: tuple[int, int], samples: int, canvas: Canvas) -> Iterator[tuple[int, int]]:

@@ -33,13 +33,17 @@ def pieces(lengths: Array) -> Iterator[Pieces]:
     1 [0] [4]
     4 [0, 1] [0, 0]
     """
-    longest = int(lengths.max()) if len(lengths) else 0
-    size = 1
-    while size <= longest:
-        run = np.flatnonzero(lengths & size)
-        if len(run):
-            yield Pieces(size, run, lengths.take(run) & -2 * size)
+    left, size = lengths, 1
+    names: Array | None = None  # of the runs that are at least this long; None for all
+    while len(left):
+        odd = np.flatnonzero((left & size) != 0)
+        if len(odd):
+            run = odd if names is None else names.take(odd)
+            yield Pieces(size, run, left.take(odd) & -2 * size)
         size *= 2
+        longer = np.flatnonzero(left >= size)
+        names = longer if names is None else names.take(longer)
+        left = left.take(longer)
 
 
 def batches(sizes: Array, most: int) -> Iterator[slice]:

@@ -44,6 +44,19 @@ class Spread:
                 np.add(block, begin[:, :, None], out=block)
         return out
 
+    def counted(self, start: Array) -> Array:
+        """Return start + i for sample i of each run; start is (runs,)."""
+        out = np.empty((1, self.samples), start.dtype)
+        for piece, block in self._blocks(out):
+            begin = start.take(piece.run)
+            begin += piece.offset
+            step = np.arange(piece.size, dtype=out.dtype)
+            if piece.size < WIDE:
+                np.add(begin, step[:, None], out=block[0])
+            else:
+                np.add(begin[:, None], step, out=block[0])
+        return np.asarray(out[0])
+
     def constants(self, values: Array) -> Array:
         """Return values (k, runs) at every sample."""
         out = np.empty((len(values), self.samples), values.dtype)

@@ -121,7 +121,8 @@ def project(
     is_reversed = space.depth is DepthRange.REVERSED
     if seen.all():
         divided = _divided(corners, canvas, space)
-        return Projected(*divided, mesh.triangles.T, culled, is_reversed=is_reversed)
+        columns = np.ascontiguousarray(mesh.triangles.T)
+        return Projected(*divided, columns, culled, is_reversed=is_reversed)
     whole_ones = seen.take(mesh.triangles).all(axis=1)
     uncut, crossing = np.flatnonzero(whole_ones), np.flatnonzero(~whole_ones)
     cut = clip(whole(corners.T[mesh.triangles[crossing]], crossing), space.depth, canvas)
@@ -130,7 +131,7 @@ def project(
     added = np.arange(made.shape[1]).reshape(-1, 3) + corners.shape[1]
     return Projected(
         *_divided(np.concatenate([corners, made], axis=1), canvas, space),
-        np.concatenate([mesh.triangles[uncut], added]).T,
+        np.ascontiguousarray(np.concatenate([mesh.triangles[uncut], added]).T),
         culled,
         Cut(mesh.triangles[cut.source].T, cut.weights),
         np.concatenate([uncut, cut.source]),

@@ -84,7 +84,7 @@ class Tile:
             np.subtract(STEPS[self.depth], key, out=key)
         key <<= TRIANGLE_BITS
         key |= spread.constants(names.take(found.triangle)[None])[0]
-        return spread.ramps(place[None], np.ones((1, len(place)), np.intp))[0], key
+        return spread.counted(place), key
 
 
 class Plane(NamedTuple):
