@@ -69,6 +69,19 @@ class GltfGeometry:
         return primitive_mesh(self.scene, self.mesh_index, self.primitive)
 
 
+@dataclass(frozen=True)
+class TangentGeometry:
+    """Other triangles, with tangents made from their texture coordinates for a normal map."""
+
+    plain: Geometry
+
+    def mesh(self) -> Mesh:
+        """Build or read the triangles; without texture coordinates they stay as they are."""
+        from nmatrix.scene.tangents import with_tangents
+
+        return with_tangents(self.plain.mesh())
+
+
 @dataclass(frozen=True, eq=False)
 class LoadedGeometry:
     """Triangles that are there already."""
@@ -80,4 +93,4 @@ class LoadedGeometry:
         return self.loaded
 
 
-Geometry = ShapeGeometry | FileGeometry | GltfGeometry | LoadedGeometry
+Geometry = ShapeGeometry | FileGeometry | GltfGeometry | TangentGeometry | LoadedGeometry

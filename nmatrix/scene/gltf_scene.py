@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.camera import View
-from nmatrix.scene.geometry import GltfGeometry
+from nmatrix.scene.geometry import Geometry, GltfGeometry, TangentGeometry
 from nmatrix.scene.gltf import GltfScene, Node, read_gltf
 from nmatrix.scene.gltf_lights import LIGHTS, camera, carried_lights, lamps, radius_of, unique
 from nmatrix.scene.gltf_materials import Materials
@@ -97,7 +97,7 @@ class _Reading:
 
     def _objects(self) -> tuple[SceneObject, ...]:
         names: dict[str, int] = {}
-        shared: dict[tuple[int, int], GltfGeometry] = {}
+        shared: dict[tuple[int, int], Geometry] = {}
         found = []
         for index in self.drawn:
             node = self.file.nodes[index]
@@ -107,12 +107,19 @@ class _Reading:
                 if not _has_triangles(primitive):
                     continue
                 key = (node.mesh, i)
-                geometry = shared.setdefault(key, GltfGeometry(self.file, *key))
+                if key not in shared:
+                    shared[key] = self._geometry(GltfGeometry(self.file, *key), primitive)
+                geometry = shared[key]
                 found.append(self._object(index, unique(node.name, names), geometry, primitive))
         return tuple(found)
 
+    def _geometry(self, plain: GltfGeometry, primitive: Primitive) -> Geometry:
+        """Return the triangles, with tangents that a normal map needs and the file lacks."""
+        needed = self._material(primitive).normal_map and "TANGENT" not in primitive.attributes
+        return TangentGeometry(plain) if needed else plain
+
     def _object(
-        self, index: int, name: str, geometry: GltfGeometry, primitive: Primitive
+        self, index: int, name: str, geometry: Geometry, primitive: Primitive
     ) -> SceneObject:
         node = self.file.nodes[index]
         above = None if node.parent is None else self.file.nodes[node.parent].world_from_object

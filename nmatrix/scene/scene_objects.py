@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from nmatrix.enums import Convention, Shape
 from nmatrix.errors import NMatrixError
 from nmatrix.linear.rational import RationalMatrix, affine, product, rational, to_floats
-from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry
+from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.lamp import EYE, WORLD
 from nmatrix.scene.material import DEFAULT_MATERIAL, Material
 from nmatrix.scene.scene import SceneObject
@@ -73,17 +73,15 @@ def objects(
     drawn = {name: entry for name, entry in by_name.items() if not entry.is_group}
     origins = {name: _origin(entry, drawn) for name, entry in drawn.items()}
     geometries = {name: _geometry(e) for name, e in origins.items() if e.name == name}
-    return tuple(
-        SceneObject(
-            name,
-            geometries[origin.name],
-            worlds[name],
-            _material(by_name[name], origin, materials),
-            own[name],
-            worlds.get(by_name[name].record.parent or ""),
-        )
-        for name, origin in origins.items()
-    )
+    with_tangents = {name: TangentGeometry(plain) for name, plain in geometries.items()}
+    found = []
+    for name, origin in origins.items():
+        material = _material(by_name[name], origin, materials)
+        source: Mapping[str, Geometry] = with_tangents if material.normal_map else geometries
+        above = worlds.get(by_name[name].record.parent or "")
+        geometry = source[origin.name]
+        found.append(SceneObject(name, geometry, worlds[name], material, own[name], above))
+    return tuple(found)
 
 
 def _parents_first(by_name: Mapping[str, Entry]) -> list[Entry]:

@@ -15,7 +15,7 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import inverse_transpose, linear, product, to_floats
 from nmatrix.linear.vectors import normalize
 from nmatrix.scene.camera import FirstPerson
-from nmatrix.scene.geometry import FileGeometry, ShapeGeometry
+from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.scenefile import read_scene
 from nmatrix.scene.world import World
@@ -138,7 +138,8 @@ def test_files_are_relative_to_the_scene(tmp_path: Path) -> None:
         '[materials.m]\ntexture = "b.png"\nnormal_map = "b.png"\n'
     )
     (one,) = read(tmp_path, text).objects
-    assert one.geometry == FileGeometry(tmp_path / "a.obj")
+    # a normal map needs tangents
+    assert one.geometry == TangentGeometry(FileGeometry(tmp_path / "a.obj"))
     assert one.material.texture == one.material.normal_map == tmp_path / "b.png"
 
 
