@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nmatrix.enums import Effect
-from nmatrix.raster.decisions import Decision
+from nmatrix.raster.decision import Decision
 from nmatrix.raster.effects import RECIPES
 from nmatrix.raster.plan import BUDGET, BodyPlan, Plan
 from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict

@@ -89,6 +89,17 @@ class PictureOptions:
 
 
 @dataclass(frozen=True)
+class FileOptions:
+    """Where a picture goes."""
+
+    output: Annotated[
+        str | None, Option("--output", "-o", metavar="FILE", help="PNG or GIF; - is stdout.")
+    ] = None
+    force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False
+    preview: Annotated[bool, Option("--preview", help="Show it in the terminal too.")] = False
+
+
+@dataclass(frozen=True)
 class FrameOptions:
     """How many pictures, and who draws them."""
 

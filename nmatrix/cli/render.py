@@ -12,7 +12,7 @@ from typer import Argument, Option
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.files import refuse_existing, write_file
-from nmatrix.cli.pictures import FrameOptions, PictureOptions, frame_names
+from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
@@ -54,27 +54,27 @@ def render(
     space: SpaceOptions,
     picture: PictureOptions,
     frames: FrameOptions,
+    file: FileOptions,
     everywhere: Everywhere,
     subject: Annotated[
         str, Argument(metavar="PROOF|SCENE|MESH", help="A proof (see --list), or a file.")
     ] = "normals",
     mesh: Annotated[str | None, Option(metavar="FILE", help="Draw a proof of this mesh.")] = None,
-    output: Annotated[
-        str | None, Option("--output", "-o", metavar="FILE", help="PNG or GIF; - is stdout.")
-    ] = None,
-    force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False,
     list_: Annotated[bool, Option("--list", help="Show the proofs.")] = False,
-    preview: Annotated[bool, Option("--preview", help="Show it in the terminal too.")] = False,
 ) -> None:
     """Draw a proof image, a scene or a mesh."""
     if list_:
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
     groups = Groups(world, view, lens, light, space)
-    job = _job(subject, mesh, groups, picture, everywhere)
-    target = output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
+    _write(_job(subject, mesh, groups, picture, everywhere), frames, file, everywhere)
+
+
+def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everywhere) -> None:
+    """Draw, write the files, and show the numbers."""
+    target = file.output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
     names = _names(target, frames.count)
-    refuse_existing(names, force=force)
+    refuse_existing(names, force=file.force)
     started = time.perf_counter()
     proofs = _draw(job, frames)
     milliseconds = (time.perf_counter() - started) * 1000
@@ -82,11 +82,11 @@ def render(
         put_bytes(_content(proofs, "-")[0])
         return
     for name, content in zip(names, _content(proofs, target), strict=True):
-        write_file(name, content, force=force)
+        write_file(name, content, force=file.force)
     from nmatrix.answers.render import render as answer
 
     show(answer(proofs[0], _named(names), milliseconds), everywhere)
-    if preview:
+    if file.preview:
         show_picture(proofs[0].image, everywhere)
 
 

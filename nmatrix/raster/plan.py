@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from nmatrix.enums import Effect, Effort, LeftOut, Shading
-from nmatrix.raster.decisions import Decision, decide
+from nmatrix.raster.decision import Decision
+from nmatrix.raster.decisions import decide
 from nmatrix.raster.effects import RECIPES, closure, per_sample
 from nmatrix.raster.facts import Facts
 from nmatrix.raster.lamps import why_dark

@@ -12,6 +12,7 @@ from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 from nmatrix.enums import Effect, LampKind, LeftOut, Shading, Shape, Space
 from nmatrix.raster import decisions as decisions_module
 from nmatrix.raster import plan as plan_module
+from nmatrix.raster import shortcuts
 from nmatrix.raster.plan import BUDGET, everything, planned
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import render
@@ -104,7 +105,7 @@ def test_where_only_exact_shortcuts_are_taken_no_bit_changes() -> None:
 
 def test_a_bound_that_is_too_small_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = single(World(scale=(1, 1.5, 1)))
-    judge = decisions_module._inverse_transpose
+    judge = shortcuts.inverse_transpose
     monkeypatch.setitem(
         decisions_module.JUDGES,
         Effect.INVERSE_TRANSPOSE,

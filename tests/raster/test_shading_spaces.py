@@ -9,7 +9,7 @@ from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 from nmatrix.enums import LampKind, Space
 from nmatrix.linear.rational import rational
 from nmatrix.raster import plan as plan_module
-from nmatrix.raster.decisions import Decision
+from nmatrix.raster.decision import Decision
 from nmatrix.raster.plan import planned
 from nmatrix.raster.render import render
 from nmatrix.raster.shading_space import Measure

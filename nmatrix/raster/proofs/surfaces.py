@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -81,19 +82,17 @@ def interpolation(brief: Brief) -> Proof:
     """Draw normals normalised never, after and before interpolation; and affine interpolation."""
     scene = brief.scene(brief.placed(TALL), brief.geometry(COARSE))
     right = shown(scene)
-    never = as_levels(redrawn(right, lambda one: _normalised(one, before=False, after=False)))
-    after = as_levels(redrawn(right, lambda one: _normalised(one, before=False, after=True)))
-    both = as_levels(redrawn(right, lambda one: _normalised(one, before=True, after=True)))
+    never, after, both = (
+        as_levels(redrawn(right, partial(_normalised, before=before, after=then)))
+        for before, then in ((False, False), (False, True), (True, True))
+    )
     surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
     bent = angle_map(
         right.studio,
         *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
     )
     floor = shown(_checkered(brief))
-    correct = as_levels(floor.rendered.image)
-    affine = as_levels(
-        redrawn(floor, lambda one: replace(one, effects=one.effects - {Effect.PERSPECTIVE}))
-    )
+    correct, affine = as_levels(floor.rendered.image), as_levels(redrawn(floor, _affine))
     swum = float((np.abs(affine.astype(int) - correct).max(axis=2) > 8).mean())
     panels = (
         Panel(never, "Never normalised", "short normals: too dark between vertices"),
@@ -126,6 +125,10 @@ def _normalised(surface: Surface, *, before: bool, after: bool) -> Surface:
     rule = NormalRule.EXACT if before else NormalRule.INVERSE
     look = replace(surface.look, unit_vertices=before, rule=rule)
     return replace(surface, look=look, effects=on)
+
+
+def _affine(surface: Surface) -> Surface:
+    return replace(surface, effects=surface.effects - {Effect.PERSPECTIVE})
 
 
 def _checkered(brief: Brief) -> Scene:
