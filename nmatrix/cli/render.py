@@ -13,6 +13,7 @@ from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
+from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
@@ -52,6 +53,7 @@ def render(
     lens: LensOptions,
     light: LightOptions,
     space: SpaceOptions,
+    scene: SceneOptions,
     picture: PictureOptions,
     frames: FrameOptions,
     file: FileOptions,
@@ -66,7 +68,7 @@ def render(
     if list_:
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
-    groups = Groups(world, view, lens, light, space)
+    groups = Groups(world, view, lens, light, space, scene=scene)
     _write(_job(subject, mesh, groups, picture, everywhere), frames, file, everywhere)
 
 
@@ -105,8 +107,11 @@ def _job(
             f"it is no proof; scenes end in {', '.join(SCENES)}, meshes in {', '.join(MESHES)}",
             "see nmatrix render --list",
         )
-    if mesh is not None:
-        raise IllegalValueError(f"{subject[:60]} with --mesh", "a proof takes it", "keep one")
+    for option, given in (("--mesh", mesh), ("--scene", groups.scene.scene_file)):
+        if given is not None:
+            raise IllegalValueError(
+                f"{subject[:60]} with {option}", "both say what to draw", "keep one of them"
+            )
     path = Path(subject)
     return Job(path.stem, scene=_scene(path, groups, picture, everywhere))
 
@@ -114,59 +119,59 @@ def _job(
 def _brief(
     name: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
 ) -> Brief:
+    """Return a proof's brief: a scene lends its object, its camera and its light."""
     from nmatrix.raster.proofs.brief import Brief
     from nmatrix.scene.meshfile import read_mesh
     from nmatrix.scene.scene import Settings
 
     size = picture.checked_size(PANEL)
     shot = groups.shot(everywhere, aspect=size[0] / size[1])
-    settings = _settings(Settings(size=size), groups, picture, shot)
+    lent = groups.scene.scene
+    has_camera = groups.view.is_given or (lent is not None and lent.has_camera)
+    loaded = None if mesh is None else read_mesh(Path(mesh))
+    if loaded is None and groups.scene.chosen_object is not None:
+        loaded = groups.scene.chosen_object.geometry.mesh()
     return Brief(
         name if mesh is None else Path(mesh).stem,
-        None if mesh is None else read_mesh(Path(mesh)),
-        shot.world if groups.world.is_given else None,
-        shot.view if groups.view.is_given else None,
+        loaded,
+        shot.world if groups.world.is_given or lent is not None else None,
+        shot.view if has_camera else None,
         shot.lens,
         _lamps(shot),
-        settings,
+        _settings(Settings(size=size), groups, picture, shot),
         picture.reflection or Reflection.LAMBERT,
         time.perf_counter,
     )
 
 
 def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Everywhere) -> Scene:
-    """Return the scene of a file, with what the command line says in place of its own."""
-    from nmatrix.scene.open import scene_of
+    """Return the scene of a file, with what the command line says in place of its own.
 
-    found = scene_of(path)
-    size = picture.checked_size(found.settings.size)
-    shot = groups.shot(everywhere, aspect=size[0] / size[1])
-    settings = _settings(replace(found.settings, size=size), groups, picture, shot)
+    World options move the object that --object names, or the first.
+    """
+    groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
+    read, chosen = groups.scene.scene, groups.scene.chosen_object
+    assert read is not None  # a file was named
+    found = read.sized(*picture.checked_size(read.settings.size))
+    shot = groups.shot(everywhere, aspect=found.lens.aspect)
     objects = found.objects
     if groups.world.is_given:
-        if len(objects) > 1:
-            raise IllegalValueError(
-                f"World options with {path.name}",
-                f"it has {len(objects)} objects, each in its own place",
-                "move them in the file",
-            )
-        placed = shot.world.world_from_object
-        objects = tuple(replace(one, world_from_object=placed) for one in objects)
+        moved = shot.world.world_from_object
+        objects = tuple(
+            replace(one, world_from_object=moved) if one is chosen else one for one in objects
+        )
     if picture.reflection is not None:
         objects = tuple(
             replace(one, material=replace(one.material, reflection=picture.reflection))
             for one in objects
         )
-    lens = shot.lens if groups.lens.is_given else found.lens
-    if not groups.lens.is_given and picture.size is not None:
-        lens = replace(lens, aspect=size[0] / size[1])
     return replace(
         found,
         objects=objects,
         lamps=_lamps(shot) if groups.light.is_given or not found.lamps else found.lamps,
-        view=shot.view if groups.view.is_given else found.view,
-        lens=lens,
-        settings=settings,
+        view=shot.view,
+        lens=shot.lens,
+        settings=_settings(found.settings, groups, picture, shot),
         has_camera=found.has_camera or groups.view.is_given,
     )
 
