@@ -114,7 +114,9 @@ class Frame:
         drawables = []
         for mesh in (self.mesh, *self.others):
             projected = self.projected(mesh)
-            reads = Reads(directions={"normal": projected.per_vertex(np.ascontiguousarray(mesh.normals.T))})
+            reads = Reads(
+                directions={"normal": projected.per_vertex(np.ascontiguousarray(mesh.normals.T))}
+            )
             drawables.append(Drawable(projected, reads, self.lambert))
         return Drawing(drawables, self.canvas, np.array([BACKGROUND]))
 
