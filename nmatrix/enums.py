@@ -175,6 +175,14 @@ class Shape(StrEnum):
     CONE = "cone"
 
 
+class Sides(StrEnum):
+    """Which sides of a surface are drawn: where its back can be seen, the front alone, both."""
+
+    AS_NEEDED = "as-needed"
+    FRONT = "front"
+    BOTH = "both"
+
+
 class DepthBuffer(StrEnum):
     """How finely depth is stored."""
 

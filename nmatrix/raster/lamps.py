@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import LampKind, Space
+from nmatrix.enums import LampKind, Sides, Space
 from nmatrix.raster.shading_space import ShadingSpace, dot, length
 from nmatrix.raster.studio import Body, PlacedLamp, Studio
 
@@ -40,7 +40,10 @@ def _is_behind(studio: Studio, body: Body, placed: PlacedLamp) -> bool:
     """
     if placed.lamp.kind is LampKind.AMBIENT or body.linear_map.rank < 3:
         return False
-    if body.material.two_sided or body.material.normal_map or not body.mesh.is_closed:
+    one_sided = body.material.sides is Sides.FRONT
+    if body.material.sides is Sides.AS_NEEDED:
+        one_sided = body.mesh.is_closed
+    if not one_sided or body.material.normal_map is not None:
         return False
     normals = ShadingSpace(studio, body, Space.WORLD, uses_metric=False).normals(
         studio.settings.normals

@@ -11,7 +11,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from nmatrix.enums import Effect, Effort, LeftOut, Shading
+from nmatrix.enums import Effect, Effort, LeftOut, Shading, Sides
 from nmatrix.raster.decision import Decision
 from nmatrix.raster.decisions import decide
 from nmatrix.raster.effects import RECIPES, closure, per_sample
@@ -113,7 +113,7 @@ def everything(studio: Studio) -> Plan:
         )
         facts = Facts(studio, body, tuple(one.placed for one in lamps))
         named = {effect for effect, one in decide(facts).items() if one.on}
-        on = closure(_for_shading(named | SHORTCUTS, studio))
+        on = closure(_for_shading(named | _possible(body), studio))
         decisions = {
             one: Decision(one, on=one in on, because="everything is on") for one in RECIPES
         }
@@ -123,6 +123,13 @@ def everything(studio: Studio) -> Plan:
         for effect, one in _picture(studio).items()
     }
     return Plan(studio, tuple(bodies), picture)
+
+
+def _possible(body: Body) -> AbstractSet[Effect]:
+    """Return the shortcuts that may be left untaken: what has no back shows none."""
+    if body.material.sides is Sides.FRONT:
+        return SHORTCUTS - {Effect.BACK_FACES}
+    return SHORTCUTS
 
 
 def _planned_body(studio: Studio, body: Body) -> BodyPlan:

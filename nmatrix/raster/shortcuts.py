@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import inf, radians, sqrt
 
-from nmatrix.enums import LeftOut, NormalRule, Reflection, Shading
+from nmatrix.enums import LeftOut, NormalRule, Reflection, Shading, Sides
 from nmatrix.raster.decision import Verdict
 from nmatrix.raster.facts import Facts
 from nmatrix.raster.occluders import occluders
@@ -130,7 +130,9 @@ def near_clip(facts: Facts) -> Verdict:
 
 def back_faces(facts: Facts) -> Verdict:
     """Decide on faces that are seen from behind."""
-    if facts.body.material.opacity < 1.0 or facts.body.material.two_sided:
+    if facts.body.material.sides is Sides.FRONT:
+        return False, "the material has a front alone"
+    if facts.body.material.opacity < 1.0 or facts.body.material.sides is Sides.BOTH:
         return True, "the material shows both sides"
     if facts.body.linear_map.rank < 3:
         return False, "a flattened body turns its normals to the eye at its vertices"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.material import CHECKER
+from nmatrix.scene.material import CHECKER, ImageSource
 
 Array = NDArray[Any]
 
@@ -19,7 +20,7 @@ DARK = 0.35
 MOST_PIXELS = 1 << 26
 
 
-def sample(texture: Path | str, uv: Array, *, linear: bool) -> Array:
+def sample(texture: ImageSource | str, uv: Array, *, linear: bool) -> Array:
     """Return the texture's colours (channels, m) at coordinates (2, m), v upwards.
 
     Images are read between their four nearest texels; `linear` takes sRGB levels to linear light.
@@ -32,12 +33,12 @@ def sample(texture: Path | str, uv: Array, *, linear: bool) -> Array:
     if texture == CHECKER:
         squares = np.floor(uv * SQUARES)
         return np.asarray(np.where((squares[0] + squares[1]) % 2 == 0, 1.0, DARK)[None])
-    image = read_image(Path(texture))
+    image = read_image(Path(texture) if isinstance(texture, str) else texture)
     return _between(from_srgb(image) if linear else image, uv)
 
 
 @lru_cache(maxsize=16)
-def read_image(path: Path) -> Array:
+def read_image(source: ImageSource) -> Array:
     """Return an image as (3, height, width) levels in [0, 1], its last row first.
 
     Raises
@@ -47,19 +48,20 @@ def read_image(path: Path) -> Array:
     """
     from PIL import Image
 
+    file = source if isinstance(source, Path) else io.BytesIO(source.content)
     try:
-        with Image.open(path) as opened:
+        with Image.open(file) as opened:
             if opened.width * opened.height > MOST_PIXELS:
                 raise IllegalValueError(
-                    f"{path} ({opened.width}×{opened.height})",
+                    f"{source} ({opened.width}×{opened.height})",
                     f"a texture has {MOST_PIXELS} pixels at the most",
                     "make it smaller",
                 )
             levels = np.asarray(opened.convert("RGB"))
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
-        if isinstance(error, IllegalValueError):
-            raise
-        raise IllegalValueError(f"{path}", "it cannot be read as an image", "check it") from None
+    except IllegalValueError:
+        raise
+    except (OSError, ValueError, Image.DecompressionBombError):
+        raise IllegalValueError(f"{source}", "it is no image", "check it") from None
     return np.ascontiguousarray(levels[::-1].transpose(2, 0, 1) / 255.0)
 
 

@@ -20,7 +20,7 @@ import msgspec
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, identity, product, rational, to_floats
-from nmatrix.scene.gltf_records import Document, NodeRecord
+from nmatrix.scene.gltf_records import Document, ImageRecord, NodeRecord
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 LONGEST_URI = 200
@@ -197,6 +197,28 @@ def buffer_bytes(scene: GltfScene, index: int) -> bytes:
             "copy the file again",
         )
     return content
+
+
+def image_bytes(scene: GltfScene, record: ImageRecord) -> bytes:
+    """Return the bytes of an image that the file holds itself.
+
+    Raises
+    ------
+    IllegalValueError
+        If they are missing or cut short.
+    """
+    if record.uri is not None:
+        return _from_uri(scene.path, record.uri)
+    views = scene.document.buffer_views
+    if record.buffer_view is None or not 0 <= record.buffer_view < len(views):
+        raise IllegalValueError(f"{scene.path}", "an image has no bytes", "export it again")
+    view = views[record.buffer_view]
+    content = buffer_bytes(scene, view.buffer)
+    if view.byte_offset < 0 or view.byte_offset + view.byte_length > len(content):
+        raise IllegalValueError(
+            f"{scene.path}", "an image reaches beyond its buffer", "export it again"
+        )
+    return content[view.byte_offset : view.byte_offset + view.byte_length]
 
 
 def _from_uri(path: Path, uri: str) -> bytes:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
 from urllib.parse import unquote
 
+from nmatrix.enums import Sides
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf import LONGEST_URI, GltfScene
+from nmatrix.scene.gltf import LONGEST_URI, GltfScene, image_bytes
 from nmatrix.scene.gltf_records import MaterialRecord, MetallicRoughness, TextureReference
-from nmatrix.scene.material import AMBIENT_SHARE, Material
+from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
 
 NAMED = 4  # files that a remark names
 
@@ -20,7 +20,6 @@ class Materials:
 
     file: GltfScene
     missing: list[str] = field(default_factory=list)
-    embedded: set[int] = field(default_factory=set)
     left_out: set[str] = field(default_factory=set)
 
     def material(self, index: int | None, *, vertex_colours: bool) -> Material:
@@ -47,7 +46,7 @@ class Materials:
             texture=self._image(surface.base_color_texture),
             normal_map=self._image(record.normal_texture),
             vertex_colours=vertex_colours,
-            two_sided=record.double_sided,
+            sides=Sides.BOTH if record.double_sided else Sides.FRONT,
         )
 
     @property
@@ -56,8 +55,6 @@ class Materials:
         found = []
         if self.left_out:
             found.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
-        if self.embedded:
-            found.append(f"Images inside the file are not drawn: {len(self.embedded)}.")
         if self.missing:
             names = list(dict.fromkeys(self.missing))
             more = ", …" if len(names) > NAMED else ""
@@ -76,8 +73,8 @@ class Materials:
             if one is not None and one.tex_coord != 0:
                 self.left_out.add("textures by a second set of coordinates")
 
-    def _image(self, reference: TextureReference | None) -> Path | None:
-        """Return the file of a texture's image, if it is there."""
+    def _image(self, reference: TextureReference | None) -> ImageSource | None:
+        """Return a texture's image, inside the file or beside it, if it is there."""
         if reference is None or reference.tex_coord != 0:
             return None
         document = self.file.document
@@ -88,10 +85,11 @@ class Materials:
             return None
         if not 0 <= source < len(document.images):
             raise self._bad(f"image {source} does not exist")
-        uri = document.images[source].uri
+        record = document.images[source]
+        uri = record.uri
         if uri is None or uri.startswith("data:"):
-            self.embedded.add(source)
-            return None
+            name = f"{self.file.path} (image {source})"
+            return EmbeddedImage(name, image_bytes(self.file, record))
         name = unquote(uri[:LONGEST_URI])
         path = self.file.path.parent / name
         try:

@@ -5,11 +5,27 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from nmatrix.enums import Reflection
+from nmatrix.enums import Reflection, Sides
 
 Colour = tuple[float, float, float]
 
 AMBIENT_SHARE = 0.15  # of diffuse, where a file does not say
+
+
+@dataclass(frozen=True)
+class EmbeddedImage:
+    """An image that a scene file holds itself: where it stands there, and its bytes."""
+
+    name: str
+    content: bytes
+
+    def __str__(self) -> str:
+        """Return where it stands."""
+        return self.name
+
+
+ImageSource = Path | EmbeddedImage
+
 CHECKER = "checker"  # the built-in texture: eight squares to the unit of u and v
 
 
@@ -48,8 +64,8 @@ class Material:
         A surface whose normal makes a cosine below this with the way to the eye is drawn black.
     vertex_colours
         Whether the mesh's own colours multiply ambient and diffuse.
-    two_sided
-        Whether the back is drawn even of a closed mesh.
+    sides
+        Which sides are drawn; as needed: both where the mesh is open or the eye inside.
     """
 
     name: str = "default"
@@ -59,12 +75,12 @@ class Material:
     shininess: float = 32.0
     reflection: Reflection = Reflection.LAMBERT
     opacity: float = 1.0
-    texture: Path | str | None = None
-    normal_map: Path | None = None
+    texture: ImageSource | str | None = None
+    normal_map: ImageSource | None = None
     toon_steps: int = 3
     outline: float = 0.0
     vertex_colours: bool = False
-    two_sided: bool = False
+    sides: Sides = Sides.AS_NEEDED
 
     @property
     def shines(self) -> bool:

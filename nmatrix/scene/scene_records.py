@@ -164,7 +164,10 @@ class MaterialRecord(Table, frozen=True):
     outline: Annotated[
         Level, Meta(description="Cosine with the way to the eye below which all is black.")
     ] = 0.0
-    two_sided: Annotated[bool, Meta(description="Whether backs are drawn.")] = False
+    two_sided: Annotated[
+        bool | None,
+        Meta(description="Whether backs are drawn; without it, where the mesh is open."),
+    ] = None
     vertex_colours: Annotated[bool, Meta(description="Whether to use the mesh's colours.")] = False
 
 

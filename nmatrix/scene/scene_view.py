@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nmatrix.enums import Convention, DepthBuffer, Handedness, Space
+from nmatrix.enums import Convention, DepthBuffer, Handedness, Sides, Space
 from nmatrix.errors import NMatrixError
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
@@ -18,6 +18,8 @@ from nmatrix.scene.scene_faults import Place, converted
 from nmatrix.scene.scene_lights import colour
 from nmatrix.scene.scene_objects import matrix_of
 from nmatrix.scene.scene_records import CameraRecord, FogRecord, MaterialRecord, RenderRecord
+
+SIDES = {None: Sides.AS_NEEDED, True: Sides.BOTH, False: Sides.FRONT}
 
 
 def camera(place: Place, aspect: float) -> tuple[View, Lens]:
@@ -107,7 +109,7 @@ def material(place: Place, name: str) -> Material:
         toon_steps=record.toon_steps,
         outline=record.outline,
         vertex_colours=record.vertex_colours,
-        two_sided=record.two_sided,
+        sides=SIDES[record.two_sided],
     )
     return replace(found, **_colours(record))
 

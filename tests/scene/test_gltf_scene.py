@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from base64 import b64encode
+from dataclasses import replace
 from math import cos, degrees, pi, sin
 from pathlib import Path
 from struct import pack
@@ -11,11 +12,16 @@ from struct import pack
 import numpy as np
 import pytest
 
-from nmatrix.enums import LampKind
+from nmatrix.enums import LampKind, Sides
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity, product, to_floats
+from nmatrix.raster.plan import planned
+from nmatrix.raster.render import render
+from nmatrix.raster.studio import studio
+from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import FileGeometry
 from nmatrix.scene.gltf_scene import gltf_scene
+from nmatrix.scene.lens import Lens
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene
 
@@ -200,7 +206,7 @@ def test_materials(tmp_path: Path) -> None:
         images=[{"uri": "a%20b.png"}, {"uri": "none.png"}, {"uri": "data:image/png;base64,"}],
     )
     found = scene.objects[0].material
-    assert (found.name, found.opacity, found.two_sided) == ("glass", 0.25, True)
+    assert (found.name, found.opacity, found.sides) == ("glass", 0.25, Sides.BOTH)
     assert found.diffuse == (1, 0.5, 0)
     assert found.ambient == (0.15, 0.075, 0)
     assert (found.texture, found.normal_map) == (tmp_path / "a b.png", None)
@@ -388,3 +394,15 @@ def test_mesh_files_bring_coordinates_and_colours(tmp_path: Path) -> None:
     colours = scene_of(path).objects[0].geometry.mesh().colours
     assert colours is not None
     assert colours.tolist() == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+
+
+def test_the_negative_scale_sample_passes_its_own_test(data: Path) -> None:
+    """Crosses show where a mirrored back is drawn; ticks where it is not."""
+    file = data / "gltf" / "NegativeScaleTest" / "glTF-Binary" / "NegativeScaleTest.glb"
+    scene = replace(
+        scene_of(file), view=View(eye=(0, 0, 9)), has_camera=True, lens=Lens(near=1, far=30)
+    )
+    image = render(planned(studio(scene.sized(320, 320)))).rgb
+    red, green = image[:, :, 0] - image[:, :, 1], image[:, :, 1] - image[:, :, 0]
+    assert (green > 0.4).sum() > 300
+    assert (red > 0.4).sum() == 0
