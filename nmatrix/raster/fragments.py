@@ -74,7 +74,7 @@ def interpolate(projected: Projected, runs: Runs, columns: int, reads: Reads) ->
     spread = Spread(runs.length)
     first = runs.row * columns + runs.first
     sample = spread.counted(first)
-    corners = projected.triangles.take(runs.triangle, 1)
+    corners = projected.corners(runs.triangle)
     *areas, side = _areas(projected, corners, runs)
     near = np.ones(()) if reads.weighing is Weighing.AFFINE else projected.inverse_w.take(corners)
     of_runs = {name: one[:, runs.triangle] for name, one in reads.faces.items()}

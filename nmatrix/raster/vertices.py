@@ -90,6 +90,10 @@ class Projected:
             if len(kept):
                 yield Corners(x, y, z, kept + first)
 
+    def corners(self, triangles: Array) -> Array:
+        """Return the vertices (3, n) of some triangles; whole rows of indices are read at once."""
+        return np.ascontiguousarray(self.triangles.T.take(triangles, 0).T)
+
     def per_triangle(self, values: Array) -> Array:
         """Return values (k, F) of the mesh's triangles for those of the clip too."""
         return values if self.source is None else values[:, self.source]
@@ -121,8 +125,7 @@ def project(
     is_reversed = space.depth is DepthRange.REVERSED
     if seen.all():
         divided = _divided(corners, canvas, space)
-        columns = np.ascontiguousarray(mesh.triangles.T)
-        return Projected(*divided, columns, culled, is_reversed=is_reversed)
+        return Projected(*divided, mesh.triangles.T, culled, is_reversed=is_reversed)
     whole_ones = seen.take(mesh.triangles).all(axis=1)
     uncut, crossing = np.flatnonzero(whole_ones), np.flatnonzero(~whole_ones)
     cut = clip(whole(corners.T[mesh.triangles[crossing]], crossing), space.depth, canvas)
@@ -131,7 +134,7 @@ def project(
     added = np.arange(made.shape[1]).reshape(-1, 3) + corners.shape[1]
     return Projected(
         *_divided(np.concatenate([corners, made], axis=1), canvas, space),
-        np.ascontiguousarray(np.concatenate([mesh.triangles[uncut], added]).T),
+        np.concatenate([mesh.triangles[uncut], added]).T,
         culled,
         Cut(mesh.triangles[cut.source].T, cut.weights),
         np.concatenate([uncut, cut.source]),
