@@ -29,7 +29,9 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
         "fragment_shader": shaders[1],
     }
     blocks: tuple[Block, ...] = (
-        Heading(f"{len(found.bodies)} objects, {len(found.studio.lamps)} lights"),
+        Heading(
+            f"{_counted(len(found.bodies), 'object')}, {_counted(len(found.studio.lamps), 'light')}"
+        ),
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
         Verdict(_sentence(found)),
@@ -38,6 +40,10 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
         Code("glsl", shaders[1], "fragment shader"),
     )
     return Report("plan", data, blocks, found.studio.remarks)
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def _row(effect: Effect, found: Plan) -> dict[str, Value]:

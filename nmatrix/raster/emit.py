@@ -53,7 +53,9 @@ class Shaders:
         yield from ("void main() {", *self._vertex_body(), "}")
 
     def _vertex_body(self) -> Iterator[str]:
-        yield "    vec3 n = normalize(normal_matrix * vertex_normal);"
+        carries = Effect.INVERSE_TRANSPOSE in self.on
+        matrix = "the inverse transpose" if carries else "A itself: it carries normals here"
+        yield f"    vec3 n = normalize(normal_matrix * vertex_normal);  // {matrix}"
         if self.reads_position or self._has_fog:
             yield "    vec3 p = (space_from_object * vec4(vertex_position, 1.0)).xyz;"
         if self.per_vertex:

@@ -29,16 +29,30 @@ class Terms:
     def lamp(self, i: int, placed: PlacedLamp) -> Iterator[str]:
         """Return the light of lamp i, added to the sums."""
         yield f"        // {placed.lamp.kind} light"
-        yield "        float strength = 1.0;"
         if placed.position is None:
             yield f"        vec3 l = to_light_{i};"
         else:
             yield f"        vec3 way = light_position_{i} - p;"
             yield f"        float d = {self._length('way')};"
             yield "        vec3 l = way / d;"
-            if Effect.ATTENUATION in self.on and placed.lamp.fades:
-                yield f"        strength /= dot(attenuation_{i}, vec3(1.0, d, d * d));"
-                yield f"        strength *= step(d, range_{i});"
+        weaker = [*self._weaker(i, placed)]
+        if weaker:
+            yield from ("        float strength = 1.0;", *weaker)
+        times = " * strength" if weaker else ""
+        yield "        float n_dot_l = dot(n, l);"
+        if Effect.DIFFUSE in self.on:
+            yield f"        matte += light_color_{i} * diffuse_color * ({self._shade()}{times});"
+        if Effect.SPECULAR in self.on:
+            yield f"        float highlight = clamp({self._highlight()}, 0.0, 1.0);"
+            yield "        if (n_dot_l > 0.0)"
+            yield f"            gloss += light_color_{i} * specular_color"
+            yield f"                * (pow(highlight, shininess){times});"
+
+    def _weaker(self, i: int, placed: PlacedLamp) -> Iterator[str]:
+        """Return what takes light away: distance, the cone, what stands in the way."""
+        if Effect.ATTENUATION in self.on and placed.position is not None and placed.lamp.fades:
+            yield f"        strength /= dot(attenuation_{i}, vec3(1.0, d, d * d));"
+            yield f"        strength *= step(d, range_{i});"
         if placed.lamp.kind is LampKind.SPOT and Effect.SPOT in self.on:
             cosine = f"-dot({self._in_world('l')}, {self._in_world(f'light_axis_{i}')})"
             yield f"        strength *= smoothstep(cone_{i}.y, cone_{i}.x, {cosine});"
@@ -47,18 +61,12 @@ class Terms:
             yield "        vec3 at = seen.xyz / seen.w * 0.5 + 0.5;"
             yield f"        float nearest = texture(shadow_map_{i}, at.xy).r;"
             yield f"        strength *= step(at.z - shadow_bias_{i}, nearest);"
-        yield "        float n_dot_l = dot(n, l);"
-        yield "        float shade = max(n_dot_l, 0.0);"
-        if Effect.TOON in self.on:
-            steps = number(self.body.body.material.toon_steps)
-            yield f"        shade = ceil(shade * {steps}) / {steps};"
-        if Effect.DIFFUSE in self.on:
-            yield f"        matte += light_color_{i} * diffuse_color * (shade * strength);"
-        if Effect.SPECULAR in self.on:
-            yield f"        float highlight = clamp({self._highlight()}, 0.0, 1.0);"
-            yield "        if (n_dot_l > 0.0)"
-            yield f"            gloss += light_color_{i} * specular_color"
-            yield "                * (pow(highlight, shininess) * strength);"
+
+    def _shade(self) -> str:
+        if Effect.TOON not in self.on:
+            return "max(n_dot_l, 0.0)"
+        steps = number(self.body.body.material.toon_steps)
+        return f"ceil(max(n_dot_l, 0.0) * {steps}) / {steps}"
 
     def _highlight(self) -> str:
         if self.body.body.material.reflection is Reflection.BLINN_PHONG:
