@@ -248,3 +248,11 @@ class Effort(StrEnum):
 
     PLANNED = "planned"
     ALL = "all"
+
+
+class Level(StrEnum):
+    """How many normals at once are computed."""
+
+    EXACT = "exact"
+    CERTIFIED = "certified"
+    GUARDED = "guarded"

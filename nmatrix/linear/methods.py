@@ -1,0 +1,215 @@
+"""Every way to carry a normal through a map that is in use: ours, and the ones to compare with.
+
+A method takes matrices (N, 3, 3) and normals (N, 3) and returns unit normals (N, 3). Where it has
+no answer it returns what the program that it stands for would: zero, or not a number. Each of the
+others fails somewhere; the hard cases say where.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Level
+from nmatrix.linear.batched import normal_matrices_by_row
+from nmatrix.linear.certified import certified_normals
+from nmatrix.linear.exact import LinearMap
+
+Array = NDArray[Any]
+Carry = Callable[[Array, Array], Array]
+
+
+@dataclass(frozen=True)
+class Method:
+    """One way: its name in tables, what it does in a phrase, and the function itself."""
+
+    name: str
+    title: str
+    carry: Carry
+    is_ours: bool = False
+
+    def normals(self, A: Array, n: Array) -> Array:
+        """Return what it makes of normals (N, 3) under matrices (N, 3, 3), without a warning."""
+        with np.errstate(all="ignore"):
+            return self.carry(A, n)
+
+
+def exact(A: Array, n: Array) -> Array:
+    """Use whole numbers, one matrix after the other; correctly rounded."""
+    found = np.zeros(n.shape)
+    for i, (matrix, normal) in enumerate(zip(A.tolist(), n.tolist(), strict=True)):
+        found[i] = LinearMap.of(matrix).normal(normal).direction or (0.0, 0.0, 0.0)
+    return found
+
+
+def certified(A: Array, n: Array) -> Array:
+    """Use compensated cofactors; what their bound does not settle goes on to whole numbers."""
+    turned = np.ascontiguousarray(A.transpose(1, 2, 0), np.float64)
+    return certified_normals(turned, np.ascontiguousarray(n.T, np.float64)).normals.T
+
+
+def guarded(A: Array, n: Array) -> Array:
+    """Use plain cofactors where they are as good as an inverse, else compensated ones."""
+    matrices = normal_matrices_by_row(A, np.empty(A.shape), Level.GUARDED)
+    return _unit(_times(matrices, n))
+
+
+def inverse(A: Array, n: Array) -> Array:
+    """Use `np.linalg.inv(A).T @ n`; a matrix that raises has no answer."""
+    return _unit(_times(_each(np.linalg.inv, A).transpose(0, 2, 1), n))
+
+
+def solve(A: Array, n: Array) -> Array:
+    """Use `np.linalg.solve(A.T, n)`."""
+    found = np.full(n.shape, np.nan)
+    for i in range(len(A)):
+        try:
+            found[i] = np.linalg.solve(A[i].T, n[i])
+        except np.linalg.LinAlgError:
+            continue
+    return _unit(found)
+
+
+def by_qr(A: Array, n: Array) -> Array:
+    """Substitute back through A = Q R: A⁻ᵀ n = Q R⁻ᵀ n."""
+    Q, R = np.linalg.qr(A)
+    return _unit(_times(Q, solve(R, n)))
+
+
+def by_svd(A: Array, n: Array) -> Array:
+    """Use singular values: A⁻ᵀ n = U Σ⁻¹ Vᵀ n."""
+    U, size, V = np.linalg.svd(A)
+    return _unit(_times(U, _times(V, n) / size))
+
+
+def inverse_4x4(A: Array, n: Array) -> Array:
+    """Use the inverse transpose of the 4×4 matrix with a translation, w = 0."""
+    affine = np.zeros((len(A), 4, 4))
+    affine[:, :3, :3], affine[:, 3, 3] = A, 1.0
+    affine[:, :3, 3] = np.abs(A).max(axis=(1, 2))[:, None]
+    return _unit(_times(_each(np.linalg.inv, affine)[:, :3, :3].transpose(0, 2, 1), n))
+
+
+def plain_cofactor(A: Array, n: Array) -> Array:
+    """Use cross products of the rows, with no sign: a mirror turns normals inwards."""
+    return _unit(_times(_cofactors(A), n))
+
+
+def signed_cofactor(A: Array, n: Array) -> Array:
+    """Use the cofactors times the sign of `np.linalg.det`."""
+    sign = np.sign(np.linalg.det(A))
+    return _unit(_times(_cofactors(A), n) * sign[:, None])
+
+
+def zero_matrix(A: Array, n: Array) -> Array:
+    """Divide cofactors by the determinant; one of 0 makes a matrix of zeros, as in engines."""
+    C = _cofactors(A)
+    determinant = (A[:, 0] * C[:, 0]).sum(axis=1)[:, None]
+    return _unit(np.where(determinant == 0, 0.0, _times(C, n) / determinant))
+
+
+def identity_matrix(A: Array, n: Array) -> Array:
+    """Use the inverse transpose; where that raises, the identity."""
+    found = inverse(A, n)
+    return np.where(np.isfinite(found).all(axis=1)[:, None], found, _unit(n))
+
+
+def determinant_test(A: Array, n: Array) -> Array:
+    """Use A itself where the determinant is 1, "since it only rotates"; else the inverse."""
+    rotates = np.asarray(np.abs(np.linalg.det(A) - 1) < 1e-6)[:, None]
+    return np.where(rotates, matrix_itself(A, n), inverse(A, n))
+
+
+def matrix_itself(A: Array, n: Array) -> Array:
+    """Use A n: the mistake that started it all."""
+    return _unit(_times(A, n))
+
+
+def float32_inverse(A: Array, n: Array) -> Array:
+    """Use the inverse transpose in float32."""
+    return _in(np.float32, inverse, A, n)
+
+
+def float32_cofactor(A: Array, n: Array) -> Array:
+    """Use cofactors in float32."""
+    return _in(np.float32, signed_cofactor, A, n)
+
+
+def float16_cofactor(A: Array, n: Array) -> Array:
+    """Use cofactors in float16."""
+    return _in(np.float16, plain_cofactor, A, n)
+
+
+METHODS: tuple[Method, ...] = (
+    Method("exact", "whole numbers, correctly rounded", exact, is_ours=True),
+    Method("certified", "compensated cofactors with a bound", certified, is_ours=True),
+    Method("guarded", "plain cofactors under a guard", guarded, is_ours=True),
+    Method("inverse", "np.linalg.inv(A).T", inverse),
+    Method("solve", "np.linalg.solve(A.T, n)", solve),
+    Method("qr", "QR and back substitution", by_qr),
+    Method("svd", "singular values", by_svd),
+    Method("inverse-4x4", "inverse transpose of the 4×4", inverse_4x4),
+    Method("cofactor", "plain cofactors, no sign", plain_cofactor),
+    Method("signed-cofactor", "plain cofactors, sign of np.linalg.det", signed_cofactor),
+    Method("zero-matrix", "C/det, zeros where det is 0", zero_matrix),
+    Method("identity", "inverse, identity where it raises", identity_matrix),
+    Method("determinant-test", "A itself where det is 1", determinant_test),
+    Method("matrix", "A itself", matrix_itself),
+    Method("float32-inverse", "inverse transpose in float32", float32_inverse),
+    Method("float32-cofactor", "cofactors in float32", float32_cofactor),
+    Method("float16-cofactor", "cofactors in float16", float16_cofactor),
+)
+
+
+def method(name: str) -> Method:
+    """Return a method by its name.
+
+    Examples
+    --------
+    >>> tall, slanted = np.diag([1.0, 2, 1])[None], np.array([[1.0, 1, 0]])
+    >>> method("matrix").normals(tall, slanted).round(3).tolist()
+    [[0.447, 0.894, 0.0]]
+    >>> method("exact").normals(tall, slanted).round(3).tolist()
+    [[0.894, 0.447, 0.0]]
+    """
+    return next(one for one in METHODS if one.name == name)
+
+
+def _cofactors(A: Array) -> Array:
+    rows = [np.cross(A[:, (i + 1) % 3], A[:, (i + 2) % 3]) for i in range(3)]
+    return np.stack(rows, axis=1)
+
+
+def _times(matrices: Array, vectors: Array) -> Array:
+    return np.asarray((matrices @ vectors[:, :, None])[:, :, 0])
+
+
+def _unit(vectors: Array) -> Array:
+    """Return vectors at length one, zero where they are zero; normalising is no method's fault."""
+    largest = np.abs(vectors).max(axis=1, keepdims=True)
+    scaled = vectors / np.where(largest == 0, 1, largest)
+    long = np.sqrt((scaled * scaled).sum(axis=1, keepdims=True))
+    return np.asarray(scaled / np.where(long == 0, 1, long))
+
+
+def _each(function: Callable[[Array], Array], A: Array) -> Array:
+    """Return a function of matrices, not a number where it raises for one of them."""
+    try:
+        return function(A)
+    except np.linalg.LinAlgError:
+        found = np.full(A.shape, np.nan, A.dtype)
+    for i in range(len(A)):
+        try:
+            found[i] = function(A[i])
+        except np.linalg.LinAlgError:
+            continue
+    return found
+
+
+def _in(kind: type, carry: Carry, A: Array, n: Array) -> Array:
+    """Return what a method makes of numbers rounded to a smaller type."""
+    return carry(A.astype(kind), n.astype(kind)).astype(np.float64)
