@@ -23,6 +23,7 @@ from nmatrix.api.builders import (
     rotation,
     world,
 )
+from nmatrix.api.certified import certified_normals, normal_matrices
 from nmatrix.enums import (
     Api,
     ClipY,
@@ -31,6 +32,7 @@ from nmatrix.enums import (
     Frame,
     Handedness,
     Kind,
+    Level,
     NormalStatus,
     Space,
 )
@@ -42,6 +44,7 @@ from nmatrix.errors import (
     NoAnswerError,
 )
 from nmatrix.linear.angle import Angle
+from nmatrix.linear.certified import CertifiedNormals
 from nmatrix.linear.classify import Classification
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.linear.vectors import angle_between
@@ -50,6 +53,7 @@ from nmatrix.spaces.transform import Transform
 __all__ = [
     "Angle",
     "Api",
+    "CertifiedNormals",
     "Classification",
     "ClipSpace",
     "ClipY",
@@ -60,6 +64,7 @@ __all__ = [
     "Handedness",
     "IllegalValueError",
     "Kind",
+    "Level",
     "MissingPackageError",
     "NMatrixError",
     "NoAnswerError",
@@ -68,11 +73,13 @@ __all__ = [
     "Transform",
     "Window",
     "angle_between",
+    "certified_normals",
     "classify",
     "cofactor_matrix",
     "first_person",
     "frustum",
     "look_at",
+    "normal_matrices",
     "normal_matrix",
     "normalize",
     "orthographic",

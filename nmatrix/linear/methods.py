@@ -120,7 +120,7 @@ def identity_matrix(A: Array, n: Array) -> Array:
 
 def determinant_test(A: Array, n: Array) -> Array:
     """Use A itself where the determinant is 1, "since it only rotates"; else the inverse."""
-    rotates = np.asarray(np.abs(np.linalg.det(A) - 1) < 1e-6)[:, None]
+    rotates = np.asarray(np.abs(np.linalg.det(A) - 1) < 1e-6).reshape(-1, 1)
     return np.where(rotates, matrix_itself(A, n), inverse(A, n))
 
 
