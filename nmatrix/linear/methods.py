@@ -115,7 +115,7 @@ def zero_matrix(A: Array, n: Array) -> Array:
 def identity_matrix(A: Array, n: Array) -> Array:
     """Use the inverse transpose; where that raises, the identity."""
     found = inverse(A, n)
-    return np.where(np.isfinite(found).all(axis=1)[:, None], found, _unit(n))
+    return np.where(np.isfinite(found).all(axis=1, keepdims=True), found, _unit(n))
 
 
 def determinant_test(A: Array, n: Array) -> Array:
