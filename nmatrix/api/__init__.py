@@ -23,7 +23,7 @@ from nmatrix.api.builders import (
     rotation,
     world,
 )
-from nmatrix.api.certified import certified_normals, normal_matrices
+from nmatrix.api.certified import carry_normals, certified_normals, normal_matrices
 from nmatrix.enums import (
     Api,
     ClipY,
@@ -73,6 +73,7 @@ __all__ = [
     "Transform",
     "Window",
     "angle_between",
+    "carry_normals",
     "certified_normals",
     "classify",
     "cofactor_matrix",

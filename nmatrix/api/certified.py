@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nmatrix.enums import Level
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear import batched
+from nmatrix.linear.carrying import carried_by_row
 from nmatrix.linear.certified import TOLERANCE, CertifiedNormals
 from nmatrix.linear.certified import certified_normals as _certified_normals
 from nmatrix.linear.exact import LinearMap
@@ -65,6 +66,29 @@ def normal_matrices(
             found[i] = to_floats(scaled(block.cofactor_matrix, sign))  # type: ignore[arg-type]  # ±1
         return found
     return batched.normal_matrices_by_row(given, found, level)
+
+
+def carry_normals(matrix: ArrayLike, normals: ArrayLike, out: Array | None = None) -> Array:
+    """Return unit vectors along sign(det A)·C·n for many normals (N, 3) and one matrix (3, 3).
+
+    The matrix is exact before its one rounding; the sums are those of the normals' own type.
+    `transform_normals` rounds every component correctly, and takes its time for that.
+
+    Raises
+    ------
+    IllegalValueError
+        For another shape, an empty batch, or the first number that is not finite.
+
+    Examples
+    --------
+    >>> carry_normals(np.diag([1.0, 2, 1]), [[1.0, 2, 0]]).round(4).tolist()
+    [[0.7071, 0.7071, 0.0]]
+    """
+    n = _batch(normals, (3,), "normals")
+    A = _batch(np.asarray(matrix)[None], (3, 3), "matrices")
+    carrier = normal_matrices(A.astype(np.float64), level=Level.EXACT)[0]
+    carrier = carrier / (np.abs(carrier).max() or 1.0)
+    return carried_by_row(carrier.astype(n.dtype), n, np.empty_like(n) if out is None else out)
 
 
 def certified_normals(
