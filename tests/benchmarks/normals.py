@@ -1,4 +1,4 @@
-"""How fast normals are computed: ratios in one interleaved run, `python tests/benchmarks/normals.py`.
+"""How fast normals are computed: `python tests/benchmarks/normals.py` prints ratios of one run.
 
 Each line takes turns with its reference, and the median of the ratios is printed.
 """
