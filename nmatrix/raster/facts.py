@@ -19,6 +19,8 @@ from nmatrix.raster.studio import Body, PlacedLamp, Studio
 
 Array = NDArray[Any]
 
+THINNEST = 1e6  # of length to thickness, for fronts and backs to be told apart by depth
+
 
 @dataclass(frozen=True, eq=False)
 class Facts:
@@ -55,6 +57,12 @@ class Facts:
     def is_whole(self) -> bool:
         """Return whether no plane of the view cuts the body."""
         return bool(inside(self.clip_corners, self.studio.clip.depth, self.studio.canvas).all())
+
+    @property
+    def is_thin(self) -> bool:
+        """Return whether the map all but flattens the body: a front and a back in one place."""
+        kappa = self.body.kind.condition
+        return kappa is None or kappa > THINNEST
 
     @property
     def is_parallel(self) -> bool:
@@ -141,8 +149,10 @@ class Facts:
 
     @property
     def has_jumps(self) -> bool:
-        """Return whether light jumps where n·l passes 0 (highlights) or a band's edge (toon)."""
-        return self.shines or self.body.material.reflection is Reflection.TOON
+        """Return whether colours jump: highlights at n·l = 0, bands and outlines at their edges."""
+        material = self.body.material
+        banded = material.reflection is Reflection.TOON or material.outline > 0
+        return self.shines or banded
 
     @cached_property
     def eye(self) -> Array:

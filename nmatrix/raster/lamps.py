@@ -42,7 +42,7 @@ def _is_behind(studio: Studio, body: Body, placed: PlacedLamp) -> bool:
         return False
     one_sided = body.material.sides is Sides.FRONT
     if body.material.sides is Sides.AS_NEEDED:
-        one_sided = body.mesh.is_closed
+        one_sided = body.mesh.is_closed and body.material.opacity == 1.0
     if not one_sided or body.material.normal_map is not None:
         return False
     normals = ShadingSpace(studio, body, Space.WORLD, uses_metric=False).normals(

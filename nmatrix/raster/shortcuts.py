@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import inf, radians, sqrt
 
-from nmatrix.enums import LeftOut, NormalRule, Reflection, Shading, Sides
+from nmatrix.enums import DepthBuffer, LeftOut, NormalRule, Reflection, Shading, Sides
 from nmatrix.raster.decision import Verdict
 from nmatrix.raster.facts import Facts
 from nmatrix.raster.occluders import occluders
@@ -35,7 +35,7 @@ def inverse_transpose(facts: Facts) -> Verdict:
     if not worst and _is_power_of_two(facts):
         return False, "the map is a turn times a power of two: it carries normals itself"
     bound = radians(worst) * facts.slope
-    if facts.has_jumps and bound > ROUNDING:
+    if facts.has_jumps and max(bound, radians(worst)) > ROUNDING:
         bound = inf
     return _by_bound(bound, f"κ = {found.condition_text}: without it normals bend by {worst:.3g}°")
 
@@ -83,8 +83,12 @@ def renormalise(facts: Facts) -> Verdict:
     if facts.body.material.normal_map is not None:
         return True, "a normal map turns normals"
     material, short = facts.body.material, 1.0 - facts.shortest_normal
-    if material.reflection is Reflection.TOON or facts.body.linear_map.rank < 3:
-        return True, "bands have edges that lengths would move"
+    if material.reflection is Reflection.TOON or material.outline:
+        return True, "bands and outlines have edges that lengths would move"
+    if facts.body.linear_map.rank < 3:
+        return True, "normals of a flattened body can cancel"
+    if facts.shines and material.shininess < 1:
+        return True, "a highlight this wide has an infinite slope"
     gain = max(material.diffuse)
     if facts.shines:
         turns = 4.0 if material.reflection is Reflection.PHONG else 1.0
@@ -130,14 +134,23 @@ def near_clip(facts: Facts) -> Verdict:
 
 def back_faces(facts: Facts) -> Verdict:
     """Decide on faces that are seen from behind."""
-    if facts.body.material.sides is Sides.FRONT:
+    material = facts.body.material
+    if material.sides is Sides.FRONT:
         return False, "the material has a front alone"
-    if facts.body.material.opacity < 1.0 or facts.body.material.sides is Sides.BOTH:
-        return True, "the material shows both sides"
-    if facts.body.linear_map.rank < 3:
+    if facts.body.linear_map.rank < 3 and material.opacity == 1.0:
         return False, "a flattened body turns its normals to the eye at its vertices"
+    why = _why_backs_show(facts)
+    return (True, why) if why else (False, "the mesh is closed, and seen from outside")
+
+
+def _why_backs_show(facts: Facts) -> str | None:
+    """Return why a back may be in front somewhere, or None if it never is."""
+    if facts.body.material.opacity < 1.0 or facts.body.material.sides is Sides.BOTH:
+        return "the material shows both sides"
     if not facts.body.mesh.is_closed:
-        return True, "the mesh is open"
+        return "the mesh is open"
     if not facts.is_whole or not facts.eye_is_outside:
-        return True, "the view may look into it"
-    return False, "the mesh is closed, and seen from outside"
+        return "the view may look into it"
+    if facts.studio.settings.depth is not DepthBuffer.FULL or facts.is_thin:
+        return "its front and its back may share a step of depth"
+    return None

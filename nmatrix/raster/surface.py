@@ -66,8 +66,8 @@ class Surface:
             tangents = self.space.vectors(mesh.tangents[:, :3])
             points["tangent"] = projected.per_vertex(tangents)
             points["bitangent_sign"] = projected.per_vertex(mesh.tangents[:, 3:].T)
-        is_sided = Effect.BACK_FACES in self.effects
-        return Reads(points, directions, faces, self._weighing, self.front if is_sided else 0)
+        front = self.front if self._is_sided else 0
+        return Reads(points, directions, faces, self._weighing, front)
 
     def colours(self, fragments: Fragments) -> Array:
         """Return the colours (channels, m) of fragments, in [0, 1]."""
@@ -84,6 +84,11 @@ class Surface:
             found = found * ~self._is_edge(fragments)
         found = np.minimum(found, 1.0)
         return self._in_fog(found, fragments) if Effect.FOG in self.effects else found
+
+    @property
+    def _is_sided(self) -> bool:
+        """Whether backs are lit as backs; the sides of a flattened body cannot be told apart."""
+        return Effect.BACK_FACES in self.effects and self.front != 0
 
     @property
     def _weighing(self) -> Weighing:
@@ -134,7 +139,7 @@ class Surface:
     def _evaluated(self, normals: Array, positions: Array) -> dict[str, Array]:
         """Return the light at some points, on the front and, where it is seen, on the back."""
         found = {}
-        sides = ("front", "back") if Effect.BACK_FACES in self.effects else ("front",)
+        sides = ("front", "back") if self._is_sided else ("front",)
         for side, sign in zip(sides, (1.0, -1.0), strict=False):
             matte, gloss = self.lighting.light(sign * normals, positions)
             found[f"matte_{side}"] = matte

@@ -9,7 +9,16 @@ import numpy as np
 import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 
-from nmatrix.enums import Effect, LampKind, LeftOut, Shading, Shape, Space
+from nmatrix.enums import (
+    DepthBuffer,
+    Effect,
+    LampKind,
+    LeftOut,
+    Reflection,
+    Shading,
+    Shape,
+    Space,
+)
 from nmatrix.raster import decisions as decisions_module
 from nmatrix.raster import plan as plan_module
 from nmatrix.raster import shortcuts
@@ -20,6 +29,7 @@ from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.material import Material, grey
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.world import World
@@ -151,6 +161,30 @@ def test_a_closed_mesh_needs_no_back_faces_until_the_eye_is_inside() -> None:
     assert not decision(single(), Effect.BACK_FACES).on
     assert decision(SCENES["inside"], Effect.BACK_FACES).on
     assert decision(SCENES["open"], Effect.BACK_FACES).on
+
+
+BLACK = Material("black", diffuse=grey(0), ambient=grey(0.4))
+WIDE = Material("wide", diffuse=grey(0), reflection=Reflection.PHONG, shininess=0)
+LOW = replace(WIDE, shininess=0.1)
+TRAPS = {
+    "an outline on black": single(World(scale=(1, 0.3, 1)), replace(BLACK, outline=0.3)),
+    "an outline alone": single(material=replace(LAMBERT, outline=0.3), samples=4),
+    "a highlight that is a step": single(World(scale=(1, 0.3, 1)), WIDE, shading=Shading.GOURAUD),
+    "a highlight with a steep foot": single(material=LOW, shape=FINE),
+    "sixteen bits of depth": single(shape=ShapeGeometry(Shape.BOX), depth=DepthBuffer.UNORM16),
+    "all but flat": single(World(scale=(1, 0, 1), shear=(0.3, 0.2, 0.1), rotate_degrees=(9, 8, 7))),
+    "flat, light per face": single(World(scale=(1, 1, 0)), PHONG, shading=Shading.FLAT),
+    "lit from behind through glass": single(
+        material=replace(LAMBERT, opacity=0.4),
+        lamps=(Lamp("back", LampKind.DIRECTIONAL, direction=(1, 1, 4)),),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", TRAPS)
+def test_traps_for_a_plan_are_no_traps(name: str) -> None:
+    found, full, bound = both(TRAPS[name])
+    assert np.abs(found - full).max() <= bound + 1e-12
 
 
 def test_lamps_that_cannot_reach_are_named() -> None:
