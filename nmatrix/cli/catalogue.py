@@ -15,7 +15,7 @@ class Entry:
     summary: str
 
 
-MATRICES, SPACES, PROOFS, FILES = "Matrices", "Spaces", "Proofs", "Files"
+MATRICES, SPACES, PROOFS, STUDIES, FILES = "Matrices", "Spaces", "Proofs", "Studies", "Files"
 
 COMMANDS: tuple[Entry, ...] = (
     Entry(
@@ -32,6 +32,7 @@ COMMANDS: tuple[Entry, ...] = (
     Entry("derive", PROOFS, "derive", "The inverse-transpose rule, step by step, proved"),
     Entry("render", PROOFS, "render", "Proof images: wrong beside right; scenes and meshes"),
     Entry("plan", PROOFS, "plan", "Which effects a scene calls for, and why"),
+    Entry("cost", STUDIES, "cost", "What accuracy costs in time, measured here"),
     Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
 )
 

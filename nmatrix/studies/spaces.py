@@ -1,0 +1,71 @@
+"""`cost spaces`: the multiplications that a shading space costs, counted, beside their time."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import LampKind, NormalRule, Shape, Space
+from nmatrix.raster.shading_space import ShadingSpace
+from nmatrix.raster.studio import Body, Studio, studio
+from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
+from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.world import World
+from nmatrix.spaces.cost import cost
+from nmatrix.spaces.uniforms import Request
+from nmatrix.studies.harness import Harness, Run
+from nmatrix.studies.rows import Row, with_fronts
+
+Array = NDArray[Any]
+
+VERTICES, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
+SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
+PLACE = World(rotate_degrees=(20, 30, 10), scale=(1, 2, 1))
+
+
+def spaces(harness: Harness, counts: tuple[int, ...]) -> tuple[Row, ...]:
+    """Return a row for each space and number of vertices; its error is the counted cost."""
+    rows = []
+    for count in counts:
+        ready = _studio(count)
+        (body,) = ready.bodies
+        standard = _vertex_stage(ready, body, Space.WORLD)
+        for space in SPACES:
+            counted = cost(ready.stage(body), Request(space)).per_vertex_multiplications
+            timing = harness.ratio(_vertex_stage(ready, body, space), standard)
+            unit = "multiplications a vertex"
+            rows.append(Row(space.value, f"{count} vertices", float(counted), unit, timing))
+    return with_fronts(rows)
+
+
+def _vertex_stage(ready: Studio, body: Body, space: Space) -> Run:
+    """Return what a space does to every vertex: clip space, and position and normal in the space.
+
+    Object space leaves both as they are; static space found both done when the mesh was baked.
+    """
+    clip = np.array([[float(x) for x in row] for row in ready.clip_from_object(body)])
+    shaded = ShadingSpace(ready, body, space, uses_metric=space is Space.OBJECT)
+    positions = body.mesh.positions.T
+
+    def run() -> None:
+        clip[:, :3] @ positions + clip[:, 3:]
+        if space in (Space.WORLD, Space.CAMERA):
+            shaded.positions()
+            shaded.normals(NormalRule.EXACT)
+
+    return run
+
+
+def _studio(count: int) -> Studio:
+    """Return a scene of one mesh with so many vertices."""
+    mesh = ShapeGeometry(Shape.SPHERE).mesh()
+    which = np.arange(count) % len(mesh.positions)
+    repeated = Mesh(mesh.positions[which], mesh.normals[which], mesh.triangles[:1] * 0)
+    shown = SceneObject("many", LoadedGeometry(repeated), PLACE.world_from_object)
+    lamps = (Lamp("sun", LampKind.DIRECTIONAL),)
+    return studio(Scene((shown,), lamps, settings=replace(Settings(), size=(64, 64))))

@@ -1,0 +1,102 @@
+"""The harness on a clock that the test owns: drift cancels, work shows, noise is refused."""
+
+from __future__ import annotations
+
+import random
+import time
+from collections.abc import Callable
+
+import pytest
+
+from nmatrix.errors import CheckFailedError
+from nmatrix.studies.harness import Harness, Ratio
+from nmatrix.studies.rows import Row, cheapest, most_accurate, with_fronts
+
+
+class Clock:
+    """A clock that work moves; everything slows down as time goes by."""
+
+    def __init__(self, drift: float = 0.0, noise: float = 0.0) -> None:
+        self.now, self.drift, self.noise, self.draw = 0.0, drift, noise, random.Random(3)
+
+    def __call__(self) -> float:
+        return self.now
+
+    def work(self, seconds: float) -> Callable[[], None]:
+        def run() -> None:
+            slower = 1 + self.drift * self.now + self.noise * self.draw.random()
+            self.now += seconds * slower
+
+        return run
+
+
+def measured(clock: Clock, rounds: int = 9) -> Harness:
+    return Harness(clock, shortest=0.01, rounds=rounds)
+
+
+def test_double_work_takes_twice_as_long() -> None:
+    clock = Clock(noise=0.2)
+    found = measured(clock).ratio(clock.work(0.004), clock.work(0.002))
+    assert found.ratio == pytest.approx(2, abs=0.2)
+    assert found.low <= 2.1
+    assert found.high >= 1.9
+
+
+def test_drift_cancels_because_turns_are_taken() -> None:
+    clock = Clock(drift=0.5)
+    found = measured(clock).ratio(clock.work(0.002), clock.work(0.002))
+    assert found.ratio == pytest.approx(1, abs=0.01)
+
+
+def test_one_after_the_other_would_not_cancel_it() -> None:
+    clock = Clock(drift=0.5)
+    run = clock.work(0.002)
+    first, second = ([], [])
+    for times in (first, second):
+        for _ in range(300):
+            started = clock()
+            run()
+            times.append(clock() - started)
+    assert sum(second) / sum(first) > 1.2
+
+
+def test_a_function_against_itself_is_one_or_nothing_is_said() -> None:
+    clock = Clock()
+    assert measured(clock).self_check(clock.work(0.002)).ratio == pytest.approx(1)
+    noisy = Clock(noise=300.0)
+    with pytest.raises(CheckFailedError, match="too noisy"):
+        measured(noisy, rounds=3).self_check(noisy.work(0.002))
+
+
+def test_the_same_times_give_the_same_interval() -> None:
+    found = [
+        measured(clock).ratio(clock.work(0.003), clock.work(0.002))
+        for clock in (Clock(noise=0.5), Clock(noise=0.5))
+    ]
+    assert found[0] == found[1]
+    assert found[0].low < found[0].high
+
+
+def test_on_a_real_clock_a_function_is_itself() -> None:
+    found = Harness(time.perf_counter, 0.002, 7).ratio(*[lambda: sum(range(3000))] * 2)
+    assert 0.7 < found.ratio < 1.4
+
+
+def row(name: str, error: float | None, seconds: float, failures: int = 0) -> Row:
+    return Row(name, "all", error, "rad", Ratio(seconds, seconds, seconds, seconds), failures)
+
+
+def test_the_front_is_what_nobody_beats() -> None:
+    rows = with_fronts(
+        [row("fast", 1e-3, 1), row("fine", 1e-9, 2), row("slow", 1e-3, 3), row("wrong", 0, 1, 4)]
+    )
+    assert [one.method for one in rows if one.on_front] == ["fast", "fine"]
+
+
+def test_wishes_are_granted_by_the_cheapest_and_the_best() -> None:
+    rows = [row("fast", 1e-3, 1), row("fine", 1e-9, 2), row("wrong", 0, 0.5, 4)]
+    assert cheapest(rows, 1e-2).method == "fast"
+    assert cheapest(rows, 1e-6).method == "fine"
+    assert cheapest(rows, 1e-12) is None
+    assert most_accurate(rows, 1.5).method == "fast"
+    assert most_accurate(rows, 0.1) is None
