@@ -22,8 +22,6 @@ from nmatrix.raster.vertices import Projected
 
 Array = NDArray[Any]
 
-NEXT, AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
-
 
 class Weighing(Enum):
     """How corners are weighed.
@@ -136,9 +134,16 @@ def _areas(projected: Projected, corners: Array, runs: Runs) -> tuple[Array, Arr
 
     Whole numbers below 2⁵³: exact. Their sign is taken out, so that both windings count alike.
     """
-    x = projected.x.take(corners) - SUBPIXELS * runs.first
-    y = projected.y.take(corners) - SUBPIXELS * runs.row
-    area = x[NEXT] * y[AFTER] - x[AFTER] * y[NEXT]
-    growth = SUBPIXELS * (y[NEXT] - y[AFTER])
+    x = projected.x.take(corners)
+    y = projected.y.take(corners)
+    x -= SUBPIXELS * runs.first
+    y -= SUBPIXELS * runs.row
+    area, growth = np.empty_like(x), np.empty_like(y)
+    for i in range(3):  # the corners after i are i − 2 and i − 1, counted from the end
+        np.multiply(x[i - 2], y[i - 1], out=area[i])
+        area[i] -= x[i - 1] * y[i - 2]
+        np.subtract(y[i - 2], y[i - 1], out=growth[i])
     sign = np.sign(area[0] + area[1] + area[2])
-    return area * sign, growth * sign, sign
+    area *= sign
+    growth *= SUBPIXELS * sign
+    return area, growth, sign

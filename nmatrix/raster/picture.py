@@ -26,7 +26,7 @@ from nmatrix.raster.visibility import TRIANGLE_MASK, Tile
 Array = NDArray[Any]
 
 TILE_SAMPLES = 1 << 22
-STRIPE_SAMPLES = 1 << 15
+STRIPE_SAMPLES = 1 << 16
 LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 
 
@@ -144,7 +144,9 @@ class Drawing:
         pixels = grid[:, :, 0, :, 0]
         for i in range(1, k * k):  # in one order everywhere: no bit depends on the stripe
             pixels = pixels + grid[:, :, i // k, :, i % k]
-        return np.asarray((pixels / (k * k)).transpose(1, 2, 0))
+        if k > 1:
+            pixels /= k * k
+        return np.asarray(pixels.transpose(1, 2, 0))
 
 
 @cache

@@ -41,12 +41,13 @@ def visible_runs(tile: Tile, rows: tuple[int, int]) -> Runs:
     [(7, 0, 2), (9, 1, 1), (0, 1, 1)]
     """
     columns = tile.columns
-    names = (tile.part(rows).keys & TRIANGLE_MASK).reshape(-1, columns)
+    names = tile.part(rows).keys.astype(np.int32).reshape(-1, columns)  # the lower half of each
+    names &= TRIANGLE_MASK
     starts = np.ones(names.shape, bool)
     np.not_equal(names[:, 1:], names[:, :-1], out=starts[:, 1:])
     start = np.flatnonzero(starts)
     end = np.append(start[1:], names.size)
-    triangle = names.ravel().take(start)
+    triangle = names.ravel().take(start).astype(np.intp)
     seen = np.flatnonzero(triangle != TRIANGLE_MASK)
     start = start.take(seen)
     row = start // columns

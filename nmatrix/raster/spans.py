@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.pieces import batches, pieces
+from nmatrix.raster.spread import Spread, batches
 
 Array = NDArray[Any]
 
@@ -66,21 +66,16 @@ def spans(x: Array, y: Array, rows: tuple[int, int], columns: int) -> Iterator[S
 def _rows(
     half: Array, first: Array, count: Array, edges: tuple[Edge, Edge], columns: int
 ) -> Iterator[Spans]:
-    for size, run, offset in pieces(count):
-        triangle = half.take(run)
-        row = np.add.outer(np.arange(size, dtype=np.float64), first.take(triangle) + offset)
-        crossed = [np.ceil(e.slope.take(triangle) * row + e.start.take(triangle)) for e in edges]
-        left = np.maximum(np.minimum(*crossed), 0.0)
-        right = np.minimum(np.maximum(*crossed), columns)
-        width = (right - left).ravel()
-        seen = np.flatnonzero(width > 0)
-        if len(seen):
-            yield Spans(
-                triangle.take(seen % len(triangle)) if size > 1 else triangle.take(seen),
-                row.ravel().take(seen),
-                left.ravel().take(seen),
-                width.take(seen).astype(np.intp),
-            )
+    spread = Spread(count)
+    triangle = spread.each(half)
+    row = spread.counted(first.take(half).astype(np.intp)).astype(float)
+    crossed = [e.slope.take(triangle) * row + e.start.take(triangle) for e in edges]
+    left = np.maximum(np.ceil(np.minimum(*crossed)), 0.0)
+    right = np.minimum(np.ceil(np.maximum(*crossed)), columns)
+    seen = np.flatnonzero(right > left)
+    if len(seen):
+        triangle, row, left, right = (one.take(seen) for one in (triangle, row, left, right))
+        yield Spans(triangle, row, left, (right - left).astype(np.intp))
 
 
 def _downwards(x: Array, y: Array) -> list[tuple[Array, Array]]:

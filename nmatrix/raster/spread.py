@@ -1,75 +1,86 @@
-"""From runs to samples: numbers that stay or grow evenly along each run, written out in full."""
+"""From runs to samples: numbers that stay or grow evenly along each run, written out in full.
+
+Samples stand one run after the other. Each knows its run and its place in it; all else is read from
+there, so that no sum is carried from sample to sample and no bit depends on what stands before.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.pieces import Pieces, pieces
-
 Array = NDArray[Any]
 
-WIDE = 16  # pieces from here on lie along their run, shorter ones beside each other
+LONG = 6  # from this mean length on, repeating is faster than looking up each sample's run
 
 
 class Spread:
-    """How runs of these lengths are written out; every array comes out in the same order.
+    """How runs of these lengths, each at least 1, are written out.
 
     Examples
     --------
     >>> Spread(np.array([3, 1])).ramps(np.array([[10.0, 5.0]]), np.array([[1.0, 0.0]])).tolist()
-    [[12.0, 5.0, 10.0, 11.0]]
+    [[10.0, 11.0, 12.0, 5.0]]
     """
 
     def __init__(self, lengths: Array) -> None:
-        self.samples = int(lengths.sum())
-        self._pieces = [*pieces(lengths)]
+        end = np.cumsum(lengths)
+        self.samples = int(end[-1]) if len(end) else 0
+        self._lengths, self._begin = lengths, end - lengths
+        self._run: Array | None = None
+        if self.samples < LONG * len(lengths):
+            self._run = np.zeros(self.samples, np.intp)
+            self._run[self._begin[1:]] = 1
+            np.cumsum(self._run, out=self._run)
 
-    def ramps(self, start: Array, growth: Array) -> Array:
-        """Return start + i · growth for sample i of each run; both are (k, runs)."""
-        out = np.empty((len(start), self.samples), start.dtype)
-        for piece, block in self._blocks(out):
-            slope = growth.take(piece.run, 1)
-            begin = start.take(piece.run, 1)
-            begin += slope * piece.offset
-            step = np.arange(piece.size, dtype=out.dtype)
-            if piece.size < WIDE:
-                np.multiply(slope[:, None], step[:, None], out=block)
-                np.add(block, begin[:, None], out=block)
-            else:
-                np.multiply(slope[:, :, None], step, out=block)
-                np.add(block, begin[:, :, None], out=block)
-        return out
-
-    def counted(self, start: Array) -> Array:
-        """Return start + i for sample i of each run; start is (runs,)."""
-        out = np.empty((1, self.samples), start.dtype)
-        for piece, block in self._blocks(out):
-            begin = start.take(piece.run)
-            begin += piece.offset
-            step = np.arange(piece.size, dtype=out.dtype)
-            if piece.size < WIDE:
-                np.add(begin, step[:, None], out=block[0])
-            else:
-                np.add(begin[:, None], step, out=block[0])
-        return np.asarray(out[0])
+    def each(self, values: Array) -> Array:
+        """Return values (runs,) at every sample."""
+        found = values.repeat(self._lengths) if self._run is None else values.take(self._run)
+        return np.asarray(found)
 
     def constants(self, values: Array) -> Array:
         """Return values (k, runs) at every sample."""
-        out = np.empty((len(values), self.samples), values.dtype)
-        for piece, block in self._blocks(out):
-            value = values.take(piece.run, 1)
-            block[:] = value[:, None] if piece.size < WIDE else value[:, :, None]
+        return np.stack([self.each(row) for row in values])
+
+    def counted(self, start: Array) -> Array:
+        """Return start + i for sample i of each run, (runs,) whole numbers."""
+        out = self.each(start - self._begin)
+        out += np.arange(self.samples)
         return out
 
-    def _blocks(self, out: Array) -> Iterator[tuple[Pieces, Array]]:
-        """Return where the pieces of each length belong, as (k, size, n) or (k, n, size)."""
-        end = 0
-        for piece in self._pieces:
-            size, count = piece.size, len(piece.run)
-            start, end = end, end + size * count
-            shape = (size, count) if size < WIDE else (count, size)
-            yield piece, out[:, start:end].reshape(len(out), *shape)
+    def ramps(self, start: Array, growth: Array) -> Array:
+        """Return start + i · growth for sample i of each run; both are (k, runs)."""
+        out = np.empty((len(start), self.samples))
+        for i, (first, slope) in enumerate(zip(start, growth, strict=True)):
+            np.multiply(self.each(slope), self._step, out=out[i])
+            out[i] += self.each(first)
+        return out
+
+    @cached_property
+    def _step(self) -> Array:
+        """The place of each sample in its run."""
+        step = np.arange(self.samples, dtype=float)
+        step -= self.each(self._begin.astype(float))
+        return step
+
+
+def batches(sizes: Array, most: int) -> Iterator[slice]:
+    """Cut a list where the sizes (N,) so far pass a multiple of `most`: memory stays bounded.
+
+    Examples
+    --------
+    >>> [(one.start, one.stop) for one in batches(np.array([3, 3, 3, 9, 1]), 6)]
+    [(0, 2), (2, 3), (3, 4), (4, 5)]
+    """
+    total = np.cumsum(sizes)
+    if not len(total) or total[-1] <= most:
+        yield slice(0, len(total))
+        return
+    group = (total - 1) // most
+    cuts = np.flatnonzero(np.diff(group)) + 1
+    for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), len(total)], strict=True):
+        yield slice(first, last)

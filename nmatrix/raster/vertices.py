@@ -77,18 +77,17 @@ class Projected:
         """Return triangles that can cover something, some at a time, so that memory is bounded."""
         low, high = (row * SUBPIXELS for row in rows)
         for first in range(0, self.triangles.shape[1], size):
-            indices = self.triangles[:, first : first + size]
+            indices = np.ascontiguousarray(self.triangles[:, first : first + size])
             y = self.y.take(indices)
             if y.min() >= high or y.max() < low:
                 continue
             x = self.x.take(indices)
             area = signed_area(x, y)
             kept = np.flatnonzero(area * self.culled < 0 if self.culled else area)
-            z = self.depth.take(indices)
             if len(kept) < indices.shape[1]:
-                x, y, z = x[:, kept], y[:, kept], z[:, kept]
+                x, y, indices = (one.take(kept, 1) for one in (x, y, indices))
             if len(kept):
-                yield Corners(x, y, z, kept + first)
+                yield Corners(x, y, self.depth.take(indices), kept + first)
 
     def corners(self, triangles: Array) -> Array:
         """Return the vertices (3, n) of some triangles; whole rows of indices are read at once."""

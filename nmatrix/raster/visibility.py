@@ -14,9 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import DepthBuffer
-from nmatrix.raster.pieces import batches
 from nmatrix.raster.spans import SUBPIXELS, Spans, spans
-from nmatrix.raster.spread import Spread
+from nmatrix.raster.spread import Spread, batches
 from nmatrix.raster.vertices import Corners, Projected
 
 Array = NDArray[Any]
@@ -26,7 +25,7 @@ TRIANGLES = 1 << TRIANGLE_BITS
 TRIANGLE_MASK = TRIANGLES - 1
 EMPTY = np.iinfo(np.int64).max
 CHUNK = 1 << 14  # triangles that are set up together: their arrays stay in the cache
-MOST_FRAGMENTS = 1 << 18  # that are held at once, however large the triangles
+MOST_FRAGMENTS = 1 << 16  # that are held at once, however large the triangles
 # The largest code of a buffer. One of floats stores bits: those of 1.0 are the largest.
 STEPS = {
     DepthBuffer.UNORM16: (1 << 16) - 1,
@@ -83,7 +82,7 @@ class Tile:
         if is_reversed:
             np.subtract(STEPS[self.depth], key, out=key)
         key <<= TRIANGLE_BITS
-        key |= spread.constants(names.take(found.triangle)[None])[0]
+        key |= spread.each(names.take(found.triangle))
         return spread.counted(place), key
 
 
