@@ -33,6 +33,7 @@ COMMANDS: tuple[Entry, ...] = (
     Entry("render", PROOFS, "render", "Proof images: wrong beside right; scenes and meshes"),
     Entry("plan", PROOFS, "plan", "Which effects a scene calls for, and why"),
     Entry("cost", STUDIES, "cost", "What accuracy costs in time, measured here"),
+    Entry("stress", STUDIES, "stress", "The hard cases, and who survives them"),
     Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
 )
 

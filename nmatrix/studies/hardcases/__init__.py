@@ -1,0 +1,1 @@
+"""The hard cases: inputs with exact answers, and everyone who tries."""

@@ -1,0 +1,143 @@
+"""A hard case: an input, its exact answer, the reason, and contestants; and how they are judged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from math import isfinite, pi
+
+from nmatrix.errors import NMatrixError
+from nmatrix.linear.rounding import angle, integers
+
+Numbers = tuple[float, ...]
+Compute = Callable[[], Sequence[float] | None]
+
+RIGHT, IMPRECISE = 1e-14, 1e-6  # radians, or relative
+
+
+class Verdict(StrEnum):
+    """What became of one contestant on one case."""
+
+    RIGHT = "right"
+    IMPRECISE = "imprecise"
+    WRONG = "wrong"
+    NAN = "nan"
+    ZERO = "zero"
+    FLIPPED = "flipped"
+    NOT_REPORTED = "undefined-not-reported"
+
+
+@dataclass(frozen=True)
+class Contestant:
+    """One way to answer: `compute` returns numbers, or None where it says that there is none."""
+
+    name: str
+    compute: Compute
+    is_ours: bool = False
+
+
+@dataclass(frozen=True)
+class Result:
+    """How one contestant did; the error is in radians for directions, else relative."""
+
+    method: str
+    verdict: Verdict
+    error: float | None
+    is_ours: bool
+
+
+@dataclass(frozen=True)
+class Case:
+    """One row of the catalogue.
+
+    Parameters
+    ----------
+    expected
+        The exact answer, or None where there is none and that must be said.
+    is_direction
+        Whether only the direction of the answer counts; `or_opposite`, either sense of it.
+    within
+        What still counts as right, relative or in radians.
+    """
+
+    id: str
+    title: str
+    given: str
+    expected: tuple[Fraction, ...] | None
+    reason: str
+    contestants: tuple[Contestant, ...]
+    is_direction: bool = False
+    or_opposite: bool = False
+    within: float = RIGHT
+
+    def results(self) -> tuple[Result, ...]:
+        """Let every contestant try."""
+        return tuple(self._judged(one) for one in self.contestants)
+
+    def _judged(self, one: Contestant) -> Result:
+        found = _tried(one)
+        verdict, error = self._verdict(found)
+        return Result(one.name, verdict, error, one.is_ours)
+
+    def _verdict(self, found: Numbers | None) -> tuple[Verdict, float | None]:
+        if self.expected is None:
+            return _of_no_answer(found), None
+        if found is None or not _all_finite(found):
+            return Verdict.NAN, None
+        if any(self.expected) and not any(found):
+            return Verdict.ZERO, None
+        error = self._error([Fraction(x) for x in found], self.expected)
+        return self._of_error(error), error
+
+    def _of_error(self, error: float) -> Verdict:
+        if self.is_direction and error > pi / 2:
+            return Verdict.FLIPPED
+        if error <= self.within:
+            return Verdict.RIGHT
+        return Verdict.IMPRECISE if error <= IMPRECISE else Verdict.WRONG
+
+    def _error(self, found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
+        if self.is_direction:
+            turned = angle(integers(found)[0], integers(true)[0])
+            return min(turned, pi - turned) if self.or_opposite else turned
+        size = max(abs(t) for t in true) or Fraction(1)
+        error = max(abs(f - t) for f, t in zip(found, true, strict=True)) / size
+        return float(min(error, Fraction(10) ** 300))
+
+
+def _of_no_answer(found: Numbers | None) -> Verdict:
+    """Judge what is said where there is nothing to say."""
+    if found is None:
+        return Verdict.RIGHT
+    return Verdict.NOT_REPORTED if _all_finite(found) else Verdict.NAN
+
+
+def _tried(one: Contestant) -> Numbers | None:
+    """Return what a contestant answers; an error of ours is an answer, another's is none."""
+    import numpy as np
+
+    with np.errstate(all="ignore"):
+        try:
+            found = one.compute()
+        except NMatrixError:
+            return None
+        except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+            return (float("nan"),)
+    return None if found is None else tuple(map(float, found))
+
+
+def _all_finite(found: Numbers) -> bool:
+    return all(map(isfinite, found))
+
+
+def exactly(*values: float | str | Fraction) -> tuple[Fraction, ...]:
+    """Return exact numbers: floats as they are, text as fractions.
+
+    Examples
+    --------
+    >>> exactly(0.5, "1/3")
+    (Fraction(1, 2), Fraction(1, 3))
+    """
+    return tuple(Fraction(value) for value in values)
