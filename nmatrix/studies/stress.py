@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.report import Block, Heading, Report, Table, Text, Value
 from nmatrix.report import Verdict as Sentence
-from nmatrix.studies.hardcases import normals, pictures, vectors
+from nmatrix.studies.hardcases import depths, mistakes, normals, pictures, vectors, views
 from nmatrix.studies.hardcases.case import Case, Result, Verdict
 
-CATALOGUE: tuple[Case, ...] = (*normals.CASES, *vectors.CASES, *pictures.CASES)
+FAMILIES = (normals, vectors, views, depths, pictures, mistakes)
+CATALOGUE: tuple[Case, ...] = tuple(case for family in FAMILIES for case in family.CASES)
 REPLAYED = 3  # failing random cases that are printed
 Judged = tuple[Case, tuple[Result, ...]]
 

@@ -132,6 +132,11 @@ def _all_finite(found: Numbers) -> bool:
     return all(map(isfinite, found))
 
 
+def own(name: str, compute: Compute) -> Contestant:
+    """Return one of nmatrix's own ways."""
+    return Contestant(name, compute, is_ours=True)
+
+
 def exactly(*values: float | str | Fraction) -> tuple[Fraction, ...]:
     """Return exact numbers: floats as they are, text as fractions.
 
