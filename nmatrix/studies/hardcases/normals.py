@@ -231,4 +231,23 @@ def _golden_minor() -> Case:
     )
 
 
-CASES: tuple[Case, ...] = (*NORMALS, _four_components(), _golden_minor())
+def _not_finite() -> Case:
+    """N16: one number that is none; the answer must name it."""
+    A = np.diag([1.0, float("nan"), 1.0])
+
+    def ours() -> Vector:
+        from nmatrix.linear.vectors import normalize
+
+        return normalize((1.0, float(A[1, 1]), 0.0))
+
+    return Case(
+        "N16",
+        "an entry that is not a number",
+        "A = diag(1, nan, 1)",
+        None,
+        "whatever is computed from it is nothing, and must not be drawn",
+        (Contestant("exact", ours, is_ours=True), _contestant(METHODS[3], A, (1, 1, 0))),
+    )
+
+
+CASES: tuple[Case, ...] = (*NORMALS, _four_components(), _not_finite(), _golden_minor())

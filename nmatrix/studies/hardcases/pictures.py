@@ -43,19 +43,22 @@ def _case(
 # A floor from before the eye to behind it, under a field of view of 90°: w is 20, 20 and −8. Cut
 # at w > 0 it fills the lower half of the picture less a triangle on either side.
 FLOOR = np.array([[-5.0, -1, -20], [5, -1, -20], [0, -1, 8]])
+AT_THE_EYE = np.array([[-5.0, -1, -20], [5, -1, -20], [0, -1, 0]])  # one corner has w = 0
+FLAT = np.array([[-1.0, -1, -4], [0, 0, -4], [1, 1, -4]])  # no area
 VIEW = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -0.02], [0, 0, -1, 0]])
 
 
-def _floor_samples() -> list[float]:
-    mesh = Mesh(FLOOR, np.tile([0.0, 1, 0], (3, 1)), np.array([[0, 1, 2]]))
+def _samples(corners: Array) -> list[float]:
+    """Return how many samples of the picture a triangle covers."""
+    mesh = Mesh(corners, np.tile([0.0, 1, 0], (3, 1)), np.array([[0, 1, 2]]))
     canvas = Canvas(SIZE, SIZE)
     tile = Tile.empty((0, SIZE), SIZE, DepthBuffer.FULL)
     tile.add(project(mesh, VIEW, canvas, DEFAULT_CLIP_SPACE), 0)
     return [float((tile.keys != EMPTY).sum())]
 
 
-def _true_floor_samples() -> Fraction:
-    """Count samples whose ray meets the floor in front of the near plane, in whole numbers."""
+def _true_samples(end: int) -> Fraction:
+    """Count samples whose ray meets the floor before the eye; it ends in a point at z = end."""
     count = 0
     for row in range(SIZE):
         for column in range(SIZE):
@@ -63,14 +66,14 @@ def _true_floor_samples() -> Fraction:
             y = Fraction(SIZE - 2 * row - 1, SIZE)
             if y < 0:
                 z = 1 / y  # the ray (x, y, −1) meets y = −1 at this z
-                side = Fraction(5, 28) * (8 - z)
-                count += -20 <= z <= 8 and abs(-x * z) <= side
+                side = Fraction(5, 20 + end) * (end - z)
+                count += -20 <= z <= end and abs(-x * z) <= side
     return Fraction(count)
 
 
-def _divided_first() -> list[float]:
+def _divided_first(corners: Array) -> list[float]:
     """Divide by w at once, behind the eye too, and fill what comes out."""
-    clip = np.c_[FLOOR, np.ones(3)] @ VIEW.T
+    clip = np.c_[corners, np.ones(3)] @ VIEW.T
     x, y = clip[:, :2].T / clip[:, 3]
     px, py = (x + 1) * SIZE / 2 - 0.5, (1 - y) * SIZE / 2 - 0.5
     return [float(_filled(px, py, np.greater_equal).sum())]
@@ -141,10 +144,10 @@ CASES: tuple[Case, ...] = (
         "R1",
         "a floor that passes the eye",
         "w = 20, 20, −8; samples of 64 × 64",
-        (_true_floor_samples(),),
+        (_true_samples(8),),
         "behind the eye a division by w turns everything around",
-        own("clip, then divide", _floor_samples),
-        Contestant("divide by w first", _divided_first),
+        own("clip, then divide", lambda: _samples(FLOOR)),
+        Contestant("divide by w first", lambda: _divided_first(FLOOR)),
     ),
     _case(
         "R3",
@@ -172,5 +175,23 @@ CASES: tuple[Case, ...] = (
         "0⁰ is 1, and glows",
         own("gated by n·l", _glow),
         Contestant("max(r·v, 0)^s", lambda: [float(np.power(0.0, 0.0))]),
+    ),
+    _case(
+        "R2",
+        "a corner in the eye plane",
+        "w = 20, 20, 0; samples of 64 × 64",
+        (_true_samples(0),),
+        "there is no place on the screen for w = 0",
+        own("clip, then divide", lambda: _samples(AT_THE_EYE)),
+        Contestant("divide by w first", lambda: _divided_first(AT_THE_EYE)),
+    ),
+    _case(
+        "R6",
+        "a triangle without area",
+        "three corners on a line through samples; samples covered",
+        exactly(0),
+        "with ≥ the line itself counts as inside",
+        own("half-open spans", lambda: _samples(FLAT)),
+        Contestant("edge functions with ≥ 0", lambda: _divided_first(FLAT)),
     ),
 )
