@@ -91,6 +91,28 @@ class Harness:
             )
         return found
 
+    def double_check(self, run: Run) -> Ratio:
+        """Return twice the work against once.
+
+        Raises
+        ------
+        CheckFailedError
+            If it does not come out as 2: then this clock cannot tell work apart.
+        """
+
+        def twice() -> None:
+            run()
+            run()
+
+        found = self.ratio(twice, run)
+        if not found.low - FURTHEST * 2 <= 2 <= found.high + FURTHEST * 2:
+            raise CheckFailedError(
+                f"timing (twice the work: {found.ratio:.2f} times as long)",
+                "this clock cannot tell one amount of work from another",
+                "close other programs and try again",
+            )
+        return found
+
     def _calibrated(self, run: Run) -> int:
         """Return how many calls make a turn, found by doubling."""
         calls = 1

@@ -57,6 +57,21 @@ def _beats(a: Row, b: Row) -> bool:
     return no_worse and (times[0] < times[1] or a.rank < b.rank)
 
 
+def overall(rows: Sequence[Row]) -> tuple[Row, ...]:
+    """Return one row for each method: its worst error and longest time over all its settings.
+
+    Who asks for an accuracy does not know which matrices will come.
+    """
+    found = []
+    for name in dict.fromkeys(row.method for row in rows):
+        mine = [row for row in rows if row.method == name]
+        slowest = max(mine, key=lambda row: row.timing.seconds)
+        worst = max(mine, key=lambda row: inf if row.error is None else row.error)
+        failures = sum(row.failures for row in mine)
+        found.append(replace(worst, setting="everywhere", timing=slowest.timing, failures=failures))
+    return with_fronts(found)
+
+
 def cheapest(rows: Sequence[Row], tolerance: float) -> Row | None:
     """Return the fastest row without failures whose error is within a tolerance."""
     good = [r for r in rows if not r.failures and r.error is not None and r.error <= tolerance]

@@ -6,6 +6,7 @@ Each check is run a second time on a wrong implementation, which it must refuse.
 from __future__ import annotations
 
 import re
+import tracemalloc
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import product
@@ -275,6 +276,17 @@ def test_out_is_written_and_returned() -> None:
     out = np.empty_like(A)
     assert nmatrix.normal_matrices(A, out) is out
     assert (out == nmatrix.normal_matrices(A)).all()
+
+
+@pytest.mark.parametrize("level", [Level.CERTIFIED, Level.GUARDED])
+def test_memory_is_input_output_and_four_mebibytes(level: Level) -> None:
+    A = np.random.default_rng(1).normal(size=(200_000, 3, 3))
+    out = np.empty_like(A)
+    tracemalloc.start()
+    batched.normal_matrices_by_row(A, out, level)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 4 << 20
 
 
 MISUSE = [

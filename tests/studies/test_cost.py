@@ -101,6 +101,9 @@ def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
     keys = "method setting error unit time_ns ratio ratio_ci failures on_front".split()
     assert list(found["rows"][0]) == keys
     assert found["cheapest"]["error"] <= 1e-14
+    assert found["cheapest"]["method"] in ("exact", "certified")
+    loose = report("normals", rows, Ratio(1, 1, 1, 1), Wish(tolerance=2.0)).data["cheapest"]
+    assert loose["method"] != "cofactor", "it turns mirrors inside out, or is zero somewhere"
 
 
 def test_the_command_answers(capsys, tmp_path: Path, monkeypatch) -> None:
