@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from math import e, inf, sqrt
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.raster.clip import inside
-from nmatrix.raster.moved import moved
+from nmatrix.raster.moved import in_parts, moved
 from nmatrix.raster.shading_space import ShadingSpace, as_array, dot
 from nmatrix.raster.studio import Body, PlacedLamp, Studio
 
@@ -46,17 +47,18 @@ class Facts:
         """Return whether lengths read off the space's coordinates are true, to rounding."""
         return self.studio.stage(self.body).is_rigid(self.space)
 
-    @cached_property
-    def clip_corners(self) -> Array:
-        """Return the vertices (4, V) in clip space."""
+    def clip_parts(self) -> Iterator[Array]:
+        """Give the vertices in clip space, some at a time (4, n)."""
         matrix = as_array(self.studio.clip_from_object(self.body))
-        with np.errstate(over="ignore", invalid="ignore"):
-            return moved(matrix, self.body.mesh.positions.T)
+        for part in in_parts(self.body.mesh.positions.T):
+            with np.errstate(over="ignore", invalid="ignore"):
+                yield moved(matrix, part)
 
     @cached_property
     def is_whole(self) -> bool:
         """Return whether no plane of the view cuts the body."""
-        return bool(inside(self.clip_corners, self.studio.clip.depth, self.studio.canvas).all())
+        depth, canvas = self.studio.clip.depth, self.studio.canvas
+        return all(bool(inside(part, depth, canvas).all()) for part in self.clip_parts())
 
     @property
     def is_thin(self) -> bool:
@@ -74,20 +76,23 @@ class Facts:
         """Return the largest ratio of w between corners of one triangle; infinite if it is cut."""
         if not self.is_whole:
             return inf
-        w = self.clip_corners[3]
+        w = np.concatenate([part[3] for part in self.clip_parts()])
         low, high = float(w.min()), float(w.max())
         if high <= 2.0 * low:  # one triangle's ratio is no larger than the whole body's
             return high / low
-        of_corners = w.take(self.body.mesh.triangles)
-        return float((of_corners.max(axis=1) / of_corners.min(axis=1)).max())
+        of_corners = (w.take(part) for part in in_parts(self.body.mesh.triangles.T))
+        return max(float((one.max(axis=0) / one.min(axis=0)).max()) for one in of_corners)
 
     @cached_property
     def normal_cosine(self) -> float:
         """Return the smallest cosine between the world normals of one triangle's corners."""
         space = ShadingSpace(self.studio, self.body, Space.WORLD, uses_metric=False)
         normals = space.normals(self.studio.settings.normals)
-        a, b, c = (normals[:, self.body.mesh.triangles[:, i]] for i in range(3))
-        return min(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a)))
+        found = inf
+        for part in in_parts(self.body.mesh.triangles.T):
+            a, b, c = (normals[:, corner] for corner in part)
+            found = min(found, *(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a))))
+        return found
 
     @property
     def shortest_normal(self) -> float:
@@ -162,5 +167,5 @@ class Facts:
     @cached_property
     def eye_is_outside(self) -> bool:
         """Return whether the eye is outside of the box around the body."""
-        at = self.body.positions_world
-        return bool((self.eye < at.min(axis=0)).any() or (self.eye > at.max(axis=0)).any())
+        low, high = self.body.box
+        return bool((self.eye < low).any() or (self.eye > high).any())

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import LampKind, Sides, Space
+from nmatrix.raster.moved import in_parts
 from nmatrix.raster.shading_space import ShadingSpace, dot, length
 from nmatrix.raster.studio import Body, PlacedLamp, Studio
 
@@ -54,10 +55,10 @@ def _is_behind(studio: Studio, body: Body, placed: PlacedLamp) -> bool:
         return bool((dot(normals, travel) >= EDGE_ON * length(travel)).all())
     place = np.array([[float(one)] for one in placed.position])
     way = place - body.positions_world.T
-    corners = body.mesh.triangles.T
     margin = -EDGE_ON * float(length(way).max())
     return all(
         bool((dot(normals[:, corners[i]], way[:, corners[j]]) <= margin).all())
+        for corners in in_parts(body.mesh.triangles.T)
         for i in range(3)
         for j in range(3)
     )

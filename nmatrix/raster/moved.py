@@ -6,12 +6,15 @@ vertices in one place come out in one place, bit for bit, wherever they stand in
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[Any]
+
+PART = 1 << 20  # vertices that are held at once besides a mesh's own
 
 
 def moved(matrix: Array, vectors: Array) -> Array:
@@ -30,3 +33,9 @@ def moved(matrix: Array, vectors: Array) -> Array:
         if matrix.shape[1] == 4:
             out[i] += row[3]
     return out
+
+
+def in_parts(columns: Array) -> Iterator[Array]:
+    """Give an array (k, n) some columns at a time."""
+    for first in range(0, columns.shape[1], PART):
+        yield columns[:, first : first + PART]

@@ -25,9 +25,16 @@ def occluders(studio: Studio, placed: PlacedLamp, body: Body) -> list[str]:
 
 
 def _can_shade_itself(body: Body) -> bool:
-    spread = body.positions_world - body.centre
-    thickness = float(np.linalg.svd(spread, compute_uv=False)[-1])
-    return thickness > FLAT * body.radius * float(np.sqrt(len(spread)))
+    """Return whether a body has any thickness: its least spread about its middle.
+
+    The triangular factor of all vertices follows part by part, and has their singular values.
+    """
+    factor = np.zeros((3, 3))
+    for part in body.parts_world():
+        stacked = np.vstack([factor, part.T - body.centre])
+        factor = np.asarray(np.linalg.qr(stacked, mode="r"))
+    thickness = float(np.linalg.svd(factor, compute_uv=False)[-1])
+    return thickness > FLAT * body.radius * float(np.sqrt(len(body.mesh.positions)))
 
 
 def _is_between(placed: PlacedLamp, caster: Body, body: Body) -> bool:

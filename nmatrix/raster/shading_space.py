@@ -19,7 +19,7 @@ from nmatrix.enums import NormalRule, Space
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector, to_floats
 from nmatrix.linear.rules import Carrier, carrier
-from nmatrix.raster.moved import moved
+from nmatrix.raster.moved import in_parts, moved
 from nmatrix.raster.studio import Body, Studio
 from nmatrix.spaces import metric
 from nmatrix.spaces.stage import Stage
@@ -138,10 +138,13 @@ class ShadingSpace:
 
     def unit_normals(self, normals: Array) -> Array:
         """Return normals (3, …) at true length one; zero stays zero."""
-        size = np.abs(normals).max(axis=0)
-        scaled = np.divide(normals, size, out=np.zeros_like(normals), where=size > 0)
-        long = self.measure.normal_length(scaled)
-        return np.asarray(np.divide(scaled, long, out=np.zeros_like(normals), where=long > 0))
+        found = np.zeros(normals.shape)
+        for given, unit in zip(in_parts(normals), in_parts(found), strict=True):
+            size = np.abs(given).max(axis=0)
+            scaled = np.divide(given, size, out=np.zeros_like(given), where=size > 0)
+            long = self.measure.normal_length(scaled)
+            np.divide(scaled, long, out=unit, where=long > 0)
+        return found
 
     def point(self, point: RationalVector) -> Array:
         """Return a point of the world as a column (3, 1)."""

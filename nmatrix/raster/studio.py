@@ -5,7 +5,7 @@ Nothing is decided here; what must be computed is the plan's business.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -23,6 +23,7 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
 from nmatrix.raster.canvas import Canvas
+from nmatrix.raster.moved import in_parts, moved
 from nmatrix.scene.fitting import Ball, enclosing, fitted
 from nmatrix.scene.lamp import EYE, WORLD, Lamp
 from nmatrix.scene.material import Material
@@ -55,37 +56,50 @@ class Body:
         """Return what kind of map places the body; files hold float32 numbers."""
         return classify(self.world_from_object.exact, FROM_FILE)
 
-    @cached_property
+    def parts_world(self) -> Iterator[Array]:
+        """Give the vertices in the world, some at a time (3, n), so that memory is bounded."""
+        M = np.array(to_floats(self.world_from_object.exact))[:3]
+        for part in in_parts(self.mesh.positions.T):
+            with np.errstate(over="ignore", invalid="ignore"):
+                yield moved(M, part)
+
+    @property
     def positions_world(self) -> Array:
-        """Return the vertices (V, 3) in the world.
+        """Return the vertices (V, 3) in the world."""
+        return np.concatenate([part.T for part in self.parts_world()])
+
+    @cached_property
+    def box(self) -> tuple[Array, Array]:
+        """Return the lowest and the highest coordinates in the world.
 
         Raises
         ------
         NoAnswerError
             If they are so far or so small that squares of their lengths leave float64.
         """
-        M = np.array(to_floats(self.world_from_object.exact))
-        with np.errstate(over="ignore", invalid="ignore"):
-            moved = self.mesh.positions @ M[:3, :3].T + M[:3, 3]
-        reach = float(np.abs(moved).max())
+        boxes = [(part.min(axis=1), part.max(axis=1)) for part in self.parts_world()]
+        low = np.min([one for one, _ in boxes], axis=0)
+        high = np.max([one for _, one in boxes], axis=0)
+        reach = float(np.abs([low, high]).max())
         if not reach <= FARTHEST or 0 < reach < 1 / FARTHEST:
             raise NoAnswerError(
                 f"{self.name} (it reaches {reach:.3g} in the world)",
                 "a picture can be computed between 1e-100 and 1e+100",
                 "scale the scene",
             )
-        return np.asarray(moved)
+        return low, high
 
     @cached_property
     def centre(self) -> Array:
         """Return the middle of the box around the body in the world."""
-        moved = self.positions_world
-        return np.asarray((moved.min(axis=0) + moved.max(axis=0)) / 2)
+        low, high = self.box
+        return np.asarray((low + high) / 2)
 
     @cached_property
     def radius(self) -> float:
         """Return the radius of a ball around the centre that holds the body."""
-        return float(np.sqrt(((self.positions_world - self.centre) ** 2).sum(axis=1).max()))
+        middle = self.centre[:, None]
+        return float(np.sqrt(max(((p - middle) ** 2).sum(0).max() for p in self.parts_world())))
 
 
 @dataclass(frozen=True)

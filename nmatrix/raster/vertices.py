@@ -18,7 +18,7 @@ from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, determinant
 from nmatrix.raster.canvas import Canvas
 from nmatrix.raster.clip import clip, inside, whole
-from nmatrix.raster.moved import moved
+from nmatrix.raster.moved import in_parts, moved
 from nmatrix.raster.spans import SUBPIXELS
 from nmatrix.scene.mesh import Mesh
 
@@ -118,13 +118,13 @@ def project(
 
     Where every vertex lies inside, nothing is cut and nothing is copied.
     """
+    is_reversed = space.depth is DepthRange.REVERSED
+    divided = _all_inside(mesh, clip_from_object, canvas, space)
+    if divided is not None:
+        return Projected(*divided, mesh.triangles.T, culled, is_reversed=is_reversed)
     with np.errstate(over="ignore", invalid="ignore"):
         corners = moved(clip_from_object, mesh.positions.T)
         seen = inside(corners, space.depth, canvas)
-    is_reversed = space.depth is DepthRange.REVERSED
-    if seen.all():
-        divided = _divided(corners, canvas, space)
-        return Projected(*divided, mesh.triangles.T, culled, is_reversed=is_reversed)
     whole_ones = seen.take(mesh.triangles).all(axis=1)
     uncut, crossing = np.flatnonzero(whole_ones), np.flatnonzero(~whole_ones)
     cut = clip(whole(corners.T[mesh.triangles[crossing]], crossing), space.depth, canvas)
@@ -139,6 +139,23 @@ def project(
         np.concatenate([uncut, cut.source]),
         is_reversed,
     )
+
+
+def _all_inside(
+    mesh: Mesh, clip_from_object: Array, canvas: Canvas, space: ClipSpace
+) -> Array | None:
+    """Return x, y, depth and 1/w of every vertex, or None if something cuts one of them off."""
+    found = np.empty((4, len(mesh.positions)))
+    first = 0
+    for part in in_parts(mesh.positions.T):
+        with np.errstate(over="ignore", invalid="ignore"):
+            corners = moved(clip_from_object, part)
+            if not inside(corners, space.depth, canvas).all():
+                return None
+        last = first + part.shape[1]
+        found[:, first:last] = _divided(corners, canvas, space)
+        first = last
+    return found
 
 
 def front_sign(clip_from_object: RationalMatrix, space: ClipSpace) -> int:

@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
+from nmatrix.scene.watertight import is_watertight
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
-
-_ODD = np.array([0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB], np.uint64)
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,31 +66,13 @@ class Mesh:
         Then each edge is shared by two triangles, turned against each other, once vertices in the
         same place count as one.
         """
-        place = _same_place(self.positions)
-        if place is None:
-            return False
-        corners = place[self.triangles]
-        corners = corners[(corners != np.roll(corners, 1, axis=1)).all(axis=1)]
-        start, end = corners.ravel(), np.roll(corners, -1, axis=1).ravel()
-        count = len(self.positions)
-        there, back = np.sort(start * count + end), np.sort(end * count + start)
-        return bool((there[1:] != there[:-1]).all() and (there == back).all())
+        return is_watertight(self.positions, self.triangles)
 
     @property
     def degenerate_normals(self) -> int:
         """Return how many normals are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)
         return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
-
-
-def _same_place(positions: Array) -> Indices | None:
-    """Return a number for each vertex, alike where positions are; None if hashes collide."""
-    bits = (positions + 0.0).view(np.uint64)  # −0 becomes 0
-    hashed = bits[:, 0] * _ODD[0] ^ np.bitwise_right_shift(bits[:, 0], 29)
-    for axis in (1, 2):
-        hashed = (hashed ^ np.bitwise_right_shift(hashed, 31)) * _ODD[axis] + bits[:, axis]
-    _, first, place = np.unique(hashed, return_index=True, return_inverse=True)
-    return place if (positions[first[place]] == positions).all() else None
 
 
 def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:

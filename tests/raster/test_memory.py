@@ -14,15 +14,9 @@ from nmatrix.raster.fragments import Fragments, Reads
 from nmatrix.raster.picture import Drawable, Drawing
 from nmatrix.raster.vertices import Projected
 
-PROGRAM = """
+MESH = """
 import resource
 import numpy as np
-from nmatrix.linear.projection import ClipSpace
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.fragments import Reads
-from nmatrix.raster.image import levels
-from nmatrix.raster.picture import Drawable, Drawing
-from nmatrix.raster.vertices import project
 from nmatrix.scene.mesh import Mesh
 
 cells, size, per_side = {cells}, {size}, {per_side}
@@ -37,6 +31,16 @@ triangles[:, :, 0] = a[:, :, None] + [0, 1, side]
 triangles[:, :, 1] = a[:, :, None] + [1, side + 1, side]
 del a
 mesh = Mesh(positions.reshape(-1, 3), normals.reshape(-1, 3), triangles.reshape(-1, 3))
+"""
+
+DRAWING = """
+from nmatrix.linear.projection import ClipSpace
+from nmatrix.raster.canvas import Canvas
+from nmatrix.raster.fragments import Reads
+from nmatrix.raster.image import levels
+from nmatrix.raster.picture import Drawable, Drawing
+from nmatrix.raster.vertices import project
+
 matrix = np.diag([0.9, 0.9, 0.5, 1.0])
 matrix[3, 1] = 0.2
 canvas = Canvas(size, size, per_side)
@@ -49,13 +53,30 @@ def lambert(found):
 
 picture = Drawing([Drawable(projected, reads, lambert)], canvas, np.zeros(1)).picture(levels)
 assert picture.fragments > 0.5 * (size * per_side) ** 2 or cells > 1000, picture.fragments
+"""
+
+SCENE = """
+from nmatrix.linear.rational import identity
+from nmatrix.raster.plan import planned
+from nmatrix.raster.render import render
+from nmatrix.raster.studio import studio
+from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.scene.scene import Scene, SceneObject, Settings
+
+grid = SceneObject("grid", LoadedGeometry(mesh), identity(4))
+settings = Settings(size=(size, size), samples=per_side**2)
+found = render(planned(studio(Scene((grid,), settings=settings, has_camera=False))))
+assert found.work.fragments > 0.2 * (size * per_side) ** 2, found.work
+"""
+
+RESIDENT = """
 print(len(mesh.triangles), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
 """
 
 
-def resident(cells: int, size: int, per_side: int) -> tuple[int, float]:
+def resident(way: str, cells: int, size: int, per_side: int) -> tuple[int, float]:
     """Return triangles and the most MiB that a process of its own has had in memory."""
-    program = PROGRAM.format(cells=cells, size=size, per_side=per_side)
+    program = (MESH + way + RESIDENT).format(cells=cells, size=size, per_side=per_side)
     found = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
@@ -64,15 +85,16 @@ def resident(cells: int, size: int, per_side: int) -> tuple[int, float]:
 
 
 @pytest.mark.slow
-def test_ten_million_triangles_fit_in_a_gibibyte() -> None:
-    triangles, mebibytes = resident(cells=2237, size=512, per_side=1)
+@pytest.mark.parametrize("way", [DRAWING, SCENE], ids=["drawing", "scene"])
+def test_ten_million_triangles_fit_in_a_gibibyte(way: str) -> None:
+    triangles, mebibytes = resident(way, cells=2237, size=512, per_side=1)
     assert triangles >= 10**7
     assert mebibytes <= 1024
 
 
 @pytest.mark.slow
 def test_sixty_four_samples_of_a_large_picture_fit_in_a_gibibyte() -> None:
-    assert resident(cells=20, size=2048, per_side=8)[1] <= 1024
+    assert resident(DRAWING, cells=20, size=2048, per_side=8)[1] <= 1024
 
 
 @pytest.mark.parametrize("layers", [5, 60])
