@@ -6,9 +6,9 @@ hence its crossings: each sample belongs to exactly one of them.
 
 Why floats decide exactly: an edge crosses row j at x = (x₀·h + (256 j − y₀)·r)/(256 h), for its run
 r and its height h, so two different places are at least 1/(256 h) apart. Half of that is taken
-off before rounding up. The guard band reaches 2¹⁵ samples to either side of the canvas's middle, and
-no canvas is wider than 2¹⁶: so |x₀|, |y₀|, r, h ≤ 2²⁴, the five roundings of numbers below 2⁴⁸/h lose
-a quarter of 1/(256 h) at the most, and no ceiling can change.
+off before rounding up. The guard band reaches 2¹⁵ samples to either side of the canvas's middle,
+and no canvas is wider than 2¹⁶: so |x₀|, |y₀|, r, h ≤ 2²⁴, five roundings of numbers below 2⁴⁸/h
+lose a quarter of 1/(256 h) at the most, and no ceiling can change.
 """
 
 from __future__ import annotations
