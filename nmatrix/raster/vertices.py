@@ -121,7 +121,8 @@ def project(
     is_reversed = space.depth is DepthRange.REVERSED
     divided = _all_inside(mesh, clip_from_object, canvas, space)
     if divided is not None:
-        return Projected(*divided, mesh.triangles.T, culled, is_reversed=is_reversed)
+        x, y, z, inverse_w = divided
+        return Projected(x, y, z, inverse_w, mesh.triangles.T, culled, is_reversed=is_reversed)
     with np.errstate(over="ignore", invalid="ignore"):
         corners = moved(clip_from_object, mesh.positions.T)
         seen = inside(corners, space.depth, canvas)
