@@ -15,7 +15,8 @@ from nmatrix.scene.gltf import read_gltf
 
 GLTF_SUFFIXES = (".gltf", ".glb")
 SHOWN = 40  # nodes in the table for people; JSON has them all
-FAILURES = ("mirrored", "shear", "degenerate")
+# What a pipeline may refuse, and how a sentence says that a node is so.
+FAILURES = {"mirrored": "mirrored", "shear": "sheared", "degenerate": "with degenerate normals"}
 
 
 @dataclass(frozen=True)
@@ -176,11 +177,16 @@ def _remarks(inspection: Inspection) -> tuple[str, ...]:
 
 
 def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError | None:
-    for word in fail_on:
-        nodes = inspection.having(word)
-        if nodes:
-            names = ", ".join(node.name for node in nodes[:5])
-            return CheckFailedError(
-                f"--fail-on {word}", f"{len(nodes)} of {len(inspection.nodes)} nodes: {names}"
-            )
-    return None
+    """Return the failure that names every condition which some node meets, with its nodes."""
+    found = {word: inspection.having(word) for word in fail_on}
+    told = [
+        f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[word]}"
+        f" ({', '.join(node.name for node in nodes[:5])}{', …' if len(nodes) > 5 else ''})"
+        for word, nodes in found.items()
+        if nodes
+    ]
+    if not told:
+        return None
+    return CheckFailedError(
+        f"--fail-on {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
+    )

@@ -82,6 +82,21 @@ def test_rotation_under_a_non_uniform_scale_is_sheared_by_its_ancestors(tmp_path
     assert answer.data["summary"]["sheared_by_ancestors"] == 1
 
 
+def test_every_failing_condition_is_named_with_its_nodes(tmp_path: Path) -> None:
+    path = scene(
+        tmp_path,
+        [
+            {"name": "stretched", "scale": [1, 2, 1], "children": [1]},
+            {"name": "turned", "rotation": [0, 0, SIN30, COS30]},
+            {"name": "copy", "scale": [-1, 1, 1]},
+        ],
+    )
+    failure = report(inspect_file(path), ("mirrored", "degenerate", "shear")).failure
+    assert failure is not None
+    assert "1 of 3 nodes mirrored (copy); 1 of 3 nodes sheared (turned)" in str(failure)
+    assert "degenerate normals" not in str(failure)
+
+
 def test_world_matrices_are_products_from_the_root_down(tmp_path: Path) -> None:
     path = scene(
         tmp_path,
