@@ -175,7 +175,8 @@ def _within_budget(decisions: dict[Effect, Decision], lamps: int) -> dict[Effect
             decisions[one.effect] = replace(
                 one,
                 on=True,
-                because=f"{one.because}; it could move a channel by {one.bound * 255:.2g} of 255 levels",
+                because=f"{one.because}; "
+                f"it could move a channel by {one.bound * 255:.2g} of 255 levels",
                 bound=0.0,
             )
     return decisions
