@@ -15,7 +15,8 @@ class Entry:
     summary: str
 
 
-MATRICES, SPACES, PROOFS, STUDIES, FILES = "Matrices", "Spaces", "Proofs", "Studies", "Files"
+MATRICES, SPACES, PROOFS, STUDIES = "Matrices", "Spaces", "Proofs", "Studies"
+CLASSROOM, FILES = "Classroom", "Files"
 
 COMMANDS: tuple[Entry, ...] = (
     Entry(
