@@ -108,7 +108,8 @@ class Report:
     """The answer of one command.
 
     `failure` is the error that the answer still ends in (an undefined normal, a failed check):
-    the whole report is shown first, then its one line.
+    the whole report is shown first, then its one line. `records` is for an answer that is a list
+    of rows by nature, such as the grades of a class: as CSV it is written as that table.
     """
 
     command: str
@@ -116,3 +117,4 @@ class Report:
     blocks: tuple[Block, ...]
     remarks: tuple[str, ...] = ()
     failure: NMatrixError | None = field(default=None, compare=False)
+    records: Table | None = None

@@ -35,6 +35,7 @@ COMMANDS: tuple[Entry, ...] = (
     Entry("plan", PROOFS, "plan", "Which effects a scene calls for, and why"),
     Entry("cost", STUDIES, "cost", "What accuracy costs in time, measured here"),
     Entry("stress", STUDIES, "stress", "The hard cases, and who survives them"),
+    Entry("check", CLASSROOM, "check", "Is this answer right, and which mistake is it?"),
     Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
 )
 

@@ -15,7 +15,7 @@ from nmatrix.output.jsontext import outside_remark
 from nmatrix.output.numbers import machine, significant
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
-from nmatrix.report import Report, Value
+from nmatrix.report import Report, Table, Value
 from nmatrix.version import __version__
 
 Record = tuple[str, int | str, int | str, str]
@@ -25,13 +25,16 @@ HEADER = ("key", "row", "column", "value")
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as comma-separated values with a header.
 
-    Scalars have neither row nor column, vectors a row; absent things have an empty value.
+    Scalars have neither row nor column, vectors a row; absent things have an empty value. An
+    answer that is a list of rows is written as that.
 
     Examples
     --------
     >>> print(write(Report("calc", {"value": (1.0, 2.5)}, ()), OutputOptions()).splitlines()[-1])
     value,1,,2.5
     """
+    if report.records is not None:
+        return _table(report.records)
     outside = [
         outside_remark(key, significant(value, options.digits))
         for key, _, _, value in _entries(report.data, options.layout)
@@ -48,6 +51,14 @@ def write(report: Report, options: OutputOptions) -> str:
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(HEADER)
     rows.writerows((*place, _cell(value)) for *place, value in _entries(whole, options.layout))
+    return text.getvalue()
+
+
+def _table(table: Table) -> str:
+    text = StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(table.columns)
+    rows.writerows([_cell(cell) for cell in row] for row in table.rows)
     return text.getvalue()
 
 

@@ -1,0 +1,139 @@
+"""`nmatrix check`: whether an answer is right, and if not, which mistake it is.
+
+The right answer itself is not shown: the command that shows it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.lessons.check.answer import Answer, shaped
+from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.question import LightPart, Question, Subject
+from nmatrix.linear.rounding import in_short
+from nmatrix.reading.literal import ExactRows
+from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
+
+SHOWN_DIGITS = 6
+WRONG = "✗"
+VECTOR_COLUMNS = ("x", "y", "z", "w")
+MATRIX_COLUMNS = ("column 1", "column 2", "column 3", "column 4")
+
+
+def check(question: Question, rows: ExactRows) -> Report:
+    """Answer whether these numbers are right.
+
+    Examples
+    --------
+    >>> from nmatrix.scene.shot import Shot
+    >>> from nmatrix.scene.world import World
+    >>> zero, one, half = Fraction(0), Fraction(1), Fraction(1, 2)
+    >>> asked = Question(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
+    >>> check(asked, ((one, zero, zero), (zero, half, zero), (zero, zero, one))).data["verdict"]
+    'correct'
+    """
+    asked, answer, found = best_judgement(question, rows)
+    return judged(asked, answer, found)
+
+
+def best_judgement(question: Question, rows: ExactRows) -> tuple[Question, Answer, Judgement]:
+    """Return the judgement of numbers; of a light with two parts, the part that they fit better."""
+    judgements = []
+    for asked in parts_asked(question):
+        answer = shaped(rows, asked)
+        judgements.append((asked, answer, Judge(asked).judge(answer)))
+    return min(judgements, key=lambda one: list(Outcome).index(one[2].verdict))
+
+
+def parts_asked(question: Question) -> tuple[Question, ...]:
+    """Return the question, or for a light one question for each part that the light has."""
+    if question.subject is not Subject.LIGHT:
+        return (question,)
+    light = question.shot.stage.light
+    has = {LightPart.DIRECTION: light.direction, LightPart.POSITION: light.position}
+    parts = [part for part in LightPart if has[part] is not None]
+    if question.unit:
+        parts = [part for part in parts if part is LightPart.DIRECTION]
+    if not parts:
+        raise IllegalValueError(
+            "--unit with a light position",
+            "only a direction has a length to bring to 1",
+            "leave --unit out, or give --light-direction X Y Z",
+        )
+    return tuple(replace(question, light=part) for part in parts)
+
+
+def judged(question: Question, answer: Answer, found: Judgement) -> Report:
+    """Return the report of one judgement."""
+    data: dict[str, Value] = {
+        "verdict": found.verdict.value,
+        "mistake": found.mistake,
+        "also": list(found.also),
+        "explanation": found.explanation,
+        "max_difference": found.max_difference,
+        "wrong_entries": [list(place) for place in found.wrong_entries],
+    }
+    return Report("check", data, _blocks(question, answer, found), found.remarks, failure(found))
+
+
+def failure(found: Judgement) -> CheckFailedError | None:
+    """Return the one line that a wrong answer ends in."""
+    if found.verdict is Outcome.CORRECT:
+        return None
+    why = found.mistake or "no known mistake gives these numbers"
+    return CheckFailedError("answer (wrong)", why, f"try {_next_command(found)}")
+
+
+def _next_command(found: Judgement) -> str:
+    if found.mistakes:
+        return MISTAKES[found.mistakes[0]].command
+    return "the command of that name with the same options, which shows the right answer"
+
+
+def _blocks(question: Question, answer: Answer, found: Judgement) -> tuple[Block, ...]:
+    heading = Heading(f"Check: {_named(question)}")
+    if found.verdict is Outcome.CORRECT:
+        return (heading, Verdict("Correct."))
+    verdict = f"Mistake: {found.mistake}." if found.mistake else "Wrong: an unknown mistake."
+    blocks: list[Block] = [heading, Verdict(verdict), Text(found.explanation)]
+    blocks.append(_marked(question, answer, found))
+    if found.also:
+        blocks.append(Text(f"The same numbers here: {', '.join(found.also)}."))
+    blocks += _commands(found.mistakes)
+    return tuple(blocks)
+
+
+def _commands(mistakes: tuple[MistakeId, ...]) -> list[Block]:
+    return [Text(f"See: {MISTAKES[one].command}") for one in mistakes]
+
+
+def _named(question: Question) -> str:
+    """Return what was asked for, as a noun."""
+    subject, space = question.subject, question.space
+    if subject is Subject.NORMAL:
+        thing = "a normal" if question.normal is not None else "the normal matrix"
+        return f"{thing} in {space} space"
+    if subject is Subject.LIGHT:
+        return f"the light {question.light} in {space} space"
+    if subject is Subject.EYE:
+        return f"the eye in {space} space"
+    return f"the {subject} matrix"
+
+
+def _marked(question: Question, answer: Answer, found: Judgement) -> Table:
+    """Return the answer with a mark at every wrong entry."""
+    names = VECTOR_COLUMNS if question.is_vector else MATRIX_COLUMNS
+    wrong = set(found.wrong_entries)
+    rows = tuple(
+        tuple(_cell(entry, is_wrong=(i, j) in wrong) for j, entry in enumerate(row))
+        for i, row in enumerate(answer.rows)
+    )
+    marked = f"wrong entries marked {WRONG}" if wrong else "the length is what is wrong"
+    return Table(names[: len(answer.rows[0])], rows, f"Your answer, {marked}")
+
+
+def _cell(entry: Fraction, *, is_wrong: bool) -> str:
+    return in_short(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")

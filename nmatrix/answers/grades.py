@@ -1,0 +1,133 @@
+"""A class of answers, each judged by itself: one row out for each row in."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from nmatrix.answers.check import best_judgement
+from nmatrix.enums import Layout
+from nmatrix.errors import CheckFailedError, NMatrixError
+from nmatrix.lessons.check.judge import Judgement
+from nmatrix.lessons.check.question import Question
+from nmatrix.reading.matrix import matrix_literal
+from nmatrix.reading.records import Record
+from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
+
+NEEDED = ("student", "answer")  # exercise too, where the exercises differ
+COLUMNS = ("student", "exercise", "verdict", "mistake", "also", "explanation")
+UNREADABLE = "unreadable"
+
+JudgeRecord = Callable[[Mapping[str, str]], Judgement]
+
+
+@dataclass(frozen=True)
+class Grade:
+    """One row: who, what, and how it was judged."""
+
+    student: str
+    exercise: str
+    verdict: str
+    mistake: str | None
+    also: str
+    explanation: str
+
+    @property
+    def cells(self) -> tuple[str | None, ...]:
+        """Return the cells under `COLUMNS`."""
+        return (
+            self.student,
+            self.exercise,
+            self.verdict,
+            self.mistake,
+            self.also or None,
+            self.explanation,
+        )
+
+
+def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
+    """Answer with one grade for each row; a row that cannot be read costs only itself.
+
+    Examples
+    --------
+    >>> from nmatrix.lessons.check.question import Subject
+    >>> from nmatrix.scene.shot import Shot
+    >>> rows = [Record(2, {"student": "Ada", "answer": "0 0 5"}),
+    ...         Record(3, {"student": "Bo", "answer": "five"})]
+    >>> found = grades(rows, answers_to(Question(Subject.EYE, Shot())))
+    >>> [row["verdict"] for row in found.data["rows"]]
+    ['correct', 'unreadable']
+    """
+    found = [_grade(record, judge) for record in records]
+    counts = Counter(grade.verdict for grade in found)
+    summary = {name: counts[name] for name in ("correct", "mistake", "unknown", UNREADABLE)}
+    table = Table(COLUMNS, tuple(grade.cells for grade in found))
+    rows: list[Value] = [dict(zip(COLUMNS, grade.cells, strict=True)) for grade in found]
+    blocks: tuple[Block, ...] = (
+        Heading(f"Check: {len(found)} answers"),
+        Verdict(f"{_counted(summary)}."),
+        Table(COLUMNS[:4], tuple(grade.cells[:4] for grade in found)),
+        *_mistakes(found),
+    )
+    return Report(
+        "check",
+        {"rows": rows, "summary": dict(summary)},
+        blocks,
+        failure=_failure(summary[UNREADABLE]),
+        records=table,
+    )
+
+
+def answers_to(question: Question, layout: Layout = Layout.ROW_MAJOR) -> JudgeRecord:
+    """Return what judges the answers of a class to one question; equal answers only once."""
+    known: dict[str, Judgement] = {}
+
+    def judged(cells: Mapping[str, str]) -> Judgement:
+        text = cells["answer"]
+        if text not in known:
+            rows = matrix_literal(text, layout).rows_exact
+            known[text] = best_judgement(question, rows)[2]
+        return known[text]
+
+    return judged
+
+
+def _grade(record: Record, judge: JudgeRecord) -> Grade:
+    student, exercise = record.cells["student"], record.cells.get("exercise", "")
+    try:
+        if record.fault:
+            raise CheckFailedError(record.fault)
+        found = judge(record.cells)
+    except NMatrixError as error:
+        sentence = f"line {record.line}: {error}"
+        return Grade(student, exercise, UNREADABLE, None, "", sentence)
+    return Grade(
+        student,
+        exercise,
+        found.verdict.value,
+        found.mistake,
+        " ".join(found.also),
+        found.explanation,
+    )
+
+
+def _counted(summary: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {name}" for name, count in summary.items() if count) or "No answers"
+
+
+def _mistakes(found: list[Grade]) -> tuple[Block, ...]:
+    counts = Counter(grade.mistake for grade in found if grade.mistake)
+    if not counts:
+        return ()
+    return (Table(("mistake", "answers"), tuple(counts.most_common()), "What to teach again"),)
+
+
+def _failure(unreadable: int) -> CheckFailedError | None:
+    if not unreadable:
+        return None
+    return CheckFailedError(
+        f"batch ({unreadable} unreadable)",
+        "these rows hold no answer of the right shape",
+        "their explanation says why",
+    )

@@ -1,0 +1,126 @@
+"""`nmatrix check`: one answer, or a class of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Annotated
+
+from typer import Argument, Option
+
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.scene_group import SceneOptions
+from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.show import show
+from nmatrix.cli.sources import Sources
+from nmatrix.cli.world_options import LightOptions, WorldOptions
+from nmatrix.enums import Space
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.numbers import fraction, numbers
+
+if TYPE_CHECKING:
+    from nmatrix.lessons.check.question import Question
+
+HELP = {
+    "check": """nmatrix check normal "1 0 0; 0 0.5 0; 0 0 1" --scale 1 2 1
+
+nmatrix check light "1 -0.5 0" --space object --scale 1 2 1 --light-direction 1 -1 0
+
+nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv
+
+Is this answer right, and if not, which mistake is it? Exit 0 if it is, 1 if not.""",
+}
+
+
+@dataclass(frozen=True)
+class CheckOptions:
+    """How strictly to compare, and what exactly is asked for."""
+
+    unit: Annotated[bool, Option("--unit", help="A direction must have length 1.")] = False
+    tolerance: Annotated[
+        str | None,
+        Option(metavar="T", help="How far an entry may be off, for the digits given."),
+    ] = None
+    normal: Annotated[
+        str | None,
+        Option(metavar="X Y Z", help="check normal: the normal to carry, not the matrix."),
+    ] = None
+
+    @property
+    def limit(self) -> Fraction | None:
+        """Return the tolerance that was typed."""
+        if self.tolerance is None:
+            return None
+        found = fraction(self.tolerance, "--tolerance")
+        if found < 0:
+            raise IllegalValueError(
+                f"--tolerance ({self.tolerance[:20]})", "it is not negative", "try 0.001"
+            )
+        return found
+
+
+def check(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    lens: LensOptions,
+    light: LightOptions,
+    space: SpaceOptions,
+    scene: SceneOptions,
+    options: CheckOptions,
+    everywhere: Everywhere,
+    what: Annotated[
+        str, Argument(metavar="WHAT", help="world, view, projection, normal, light or eye.")
+    ],
+    answer: Annotated[
+        str | None,
+        Argument(metavar="ANSWER", help="Like MATRIX, or 3 or 4 numbers.", show_default=False),
+    ] = None,
+    batch: Annotated[
+        str | None,
+        Option(metavar="FILE", help="A .csv with the columns student, answer (and exercise)."),
+    ] = None,
+) -> None:
+    """Check an answer."""
+    sources = Sources(everywhere.input_layout)
+    groups = Groups(world, view, lens, light, space, scene=scene)
+    question = _question(what, groups, options, sources)
+    if (answer is None) is (batch is None):
+        raise IllegalValueError(
+            f"check {question.subject}",
+            "it takes an ANSWER or --batch FILE, one of them",
+            f'try nmatrix check {question.subject} "1 0 0; 0 1 0; 0 0 1"',
+        )
+    if batch is not None:
+        from nmatrix.answers.grades import NEEDED, answers_to, grades
+        from nmatrix.reading.records import records
+
+        judge = answers_to(question, everywhere.input_layout)
+        show(grades(records(batch, NEEDED), judge), everywhere)
+    elif answer is not None:
+        from nmatrix.answers.check import check as answer_of
+
+        show(answer_of(question, sources.literal(answer).rows_exact), everywhere)
+
+
+def _question(what: str, groups: Groups, options: CheckOptions, sources: Sources) -> Question:
+    from nmatrix.lessons.check.question import Question, Subject
+
+    if what not in list(Subject):
+        raise IllegalValueError(
+            f"WHAT ({what[:20]})", f"it is one of {', '.join(Subject)}", "try normal"
+        )
+    subject = Subject(what)
+    if options.normal is not None and subject is not Subject.NORMAL:
+        raise IllegalValueError(
+            f"--normal with check {what}", "it is the normal to carry", "use check normal"
+        )
+    return Question(
+        subject,
+        groups.shot_from(sources),
+        groups.space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
+        unit=options.unit,
+        tolerance=options.limit,
+        normal=None if options.normal is None else numbers(options.normal, 3, "--normal"),
+    )

@@ -1,0 +1,188 @@
+"""The judgement of one answer: right, a mistake with a name, or unknown.
+
+First the right answer, then the answer of every single mistake, then of every pair. A pair counts
+only where no other pair gives the same numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from fractions import Fraction
+from functools import cached_property
+
+from nmatrix.lessons.check.answer import Answer
+from nmatrix.lessons.check.likeness import Likeness, Place, is_alike, likeness
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.question import Question, Subject, right_answer
+from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
+from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rational import RationalMatrix, linear, scaled
+
+RIGHT = "This is right."
+UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
+TWO_SIDED = (
+    "The map flattens space to a plane, whose two sides are alike: both directions are right."
+)
+
+
+class Outcome(StrEnum):
+    """What an answer turned out to be."""
+
+    CORRECT = "correct"
+    MISTAKE = "mistake"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What is to be said about one answer.
+
+    `right` and `wrong_entries` are in the shape of the answer; `mistake` is one id, or two
+    joined by a plus sign; `also` are those that give the same numbers here.
+    """
+
+    verdict: Outcome
+    right: RationalMatrix
+    max_difference: Fraction
+    wrong_entries: tuple[Place, ...] = ()
+    mistakes: tuple[MistakeId, ...] = ()
+    also: tuple[str, ...] = ()
+    explanation: str = RIGHT
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def mistake(self) -> str | None:
+        """Return the id, or two joined by a plus sign."""
+        return "+".join(self.mistakes) or None
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Judges answers to one question; what is common to all of them is computed once."""
+
+    question: Question
+
+    @cached_property
+    def right(self) -> RationalMatrix:
+        """Return the right answer."""
+        return right_answer(self.question)
+
+    @cached_property
+    def singles(self) -> tuple[WrongAnswer, ...]:
+        """Return the wrong answers of single mistakes that differ from the right one."""
+        return tuple(self._distinct(single_mistakes(self.question)))
+
+    @cached_property
+    def doubles(self) -> tuple[WrongAnswer, ...]:
+        """Return the wrong answers of two mistakes, but not what a single one gives as well."""
+        known = {_shape(self.question, one.value) for one in self.singles}
+        return tuple(
+            one
+            for one in self._distinct(pairs(self.question))
+            if _shape(self.question, one.value) not in known
+        )
+
+    def judge(self, answer: Answer) -> Judgement:
+        """Return the judgement of an answer.
+
+        Examples
+        --------
+        >>> from nmatrix.lessons.check.answer import read_answer
+        >>> from nmatrix.scene.shot import Shot
+        >>> from nmatrix.scene.world import World
+        >>> asked = Question(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
+        >>> Judge(asked).judge(read_answer("1 0 0; 0 2 0; 0 0 1", asked)).mistake
+        'not-inverted'
+        """
+        found = likeness(answer, self.right, self.question)
+        if found.alike:
+            return self._correct(answer, found)
+        if self._is_other_side(answer):
+            return Judgement(Outcome.CORRECT, self.right, found.difference, remarks=(TWO_SIDED,))
+        return self._mistaken(answer, found) or self._unknown(answer, found)
+
+    def _correct(self, answer: Answer, found: Likeness) -> Judgement:
+        remarks = answer.remarks if found.factor == 1 else (*answer.remarks, UP_TO_LENGTH)
+        return Judgement(Outcome.CORRECT, self.right, found.difference, remarks=remarks)
+
+    def _is_other_side(self, answer: Answer) -> bool:
+        question = self.question
+        if question.subject is not Subject.NORMAL or question.normal is None:
+            return False
+        S = question.shot.stage.space_from_object(question.space).exact
+        if LinearMap.of(linear(S)).integer_determinant:
+            return False
+        return is_alike(answer, scaled(self.right, Fraction(-1)), question)
+
+    def _mistaken(self, answer: Answer, found: Likeness) -> Judgement | None:
+        names = self._named(answer, self.singles)
+        if not names and self._only_length(answer):
+            names = {(MistakeId.MISSING_NORMALISE,): None}
+        if not names:
+            names = self._named(answer, self.doubles)
+            if len(names) > 1:
+                return None
+        if not names:
+            return None
+        first, *others = names
+        return Judgement(
+            Outcome.MISTAKE,
+            scaled(self.right, found.factor),
+            found.difference,
+            found.wrong,
+            first,
+            tuple("+".join(other) for other in others),
+            " ".join(MISTAKES[one].explanation for one in first),
+            answer.remarks,
+        )
+
+    def _named(
+        self, answer: Answer, wrong: tuple[WrongAnswer, ...]
+    ) -> dict[tuple[MistakeId, ...], None]:
+        return {one.mistakes: None for one in wrong if is_alike(answer, one.value, self.question)}
+
+    def _only_length(self, answer: Answer) -> bool:
+        """Return whether a unit vector was asked for, and the length is all that is wrong."""
+        free = replace(self.question, unit=False)
+        return self.question.unit and is_alike(answer, self.right, free)
+
+    def _unknown(self, answer: Answer, found: Likeness) -> Judgement:
+        several = self._named(answer, self.doubles)
+        if several:
+            listed = ", ".join("+".join(pair) for pair in several)
+            sentence = f"Wrong, and several pairs of mistakes give these numbers: {listed}."
+        else:
+            sentence = "Wrong, and no known mistake, nor two of them, gives these numbers."
+        return Judgement(
+            Outcome.UNKNOWN,
+            scaled(self.right, found.factor),
+            found.difference,
+            found.wrong,
+            explanation=sentence,
+            remarks=answer.remarks,
+        )
+
+    def _distinct(self, wrong: Iterator[WrongAnswer]) -> Iterator[WrongAnswer]:
+        """Give the wrong answers that are not the right one, each value of a mistake once."""
+        right = _shape(self.question, self.right)
+        seen: set[tuple[tuple[MistakeId, ...], RationalMatrix]] = set()
+        for one in wrong:
+            shape = _shape(self.question, one.value)
+            if shape != right and (one.mistakes, shape) not in seen:
+                seen.add((one.mistakes, shape))
+                yield one
+
+
+def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:
+    """Return a value in a form that is the same for all values that count as the same."""
+    if not question.any_length:
+        return value
+    largest = max(abs(entry) for row in value for entry in row)
+    return scaled(value, 1 / largest) if largest else value
+
+
+def judge(question: Question, answer: Answer) -> Judgement:
+    """Return the judgement of one answer to a question."""
+    return Judge(question).judge(answer)

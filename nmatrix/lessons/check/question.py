@@ -1,0 +1,207 @@
+"""What is asked: one quantity of one scene; and the right answer to it, exactly.
+
+M is `world_from_object`, V `camera_from_world`, S `space_from_world`, B the 3×3 block of S·M.
+A vector is written with its w: 0 for a direction, 1 for a point.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+
+from nmatrix.enums import Space
+from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rational import (
+    ONE,
+    ZERO,
+    RationalMatrix,
+    RationalVector,
+    apply,
+    linear,
+    product,
+    rational_vector,
+)
+from nmatrix.linear.rounding import integers, unit
+from nmatrix.report import Vector
+from nmatrix.scene.shot import Shot
+
+
+class Subject(StrEnum):
+    """What a student may be asked for."""
+
+    WORLD = "world"
+    VIEW = "view"
+    PROJECTION = "projection"
+    NORMAL = "normal"
+    LIGHT = "light"
+    EYE = "eye"
+
+
+class LightPart(StrEnum):
+    """Which part of a light is meant."""
+
+    DIRECTION = "direction"
+    POSITION = "position"
+
+
+@dataclass(frozen=True)
+class Question:
+    """One quantity of a scene.
+
+    Parameters
+    ----------
+    subject, shot, space
+        What is asked for, of which scene, in which space.
+    unit
+        Whether a unit vector is asked for.
+    tolerance
+        How far an entry may be off, in place of the digits given.
+    normal
+        A normal to carry, in object space; without one the normal matrix is asked for.
+    light
+        Which part of the light; needed where the light has both.
+    """
+
+    subject: Subject
+    shot: Shot
+    space: Space = Space.WORLD
+    unit: bool = False
+    tolerance: Fraction | None = None
+    normal: Vector | None = None
+    light: LightPart = LightPart.DIRECTION
+
+    def __post_init__(self) -> None:
+        if self.unit and not self.is_direction:
+            raise IllegalValueError(
+                f"--unit with {self.subject}",
+                "only a direction has a length to bring to 1",
+                "leave it out, or ask for a normal with --normal X Y Z",
+            )
+
+    @property
+    def is_direction(self) -> bool:
+        """Return whether a vector without a place is asked for."""
+        if self.subject is Subject.NORMAL:
+            return self.normal is not None
+        return self.subject is Subject.LIGHT and self.light is LightPart.DIRECTION
+
+    @property
+    def is_vector(self) -> bool:
+        """Return whether a direction or a point is asked for, not a matrix."""
+        return self.is_direction or self.subject in (Subject.LIGHT, Subject.EYE)
+
+    @property
+    def any_length(self) -> bool:
+        """Return whether the answer counts up to a positive factor."""
+        return not self.unit and (self.is_direction or self.subject is Subject.NORMAL)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """The matrices that an answer is computed from; a mistake may replace one of them."""
+
+    world_from_object: RationalMatrix
+    camera_from_world: RationalMatrix
+    space_from_world: RationalMatrix
+
+    @property
+    def space_from_object(self) -> RationalMatrix:
+        """Return S·M."""
+        return product(self.space_from_world, self.world_from_object)
+
+
+def setting(question: Question) -> Setting:
+    """Return the right matrices of a question.
+
+    Raises
+    ------
+    NoAnswerError
+        Where the space does not exist, as object space of a singular world matrix.
+    """
+    stage = question.shot.stage
+    return Setting(
+        stage.world_from_object.exact,
+        stage.camera_from_world.exact,
+        stage.space_from_world(question.space).exact,
+    )
+
+
+def right_answer(question: Question) -> RationalMatrix:
+    """Return the right answer exactly: a matrix, or a vector as one row x, y, z, w.
+
+    Raises
+    ------
+    NoAnswerError
+        Where there is none: the normal matrix of a singular map, a normal that vanishes.
+
+    Examples
+    --------
+    >>> from nmatrix.scene.world import World
+    >>> tall = Shot(World(scale=(1, 2, 1)))
+    >>> right_answer(Question(Subject.NORMAL, tall))[1][1]
+    Fraction(1, 2)
+    """
+    if question.subject is Subject.EYE:
+        return ((*question.shot.stage.eye_in(question.space), ONE),)
+    return finished(question, raw_answer(question, setting(question)))
+
+
+def raw_answer(question: Question, by: Setting) -> RationalMatrix:
+    """Return the answer of these matrices before a direction is brought to length one."""
+    S = by.space_from_world
+    if question.subject is Subject.WORLD:
+        return by.world_from_object
+    if question.subject is Subject.VIEW:
+        return by.camera_from_world
+    if question.subject is Subject.PROJECTION:
+        return question.shot.lens.clip_from_camera
+    if question.subject is Subject.EYE:
+        return (apply(S, (*question.shot.camera.eye, ONE)),)
+    if question.subject is Subject.LIGHT:
+        return (apply(S, light_vector(question)),)
+    return _normal(question, LinearMap.of(linear(by.space_from_object)))
+
+
+def light_vector(question: Question) -> RationalVector:
+    """Return the light's direction or position in world space, with its w.
+
+    Raises
+    ------
+    IllegalValueError
+        If the light has no such part.
+    """
+    light = question.shot.stage.light
+    part = light.direction if question.light is LightPart.DIRECTION else light.position
+    if part is None:
+        raise IllegalValueError(
+            f"light {question.light}",
+            "this light has none",
+            f"give --light-{question.light} X Y Z",
+        )
+    return (*part, ZERO if question.light is LightPart.DIRECTION else ONE)
+
+
+def finished(question: Question, raw: RationalMatrix) -> RationalMatrix:
+    """Return an answer as it is asked for: a direction at length one, if a unit is wanted."""
+    if not question.unit:
+        return raw
+    *direction, w = raw[0]
+    if not any(direction):
+        return raw
+    return ((*rational_vector(unit(integers(direction)[0])), w),)
+
+
+def _normal(question: Question, linear_map: LinearMap) -> RationalMatrix:
+    if question.normal is None:
+        return linear_map.inverse_transpose
+    n = rational_vector(question.normal)
+    found = linear_map.normal(n)
+    if found.direction is None:
+        raise NoAnswerError(
+            f"normal ({' '.join(f'{float(x):g}' for x in n)})", found.reason, "choose another one"
+        )
+    if linear_map.integer_determinant:
+        return ((*apply(linear_map.inverse_transpose, n), ZERO),)
+    return ((*apply(linear_map.cofactor_matrix, n), ZERO),)

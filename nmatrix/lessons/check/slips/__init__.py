@@ -1,0 +1,1 @@
+"""Each known mistake as one change of one stage of the computation."""

@@ -1,0 +1,132 @@
+"""Mistakes with angles: their unit, their order, their sign, the convention they belong to.
+
+Each takes a scene and gives the scenes that the mistake makes of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import permutations, product
+from math import degrees
+
+from nmatrix.enums import Convention
+from nmatrix.linear import rational as exact
+from nmatrix.linear.affine import AXES, rotation_about
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.rational import affine, apply, rational
+from nmatrix.report import Number, Vector
+from nmatrix.scene.camera import FirstPerson, View
+from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.world import World
+
+
+def degrees_as_radians(shot: Shot) -> Iterator[Shot]:
+    """Give the scene whose angles are the same numbers in radians, group by group and at once."""
+    world, view, light = _radians_world(shot.world), _radians_view(shot.view), shot.light
+    if light.angles_degrees is not None:
+        light = _radians_light(light)
+        yield replace(shot, light=light)
+    yield replace(shot, world=world)
+    yield replace(shot, view=view)
+    yield replace(shot, world=world, view=view, light=light)
+
+
+def rotation_order(shot: Shot) -> Iterator[Shot]:
+    """Give the scenes whose rotations are multiplied in every other order."""
+    world = _standard(shot.world)
+    if world is not None:
+        for order in permutations(AXES):
+            yield replace(shot, world=replace(world, order="".join(order)))
+    if shot.view.angles is not None:
+        for view in _reordered_views(shot.view, shot.view.angles):
+            yield replace(shot, view=view)
+
+
+def rotation_sign(shot: Shot) -> Iterator[Shot]:
+    """Give the scenes in which some of the angles turn the other way."""
+    world, angles = shot.world, shot.view.angles
+    if world.matrix is None and world.quaternion is not None:
+        x, y, z, w = world.quaternion
+        yield replace(shot, world=replace(world, quaternion=(-x, -y, -z, w)))
+    elif world.matrix is None:
+        for turned in _signs(world.rotate_degrees):
+            yield replace(shot, world=replace(world, rotate_degrees=turned))
+    if angles is not None:
+        for turned in _signs((angles.elevation, angles.angle, angles.roll)):
+            yield replace(shot, view=replace(shot.view, angles=_first_person(turned)))
+
+
+def polimi_angles_swapped(shot: Shot) -> Iterator[Shot]:
+    """Give the scenes whose angles are taken by another convention than the one asked for."""
+    world, view = shot.world, shot.view
+    if world.matrix is None and world.quaternion is None:
+        for convention in Convention:
+            yield replace(shot, world=replace(world, convention=convention, order="XYZ"))
+    if view.angles is not None:
+        up, sideways, roll = view.angles.elevation, view.angles.angle, view.angles.roll
+        for convention in Convention:
+            for angles in (view.angles, FirstPerson(sideways, up, roll)):
+                yield replace(shot, view=replace(view, convention=convention, angles=angles))
+
+
+def _radians_world(world: World) -> World:
+    if world.matrix is not None:
+        return world
+    return replace(world, rotate_degrees=_radians(world.rotate_degrees))
+
+
+def _radians_view(view: View) -> View:
+    if view.angles is None:
+        return view
+    angles = (view.angles.elevation, view.angles.angle, view.angles.roll)
+    return replace(view, angles=_first_person(_radians(angles)))
+
+
+def _radians_light(light: LightSource) -> LightSource:
+    assert light.angles_degrees is not None
+    alpha, beta = light.angles_degrees
+    return replace(light, angles_degrees=(degrees(alpha), degrees(beta)))
+
+
+def _radians(values: Vector) -> Vector:
+    """Return the degrees of so many radians."""
+    return tuple(degrees(float(value)) for value in values)
+
+
+def _signs(values: Vector) -> Iterator[Vector]:
+    """Give the values with every choice of signs but the given one; a zero has no sign."""
+    choices = [(value, -value) if value else (value,) for value in values]
+    yield from list(product(*choices))[1:]
+
+
+def _first_person(values: Vector) -> FirstPerson:
+    return FirstPerson(*(float(value) for value in values))
+
+
+def _standard(world: World) -> World | None:
+    """Return the same world in the standard convention, if three angles describe it."""
+    if world.matrix is not None or world.quaternion is not None:
+        return None
+    x, y, z = world.rotate_degrees
+    turned: dict[Convention, tuple[Number, ...]] = {
+        Convention.STANDARD: (x, y, z),
+        Convention.POLIMI: (y, -x, -z),
+        Convention.POLIMI_ASSIGNMENTS: (y, x, z),
+    }
+    return replace(world, rotate_degrees=turned[world.convention], convention=Convention.STANDARD)
+
+
+def _reordered_views(view: View, angles: FirstPerson) -> Iterator[View]:
+    sideways = Angle.degrees(angles.angle)
+    turns = {
+        "Z": -Angle.degrees(angles.roll),
+        "X": -Angle.degrees(angles.elevation),
+        "Y": sideways if view.convention is Convention.POLIMI else -sideways,
+    }
+    about = {axis: rotation_about(axis, turn) for axis, turn in turns.items()}
+    eye = rational((view.eye,))[0]
+    for order in permutations("ZXY"):
+        turned = exact.product(*(about[axis] for axis in order))
+        moved = apply(turned, eye)
+        yield replace(view, angles=None, matrix=affine(turned, tuple(-x for x in moved)))

@@ -1,0 +1,183 @@
+"""Every wrong answer that a known mistake, or two of them, give to a question.
+
+An answer is computed in four stages: the scene is described, matrices are placed, a rule is
+applied, the result is written. A mistake changes one stage; two mistakes make a pair where both
+can happen: at different stages, or both in the description.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import combinations
+
+from nmatrix.errors import NMatrixError
+from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.question import (
+    Question,
+    Setting,
+    Subject,
+    finished,
+    raw_answer,
+    setting,
+)
+from nmatrix.lessons.check.slips import angles, camera, lens, places, rules
+from nmatrix.linear.rational import RationalMatrix, transpose
+from nmatrix.scene.shot import Shot
+
+Describe = Callable[[Shot], Iterator[Shot]]
+Place = Callable[[Question, Setting], Setting | None]
+Rule = Callable[[Question, Setting], RationalMatrix | None]
+
+OF_THE_SCENE: dict[MistakeId, Describe] = {
+    MistakeId.DEGREES_AS_RADIANS: angles.degrees_as_radians,
+    MistakeId.ROTATION_ORDER: angles.rotation_order,
+    MistakeId.ROTATION_SIGN: angles.rotation_sign,
+    MistakeId.POLIMI_ANGLES_SWAPPED: angles.polimi_angles_swapped,
+    MistakeId.WRONG_HANDEDNESS: camera.wrong_handedness,
+}
+OF_THE_LENS: dict[MistakeId, Describe] = {
+    MistakeId.DEGREES_AS_RADIANS: lens.degrees_as_radians,
+    MistakeId.WRONG_HANDEDNESS: lens.wrong_handedness,
+    MistakeId.DEPTH_RANGE: lens.depth_range,
+    MistakeId.ASPECT_INVERTED: lens.aspect_inverted,
+    MistakeId.HORIZONTAL_FOV: lens.horizontal_fov,
+    MistakeId.NEAR_FAR_SWAPPED: lens.near_far_swapped,
+}
+NEEDS_AN_ANGLE = {
+    MistakeId.DEGREES_AS_RADIANS,
+    MistakeId.ASPECT_INVERTED,
+    MistakeId.HORIZONTAL_FOV,
+}
+PLACES: dict[MistakeId, Place] = {
+    MistakeId.USED_WORLD_MATRIX: places.used_world_matrix,
+    MistakeId.TRANSPOSED_LAYOUT: places.transposed_layout,
+    MistakeId.USED_MODEL_VIEW: places.used_model_view,
+    MistakeId.SCALE_BEFORE_TRANSLATE: places.scale_before_translate,
+    MistakeId.VIEW_NOT_INVERTED: places.view_not_inverted,
+}
+RULES: dict[Subject, dict[MistakeId, Rule]] = {
+    **{subject: {} for subject in Subject},
+    Subject.NORMAL: {
+        mistake: partial(rules.by_normal_rule, mistake) for mistake in rules.NORMAL_RULES
+    },
+    Subject.LIGHT: {
+        MistakeId.COURSE_LIGHT_RULE: rules.course_light_rule,
+        MistakeId.DIRECTION_AS_POINT: rules.direction_as_point,
+    },
+}
+MATRICES = (Subject.WORLD, Subject.VIEW, Subject.PROJECTION)
+
+
+@dataclass(frozen=True)
+class WrongAnswer:
+    """What one mistake, or two of them, give."""
+
+    mistakes: tuple[MistakeId, ...]
+    value: RationalMatrix
+
+    @property
+    def name(self) -> str:
+        """Return the ids, joined by a plus sign."""
+        return "+".join(self.mistakes)
+
+
+@dataclass(frozen=True)
+class Flow:
+    """The four stages of one computation, with the mistakes that happen in it."""
+
+    describe: tuple[Describe, ...] = ()
+    place: tuple[Place, ...] = ()
+    rule: tuple[Rule, ...] = ()
+    transposed: bool = False
+    any_length: bool = False  # a length that should be 1 stays what it is
+
+    def __add__(self, other: Flow) -> Flow | None:
+        """Return both mistakes in one computation, or None where they exclude each other."""
+        if (self.place and other.place) or (self.rule and other.rule):
+            return None
+        return Flow(
+            self.describe + other.describe,
+            self.place + other.place,
+            self.rule + other.rule,
+            self.transposed or other.transposed,
+            self.any_length or other.any_length,
+        )
+
+    def answers(self, question: Question) -> Iterator[RationalMatrix]:
+        """Give what this computation answers; a scene may be misread in several ways."""
+        for shot in self._shots(question.shot, self.describe):
+            try:
+                found = self._answer(replace(question, shot=shot))
+            except NMatrixError:  # the mistaken scene has no answer of its own
+                continue
+            if found is not None:
+                yield found
+
+    def _shots(self, shot: Shot, describe: tuple[Describe, ...]) -> Iterator[Shot]:
+        if not describe:
+            yield shot
+            return
+        for changed in describe[0](shot):
+            yield from self._shots(changed, describe[1:])
+
+    def _answer(self, question: Question) -> RationalMatrix | None:
+        at: Setting | None = setting(question)
+        for place in self.place:
+            at = None if at is None else place(question, at)
+        if at is None:
+            return None
+        raw = raw_answer(question, at) if not self.rule else self.rule[0](question, at)
+        if raw is None:
+            return None
+        if self.transposed:
+            return transpose(raw)
+        return raw if self.any_length else finished(question, raw)
+
+
+def flow(mistake: MistakeId, question: Question) -> Flow | None:
+    """Return the computation of a question with one mistake, or None where it cannot happen."""
+    subject = question.subject
+    if mistake is MistakeId.MISSING_NORMALISE:
+        return Flow(any_length=True) if question.unit else None
+    if mistake is MistakeId.TRANSPOSED_LAYOUT and subject in MATRICES:
+        return Flow(transposed=True)
+    if subject is Subject.PROJECTION:
+        return _projection_flow(mistake, question)
+    if mistake in OF_THE_SCENE:
+        return Flow(describe=(OF_THE_SCENE[mistake],))
+    if mistake in RULES[subject]:
+        keeps_length = mistake is MistakeId.FOUR_COMPONENT_NORMALISE
+        return Flow(rule=(RULES[subject][mistake],), any_length=keeps_length)
+    return Flow(place=(PLACES[mistake],)) if mistake in PLACES else None
+
+
+def _projection_flow(mistake: MistakeId, question: Question) -> Flow | None:
+    if mistake not in OF_THE_LENS or question.shot.lens.matrix is not None:
+        return None
+    if mistake in NEEDS_AN_ANGLE and not lens.by_angle(question.shot.lens):
+        return None
+    if mistake is MistakeId.NEAR_FAR_SWAPPED and question.shot.lens.frustum is not None:
+        return Flow(describe=(lens.near_far_swapped_in_frustum,))
+    return Flow(describe=(OF_THE_LENS[mistake],))
+
+
+def single_mistakes(question: Question) -> Iterator[WrongAnswer]:
+    """Give what every mistake that can happen here makes of the question, in table order."""
+    for mistake in MistakeId:
+        found = flow(mistake, question)
+        if found is not None:
+            for value in found.answers(question):
+                yield WrongAnswer((mistake,), value)
+
+
+def pairs(question: Question) -> Iterator[WrongAnswer]:
+    """Give what two mistakes at once make of the question."""
+    flows = {mistake: flow(mistake, question) for mistake in MistakeId}
+    for first, second in combinations(MistakeId, 2):
+        one, other = flows[first], flows[second]
+        both = None if one is None or other is None else one + other
+        if both is not None:
+            for value in both.answers(question):
+                yield WrongAnswer((first, second), value)
