@@ -14,7 +14,7 @@ from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.rounding import in_short
-from nmatrix.reading.literal import ExactRows
+from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
 
 SHOWN_DIGITS = 6
@@ -23,29 +23,36 @@ VECTOR_COLUMNS = ("x", "y", "z", "w")
 MATRIX_COLUMNS = ("column 1", "column 2", "column 3", "column 4")
 
 
-def check(question: Question, rows: ExactRows) -> Report:
+def check(question: Question, literal: MatrixLiteral) -> Report:
     """Answer whether these numbers are right.
 
     Examples
     --------
+    >>> from nmatrix.reading.matrix import matrix_literal
     >>> from nmatrix.scene.shot import Shot
     >>> from nmatrix.scene.world import World
-    >>> zero, one, half = Fraction(0), Fraction(1), Fraction(1, 2)
     >>> asked = Question(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
-    >>> check(asked, ((one, zero, zero), (zero, half, zero), (zero, zero, one))).data["verdict"]
+    >>> check(asked, matrix_literal("1 0 0; 0 0.5 0; 0 0 1")).data["verdict"]
     'correct'
     """
-    asked, answer, found = best_judgement(question, rows)
+    asked, answer, found = best_judgement(judges(question), literal)
     return judged(asked, answer, found)
 
 
-def best_judgement(question: Question, rows: ExactRows) -> tuple[Question, Answer, Judgement]:
+def judges(question: Question) -> tuple[Judge, ...]:
+    """Return the judge of a question; of a light one for each part that the light has."""
+    return tuple(Judge(asked) for asked in parts_asked(question))
+
+
+def best_judgement(
+    judges: tuple[Judge, ...], literal: MatrixLiteral
+) -> tuple[Question, Answer, Judgement]:
     """Return the judgement of numbers; of a light with two parts, the part that they fit better."""
-    judgements = []
-    for asked in parts_asked(question):
-        answer = shaped(rows, asked)
-        judgements.append((asked, answer, Judge(asked).judge(answer)))
-    return min(judgements, key=lambda one: list(Outcome).index(one[2].verdict))
+    found = []
+    for judge in judges:
+        answer = shaped(literal, judge.question)
+        found.append((judge.question, answer, judge.judge(answer)))
+    return min(found, key=lambda one: list(Outcome).index(one[2].verdict))
 
 
 def parts_asked(question: Question) -> tuple[Question, ...]:

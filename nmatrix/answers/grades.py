@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from nmatrix.answers.check import best_judgement
+from nmatrix.answers.check import best_judgement, judges
 from nmatrix.enums import Layout
 from nmatrix.errors import CheckFailedError, NMatrixError
 from nmatrix.lessons.check.judge import Judgement
@@ -82,12 +82,12 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
 def answers_to(question: Question, layout: Layout = Layout.ROW_MAJOR) -> JudgeRecord:
     """Return what judges the answers of a class to one question; equal answers only once."""
     known: dict[str, Judgement] = {}
+    asked = judges(question)
 
     def judged(cells: Mapping[str, str]) -> Judgement:
         text = cells["answer"]
         if text not in known:
-            rows = matrix_literal(text, layout).rows_exact
-            known[text] = best_judgement(question, rows)[2]
+            known[text] = best_judgement(asked, matrix_literal(text, layout))[2]
         return known[text]
 
     return judged

@@ -101,7 +101,7 @@ def check(
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 
-        show(answer_of(question, sources.literal(answer).rows_exact), everywhere)
+        show(answer_of(question, sources.literal(answer)), everywhere)
 
 
 def _question(what: str, groups: Groups, options: CheckOptions, sources: Sources) -> Question:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from math import cos, isqrt, sin
 
 BITS = 140
@@ -71,6 +72,7 @@ def _after_quarter_turns(sine: Fraction, cosine: Fraction, n: int) -> tuple[Frac
     return sine, cosine
 
 
+@lru_cache(maxsize=64)  # the same few angles come again in every matrix of a scene
 def _sine_and_cosine(degrees: Fraction) -> tuple[Fraction, Fraction]:
     """Return sine and cosine for 0° to 45°."""
     if degrees == 0:

@@ -85,5 +85,5 @@ def decoded(content: bytes, source: str) -> str:
         return content.decode(encoding)
     except UnicodeDecodeError:
         raise IllegalValueError(
-            f"matrix ({source})", f"it is not {encoding} text", "save it as UTF-8"
+            f"text ({source})", f"it is not {encoding}", "save it as UTF-8"
         ) from None

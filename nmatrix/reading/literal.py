@@ -27,11 +27,13 @@ _BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where othe
 class MatrixLiteral:
     """A matrix of at most 4×4 entries and where it came from.
 
-    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them.
+    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `decimals` are
+    the digits behind the point that were typed, None for p/q.
     """
 
     rows_exact: ExactRows
     source: str
+    decimals: tuple[tuple[int | None, ...], ...] = ()
 
     @cached_property
     def rows(self) -> Rows:
@@ -67,9 +69,26 @@ def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLi
         tuple(_entry(text, (r, c), source) for c, text in enumerate(row))
         for r, row in enumerate(shaped)
     )
+    decimals = tuple(tuple(map(typed_decimals, row)) for row in shaped)
     if layout is Layout.COLUMN_MAJOR and min(len(rows), len(rows[0])) > 1:
         rows = tuple(zip(*rows, strict=True))
-    return MatrixLiteral(rows, source)
+        decimals = tuple(zip(*decimals, strict=True))
+    return MatrixLiteral(rows, source, decimals)
+
+
+def typed_decimals(text: str) -> int | None:
+    """Return how many digits behind the point a number was typed with; p/q has no point.
+
+    Examples
+    --------
+    >>> typed_decimals("0.50"), typed_decimals("2"), typed_decimals("1.5e-3"), typed_decimals("1/3")
+    (2, 0, 4, None)
+    """
+    if "/" in text:
+        return None
+    mantissa, _, exponent = text.replace("−", "-").strip().lower().partition("e")
+    behind = len(mantissa.partition(".")[2])
+    return max(0, behind - int(exponent[:6] or "0"))
 
 
 def _squared(tokens: Tokens, source: str) -> Tokens:

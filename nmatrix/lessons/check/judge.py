@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.lessons.check.answer import Answer
-from nmatrix.lessons.check.likeness import Likeness, Place, is_alike, likeness
+from nmatrix.lessons.check.likeness import Likeness, Place, is_alike, likeness, may_be_alike
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject, right_answer
 from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
@@ -25,6 +25,8 @@ UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
 TWO_SIDED = (
     "The map flattens space to a plane, whose two sides are alike: both directions are right."
 )
+
+Names = dict[tuple[MistakeId, ...], None]  # in the order of the table
 
 
 class Outcome(StrEnum):
@@ -101,7 +103,13 @@ class Judge:
             return self._correct(answer, found)
         if self._is_other_side(answer):
             return Judgement(Outcome.CORRECT, self.right, found.difference, remarks=(TWO_SIDED,))
-        return self._mistaken(answer, found) or self._unknown(answer, found)
+        names = self._single(answer)
+        if names:
+            return self._mistaken(answer, found, names)
+        names = self._named(answer, self.doubles)
+        if len(names) == 1:
+            return self._mistaken(answer, found, names)
+        return self._unknown(answer, found, names)
 
     def _correct(self, answer: Answer, found: Likeness) -> Judgement:
         remarks = answer.remarks if found.factor == 1 else (*answer.remarks, UP_TO_LENGTH)
@@ -116,16 +124,13 @@ class Judge:
             return False
         return is_alike(answer, scaled(self.right, Fraction(-1)), question)
 
-    def _mistaken(self, answer: Answer, found: Likeness) -> Judgement | None:
+    def _single(self, answer: Answer) -> Names:
         names = self._named(answer, self.singles)
         if not names and self._only_length(answer):
-            names = {(MistakeId.MISSING_NORMALISE,): None}
-        if not names:
-            names = self._named(answer, self.doubles)
-            if len(names) > 1:
-                return None
-        if not names:
-            return None
+            return {(MistakeId.MISSING_NORMALISE,): None}
+        return names
+
+    def _mistaken(self, answer: Answer, found: Likeness, names: Names) -> Judgement:
         first, *others = names
         return Judgement(
             Outcome.MISTAKE,
@@ -138,18 +143,20 @@ class Judge:
             answer.remarks,
         )
 
-    def _named(
-        self, answer: Answer, wrong: tuple[WrongAnswer, ...]
-    ) -> dict[tuple[MistakeId, ...], None]:
-        return {one.mistakes: None for one in wrong if is_alike(answer, one.value, self.question)}
+    def _named(self, answer: Answer, wrong: tuple[WrongAnswer, ...]) -> Names:
+        return {
+            one.mistakes: None
+            for one in wrong
+            if may_be_alike(answer, one.floats, self.question)
+            and is_alike(answer, one.value, self.question)
+        }
 
     def _only_length(self, answer: Answer) -> bool:
         """Return whether a unit vector was asked for, and the length is all that is wrong."""
         free = replace(self.question, unit=False)
         return self.question.unit and is_alike(answer, self.right, free)
 
-    def _unknown(self, answer: Answer, found: Likeness) -> Judgement:
-        several = self._named(answer, self.doubles)
+    def _unknown(self, answer: Answer, found: Likeness, several: Names) -> Judgement:
         if several:
             listed = ", ".join("+".join(pair) for pair in several)
             sentence = f"Wrong, and several pairs of mistakes give these numbers: {listed}."

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isnan
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, dot, scaled
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
 RELATIVE = Fraction(5, 10_000)  # of the largest entry: three good digits
 COARSEST = Fraction(1, 10)  # of the largest entry: so that zeros are never right by rounding
@@ -44,7 +45,8 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     >>> from nmatrix.lessons.check.question import Subject
     >>> from nmatrix.scene.shot import Shot
     >>> free = Question(Subject.NORMAL, Shot(), normal=(0, 0, 1))
-    >>> likeness(Answer(((ZERO, ZERO, Fraction(7)),)), ((ZERO, ZERO, ONE, ZERO),), free).factor
+    >>> seven = Answer(((ZERO, ZERO, Fraction(7)),), ((0, 0, 0),))
+    >>> likeness(seven, ((ZERO, ZERO, ONE, ZERO),), free).factor
     Fraction(7, 1)
     """
     given, wanted = _comparable(answer.rows, value, question)
@@ -70,6 +72,25 @@ def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
     return factor > 0 and _at(given, wanted, factor, answer, question).alike
 
 
+def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool:
+    """Return False only if an answer and a value are surely different, at the price of floats."""
+    given = answer.floats
+    if given is None or value is None or len(given[0]) != len(value[0]):
+        return True
+    a = [entry for row in given for entry in row]
+    v = [entry for row in value for entry in row]
+    factor = 1.0
+    if question.any_length:
+        square = sum(y * y for y in v)
+        factor = sum(x * y for x, y in zip(a, v, strict=True)) / square if square else 0.0
+        if not factor > 0:
+            return isnan(factor)  # an overflow says nothing
+    limit = answer.coarsest if question.tolerance is None else float(question.tolerance)
+    largest = max(map(abs, v)) * factor
+    far = 1.01 * max(limit, float(RELATIVE) * largest) + 1e-9 * largest
+    return not any(abs(x - factor * y) > far for x, y in zip(a, v, strict=True))
+
+
 def _comparable(
     given: RationalMatrix, value: RationalMatrix, question: Question
 ) -> tuple[RationalMatrix, RationalMatrix]:
@@ -91,16 +112,26 @@ def _at(
 ) -> Likeness:
     wanted = scaled(value, factor)
     largest = max(abs(entry) for row in wanted for entry in row)
-    limit = question.tolerance
-    if limit is None:
-        limit = max(min(answer.last_place, COARSEST * largest), RELATIVE * largest)
     differences = {
         (i, j): abs(entry - right)
         for i, (row, wanted_row) in enumerate(zip(given, wanted, strict=True))
         for j, (entry, right) in enumerate(zip(row, wanted_row, strict=True))
     }
-    wrong = tuple(place for place, difference in differences.items() if difference > limit)
+    wrong = tuple(
+        (i, j)
+        for (i, j), difference in differences.items()
+        if difference > _limit(answer.last_places[i][j], largest, question)
+    )
     return Likeness(max(differences.values()), wrong, factor)
+
+
+def _limit(last_place: Fraction, largest: Fraction, question: Question) -> Fraction:
+    """Return how far one entry may be off."""
+    if question.tolerance is not None:
+        return question.tolerance
+    if not largest:
+        return last_place
+    return max(min(last_place, COARSEST * largest), RELATIVE * largest)
 
 
 def _factors(given: RationalMatrix, value: RationalMatrix) -> Iterator[Fraction]:

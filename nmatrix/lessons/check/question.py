@@ -19,6 +19,8 @@ from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
     apply,
+    identity,
+    inverse,
     linear,
     product,
     rational_vector,
@@ -120,12 +122,21 @@ def setting(question: Question) -> Setting:
     NoAnswerError
         Where the space does not exist, as object space of a singular world matrix.
     """
-    stage = question.shot.stage
-    return Setting(
-        stage.world_from_object.exact,
-        stage.camera_from_world.exact,
-        stage.space_from_world(question.space).exact,
-    )
+    M = question.shot.world.world_from_object
+    V = question.shot.camera.camera_from_world
+    return Setting(M, V, _space_from_world(question, M, V))
+
+
+def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) -> RationalMatrix:
+    """Return S; the stage, which also builds the projection, only where it must be asked."""
+    space = question.space
+    if space in (Space.WORLD, Space.STATIC):
+        return identity(4)
+    if space is Space.CAMERA:
+        return V
+    if space is Space.OBJECT and LinearMap.of(linear(M)).integer_determinant:
+        return inverse(M)
+    return question.shot.stage.space_from_world(space).exact
 
 
 def right_answer(question: Question) -> RationalMatrix:
@@ -172,7 +183,7 @@ def light_vector(question: Question) -> RationalVector:
     IllegalValueError
         If the light has no such part.
     """
-    light = question.shot.stage.light
+    light = question.shot.light.placed()
     part = light.direction if question.light is LightPart.DIRECTION else light.position
     if part is None:
         raise IllegalValueError(

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from itertools import combinations
 
+from nmatrix.enums import Space
 from nmatrix.errors import NMatrixError
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import (
@@ -23,7 +24,7 @@ from nmatrix.lessons.check.question import (
     setting,
 )
 from nmatrix.lessons.check.slips import angles, camera, lens, places, rules
-from nmatrix.linear.rational import RationalMatrix, transpose
+from nmatrix.linear.rational import RationalMatrix, Rows, to_floats, transpose
 from nmatrix.scene.shot import Shot
 
 Describe = Callable[[Shot], Iterator[Shot]]
@@ -77,10 +78,13 @@ class WrongAnswer:
     mistakes: tuple[MistakeId, ...]
     value: RationalMatrix
 
-    @property
-    def name(self) -> str:
-        """Return the ids, joined by a plus sign."""
-        return "+".join(self.mistakes)
+    @cached_property
+    def floats(self) -> Rows | None:
+        """Return the value in float64, for a first look; None where it is beyond."""
+        try:
+            return to_floats(self.value)
+        except NMatrixError:
+            return None
 
 
 @dataclass(frozen=True)
@@ -105,35 +109,75 @@ class Flow:
             self.any_length or other.any_length,
         )
 
-    def answers(self, question: Question) -> Iterator[RationalMatrix]:
+    def answers(self, drafts: Drafts) -> Iterator[RationalMatrix]:
         """Give what this computation answers; a scene may be misread in several ways."""
-        for shot in self._shots(question.shot, self.describe):
+        for question, at in drafts.of(self.describe):
             try:
-                found = self._answer(replace(question, shot=shot))
-            except NMatrixError:  # the mistaken scene has no answer of its own
+                found = self._answer(question, at)
+            except NMatrixError:  # the mistaken matrices have no answer of their own
                 continue
             if found is not None:
                 yield found
 
-    def _shots(self, shot: Shot, describe: tuple[Describe, ...]) -> Iterator[Shot]:
-        if not describe:
-            yield shot
-            return
-        for changed in describe[0](shot):
-            yield from self._shots(changed, describe[1:])
-
-    def _answer(self, question: Question) -> RationalMatrix | None:
-        at: Setting | None = setting(question)
+    def _answer(self, question: Question, at: Setting | None) -> RationalMatrix | None:
         for place in self.place:
             at = None if at is None else place(question, at)
         if at is None:
             return None
-        raw = raw_answer(question, at) if not self.rule else self.rule[0](question, at)
+        raw = self.rule[0](question, at) if self.rule else raw_answer(question, at)
         if raw is None:
             return None
         if self.transposed:
             return transpose(raw)
         return raw if self.any_length else finished(question, raw)
+
+
+class Drafts:
+    """The misread scenes of one question and their matrices, each computed once."""
+
+    def __init__(self, question: Question) -> None:
+        self.question = question
+        self._known: dict[tuple[Describe, ...], tuple[tuple[Question, Setting], ...]] = {}
+
+    def of(self, describe: tuple[Describe, ...]) -> tuple[tuple[Question, Setting], ...]:
+        """Return the scenes that these mistakes make, with their right matrices."""
+        if describe not in self._known:
+            self._known[describe] = tuple(self._made(describe))
+        return self._known[describe]
+
+    def _made(self, describe: tuple[Describe, ...]) -> Iterator[tuple[Question, Setting]]:
+        seen = set()
+        for shot in _misread(self.question.shot, describe):
+            asked = replace(self.question, shot=shot)
+            what_matters = _what_matters(asked)
+            if what_matters in seen:
+                continue
+            seen.add(what_matters)
+            try:
+                yield asked, setting(asked)
+            except NMatrixError:  # the mistaken scene has no such space
+                continue
+
+
+def _misread(shot: Shot, describe: tuple[Describe, ...]) -> Iterator[Shot]:
+    if not describe:
+        yield shot
+        return
+    for changed in describe[0](shot):
+        yield from _misread(changed, describe[1:])
+
+
+def _what_matters(question: Question) -> tuple[object, ...]:
+    """Return the parts of a scene that the answer depends on."""
+    shot, subject = question.shot, question.subject
+    if subject is Subject.PROJECTION:
+        return (shot.lens,)
+    sees = subject is Subject.VIEW or question.space is Space.CAMERA
+    return (
+        shot.world if subject is not Subject.VIEW else None,
+        shot.view if sees else None,
+        shot.light if subject is Subject.LIGHT else None,
+    )
 
 
 def flow(mistake: MistakeId, question: Question) -> Flow | None:
@@ -165,19 +209,21 @@ def _projection_flow(mistake: MistakeId, question: Question) -> Flow | None:
 
 def single_mistakes(question: Question) -> Iterator[WrongAnswer]:
     """Give what every mistake that can happen here makes of the question, in table order."""
+    drafts = Drafts(question)
     for mistake in MistakeId:
         found = flow(mistake, question)
         if found is not None:
-            for value in found.answers(question):
+            for value in found.answers(drafts):
                 yield WrongAnswer((mistake,), value)
 
 
 def pairs(question: Question) -> Iterator[WrongAnswer]:
     """Give what two mistakes at once make of the question."""
+    drafts = Drafts(question)
     flows = {mistake: flow(mistake, question) for mistake in MistakeId}
     for first, second in combinations(MistakeId, 2):
         one, other = flows[first], flows[second]
         both = None if one is None or other is None else one + other
         if both is not None:
-            for value in both.answers(question):
+            for value in both.answers(drafts):
                 yield WrongAnswer((first, second), value)
