@@ -21,7 +21,7 @@ from nmatrix.scene.world import World
 PLACED = "--scale 1 2 1 --rotate 20 35 -50".split()
 LINES = {
     "a right answer": ["check", "eye", "0 0 5", *PLACED],
-    "a mistake": ["check", "eye", "0 0 5", "--space", "object", *PLACED],
+    "a mistake": ["check", "normal", "1 0 0; 0 2 0; 0 0 1", "--scale", "1", "2", "1"],
     "what nothing explains": ["check", "world", "1 0 0; 0 7 0; 0 0 1", *PLACED],
 }
 CLASS = 2_000
