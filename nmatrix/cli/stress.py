@@ -17,6 +17,8 @@ nmatrix stress --case N9
 
 nmatrix stress --random 400 --seed 7
 
+nmatrix stress --random 400 --seed 7 --case S17
+
 Every hard case against every method, naive ones included; exit 1 if nmatrix itself fails one.""",
 }
 
@@ -26,22 +28,24 @@ MOST_RANDOM = 100_000
 def stress(
     *,
     everywhere: Everywhere,
-    case: Annotated[str | None, Option(metavar="ID", help="Explain one case: N9.")] = None,
+    case: Annotated[
+        str | None, Option(metavar="ID", help="Explain one case: N9, or S3 of random ones.")
+    ] = None,
     random: Annotated[
         str | None, Option(metavar="N", help="So many directed random cases instead.")
     ] = None,
     seed: Annotated[str, Option(metavar="S", help="Of the random cases.")] = "1",
 ) -> None:
     """Run the hard cases."""
-    from nmatrix.studies.stress import CATALOGUE, case_named, random_cases
+    from nmatrix.studies.stress import CATALOGUE, case_named
     from nmatrix.studies.stress import stress as answer
 
-    if case is not None and random is not None:
-        raise IllegalValueError("--case with --random", "each names the cases", "keep one of them")
-    cases = CATALOGUE if case is None else (case_named(case),)
+    cases = CATALOGUE
     if random is not None:
+        from nmatrix.studies.hardcases.families import random_cases
+
         cases = random_cases(_whole(random, "--random", 1), _whole(seed, "--seed", 0))
-    show(answer(cases), everywhere)
+    show(answer(cases if case is None else (case_named(case, cases),)), everywhere)
 
 
 def _whole(text: str, option: str, least: int) -> int:

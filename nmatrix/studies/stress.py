@@ -5,60 +5,59 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from difflib import get_close_matches
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Heading, Report, Table, Text, Value
 from nmatrix.report import Verdict as Sentence
-from nmatrix.studies.hardcases import depths, mistakes, normals, pictures, vectors, views
-from nmatrix.studies.hardcases.case import Case, Result, Verdict
+from nmatrix.studies.hardcases import (
+    affine,
+    coverage,
+    depths,
+    mistakes,
+    normals,
+    reflections,
+    vectors,
+    views,
+)
+from nmatrix.studies.hardcases.case import IMPRECISE, Case, Result, Verdict
 
-FAMILIES = (normals, vectors, views, depths, pictures, mistakes)
-CATALOGUE: tuple[Case, ...] = tuple(case for family in FAMILIES for case in family.CASES)
-REPLAYED = 3  # failing random cases that are printed
+_PARTS = (normals, affine, vectors, views, depths, coverage, reflections, mistakes)
+_FAMILIES = "NVEDRM"
+REPLAYED = 3  # failing cases that are printed
+SHOWN = 80  # rows of the table for people
 Judged = tuple[Case, tuple[Result, ...]]
 
 
-def case_named(name: str) -> Case:
-    """Return a case of the catalogue.
+def _place(case: Case) -> tuple[int, int, str]:
+    """Return where a case stands: by family, by number, by letter."""
+    number = case.id[1:].rstrip("bc")
+    return _FAMILIES.index(case.id[0]), int(number), case.id
+
+
+CATALOGUE: tuple[Case, ...] = tuple(
+    sorted((case for part in _PARTS for case in part.CASES), key=_place)
+)
+
+
+def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
+    """Return a case of the catalogue, or of some other cases.
 
     Raises
     ------
     IllegalValueError
         If there is none of this name.
     """
-    found = next((one for one in CATALOGUE if one.id.lower() == name.lower()), None)
+    among = cases or CATALOGUE
+    found = next((one for one in among if one.id.lower() == name.lower()), None)
     if found is None:
-        ids = [one.id for one in CATALOGUE]
+        ids = [one.id for one in among]
         near = get_close_matches(name.upper(), ids, 1)
         hint = f"did you mean {near[0]}?" if near else f"try {ids[0]}"
-        raise IllegalValueError(f"--case ({name[:20]})", f"there are {', '.join(ids)}", hint)
+        raise IllegalValueError(
+            f"--case ({name[:20]})", f"there are {len(ids)}, {ids[0]} to {ids[-1]}", hint
+        )
     return found
-
-
-def random_cases(count: int, seed: int) -> tuple[Case, ...]:
-    """Return directed random normals: near singular, powers of two, subnormal, any bit patterns."""
-    rng = np.random.default_rng(seed)
-    found = []
-    for i in range(count):
-        A: NDArray[Any] = rng.normal(size=(3, 3))
-        kind = ("near singular", "power of two", "subnormal", "bit patterns")[i % 4]
-        if kind == "near singular":
-            A[2] = 2 * A[0] - A[1]
-            A[2, 0] += rng.integers(-2, 3) * np.spacing(A[2, 0])
-        elif kind == "power of two":
-            A = np.ldexp(A, rng.integers(-900, 900))
-        elif kind == "subnormal":
-            A = rng.integers(-9, 10, size=(3, 3)) * 5e-324
-        else:
-            bits = rng.integers(0, 2**64, size=(3, 3), dtype=np.uint64).view(np.float64)
-            A = np.where(np.isfinite(bits), bits, 1.0)
-        n = tuple(rng.normal(size=3).tolist())
-        found.append(normals.normal_case(f"S{i}", kind, A, n, "made to be hard"))
-    return tuple(found)
 
 
 def stress(cases: Sequence[Case]) -> Report:
@@ -88,14 +87,23 @@ def _data(case: Case, results: Sequence[Result]) -> dict[str, Value]:
 
 
 def _overview(judged: Sequence[Judged], failed: int) -> tuple[Block, ...]:
-    rows = tuple((case.id, case.title, _own(results), _losers(results)) for case, results in judged)
-    table = Table(("case", "what is hard", "nmatrix", "who fails"), rows)
-    fallen = Counter(
-        r.method for _, results in judged for r in results if r.verdict is not Verdict.RIGHT
+    tried = Counter(r.method for _, results in judged for r in results)
+    right = Counter(
+        r.method for _, results in judged for r in results if r.verdict is Verdict.RIGHT
     )
-    worst = ", ".join(f"{name} {count}" for name, count in fallen.most_common(5))
-    total = f"{len(judged)} cases; nmatrix fails {failed}. Most failures: {worst}."
-    return Heading("Hard cases"), table, Sentence(total)
+    is_right = "is right on all of them" if not failed else f"is wrong {failed} times"
+    summary = [f"{len(judged)} cases. nmatrix {is_right}."]
+    summary += [
+        f"{name}: right on {right[name]} of {tried[name]}." for name in PEERS if tried[name]
+    ]
+    rows = tuple((case.id, case.title, _own(results), _losers(results)) for case, results in judged)
+    table = Table(("case", "what is hard", "nmatrix", "who fails"), rows[:SHOWN])
+    rest = len(rows) - SHOWN
+    more = (Text(f"… and {rest} more; -f json has them all."),) if rest > 0 else ()
+    return Heading("Hard cases"), Sentence(" ".join(summary)), table, *more
+
+
+PEERS = ("inverse", "cofactor")  # what most people write
 
 
 def _own(results: Sequence[Result]) -> str:
@@ -110,31 +118,49 @@ def _losers(results: Sequence[Result]) -> str:
 
 
 def _explained(case: Case, results: Sequence[Result]) -> tuple[Block, ...]:
-    answer = "there is none, and that must be said"
-    if case.expected is not None:
-        answer = "(" + ", ".join(f"{_nearest(x):.6g}" for x in case.expected) + ")"
-        answer += ", its direction" if case.is_direction else ""
+    unit = "rad" if case.is_direction else "relative error"
     rows = tuple(
-        (r.method, r.verdict.value, "" if r.error is None else f"{r.error:.2g}") for r in results
+        (r.method, r.verdict.value, _error(r), "ours" if r.is_ours else "") for r in results
     )
     return (
         Heading(f"{case.id}: {case.title}"),
         Text(f"Given: {case.given}"),
-        Text(f"Answer: {answer}. {case.reason[:1].upper()}{case.reason[1:]}."),
-        Table(("method", "verdict", "rad" if case.is_direction else "relative error"), rows),
+        Text(f"Answer: {_answer(case)}."),
+        Text(f"Why it is hard: {case.reason}."),
+        Table(("method", "verdict", unit, ""), rows),
+        Text(_meaning(case)),
     )
 
 
-def _nearest(value: object) -> float:
-    try:
-        return float(value)  # type: ignore[arg-type]  # a fraction
-    except OverflowError:
-        return float("inf")
+def _answer(case: Case) -> str:
+    if case.expected is None:
+        return "there is none, and that must be said"
+    scale = max(map(abs, case.expected)) if case.is_direction else 1
+    numbers = ", ".join(in_short(x / (scale or 1), 6) for x in case.expected)
+    about = ", at any positive length" if case.is_direction else ""
+    return f"({numbers}){about}" if len(case.expected) > 1 else numbers
+
+
+def _error(result: Result) -> str:
+    return "" if result.error is None else f"{result.error:.2g}"
+
+
+def _meaning(case: Case) -> str:
+    if case.expected is None:
+        return "Right is who says so: an error, a status, never a number."
+    unit = " rad" if case.is_direction else ", relative to the largest number"
+    return (
+        f"Right is an error up to {case.within:g}{unit}; imprecise up to {IMPRECISE:g}; wrong, "
+        "flipped (by more than 90°), zero or nan is what a picture shows."
+    )
 
 
 def _replays(failed: Sequence[tuple[Case, Result]]) -> tuple[str, ...]:
-    """Return how to see each failing input again."""
-    return tuple(f"{case.id}, {r.method}: {case.given}" for case, r in failed[:REPLAYED])
+    """Return each failing input, and how to see it again."""
+    return tuple(
+        f"{case.id}, {r.method}: {r.verdict}. {case.given}. Again: {case.replay}"
+        for case, r in failed[:REPLAYED]
+    )
 
 
 def _failure(failed: Sequence[tuple[Case, Result]]) -> CheckFailedError | None:
@@ -144,5 +170,5 @@ def _failure(failed: Sequence[tuple[Case, Result]]) -> CheckFailedError | None:
     return CheckFailedError(
         f"case {case.id} ({result.method}: {result.verdict})",
         f"{len(failed)} of nmatrix's own answers are not right",
-        f"see nmatrix stress --case {case.id}",
+        f"see {case.replay}",
     )

@@ -7,6 +7,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from strategies import half_pixel_grids
 
 from nmatrix.raster import spans as spans_module
 from nmatrix.raster.spans import SUBPIXELS, Spans, spans
@@ -245,3 +247,10 @@ def test_ten_million_samples_without_gap_or_double(way: Callable[[Triangles], Tr
 def test_meshes_notice(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(spans_module, *MUTANTS[name])
     assert sum(wrong_samples(mesh, 256) for mesh in meshes(256, 0)) > 0
+
+
+@given(half_pixel_grids)
+@settings(max_examples=25, deadline=None)
+def test_half_pixel_grids_take_each_sample_exactly_once(triangles: Array) -> None:
+    x, y = (triangles.transpose(2, 1, 0) * SUBPIXELS).astype(int)
+    assert (hits((x, y), (0, 64), 64).sum(axis=0) == 1).all()

@@ -12,8 +12,19 @@ from nmatrix.cli.app import run
 from nmatrix.linear import methods
 from nmatrix.linear.methods import Method
 from nmatrix.studies.hardcases import normals
-from nmatrix.studies.hardcases.case import Case, Contestant, Verdict, exactly
-from nmatrix.studies.stress import CATALOGUE, case_named, random_cases, stress
+from nmatrix.studies.hardcases.case import Case, Contestant, Verdict, exactly, spelled
+from nmatrix.studies.hardcases.families import NAMES, random_cases
+from nmatrix.studies.hardcases.oracle import determinant, true_normal
+from nmatrix.studies.stress import CATALOGUE, case_named, stress
+
+ROWS = [
+    *(f"N{i}" for i in range(1, 20)),
+    *(f"V{i}" for i in range(1, 5)),
+    *(f"E{i}" for i in range(1, 8)),
+    *(f"D{i}" for i in range(1, 9)),
+    *(f"R{i}" for i in range(1, 11)),
+    *(f"M{i}" for i in range(1, 7)),
+]
 
 
 @pytest.mark.parametrize("case", CATALOGUE, ids=lambda case: case.id)
@@ -24,9 +35,10 @@ def test_ours_is_right_and_somebody_still_fails(case: Case) -> None:
     assert any(r.verdict is not Verdict.RIGHT for r in results if not r.is_ours)
 
 
-def test_every_family_is_there() -> None:
-    assert {one.id[0] for one in CATALOGUE} == set("NVEDRM")
-    assert len({one.id for one in CATALOGUE}) == len(CATALOGUE)
+def test_every_row_of_the_catalogue_is_there_once_and_in_order() -> None:
+    found = [one.id for one in CATALOGUE]
+    assert [one for one in found if one[-1].isdigit()] == ROWS
+    assert len(set(found)) == len(found)
 
 
 def judged(found: object, expected: object = exactly(1, 0, 0), **case: bool) -> Verdict:
@@ -67,10 +79,69 @@ def test_a_mutant_of_ours_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_random_cases_are_directed_and_the_same_again() -> None:
-    first, again = random_cases(40, 3), random_cases(40, 3)
+    first, again = random_cases(60, 3), random_cases(60, 3)
     assert [one.given for one in first] == [one.given for one in again]
+    assert {one.title for one in first} == set(NAMES)
     assert stress(first).failure is None
-    assert any(r.verdict is not Verdict.RIGHT for one in first for r in one.results())
+    for name in NAMES:
+        family = [one for one in first if one.title == name]
+        lost = [r for one in family for r in one.results() if r.verdict is not Verdict.RIGHT]
+        assert lost, f"{name} is hard for nobody"
+
+
+def test_the_first_cases_do_not_depend_on_the_count() -> None:
+    assert [one.given for one in random_cases(8, 5)] == [
+        one.given for one in random_cases(20, 5)[:8]
+    ]
+
+
+@pytest.mark.slow
+def test_two_thousand_random_cases_are_right() -> None:
+    assert stress(random_cases(2_000, 11)).failure is None
+
+
+def test_a_failing_random_input_is_printed_to_the_last_bit_and_can_be_replayed(
+    monkeypatch, capsys
+) -> None:
+    mutant = Method("exact", "the sign dropped", dropped_sign, is_ours=True)
+    monkeypatch.setattr(normals, "METHODS", (mutant,))
+    assert run(["stress", "--random", "12", "--seed", "9", "-f", "json"]) == 1
+    printed = capsys.readouterr()
+    remark = json.loads(printed.out)["remarks"][0]
+    again = remark.partition("Again: ")[2]
+    name = again.rpartition(" ")[2]
+    case = next(one for one in random_cases(12, 9) if one.id == name)
+    assert case.given in remark
+    matrix = case.given.partition("A = ")[2].partition(", n = ")[0]
+    entries = [float(x) for row in matrix.split(";") for x in row.split()]
+    assert spelled(np.reshape(entries, (3, 3)).tolist()) == matrix
+    assert run(again.split()[1:]) == 1
+    assert name in capsys.readouterr().err
+
+
+def test_the_guarded_level_is_not_held_to_exactness() -> None:
+    assert [one.name for one in methods.METHODS if one.is_ours] == ["exact", "certified"]
+
+
+def test_the_oracle_agrees_with_a_second_one() -> None:
+    flint = pytest.importorskip("flint", reason="python-flint is not installed")
+    for case in random_cases(60, 21):
+        if case.title == "half-pixel grid":
+            continue
+        matrix, _, n = case.given.removeprefix("A = ").partition(", n = (")
+        rows = [[Fraction(float(x)) for x in row.split()] for row in matrix.split(";")]
+        normal = [Fraction(float(x)) for x in n.rstrip(")").split(", ")]
+        A = flint.fmpq_mat([[flint.fmpq(x.numerator, x.denominator) for x in row] for row in rows])
+        det = A.det()
+        assert (determinant(rows) > 0, determinant(rows) < 0) == (det > 0, det < 0)
+        if det != 0:
+            b = flint.fmpq_mat([[flint.fmpq(x.numerator, x.denominator)] for x in normal])
+            solved = A.transpose().solve(b)
+            true = [Fraction(int(solved[i, 0].p), int(solved[i, 0].q)) for i in range(3)]
+            found = true_normal(rows, normal)
+            assert found is not None
+            assert all(found[i] * true[j] == found[j] * true[i] for i, j in ((0, 1), (1, 2)))
+            assert sum(f * t for f, t in zip(found, true, strict=True)) > 0
 
 
 def test_the_report_has_the_keys_of_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
@@ -100,7 +171,7 @@ def test_a_failure_prints_all_and_ends_in_one(monkeypatch, capsys) -> None:
         (["--case", "N99"], "did you mean"),
         (["--random", "0"], "whole number"),
         (["--random", "2", "--seed", "x"], "--seed"),
-        (["--random", "2", "--case", "N1"], "keep one"),
+        (["--random", "2", "--case", "N1"], "there are 2, S0 to S1"),
     ],
 )
 def test_misuse_is_one_line(capsys, line: list[str], says: str) -> None:

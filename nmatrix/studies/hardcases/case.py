@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from math import isfinite, pi
 
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.rounding import angle, integers
+from nmatrix.studies.hardcases.oracle import angle
 
 Numbers = tuple[float, ...]
 Compute = Callable[[], Sequence[float] | None]
@@ -71,6 +71,12 @@ class Case:
     is_direction: bool = False
     or_opposite: bool = False
     within: float = RIGHT
+    made_by: str = ""  # the options of a case that is not of the catalogue
+
+    @property
+    def replay(self) -> str:
+        """Return the command that shows this case again."""
+        return f"nmatrix stress {self.made_by}--case {self.id}"
 
     def results(self) -> tuple[Result, ...]:
         """Let every contestant try."""
@@ -100,7 +106,7 @@ class Case:
 
     def _error(self, found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
         if self.is_direction:
-            turned = angle(integers(found)[0], integers(true)[0])
+            turned = angle(found, true)
             return min(turned, pi - turned) if self.or_opposite else turned
         size = max(abs(t) for t in true) or Fraction(1)
         error = max(abs(f - t) for f, t in zip(found, true, strict=True)) / size
@@ -135,6 +141,21 @@ def _all_finite(found: Numbers) -> bool:
 def own(name: str, compute: Compute) -> Contestant:
     """Return one of nmatrix's own ways."""
     return Contestant(name, compute, is_ours=True)
+
+
+def spelled(rows: Iterable[Iterable[float]]) -> str:
+    """Return a matrix as text that is read back to the very same floats.
+
+    Examples
+    --------
+    >>> spelled([[0.1, 2.0], [5e-324, 0.0]])
+    '0.1 2; 5e-324 0'
+    """
+    return "; ".join(" ".join(_digits(float(x)) for x in row) for row in rows)
+
+
+def _digits(x: float) -> str:
+    return str(int(x)) if x.is_integer() and abs(x) < 1e6 else repr(x)
 
 
 def exactly(*values: float | str | Fraction) -> tuple[Fraction, ...]:

@@ -1,101 +1,188 @@
-"""D1 to D7: fields of view, near and far, and what depth can tell apart."""
+"""D1 to D8: fields of view, near and far, and what depth can tell apart."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
-from math import pi, tan
+from math import inf, pi, radians, tan
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer
+from nmatrix.enums import DepthBuffer, DepthRange, Frame
+from nmatrix.linear.affine import compose, rotation, translation_matrix
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, perspective
-from nmatrix.raster.visibility import depth_code
+from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
+from nmatrix.linear.rational import RationalMatrix, rational, rational_vector, to_floats
+from nmatrix.raster.canvas import Canvas
+from nmatrix.raster.vertices import project
+from nmatrix.raster.visibility import TRIANGLE_MASK, Tile
+from nmatrix.scene.mesh import Mesh
+from nmatrix.spaces.stage import Light, Stage
+from nmatrix.spaces.transform import Transform
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 
-Vector = tuple[float, float, float]
+Array = NDArray[Any]
+NEAR = 0.1
+ZERO_TO_ONE = ClipSpace(depth=DepthRange.ZERO_TO_ONE)
+REVERSED = ClipSpace(depth=DepthRange.REVERSED)
 
-UPRIGHT: Vector = (0.0, 1.0, 0.0)
-EASY: Vector = (3.0, 4.0, 12.0)
 
-
-def _field_case() -> Case:
-    half = Angle.degrees(90)
+def _no_field(id_: str, fov: float, reason: str) -> Case:
+    half = Angle.degrees(Fraction(fov) / 2)
     return Case(
-        "D1",
-        "a field of view of 180°",
-        "fov 180",
+        id_,
+        f"a field of view of {fov:g}°",
+        f"fov {fov:g}",
         None,
-        "the picture would be infinitely wide",
+        reason,
         (
-            own("perspective", lambda: perspective(half, 1.0, 0.1, 100.0, DEFAULT_CLIP_SPACE)[0]),
-            Contestant("1 / tan(fov/2)", lambda: [1 / tan(pi / 2)]),
+            own("perspective", lambda: perspective(half, 1.0, NEAR, 100.0, DEFAULT_CLIP_SPACE)[0]),
+            Contestant("1 / tan(fov/2)", lambda: [1 / tan(radians(fov) / 2)]),
+        ),
+    )
+
+
+def _wide_field() -> Case:
+    """Take the last float64 before 180°, where 90° − x is rounded, and x is all that counts."""
+    fov = 179.99999999999997
+    left = (180 - Fraction(fov)) / 2 * Fraction(pi) / 180  # 1/tan(90° − x) = tan x ≈ x + x³/3
+    true = left + left**3 / 3
+    half = Angle.degrees(Fraction(fov) / 2)
+    return Case(
+        "D2",
+        "the widest field of view there is",
+        f"fov {fov!r}",
+        (true,),
+        "π/2 − x is rounded before its tangent is taken, and x is what counts",
+        (
+            own("perspective", lambda: [perspective(half, 1.0, NEAR, 100.0)[1][1]]),
+            Contestant("1 / tan(fov/2)", lambda: [1 / tan(radians(fov) / 2)]),
         ),
     )
 
 
 def _depth_row(
-    id_: str, title: str, far: float, true: tuple[Fraction, ...] | None, reason: str
+    id_: str,
+    title: str,
+    planes: tuple[float, float],
+    true: tuple[Fraction, ...] | None,
+    reason: str,
+    kind: Callable[[float], Any] = np.float64,
 ) -> Case:
-    near = 0.1
+    near, far = planes
 
     def naive() -> list[float]:
-        n, f = np.float64(near), np.float64(far)
+        n, f = kind(near), kind(far)
         return [float((f + n) / (n - f)), float(2 * f * n / (n - f))]
 
     return Case(
         id_,
         title,
-        f"near {near}, far {far:g}",
+        f"near {near!r}, far {far!r}",
         true,
         reason,
         (
-            own(
-                "perspective",
-                lambda: perspective(Angle.degrees(30), 1.0, near, far, DEFAULT_CLIP_SPACE)[2][2:],
-            ),
-            Contestant("(f+n)/(n−f)", naive),
+            own("perspective", lambda: perspective(Angle.degrees(30), 1.0, near, far)[2][2:]),
+            Contestant(f"(f+n)/(n−f), {kind.__name__}", naive),
         ),
     )
+
+
+def _nearer_wins(distance: float, gap: float, clip: ClipSpace, buffer: DepthBuffer) -> list[float]:
+    """Draw a far and a near wall, the far one first, and return whether the near one is seen."""
+    walls = [distance * (1 + gap), distance]
+    corners = [[x * z, y * z, -z] for z in walls for x, y in ((-3, -3), (3, -3), (0, 4))]
+    mesh = Mesh(np.array(corners), np.tile([0.0, 0, 1], (6, 1)), np.array([[0, 1, 2], [3, 4, 5]]))
+    matrix = np.array(perspective(Angle.degrees(45), 1.0, NEAR, 1e5, clip))
+    tile = Tile.empty((0, 8), 8, buffer)
+    tile.add(project(mesh, matrix, Canvas(8, 8), clip), 0)
+    return [float((tile.keys & TRIANGLE_MASK == 1).all())]
 
 
 def _told_apart(id_: str, distance: float, gap: float) -> Case:
-    """Ask of two surfaces on a line of sight whether a depth buffer knows the nearer one."""
-    near, far = 0.1, 1e5
-    z = np.array([distance, distance * (1 + gap)])
-
-    def standard(buffer: DepthBuffer) -> list[float]:
-        codes = depth_code(far / (far - near) * (1 - near / z), buffer)
-        return [float(codes[1] > codes[0])]
-
-    def backwards() -> list[float]:
-        codes = depth_code(near / (far - near) * (far / z - 1), DepthBuffer.FLOAT32)
-        return [float(codes[1] < codes[0])]
+    def seen(clip: ClipSpace, buffer: DepthBuffer) -> Callable[[], list[float]]:
+        return lambda: _nearer_wins(distance, gap, clip, buffer)
 
     return Case(
         id_,
-        f"two surfaces {gap:g} apart at {distance:g}",
-        f"near {near}, far {far:g}",
+        f"two walls {gap:g} apart at {distance:g}",
+        f"near {NEAR}, far 1e5; the near wall is drawn last: is it seen?",
         exactly(1),
         "reversed depth has its fine steps where perspective needs them",
         (
-            own("reversed float32", backwards),
-            Contestant("float32", lambda: standard(DepthBuffer.FLOAT32)),
-            Contestant("24 bits", lambda: standard(DepthBuffer.UNORM24)),
+            own("reversed float32", seen(REVERSED, DepthBuffer.FLOAT32)),
+            Contestant("−1…1, float32", seen(DEFAULT_CLIP_SPACE, DepthBuffer.FLOAT32)),
+            Contestant("0…1, 24 bits", seen(ZERO_TO_ONE, DepthBuffer.UNORM24)),
         ),
     )
 
 
+def _concatenated() -> Case:
+    """P·V·M of an object and a camera that are both far away, in float32 and rounded once."""
+    far = 2.0**20
+    turn = [Angle.degrees(d) for d in (20, 30, 40)]
+    M = rational(to_floats(compose(rotation(turn), (1, 1, 1), translate=(far, 1, -far))))
+    V = translation_matrix((-far, 0, far - 5))
+    P = rational(perspective(Angle.degrees(30), 1.0, NEAR, inf))
+    point = (0.25, 0.5, -0.125)
+    stage = Stage(
+        Transform(Frame.WORLD, Frame.OBJECT, M),
+        Transform(Frame.CAMERA, Frame.WORLD, V),
+        P,
+        rational_vector((far, 0, 5 - far)),
+        Light(rational_vector((0, -1, 0)), None),
+    )
+
+    def by(matrix: Array) -> list[float]:
+        clip = matrix @ np.array([*point, 1.0], matrix.dtype)
+        return [float(x) for x in clip[:3] / clip[3]]
+
+    def float32() -> list[float]:
+        P32, V32, M32 = (np.array(to_floats(one), np.float32) for one in (P, V, M))
+        return by(P32 @ V32 @ M32)
+
+    return Case(
+        "D8",
+        "one matrix for everything, far from the origin",
+        f"object and eye at {far:g}, one vertex to normalised coordinates",
+        _one_after_the_other((M, V, P), point),
+        "the two translations cancel, if they were not rounded before",
+        (
+            own("exact product", lambda: by(np.array(to_floats(stage.clip_from_object)))),
+            Contestant("float32 product", float32),
+        ),
+    )
+
+
+def _one_after_the_other(
+    matrices: tuple[RationalMatrix, ...], point: tuple[float, ...]
+) -> tuple[Fraction, ...]:
+    v = [*map(Fraction, point), Fraction(1)]
+    for A in matrices:
+        v = [sum((a * x for a, x in zip(row, v, strict=True)), Fraction(0)) for row in A]
+    return tuple(x / v[3] for x in v[:3])
+
+
+TINY_RANGE = (1.0, 1.0 + 2.0**-52)
+LIMIT = "the limit exists, the quotient does not"
+
 CASES: tuple[Case, ...] = (
-    _field_case(),
-    _depth_row("D3", "near = far", 0.1, None, "there is no depth between them"),
+    _no_field("D1", 180.0, "the picture would be infinitely wide"),
+    _no_field("D1b", 180.1, "a negative focal length mirrors the picture without a word"),
+    _wide_field(),
+    _depth_row("D3", "near = far", (NEAR, NEAR), None, "there is no depth between them"),
+    _depth_row("D4", "far = inf", (NEAR, inf), exactly(-1, -2 * Fraction(NEAR)), LIMIT),
     _depth_row(
-        "D4",
-        "far = inf",
-        float("inf"),
-        exactly(-1, -2 * Fraction(0.1)),
-        "the limit exists, the quotient does not",
+        "D5",
+        "the smallest range of depth there is",
+        TINY_RANGE,
+        exactly(-(2**53 + 1), -(2**53 + 2)),
+        "f − n is exact in float64; float32 cannot tell the two planes apart",
+        np.float32,
     ),
     _told_apart("D6", 9e4, 1e-6),
     _told_apart("D7", 1e3, 1e-6),
+    _concatenated(),
 )

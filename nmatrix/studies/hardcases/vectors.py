@@ -11,10 +11,10 @@ import numpy as np
 from nmatrix.linear.vectors import angle_between, normalize
 from nmatrix.raster.normals import unit
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
+from nmatrix.studies.hardcases.oracle import root
 
 Vector = tuple[float, float, float]
 
-UPRIGHT: Vector = (0.0, 1.0, 0.0)
 EASY: Vector = (3.0, 4.0, 12.0)
 
 
@@ -37,8 +37,8 @@ def _length_case(id_: str, scale: float) -> Case:
     true = exactly(*(Fraction(x) for x in v))
     return Case(
         id_,
-        f"a vector of size {scale:g}",
-        f"(3, 4, 12) · {scale:g}",
+        f"a vector of size {scale:.0e}",
+        f"(3, 4, 12) · {scale!r}",
         true,
         "its square leaves the floats, its direction does not",
         (
@@ -94,7 +94,7 @@ def _slanted_angle() -> Case:
     size = 2.0**-46
     a = (1.0, 2.0, 3.0)
     b = (1.0 + 2 * size, 2.0 - size, 3.0)  # a + size · (2, −1, 0), and (2, −1, 0) ⟂ a
-    true = _arctangent(_root(Fraction(5, 14)) * Fraction(size))
+    true = _arctangent(root(Fraction(5, 14)) * Fraction(size))
 
     def halves() -> list[float]:
         p, q = np.array(_by_norm(a)), np.array(_by_norm(b))
@@ -111,13 +111,6 @@ def _slanted_angle() -> Case:
             Contestant("2 atan2(|p−q|, |p+q|)", halves),
         ),
     )
-
-
-def _root(x: Fraction) -> Fraction:
-    """Return √x to 100 bits."""
-    from math import isqrt
-
-    return Fraction(isqrt(int(x * (1 << 200))), 1 << 100)
 
 
 def _interpolated() -> Case:

@@ -7,20 +7,20 @@ from fractions import Fraction
 
 import numpy as np
 
-from nmatrix.enums import Frame, Handedness
+from nmatrix.enums import Convention, Frame, Handedness, Space
 from nmatrix.linear import rational
 from nmatrix.linear.affine import compose, rotation
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import rational_vector, to_floats
-from nmatrix.linear.view import look_at
+from nmatrix.linear.view import first_person, look_at
 from nmatrix.spaces.stage import Light, Stage
 from nmatrix.spaces.transform import Transform
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
+from nmatrix.studies.hardcases.oracle import solve
 
 Vector = tuple[float, float, float]
 
 UPRIGHT: Vector = (0.0, 1.0, 0.0)
-EASY: Vector = (3.0, 4.0, 12.0)
 
 
 def _frame_error(camera_from_world: Sequence[Sequence[float]]) -> list[float]:
@@ -104,11 +104,10 @@ def _eye_case(id_: str, far: float) -> Case:
         rational_vector(eye),
         Light(rational_vector((0, -1, 0)), None),
     )
-    true = place.inverse().exact_point(rational_vector(eye))
+    away = [Fraction(e) - Fraction(far) for e in eye]
+    true = solve(turn, away)
 
     def by_inverse() -> list[float]:
-        from nmatrix.enums import Space
-
         return list(map(float, stage.eye_in(Space.OBJECT)))
 
     def course() -> list[float]:
@@ -128,9 +127,6 @@ def _eye_case(id_: str, far: float) -> Case:
 
 def _orbit() -> Case:
     """E4: straight up, where up × forward is zero; right follows from the azimuth."""
-    from nmatrix.enums import Convention
-    from nmatrix.linear.view import first_person
-
     turn = Angle.degrees(30)
 
     def ours() -> list[float]:

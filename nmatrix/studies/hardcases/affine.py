@@ -1,0 +1,121 @@
+"""N14 to N19, M2: what else stands in a matrix: a translation, a projection, no number at all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import NormalRule
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.compensated import cofactors
+from nmatrix.linear.methods import method
+from nmatrix.linear.projection import perspective
+from nmatrix.linear.rational import rational
+from nmatrix.linear.rules import carrier
+from nmatrix.reading.matrix import matrix_literal
+from nmatrix.reading.shapes import as_affine
+from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own, spelled
+from nmatrix.studies.hardcases.normals import contestant, ours
+
+Array = NDArray[Any]
+X: tuple[float, ...] = (1.0, 0.0, 0.0)
+
+
+def _moved(by: float) -> Array:
+    M = np.diag([2.0, 1, 1, 1])
+    M[0, 3] = by
+    return M
+
+
+def by_rule(rule: NormalRule, M: Array, n: Sequence[float]) -> list[float]:
+    """Return what one of the rules that people use makes of a normal, at length one."""
+    found = carrier(rule, rational(M.tolist()))
+    assert found is not None  # the cases are invertible
+    matrix = np.array([[float(x) for x in row] for row in found.matrix])
+    carried = (matrix @ [*n, found.w])[: found.components]
+    unit: list[float] = (carried / np.linalg.norm(carried))[:3].tolist()
+    return unit
+
+
+def _four_components(id_: str, by: float, reason: str) -> Case:
+    """Take w into the length."""
+    M = _moved(by)
+    four = Contestant("four-component-normalise", lambda: by_rule(NormalRule.FOUR_COMPONENT, M, X))
+    return Case(
+        id_,
+        f"normalising four components, moved by {by:g}",
+        f"scale 2 1 1, translate {by:g} 0 0, n = (1, 0, 0)",
+        exactly(1, 0, 0),
+        reason,
+        (*ours(M[:3, :3], X), four),
+    )
+
+
+def _projective() -> Case:
+    """P·V·M is no affine map: it has no normal matrix, and must be refused as one."""
+    P = np.array(perspective(Angle.degrees(30), 1.0, 0.1, 100.0))
+    PVM = P @ _moved(1.0)
+
+    def ours_reads() -> tuple[float, ...]:
+        return as_affine(matrix_literal(spelled(PVM.tolist()))).rows[0]
+
+    def block() -> list[float]:
+        found: list[float] = (np.linalg.inv(PVM).T[:3, :3] @ [1.0, 1.0, 1.0]).tolist()
+        return found
+
+    return Case(
+        "N15",
+        "the inverse transpose of P·V·M",
+        "perspective 60°, scale 2 1 1, translate 1 0 0",
+        None,
+        "a projective map keeps no right angles: its last row is not 0 0 0 1",
+        (own("reading it as a world matrix", ours_reads), Contestant("inv(PVM).T[:3, :3]", block)),
+    )
+
+
+def _not_finite() -> Case:
+    """One number that is none; the answer must name it."""
+    A = np.diag([1.0, float("nan"), 1.0])
+    return Case(
+        "N16",
+        "an entry that is not a number",
+        "A = diag(1, nan, 1)",
+        None,
+        "whatever is computed from it is nothing, and must not be drawn",
+        (
+            own("reading it", lambda: matrix_literal(spelled(A.tolist())).rows[1]),
+            contestant(method("inverse"), A, (1, 1, 0)),
+        ),
+    )
+
+
+def _golden_minor() -> Case:
+    """Take a 2×2 determinant of float32 numbers that cancels to a thousandth."""
+    a, b, c, d = (np.float32(x) for x in (33962.035, -30438.8, 41563.4, -24871.969))
+    A = np.zeros((3, 3, 1))
+    A[0, 0], A[0, 1], A[1, 0], A[1, 1], A[2, 2] = a, b, c, d, 1
+    true = Fraction(float(a)) * Fraction(float(d)) - Fraction(float(b)) * Fraction(float(c))
+    return Case(
+        "N19",
+        "one minor in float32",
+        f"{a:g}·{d:g} − {b:g}·{c:g}",
+        (true,),
+        "both products agree in seven digits; float32 has no more",
+        (
+            own("compensated", lambda: (float(cofactors(A).mantissa[2, 2, 0]),)),
+            Contestant("float32", lambda: (float(a * d - b * c),)),
+        ),
+    )
+
+
+CASES: tuple[Case, ...] = (
+    _four_components("N14", 5.0, "w carries −(A⁻¹t)·n, which is no part of a length"),
+    _projective(),
+    _not_finite(),
+    _golden_minor(),
+    _four_components("M2", 1e6, "what is left of the normal is a millionth: the picture is black"),
+)
