@@ -13,14 +13,14 @@ from typer import Argument, Option
 
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.files import refuse_existing, write_file
-from nmatrix.cli.show import show
+from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import number
 
 if TYPE_CHECKING:
     from nmatrix.studies.harness import Harness
     from nmatrix.studies.report import Wish
-    from nmatrix.studies.rows import Row
+    from nmatrix.studies.rows import Row, Task
 
 HELP = {
     "cost": """nmatrix cost normals --quick
@@ -32,6 +32,7 @@ nmatrix cost normals --budget 5ms --chart normals.svg
 What accuracy costs in time: errors against the exact answer, wrong answers, ratios of time.""",
 }
 
+QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
 CHARTS = (".svg", ".png")
 WISH = re.compile(r"(.+?)\s*(deg|rad|levels|ns|us|ms|s)?")
 SCALES = {
@@ -79,10 +80,10 @@ def cost(
     from nmatrix.studies.harness import Harness
     from nmatrix.studies.report import TITLES, report
 
-    harness = Harness(time.perf_counter, *((0.001, 3) if quick else (0.02, 15)))
-    check = harness.self_check(_work)
-    harness.double_check(_work)
-    rows = _rows(study, harness, quick=quick)
+    trial = Harness(time.perf_counter, 0.002)
+    check = trial.self_check(_work)
+    trial.double_check(_work)
+    rows = _rows(_tasks(study, _harness(quick=quick), quick=quick), study)
     if target is not None:
         from nmatrix.studies.chart import chart as drawn
 
@@ -91,22 +92,39 @@ def cost(
     show(report(study, rows, check, wish), everywhere)
 
 
+def _harness(*, quick: bool) -> Harness:
+    from nmatrix.studies.harness import Harness
+
+    if not quick:
+        return Harness(time.perf_counter)
+    return Harness(
+        time.perf_counter, 0.0005, rounds=7, fewest=3, late=time.perf_counter() + QUICK_SECONDS
+    )
+
+
 def _work() -> int:
     return sum(range(2000))
 
 
-def _rows(study: Study, harness: Harness, *, quick: bool) -> tuple[Row, ...]:
+def _rows(tasks: list[Task], study: Study) -> tuple[Row, ...]:
+    from nmatrix.studies.rows import with_fronts
+
+    done = (task() for task in tasks)
+    return with_fronts(list(progress(done, len(tasks), f"measuring {study}")))
+
+
+def _tasks(study: Study, harness: Harness, *, quick: bool) -> list[Task]:
     if study is Study.NORMALS:
         from nmatrix.studies import normals
 
-        return normals.normals(harness, normals.QUICK if quick else normals.Extent())
+        return normals.tasks(harness, normals.QUICK if quick else normals.Extent())
     if study is Study.SHADING:
         from nmatrix.studies import shading
 
-        return shading.shading(harness, shading.QUICK if quick else shading.FULL)
+        return shading.tasks(harness, shading.QUICK if quick else shading.FULL)
     from nmatrix.studies import spaces
 
-    return spaces.spaces(harness, spaces.QUICK if quick else spaces.VERTICES)
+    return spaces.tasks(harness, spaces.QUICK if quick else spaces.VERTICES)
 
 
 def _wish(study: Study, tolerance: str | None, budget: str | None) -> Wish:

@@ -23,6 +23,7 @@ from nmatrix.raster.texture import to_srgb
 from nmatrix.raster.vertices import front_sign, project
 
 Array = NDArray[Any]
+Change = Callable[[Surface], Surface]
 
 
 @dataclass(frozen=True)
@@ -50,8 +51,16 @@ class Rendered:
         return np.broadcast_to(self.image, (*self.image.shape[:2], 3))
 
 
-def render(plan: Plan, finish: Callable[[Array], Array] = np.asarray) -> Rendered:
+def _as_it_is(surface: Surface) -> Surface:
+    return surface
+
+
+def render(
+    plan: Plan, finish: Callable[[Array], Array] = np.asarray, change: Change = _as_it_is
+) -> Rendered:
     """Draw a plan's studio; `finish` turns rows of levels into what is kept of them.
+
+    `change` exchanges surfaces on their way, for pictures that show what a mistake looks like.
 
     Raises
     ------
@@ -62,7 +71,7 @@ def render(plan: Plan, finish: Callable[[Array], Array] = np.asarray) -> Rendere
     """
     studio = plan.studio
     maps = _shadow_maps(plan)
-    drawables = [_drawable(plan, body, maps) for body in plan.bodies]
+    drawables = [_drawable(plan, body, maps, change) for body in plan.bodies]
     background = np.array(studio.settings.background[: plan.channels])
     drawing = Drawing(drawables, studio.canvas, background, studio.settings.depth)
     has_gamma = plan.picture[Effect.GAMMA].on
@@ -83,13 +92,15 @@ def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
     return {name: shadow_maps(placed, bodies, size) for name, placed in asked.items()}
 
 
-def _drawable(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]]) -> Drawable:
+def _drawable(
+    plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], change: Change
+) -> Drawable:
     studio = plan.studio
     exact = studio.clip_from_object(body.body)
     front = front_sign(exact, studio.clip)
     culled = 0 if Effect.BACK_FACES in body.effects else -front
     projected = project(body.body.mesh, as_array(exact), studio.canvas, studio.clip, culled)
-    surface = surface_of(plan, body, maps, front)
+    surface = change(surface_of(plan, body, maps, front))
     return Drawable(
         projected, surface.reads(projected), surface.colours, body.body.material.opacity
     )

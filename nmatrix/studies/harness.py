@@ -2,7 +2,8 @@
 
 Absolute times drift with everything else that a machine does. A B B A within one round shares the
 drift between both, so the ratio stands; the median over rounds ignores bursts, and a bootstrap
-tells how sure it is. A function against itself must come out as 1, or nothing is reported.
+tells how sure it is. Rounds go on until that is narrow, or time is up. A function against itself
+must come out as 1, or nothing is reported.
 """
 
 from __future__ import annotations
@@ -10,9 +11,10 @@ from __future__ import annotations
 import gc
 import platform
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from math import inf
 from os import cpu_count
 from statistics import median
 
@@ -21,6 +23,7 @@ from nmatrix.errors import CheckFailedError
 Run = Callable[[], object]
 Clock = Callable[[], float]
 
+SEED = 7  # of every matrix, every normal and every resample
 RESAMPLES = 400
 CONFIDENCE = 0.95
 NOISIEST = 0.25  # half width of the interval of a function against itself
@@ -38,6 +41,11 @@ class Ratio:
     low: float
     high: float
 
+    @property
+    def spread(self) -> float:
+        """Return how far the interval reaches from the ratio, over the ratio."""
+        return max(self.high - self.ratio, self.ratio - self.low) / self.ratio
+
 
 @dataclass(frozen=True)
 class Harness:
@@ -49,30 +57,42 @@ class Harness:
         Tells seconds; it only ever goes forwards.
     shortest
         A turn calls its contestant until it takes so many seconds.
-    rounds
-        A round is A B B A.
-    seed
-        Of the bootstrap, so that the same times give the same interval.
+    rounds, fewest
+        A round is A B B A; it takes so many at the most and at the least.
+    narrow
+        Half the interval over the ratio with which it is content.
+    longest
+        Seconds after which one ratio must do with the fewest rounds.
+    late
+        The time on the clock from which all must.
     """
 
     clock: Clock
     shortest: float = 0.02
     rounds: int = 15
-    seed: int = 1
+    fewest: int = 3
+    narrow: float = 0.02
+    longest: float = 1.5
+    late: float = inf
 
     def ratio(self, run: Run, reference: Run) -> Ratio:
         """Return the time of `run` over that of `reference`, the first round discarded."""
+        late = min(self.late, self.clock() + self.longest)
         calls, others = self._calibrated(run), self._calibrated(reference)
-        found, seconds = [], []
+        seconds, ratios = [], []
         with _undisturbed():
-            for _ in range(self.rounds + 1):
+            for i in range(self.rounds + 1):
                 a = self._turn(run, calls)
                 b = self._turn(reference, others) + self._turn(reference, others)
                 a += self._turn(run, calls)
-                found.append(a / b)
-                seconds.append(a / 2)
-        low, high = self._interval(found[1:])
-        return Ratio(median(seconds[1:]), median(found[1:]), low, high)
+                if i:
+                    seconds.append(a / 2)
+                    ratios.append(a / b)
+                    found = Ratio(median(seconds), median(ratios), *interval(ratios))
+                    is_enough = self.clock() >= late or found.spread <= self.narrow
+                    if i >= self.fewest and is_enough:
+                        break
+        return found
 
     def self_check(self, run: Run) -> Ratio:
         """Return a function against itself.
@@ -136,12 +156,19 @@ class Harness:
             run()
         return (self.clock() - started) / calls
 
-    def _interval(self, ratios: list[float]) -> tuple[float, float]:
-        """Return the bootstrap interval of the median."""
-        draw = random.Random(self.seed)
-        medians = sorted(median(draw.choices(ratios, k=len(ratios))) for _ in range(RESAMPLES))
-        cut = round((1 - CONFIDENCE) / 2 * RESAMPLES)
-        return medians[cut], medians[-1 - cut]
+
+def interval(ratios: Sequence[float]) -> tuple[float, float]:
+    """Return the bootstrap interval of the median; the same ratios give the same one.
+
+    Examples
+    --------
+    >>> interval([1.0, 1.0, 1.0, 9.0, 1.0])
+    (1.0, 1.0)
+    """
+    draw = random.Random(SEED)
+    medians = sorted(median(draw.choices(ratios, k=len(ratios))) for _ in range(RESAMPLES))
+    cut = round((1 - CONFIDENCE) / 2 * RESAMPLES)
+    return medians[cut], medians[-1 - cut]
 
 
 @contextmanager
@@ -157,7 +184,7 @@ def _undisturbed() -> Iterator[None]:
 
 
 def machine() -> dict[str, str | int | None]:
-    """Return what the times were measured on."""
+    """Return what the times were measured on, and the seed of what was drawn."""
     import numpy as np
 
     return {
@@ -166,4 +193,5 @@ def machine() -> dict[str, str | int | None]:
         "cores": cpu_count(),
         "python": platform.python_version(),
         "numpy": np.__version__,
+        "seed": SEED,
     }

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from math import inf
 
 from nmatrix.studies.harness import Ratio
@@ -14,7 +14,8 @@ class Row:
     """One method in one setting.
 
     `error` is None where there is no error to speak of; `failures` counts wrong answers: not a
-    number, zero, flipped, or undefined and not reported. Rows of one `setting` compete.
+    number, zero, flipped, or undefined and not reported. `more` are further figures by name. Rows
+    of one `setting` compete.
     """
 
     method: str
@@ -24,11 +25,15 @@ class Row:
     timing: Ratio
     failures: int = 0
     on_front: bool = False
+    more: Mapping[str, float | int | None] = field(default_factory=dict)
 
     @property
     def rank(self) -> tuple[int, float]:
         """Return how bad it is: failures first, then the error."""
         return self.failures, inf if self.error is None else self.error
+
+
+Task = Callable[[], Row]  # one row still to be measured
 
 
 def with_fronts(rows: Sequence[Row]) -> tuple[Row, ...]:

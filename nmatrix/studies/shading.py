@@ -1,17 +1,23 @@
-"""`cost shading`: the renderer's dials against a picture that takes no shortcut."""
+"""`cost shading`: the renderer's dials against a picture that takes no shortcut.
+
+One dial is turned at a time, the others stand as they are. A picture's error is the root of the
+mean square of its differences, in 8-bit levels: the largest difference is that of some pixel on an
+edge in every picture but the reference.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effort, LampKind, Reflection, Shading, Shape
-from nmatrix.raster.plan import plan_for
-from nmatrix.raster.render import render
+from nmatrix.enums import Effect, Effort, LampKind, Reflection, Shading, Shape
+from nmatrix.raster.plan import Plan, plan_for
+from nmatrix.raster.render import Change, render
 from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
@@ -21,15 +27,17 @@ from nmatrix.scene.material import CHECKER, Material, grey
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.world import World
 from nmatrix.studies.harness import Harness
-from nmatrix.studies.rows import Row, with_fronts
+from nmatrix.studies.rows import Row, Task
+from nmatrix.studies.surfaces import as_it_is, in_float32, normal_angles, normals_seen, with_effect
 
 Array = NDArray[Any]
 
-FULL, QUICK = (256, 256), (96, 96)
+FULL, QUICK = (256, 256), (64, 64)
 TESSELLATIONS = ((8, 16), (16, 32), (32, 64), (64, 128))
 REFERENCE = (96, 192)
 SAMPLES = (1, 4, 16, 64)
 SHADOW_MAPS = (64, 256, 1024)
+FINEST_MAP = 2048
 SHINY = Material("shiny", specular=grey(0.4), shininess=48, reflection=Reflection.BLINN_PHONG)
 FLOOR = Material("floor", texture=CHECKER)
 SUN = Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1), intensity=0.8, shadows=True)
@@ -37,11 +45,21 @@ SUN = Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1), intensity=0.8, s
 
 @dataclass(frozen=True)
 class Dial:
-    """One setting of one dial: its name in the table, and the scene that it makes."""
+    """One setting of one dial: its name in the table, the scene, what changes of its surfaces."""
 
     dial: str
     value: str
     scene: Scene
+    change: Change = as_it_is
+
+    @cached_property
+    def plan(self) -> Plan:
+        """Return what is drawn."""
+        return plan_for(studio(self.scene))
+
+    def image(self) -> Array:
+        """Return the picture in levels of 0 to 255, as it is before they are rounded."""
+        return np.asarray(render(self.plan, change=self.change).rgb) * 255.0
 
 
 def scene(size: tuple[int, int], tessellation: tuple[int, int] = REFERENCE) -> Scene:
@@ -63,55 +81,73 @@ def scene(size: tuple[int, int], tessellation: tuple[int, int] = REFERENCE) -> S
 
 
 def dials(size: tuple[int, int]) -> Iterator[Dial]:
-    """Return every setting: one dial is turned, the others stand as they are."""
+    """Return every setting of every dial."""
     usual = scene(size)
-    settings = usual.settings
+
+    def turned(**settings: object) -> Scene:
+        return replace(usual, settings=replace(usual.settings, **settings))  # type: ignore[arg-type]  # names of settings
+
     for shading in Shading:
-        turned = replace(usual, settings=replace(settings, shading=shading))
-        yield Dial("shading", shading.value, turned)
+        yield Dial("shading", shading.value, turned(shading=shading))
+    for value, on in (("left out", False), ("done", True)):
+        yield Dial("normalising", value, usual, with_effect(Effect.RENORMALISE, on=on))
+    for value, on in (("affine", False), ("perspective", True)):
+        yield Dial("interpolation", value, usual, with_effect(Effect.PERSPECTIVE, on=on))
     for samples in SAMPLES:
-        yield Dial(
-            "samples", str(samples), replace(usual, settings=replace(settings, samples=samples))
-        )
+        yield Dial("samples", str(samples), turned(samples=samples))
+    for value, change in (("float32", in_float32), ("float64", as_it_is)):
+        yield Dial("attributes", value, usual, change)
     for rings, sectors in TESSELLATIONS:
         yield Dial("tessellation", f"{rings} × {sectors}", scene(size, (rings, sectors)))
     for texels in SHADOW_MAPS:
-        turned = replace(usual, settings=replace(settings, shadow_map=texels))
-        yield Dial("shadow map", str(texels), turned)
+        yield Dial("shadow map", str(texels), turned(shadow_map=texels))
     for effort in Effort:
-        yield Dial(
-            "effects", effort.value, replace(usual, settings=replace(settings, effort=effort))
-        )
+        yield Dial("effects", effort.value, turned(effort=effort))
 
 
-def reference(size: tuple[int, int]) -> Array:
+def reference(size: tuple[int, int]) -> Dial:
     """Return the picture without a shortcut: 64 samples, light at fragments, a fine shadow map."""
     usual = scene(size)
-    settings = replace(usual.settings, samples=64, shadow_map=2048, effort=Effort.ALL)
-    return _image(replace(usual, settings=settings))
+    settings = replace(usual.settings, samples=64, shadow_map=FINEST_MAP, effort=Effort.ALL)
+    return Dial("reference", "", replace(usual, settings=settings))
 
 
-def shading(harness: Harness, size: tuple[int, int]) -> tuple[Row, ...]:
-    """Return a row for each setting: the largest error in levels, and the time of a frame."""
-    true = reference(size)
-    usual = scene(size)
-    standard = _frame(usual)
-    rows = []
-    for one in dials(size):
-        image = _image(one.scene)
-        error = float(np.abs(image - true).max() * 255)
-        mean = float(np.abs(image - true).mean() * 255)
-        timing = harness.ratio(_frame(one.scene), standard)
-        rows.append(
-            Row(f"{one.dial} {one.value}", one.dial, error, f"levels, mean {mean:.2f}", timing)
-        )
-    return with_fronts(rows)
+class Against:
+    """The reference picture and the usual frame, each made once and when it is first asked for."""
+
+    def __init__(self, harness: Harness, size: tuple[int, int]) -> None:
+        self.harness = harness
+        self.reference = reference(size)
+        self.usual = Dial("usual", "", scene(size))
+
+    @cached_property
+    def image(self) -> Array:
+        """Return the reference picture."""
+        return self.reference.image()
+
+    @cached_property
+    def normals(self) -> Array:
+        """Return the reference's normals."""
+        return normals_seen(self.reference.plan)
+
+    def row(self, one: Dial) -> Row:
+        """Return the errors of a setting, and the time of its frame over that of the usual one."""
+        off = np.abs(one.image() - self.image)
+        rms = float(np.sqrt((off * off).mean()))
+        angles = normal_angles(one.plan, one.change, self.normals)
+        more = {
+            "max_levels": float(off.max()),
+            "mean_levels": float(off.mean()),
+            "rms_levels": rms,
+            "max_normal_deg": None if angles is None else float(angles.max()),
+            "mean_normal_deg": None if angles is None else float(angles.mean()),
+        }
+        plan, usual = one.plan, self.usual.plan
+        timing = self.harness.ratio(lambda: render(plan, change=one.change), lambda: render(usual))
+        return Row(one.value, one.dial, rms, "levels", timing, more=more)
 
 
-def _image(shown: Scene) -> Array:
-    return np.asarray(render(plan_for(studio(shown))).rgb)
-
-
-def _frame(shown: Scene) -> Any:  # noqa: ANN401  # a function without arguments
-    plan = plan_for(studio(shown))
-    return lambda: render(plan)
+def tasks(harness: Harness, size: tuple[int, int]) -> list[Task]:
+    """Return every setting still to be measured."""
+    against = Against(harness, size)
+    return [partial(against.row, one) for one in dials(size)]

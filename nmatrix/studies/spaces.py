@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,28 +20,30 @@ from nmatrix.scene.world import World
 from nmatrix.spaces.cost import cost
 from nmatrix.spaces.uniforms import Request
 from nmatrix.studies.harness import Harness, Run
-from nmatrix.studies.rows import Row, with_fronts
+from nmatrix.studies.rows import Row, Task
 
 Array = NDArray[Any]
 
 VERTICES, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
+MULTIPLICATIONS = "multiplications a vertex"
 SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
 PLACE = World(rotate_degrees=(20, 30, 10), scale=(1, 2, 1))
 
 
-def spaces(harness: Harness, counts: tuple[int, ...]) -> tuple[Row, ...]:
-    """Return a row for each space and number of vertices; its error is the counted cost."""
-    rows = []
-    for count in counts:
-        ready = _studio(count)
-        (body,) = ready.bodies
-        standard = _vertex_stage(ready, body, Space.WORLD)
-        for space in SPACES:
-            counted = cost(ready.stage(body), Request(space)).per_vertex_multiplications
-            timing = harness.ratio(_vertex_stage(ready, body, space), standard)
-            unit = "multiplications a vertex"
-            rows.append(Row(space.value, f"{count} vertices", float(counted), unit, timing))
-    return with_fronts(rows)
+def tasks(harness: Harness, counts: tuple[int, ...]) -> list[Task]:
+    """Return each space and number of vertices still to be measured."""
+    return [partial(_row, harness, count, space) for count in counts for space in SPACES]
+
+
+def _row(harness: Harness, count: int, space: Space) -> Row:
+    """Return the row of a space; its error is the counted cost."""
+    ready = _studio(count)
+    (body,) = ready.bodies
+    counted = cost(ready.stage(body), Request(space)).per_vertex_multiplications
+    timing = harness.ratio(
+        _vertex_stage(ready, body, space), _vertex_stage(ready, body, Space.WORLD)
+    )
+    return Row(space.value, f"{count} vertices", float(counted), MULTIPLICATIONS, timing)
 
 
 def _vertex_stage(ready: Studio, body: Body, space: Space) -> Run:

@@ -88,6 +88,24 @@ def test_the_same_times_give_the_same_interval() -> None:
     assert found[0].low < found[0].high
 
 
+def test_rounds_end_when_it_is_sure_or_late() -> None:
+    def rounds(**fields: float) -> int:
+        clock = Clock(noise=0.5 if "late" in fields else 0.0)
+        calls = []
+        run = clock.work(0.02)
+
+        def counted() -> None:
+            calls.append(1)
+            run()
+
+        Harness(clock, 0.01, rounds=30, fewest=4, **fields).ratio(counted, clock.work(0.02))
+        return (len(calls) - 1) // 2 - 1  # one to calibrate, two in a round, the first thrown away
+
+    assert rounds() == 4  # without noise the fewest are enough
+    assert rounds(late=0.0) == 4
+    assert rounds(late=1e9, narrow=1e-9) == 30
+
+
 def test_on_a_real_clock_a_function_is_itself() -> None:
     harness = Harness(time.perf_counter, 0.005, 9)
     run = [lambda: sum(range(3000))] * 2
