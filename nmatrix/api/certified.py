@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from nmatrix.linear.carrying import carried_by_row
 from nmatrix.linear.certified import TOLERANCE, CertifiedNormals
 from nmatrix.linear.certified import certified_normals as _certified_normals
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rational import scaled, to_floats
+from nmatrix.linear.rational import Rows, scaled, to_floats
 
 Array = NDArray[Any]
 
@@ -52,20 +53,29 @@ def normal_matrices(
     [-8.0, 4.0, 2.0]
     """
     given = _batch(matrices, (3, 3), "matrices")
-    found = np.empty(given.shape, given.dtype) if out is None else out
-    if found.shape != given.shape or found.dtype not in FLOATS:
+    found = np.empty(given.shape, given.dtype) if out is None else _checked(out, given)
+    if level is Level.EXACT:
+        for i, matrix in enumerate(given.astype(np.float64).tolist()):
+            found[i] = _exact(matrix)
+        return found
+    return batched.normal_matrices_by_row(given, found, level)
+
+
+def _exact(matrix: list[list[float]]) -> Rows:
+    block = LinearMap.of(matrix)
+    sign = Fraction(-1 if block.determinant_sign < 0 else 1)
+    return to_floats(scaled(block.cofactor_matrix, sign))
+
+
+def _checked(out: Array, given: Array) -> Array:
+    """Return where to write, if the answer fits there."""
+    if out.shape != given.shape or out.dtype not in FLOATS:
         raise IllegalValueError(
-            f"out of shape {found.shape}, {found.dtype}",
+            f"out of shape {out.shape}, {out.dtype}",
             f"the answer is {given.shape}, float32 or float64",
             "leave it out",
         )
-    if level is Level.EXACT:
-        for i, matrix in enumerate(given.astype(np.float64).tolist()):
-            block = LinearMap.of(matrix)
-            sign = -1 if block.determinant_sign < 0 else 1
-            found[i] = to_floats(scaled(block.cofactor_matrix, sign))  # type: ignore[arg-type]  # ±1
-        return found
-    return batched.normal_matrices_by_row(given, found, level)
+    return out
 
 
 def carry_normals(matrix: ArrayLike, normals: ArrayLike, out: Array | None = None) -> Array:
