@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
+
 from nmatrix.errors import IllegalValueError
 
 TITLES: dict[str, str] = {
@@ -14,6 +16,10 @@ TITLES: dict[str, str] = {
     "shear": "A shear has determinant 1 and bends normals",
     "mirror": "A mirror, its determinant and the outward side",
     "singular": "What is left when space is flattened",
+    "lightdirection": "A light direction is a vector, not a normal",
+    "eye": "Where the eye is in object space",
+    "metric": "Lengths and angles in a space that is not rigid",
+    "reflection": "Mirrored light, the half vector, and the gate on n · l",
 }
 ALL = "all"
 
@@ -35,6 +41,9 @@ def chosen(case: str) -> tuple[str, ...]:
         return tuple(TITLES)
     if case in TITLES:
         return (case,)
+    near = get_close_matches(case.lower(), (*TITLES, ALL), 1)
     raise IllegalValueError(
-        f"case ({case[:40]})", f"the cases are {', '.join(TITLES)}, all", "try nmatrix derive rule"
+        f"case ({case[:40]})",
+        f"the cases are {', '.join(TITLES)}, all",
+        f"did you mean {near[0]}?" if near else "try nmatrix derive rule",
     )

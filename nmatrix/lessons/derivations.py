@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from nmatrix.lessons.bound import nothing_is_worse
 from nmatrix.lessons.notation import (
     A_INVERSE_T,
     A_T,
@@ -38,7 +39,7 @@ T_N = words("tᵀ n", r"t^{\mathsf T} n")
 
 def rule() -> tuple[list[Step], str]:
     """Derive N = A⁻ᵀ from the one thing that a normal is: perpendicular to every tangent."""
-    return [*_demand(), *_solution(), _worst_angle()], (
+    return [*_demand(), *_solution(), _worst_angle(), *nothing_is_worse()], (
         "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
         "length one. A itself does only where AᵀA = s² · 1."
     )
@@ -123,8 +124,7 @@ def _worst_angle() -> Step:
             EQUALS,
             words("(κ − 1/κ) / 2", r"\frac{\kappa - 1/\kappa}{2}"),
         ),
-        "with A itself a normal halfway between the directions stretched by κ and by 1 is "
-        "off by θ, the worst there is",
+        "with A itself a normal halfway between the directions stretched by κ and by 1 is off by θ",
         proved=equal(2 * bent.cross(right)[2], (k - 1 / k) * bent.dot(right)),
     )
 

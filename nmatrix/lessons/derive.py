@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons import derivations, examples, sides
+from nmatrix.lessons import derivations, examples, lighting, reflecting, sides
 from nmatrix.lessons.cases import TITLES, chosen
 from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, A, C, formula, words
 from nmatrix.lessons.steps import equal, is_zero, normal_form, step
@@ -30,14 +30,18 @@ LESSONS: dict[str, Lesson] = {
     "shear": examples.shear,
     "mirror": sides.mirror,
     "singular": sides.singular,
+    "lightdirection": lighting.lightdirection,
+    "eye": lighting.eye,
+    "metric": lighting.metric,
+    "reflection": reflecting.reflection,
 }
 
 
 def derive(case: str, world: World | None = None) -> Report:
     """Return the lessons that a word stands for, every step proved.
 
-    With a world, its own matrix follows in exact numbers: fractions stay fractions, and 30° gives
-    √3/2.
+    With a world, its own matrix follows the first lesson in exact numbers: fractions stay
+    fractions, and 30° gives √3/2.
 
     Raises
     ------
@@ -53,9 +57,9 @@ def derive(case: str, world: World | None = None) -> Report:
     own = [] if world is None else own_matrix(world)
     cases: list[Value] = []
     blocks: list[Block] = []
-    for name in chosen(case):
+    for i, name in enumerate(chosen(case)):
         steps, conclusion = LESSONS[name]()
-        steps += own
+        steps += own if i == 0 else []
         cases.append(_data(name, steps, conclusion))
         blocks += [Heading(TITLES[name]), *steps, Verdict(conclusion)]
     return Report("derive", {"cases": cases}, tuple(blocks))

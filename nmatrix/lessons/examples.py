@@ -92,11 +92,46 @@ def nonuniform() -> tuple[list[Step], str]:
             proved=equal(S.T * inverse, sp.eye(3)),
         ),
         *_on_one_normal(sp.diag(1, 2, 1), sp.Matrix([1, 1, 0]), sp.Matrix([1, -1, 0])),
+        *_on_tangents_and_lengths(),
     ]
     return steps, (
         "Stretching y by 2 flattens the slope, so the normal must lean the other way: the "
         "inverse transpose divides by 2 where A multiplies. A itself is 36.87° off here."
     )
+
+
+def _on_tangents_and_lengths() -> list[Step]:
+    """Show that tangents do not move with normals, and that lengths bend what lies between."""
+    import sympy as sp
+
+    stretched = sp.diag(1, sp.Rational(1, 2), 1)  # the inverse transpose of a stretch by 2
+    t, n = sp.Matrix([1, -1, 0]), sp.Matrix([1, 1, 0])
+    wrong = (stretched * t).dot(stretched * n)
+    long, short = sp.Matrix([2, 0, 0]), sp.Matrix([0, 1, 0])
+    between = (long + short) / 2
+    return [
+        step(
+            formula(
+                _dot("A⁻ᵀ n", r"A^{-\mathsf T} n", of="A⁻ᵀ t"), EQUALS, wrong, NOT_EQUAL, words("0")
+            ),
+            "tangents and bitangents are vectors and move by A: by the normals' rule they are no "
+            "longer perpendicular to them",
+            proved=wrong != 0,
+        ),
+        step(
+            formula(
+                words("1/2 · ", r"\tfrac12"),
+                long,
+                words(" + 1/2 · ", r" + \tfrac12"),
+                short,
+                EQUALS,
+                between,
+            ),
+            "half way between normals of lengths 2 and 1 lies a vector that leans to the longer "
+            "one: normalise before and after interpolation",
+            proved=equal(between, long / 2 + short / 2) and between[0] != between[1],
+        ),
+    ]
 
 
 def shear() -> tuple[list[Step], str]:
@@ -177,5 +212,6 @@ def _angle_between(wrong: sp.Matrix, right: sp.Matrix) -> Step:
     )
 
 
-def _dot(text: str, latex: str | None = None) -> Words:
-    return words(f"(A t) · ({text})", rf"(A t) \cdot ({latex or text})")
+def _dot(text: str, latex: str | None = None, of: str = "A t") -> Words:
+    left = of.replace("⁻ᵀ", r"^{-\mathsf T}")
+    return words(f"({of}) · ({text})", rf"({left}) \cdot ({latex or text})")

@@ -1,12 +1,18 @@
-"""A formula as text, LaTeX, MathML and Typst, all from the same parts: words and matrices."""
+"""A formula in every way to show or say it, all from the same parts: words and matrices."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, TypeAlias
 
+from nmatrix.lessons.formulas.mathml import mathml
+from nmatrix.lessons.formulas.parse import parse
+from nmatrix.lessons.formulas.spoken import spoken
+from nmatrix.lessons.formulas.tree import Grid, Node, Row
+from nmatrix.lessons.formulas.typst import typst
 from nmatrix.report import Formula
 
 if TYPE_CHECKING:
@@ -23,8 +29,7 @@ class Words:
 
 Part: TypeAlias = "Words | sp.Expr | sp.MatrixBase"
 
-MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML">'
-NO_BREAK = "\u00a0"  # a browser would swallow a plain space at the end
+MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 
 EQUALS = Words(" = ", " = ")
 NOT_EQUAL = Words(" ≠ ", r" \neq ")
@@ -53,31 +58,37 @@ def formula(*parts: Part) -> Formula:
     >>> formula(A, EQUALS, ONE).latex
     'A = \\mathbf 1'
     """
+    node = tree(parts)
+    said = spoken(node)
     return Formula(
         text=_side_by_side([_text(part) for part in parts]),
         latex="".join(_latex(part) for part in parts),
-        mathml=f"{MATH}{''.join(_mathml(part) for part in parts)}</math>",
-        typst=" ".join(_typst(part) for part in parts),
+        mathml=f'{MATH} alttext="{escape(said)}">{mathml(node)}</math>',
+        typst=typst(node),
+        spoken=said,
     )
 
 
-def _mathml(part: Part) -> str:
-    cells = _cells(part)
-    if cells is None:
-        return f"<mtext>{escape(_text(part)[0]).replace(' ', NO_BREAK)}</mtext>"
-    rows = "".join(
-        f"<mtr>{''.join(f'<mtd><mtext>{escape(cell)}</mtext></mtd>' for cell in row)}</mtr>"
-        for row in cells
-    )
-    return f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
+def tree(parts: Sequence[Part]) -> Node:
+    """Return the parts as one tree; what stands between two matrices is read as one line."""
+    found: list[Node] = []
+    line = ""
+    for part in parts:
+        cells = _cells(part)
+        if cells is None:
+            line += _text(part)[0]
+            continue
+        found += _parsed(line)
+        line = ""
+        found.append(Grid(tuple(tuple(map(parse, row)) for row in cells)))
+    return Row((*found, *_parsed(line)))
 
 
-def _typst(part: Part) -> str:
-    cells = _cells(part)
-    if cells is None:
-        return f'"{_text(part)[0]}"'
-    rows = "; ".join(", ".join(f'"{cell}"' for cell in row) for row in cells)
-    return f'mat(delim: "[", {rows})'
+def _parsed(line: str) -> list[Node]:
+    if not line.strip():
+        return []
+    node = parse(line)
+    return list(node.items) if isinstance(node, Row) else [node]
 
 
 def _cells(part: Part) -> list[list[str]] | None:

@@ -98,7 +98,9 @@ def test_rounds_end_when_it_is_sure_or_late() -> None:
             calls.append(1)
             run()
 
-        Harness(clock, 0.01, rounds=30, fewest=4, longest=1e9, **fields).ratio(counted, clock.work(0.02))
+        Harness(clock, 0.01, rounds=30, fewest=4, longest=1e9, **fields).ratio(
+            counted, clock.work(0.02)
+        )
         return (len(calls) - 1) // 2 - 1  # one to calibrate, two in a round, the first thrown away
 
     assert rounds() == 4  # without noise the fewest are enough

@@ -1,0 +1,113 @@
+"""A formula as a sentence, for those who hear it."""
+
+from __future__ import annotations
+
+from nmatrix.lessons.formulas.mathml import LOWERED, RAISED_UP
+from nmatrix.lessons.formulas.tree import (
+    Fence,
+    Fraction,
+    Grid,
+    Name,
+    Node,
+    Number,
+    Power,
+    Root,
+    Row,
+    Sign,
+)
+
+SIGNS = {
+    "=": "equals",
+    "≠": "is not equal to",
+    "⇒": "so",
+    "⇔": "exactly if",
+    "≤": "is at most",
+    "≥": "is at least",
+    "<": "is less than",
+    ">": "is greater than",
+    "+": "plus",
+    "−": "minus",
+    "-": "minus",
+    "·": "dot",
+    "×": "cross",
+    ",": ",",
+    "/": "over",
+    "→": "becomes",
+}
+POWERS = {
+    "⁻ᵀ": "to the minus transpose",
+    "ᵀ": "transposed",
+    "⁻¹": "inverse",
+    "²": "squared",
+    "³": "cubed",
+    "′": "prime",
+    "⁻²": "to the minus two",
+    "ˢ": "to the s",
+}
+LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi"}
+FUNCTIONS = {
+    "det": "the determinant of",
+    "tan": "tangent of",
+    "sin": "sine of",
+    "cos": "cosine of",
+    "arctan": "arc tangent of",
+    "sign": "the sign of",
+}
+
+
+def spoken(node: Node) -> str:
+    """Return a tree as it is read aloud.
+
+    Examples
+    --------
+    >>> from nmatrix.lessons.formulas.parse import parse
+    >>> spoken(parse("A⁻ᵀ = C / det A"))
+    'A to the minus transpose equals C over the determinant of A'
+    """
+    match node:
+        case Name(text):
+            found = FUNCTIONS.get(text) or _letters(text)
+        case Number(text):
+            found = text
+        case Sign(text):
+            found = SIGNS.get(text, text)
+        case Row(items):
+            found = " ".join(map(spoken, items)).replace(" ,", ",")
+        case Power(base, exponent):
+            found = f"{_whole(base)} {POWERS.get(exponent, f'to the power {exponent}')}"
+        case Fraction(top, bottom):
+            found = f"{_grouped(top)} over {_grouped(bottom)}"
+        case Root(inside):
+            found = f"the root of {_grouped(inside)}"
+        case Fence(inside, bars):
+            found = f"the length of {_grouped(inside)}" if bars else _grouped(inside)
+        case Grid(rows):
+            found = _grid(rows)
+    return found
+
+
+def _letters(text: str) -> str:
+    """Return a letter and the number below it."""
+    if text[1:] and text[1] in LOWERED:
+        return f"{_letters(text[0])} {text[1:].translate(RAISED_UP)}"
+    return LETTERS.get(text, text)
+
+
+def _whole(node: Node) -> str:
+    """Return what an exponent belongs to."""
+    if isinstance(node, Fence) and isinstance(node.inside, Row):
+        return f"the group {spoken(node.inside)} end of group"
+    return spoken(node)
+
+
+def _grouped(node: Node) -> str:
+    """Return a piece that is said in one breath."""
+    is_long = isinstance(node, Row) and any(isinstance(one, Sign) for one in node.items)
+    return f"the group {spoken(node)} end of group," if is_long else spoken(node)
+
+
+def _grid(rows: tuple[tuple[Node, ...], ...]) -> str:
+    if len(rows[0]) == 1:
+        return f"the vector {', '.join(spoken(row[0]) for row in rows)}"
+    lines = "; ".join(", ".join(map(spoken, row)) for row in rows)
+    return f"the {len(rows)} by {len(rows[0])} matrix with rows {lines}"
