@@ -73,9 +73,15 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
     return tuple(replace(question, light=part) for part in parts)
 
 
-def judged(question: Question, answer: Answer, found: Judgement) -> Report:
-    """Return the report of one judgement."""
-    data: dict[str, Value] = {
+def judged(question: Question, answer: Answer, found: Judgement, named: str = "") -> Report:
+    """Return the report of one judgement; `named` is what was asked for."""
+    blocks = _blocks(named or _named(question), question, answer, found)
+    return Report("check", judgement_data(found), blocks, found.remarks, failure(found))
+
+
+def judgement_data(found: Judgement) -> dict[str, Value]:
+    """Return the JSON keys of a judgement."""
+    return {
         "verdict": found.verdict.value,
         "mistake": found.mistake,
         "also": list(found.also),
@@ -83,7 +89,6 @@ def judged(question: Question, answer: Answer, found: Judgement) -> Report:
         "max_difference": found.max_difference,
         "wrong_entries": [list(place) for place in found.wrong_entries],
     }
-    return Report("check", data, _blocks(question, answer, found), found.remarks, failure(found))
 
 
 def failure(found: Judgement) -> CheckFailedError | None:
@@ -100,8 +105,8 @@ def _next_command(found: Judgement) -> str:
     return "the command of that name with the same options, which shows the right answer"
 
 
-def _blocks(question: Question, answer: Answer, found: Judgement) -> tuple[Block, ...]:
-    heading = Heading(f"Check: {_named(question)}")
+def _blocks(named: str, question: Question, answer: Answer, found: Judgement) -> tuple[Block, ...]:
+    heading = Heading(f"Check: {named}")
     if found.verdict is Outcome.CORRECT:
         return (heading, Verdict("Correct."))
     verdict = f"Mistake: {found.mistake}." if found.mistake else "Wrong: an unknown mistake."

@@ -9,15 +9,19 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
+from nmatrix.cli.check_exercise import NAME as EXERCISE
+from nmatrix.cli.check_exercise import check_class, check_exercise
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fraction, numbers
+from nmatrix.reading.records import records
 
 if TYPE_CHECKING:
     from nmatrix.lessons.check.question import Question
@@ -26,6 +30,8 @@ HELP = {
     "check": """nmatrix check normal "1 0 0; 0 0.5 0; 0 0 1" --scale 1 2 1
 
 nmatrix check light "1 -0.5 0" --space object --scale 1 2 1 --light-direction 1 -1 0
+
+nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
 
 nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv
 
@@ -71,18 +77,38 @@ def check(
     options: CheckOptions,
     everywhere: Everywhere,
     what: Annotated[
-        str, Argument(metavar="WHAT", help="world, view, projection, normal, light or eye.")
+        str,
+        Argument(metavar="WHAT", help="world, view, projection, normal, light, eye or exercise."),
     ],
     answer: Annotated[
         str | None,
-        Argument(metavar="ANSWER", help="Like MATRIX, or 3 or 4 numbers.", show_default=False),
+        Argument(
+            metavar="ANSWER",
+            help="Like MATRIX, or 3 or 4 numbers; the number N of an exercise.",
+            show_default=False,
+        ),
     ] = None,
+    to_exercise: Annotated[
+        str | None,
+        Argument(metavar="ANSWER", help="The answer to exercise N.", show_default=False),
+    ] = None,
+    of: SheetOptions,
     batch: Annotated[
         str | None,
         Option(metavar="FILE", help="A .csv with the columns student, answer (and exercise)."),
     ] = None,
 ) -> None:
     """Check an answer."""
+    if what == EXERCISE and batch is not None and answer is None:
+        check_class(batch, of, everywhere)
+        return
+    if what == EXERCISE:
+        check_exercise(answer, to_exercise, of, everywhere)
+        return
+    of.refuse(what)
+    if to_exercise is not None:
+        typed, why = to_exercise[:30], f"check {what} takes one ANSWER"
+        raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
     sources = Sources(everywhere.input_layout)
     groups = Groups(world, view, lens, light, space, scene=scene)
     question = _question(what, groups, options, sources)
@@ -94,7 +120,6 @@ def check(
         )
     if batch is not None:
         from nmatrix.answers.grades import NEEDED, answers_to, grades
-        from nmatrix.reading.records import records
 
         judge = answers_to(question, everywhere.input_layout)
         show(grades(records(batch, NEEDED), judge), everywhere)
@@ -109,7 +134,7 @@ def _question(what: str, groups: Groups, options: CheckOptions, sources: Sources
 
     if what not in list(Subject):
         raise IllegalValueError(
-            f"WHAT ({what[:20]})", f"it is one of {', '.join(Subject)}", "try normal"
+            f"WHAT ({what[:20]})", f"it is one of {', '.join(Subject)}, {EXERCISE}", "try normal"
         )
     subject = Subject(what)
     if options.normal is not None and subject is not Subject.NORMAL:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, TypeAlias
 
+from nmatrix.lessons.formulas import beside
 from nmatrix.lessons.formulas.mathml import mathml
 from nmatrix.lessons.formulas.parse import parse
 from nmatrix.lessons.formulas.spoken import spoken
@@ -61,7 +62,7 @@ def formula(*parts: Part) -> Formula:
     node = tree(parts)
     said = spoken(node)
     return Formula(
-        text=_side_by_side([_text(part) for part in parts]),
+        text=beside.side_by_side([_text(part) for part in parts]),
         latex="".join(_latex(part) for part in parts),
         mathml=f'{MATH} alttext="{escape(said)}">{mathml(node)}</math>',
         typst=typst(node),
@@ -102,7 +103,7 @@ def _text(part: Part) -> list[str]:
     if isinstance(part, Words):
         return [part.text]
     cells = _cells(part)
-    return [_plain(part)] if cells is None else _text_matrix(cells)
+    return [_plain(part)] if cells is None else beside.matrix(cells)
 
 
 _ROOT = re.compile(r"sqrt\((\d+)\)")
@@ -124,26 +125,3 @@ def _latex(part: Part) -> str:
     import sympy as sp
 
     return str(sp.latex(part, mat_delim="", mat_str="bmatrix"))
-
-
-def _text_matrix(cells: list[list[str]]) -> list[str]:
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    last = len(cells) - 1
-    lines = []
-    for i, row in enumerate(cells):
-        left, right = "[]" if last == 0 else ("⎡⎤" if i == 0 else "⎣⎦" if i == last else "⎢⎥")
-        body = "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True))
-        lines.append(f"{left} {body} {right}")
-    return lines
-
-
-def _side_by_side(blocks: list[list[str]]) -> str:
-    height = max(map(len, blocks))
-    padded = []
-    for block in blocks:
-        above = (height - len(block)) // 2
-        width = max(map(len, block))
-        empty = " " * width
-        lines = [line.ljust(width) for line in block]
-        padded.append([empty] * above + lines + [empty] * (height - above - len(block)))
-    return "\n".join("".join(line).rstrip() for line in zip(*padded, strict=True))

@@ -1,0 +1,65 @@
+"""`nmatrix check exercise`: the answer to one exercise of one sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from nmatrix.answers.check import judged, judgement_data
+from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.lessons.check.judge import Judgement, Outcome
+from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise
+from nmatrix.lessons.exercises.scheme import Sheet
+from nmatrix.lessons.exercises.sheet import exercise
+from nmatrix.report import Block, Heading, Report, Text, Verdict
+
+
+def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
+    """Answer whether a typed answer to an exercise is right.
+
+    Examples
+    --------
+    >>> one = exercise(3, Sheet("7", "Ada"))
+    >>> check_exercise(3, Sheet("7", "Ada"), one.right).data["verdict"]
+    'correct'
+    """
+    one = exercise(number, sheet)
+    found = one.judge(text)
+    if isinstance(one.grader, Computed):
+        return judged(one.grader.question, one.grader.answer(text), found, _told(one))
+    blocks: list[Block] = [Heading(f"Check: exercise {one.title}")]
+    word = "Correct." if found.verdict is Outcome.CORRECT else "Wrong."
+    blocks += [Verdict(word), Text(found.explanation)]
+    wrong = None
+    if found.verdict is not Outcome.CORRECT:
+        wrong = CheckFailedError("answer (wrong)", "another choice is right", "think again")
+    return Report("check", judgement_data(found), tuple(blocks), found.remarks, wrong)
+
+
+def exercises_of(seed: str, salt: bytes) -> Callable[[Mapping[str, str]], Judgement]:
+    """Return what judges rows of a class, each with its student and the number of its exercise."""
+
+    def judge(cells: Mapping[str, str]) -> Judgement:
+        sheet = Sheet(seed, cells["student"], salt)
+        return exercise(whole_number(cells["exercise"]), sheet).judge(cells["answer"])
+
+    return judge
+
+
+def whole_number(text: str) -> int:
+    """Return the number of an exercise.
+
+    Raises
+    ------
+    IllegalValueError
+        If the text is not a short whole number.
+    """
+    if not (text.isascii() and text.isdigit() and len(text) < 5):
+        raise IllegalValueError(
+            f"exercise ({text[:20]})", "it is a whole number", "give the number from the sheet"
+        )
+    return int(text)
+
+
+def _told(one: Exercise) -> str:
+    assert not isinstance(one.grader, Choice)  # a choice has letters, not entries
+    return f"exercise {one.title}"

@@ -1,0 +1,39 @@
+"""`nmatrix check exercise`: one answer to one exercise, or a class's."""
+
+from __future__ import annotations
+
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.sheet_options import SheetOptions
+from nmatrix.cli.show import show
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.records import records
+
+NAME = "exercise"
+COLUMNS = ("student", "exercise", "answer")
+
+
+def check_exercise(
+    number: str | None, answer: str | None, of: SheetOptions, everywhere: Everywhere
+) -> None:
+    """Check the answer to an exercise of a sheet."""
+    from nmatrix.answers import exercise
+
+    if number is None or answer is None:
+        raise IllegalValueError(
+            "check exercise",
+            "it takes the number of the exercise and an ANSWER",
+            "try nmatrix check exercise 3 c --seed 7 --student Ada",
+        )
+    show(exercise.check_exercise(exercise.whole_number(number), of.sheet, answer), everywhere)
+
+
+def check_class(batch: str, of: SheetOptions, everywhere: Everywhere) -> None:
+    """Check the answers of a class, each with its student and exercise."""
+    from nmatrix.answers.exercise import exercises_of
+    from nmatrix.answers.grades import grades
+
+    if of.student is not None:
+        raise IllegalValueError(
+            "--student with --batch", "the students stand in the file", "leave it out"
+        )
+    show(grades(records(batch, COLUMNS), exercises_of(of.seed, of.salt_read)), everywhere)

@@ -1,0 +1,75 @@
+"""Whose sheet of exercises it is: the options that `check` and `handout` share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from typer import Option
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.files import existing_file, file_bytes
+
+if TYPE_CHECKING:
+    from nmatrix.lessons.exercises.scheme import Sheet
+
+PANEL = "Exercises"
+USUAL_SEED = "1"
+
+
+@dataclass(frozen=True)
+class SheetOptions:
+    """A seed for the class, a student, and the teacher's salt."""
+
+    seed_typed: Annotated[
+        str | None,
+        Option("--seed", metavar="SEED", help="Of the class's numbers (1).", rich_help_panel=PANEL),
+    ] = None
+    student: Annotated[
+        str | None, Option(metavar="NAME", help="Whose sheet it is.", rich_help_panel=PANEL)
+    ] = None
+    salt: Annotated[
+        str | None,
+        Option(
+            metavar="FILE",
+            help="A secret of the teacher's, for graded tests.",
+            rich_help_panel=PANEL,
+        ),
+    ] = None
+
+    @property
+    def seed(self) -> str:
+        """Return the seed, any text."""
+        return USUAL_SEED if self.seed_typed is None else self.seed_typed
+
+    @property
+    def salt_read(self) -> bytes:
+        """Return the content of the salt's file."""
+        if self.salt is None:
+            return b""
+        path = existing_file(self.salt)
+        if path is None:
+            raise IllegalValueError(
+                f"--salt ({self.salt[:60]})", "there is no such file", "check the path"
+            )
+        return file_bytes(path)
+
+    @property
+    def sheet(self) -> Sheet:
+        """Return whose sheet it is."""
+        return self.sheet_of(self.student or "")
+
+    def sheet_of(self, student: str) -> Sheet:
+        """Return a student's sheet."""
+        from nmatrix.lessons.exercises.scheme import Sheet
+
+        return Sheet(self.seed, student, self.salt_read)
+
+    def refuse(self, what: str) -> None:
+        """Refuse these options where there are no exercises."""
+        given = {"--seed": self.seed_typed, "--student": self.student, "--salt": self.salt}
+        for name, value in given.items():
+            if value is not None:
+                raise IllegalValueError(
+                    f"{name} with check {what}", "it names a sheet", "use check exercise"
+                )

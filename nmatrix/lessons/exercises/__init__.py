@@ -1,0 +1,1 @@
+"""Exercises: seeded for each student, with exact keys and the wrong answers that are expected."""

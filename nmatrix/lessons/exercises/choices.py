@@ -1,0 +1,150 @@
+"""Exercises that are answered by a letter: spaces, short cuts, found mistakes, concepts."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from nmatrix.lessons.check.judge import Judge
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.question import Question, Subject
+from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
+from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind, Option, listed
+from nmatrix.lessons.exercises.matrices import SCALES
+from nmatrix.lessons.exercises.scheme import Draws
+from nmatrix.lessons.exercises.writing import equation, written
+from nmatrix.linear.affine import rotation_about
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.rational import RationalMatrix, diagonal, product, transpose
+from nmatrix.report import Block, Code, Text
+from nmatrix.scene.shot import Shot
+from nmatrix.scene.world import World
+
+LETTER = Text("Answer with a letter.")
+
+
+def which_space(draws: Draws, number: int) -> Exercise:
+    """Ask for the space of a vector in a line of shader code."""
+    line, space, because = draws.choice(SPACES)
+    options = tuple(
+        Option(one, because if one == space else f"The line leads to {space} space. {because}")
+        for one in SPACE_OPTIONS
+    )
+    task = (
+        Code("glsl", f"{line}\n"),
+        Text(
+            "Positions and normals come in object space, lights and the eye in world space. In "
+            "which space is the result?"
+        ),
+    )
+    return _choice(number, Kind.WHICH_SPACE, task, options, SPACE_OPTIONS.index(space))
+
+
+def short_cut(draws: Draws, number: int) -> Exercise:
+    """Ask whether a world matrix may carry normals itself."""
+    yes = "yes: the columns are perpendicular and equally long"
+    lengths = "no: the columns are perpendicular, but not equally long"
+    angles = "no: the columns are not perpendicular"
+    kind = draws.below(4)
+    A = _block(draws, kind)
+    right = (0, 0, 1, 2)[kind]
+    size = product(transpose(A), A)
+    because = (
+        "AᵀA is a multiple of the identity, so A⁻ᵀ is a multiple of A; a mirror does not matter.",
+        "AᵀA is diagonal with different entries: A bends every normal off its axes.",
+        "AᵀA is not diagonal: a shear. Its determinant says nothing about that.",
+    )[right]
+    options = tuple(
+        Option(text, because if i == right else f"Look at AᵀA. {because}")
+        for i, text in enumerate((yes, lengths, angles))
+    )
+    task = (
+        equation("A = ", A),
+        Text("Is it legal to multiply normals by A itself, and to normalise?"),
+    )
+    return _choice(
+        number, Kind.SHORTCUT, task, options, right, (equation("Aᵀ · A = ", size), Text(because))
+    )
+
+
+def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
+    """Show a wrong answer and ask which mistake it holds."""
+    quarter = draws.choice((90, -90))
+    scale = draws.several(SCALES, 3)
+    move = tuple(Fraction(1 + draws.below(4)) for _ in range(3))
+    angles = tuple(Fraction(quarter if i == 2 else 0) for i in range(3))
+    world = World(translate=move, rotate_degrees=angles, scale=scale)
+    subject = draws.choice((Subject.WORLD, Subject.NORMAL))
+    judge = Judge(Question(subject, Shot(world)))
+    by_mistake = {one.mistakes[0]: one.value for one in reversed(judge.singles)}
+    near = [one for one in by_mistake if one not in NOT_ASKED]
+    if len(near) < CHOICES:
+        return None
+    chosen = draws.several(near, CHOICES)
+    if len({by_mistake[one] for one in chosen}) < CHOICES:
+        return None
+    right = draws.below(CHOICES)
+    options = tuple(_found(one, chosen[right]) for one in chosen)
+    told = (
+        f"scaled by ({', '.join(map(written, scale))}), turned by {written(Fraction(quarter))}° "
+        f"about z, moved by ({', '.join(map(written, move))})"
+    )
+    what = "the world matrix" if subject is Subject.WORLD else "the normal matrix"
+    task: tuple[Block, ...] = (
+        Text(f"An object is {told}. For {what} Sam writes"),
+        equation("answer = ", by_mistake[chosen[right]]),
+        Text("What did Sam do wrong?"),
+    )
+    key = (equation("right = ", judge.right), Text(MISTAKES[chosen[right]].explanation))
+    return _choice(number, Kind.MISTAKE, task, options, right, key)
+
+
+def concept(draws: Draws, number: int) -> Exercise:
+    """Ask a question of understanding."""
+    question, right, wrong = draws.choice(CONCEPTS)
+    options = [Option(text, because) for text, because in (right, *wrong)]
+    order = draws.shuffled(range(len(options)))
+    shuffled = tuple(options[i] for i in order)
+    return _choice(number, Kind.CONCEPT, (Text(question),), shuffled, order.index(0))
+
+
+CHOICES = 4
+# They need a sentence of context to be a fair question.
+NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
+
+
+def _found(mistake: MistakeId, made: MistakeId) -> Option:
+    did = MISTAKES[mistake].did
+    if mistake is made:
+        return Option(did, MISTAKES[mistake].rule, mistake)
+    return Option(did, f"That gives other numbers. {MISTAKES[made].explanation}", mistake)
+
+
+def _block(draws: Draws, kind: int) -> RationalMatrix:
+    """Return a turn with a uniform scale, a mirror of one, a stretch, or a shear."""
+    turn = rotation_about(draws.choice("XYZ"), Angle.degrees(draws.choice((90, 180, 270))))
+    if kind == 0:
+        s = draws.choice(SCALES)
+        return product(turn, diagonal((s, s, s)))
+    if kind == 1:
+        s = draws.choice(SCALES)
+        return product(turn, diagonal((-s, s, s)))
+    if kind == 2:
+        return product(turn, diagonal(draws.several(SCALES, 3)))
+    H = [[Fraction(int(i == j)) for j in range(3)] for i in range(3)]
+    i, j = draws.choice(((0, 1), (0, 2), (1, 2)))
+    H[i][j] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
+    return product(turn, tuple(map(tuple, H)))
+
+
+def _choice(
+    number: int,
+    kind: Kind,
+    task: tuple[Block, ...],
+    options: tuple[Option, ...],
+    right: int,
+    key: tuple[Block, ...] = (),
+) -> Exercise:
+    grader = Choice(options, right)
+    worked = (*key, Text(f"Answer: {grader.letter}. {options[right].because}"))
+    choices = tuple(Text(line) for line in listed(options).split("\n"))
+    return Exercise(number, kind, (*task, *choices, LETTER), (1, 1), worked, grader.letter, grader)

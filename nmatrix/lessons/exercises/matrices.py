@@ -1,0 +1,230 @@
+"""Exercises whose answer is a matrix or a vector of a scene, judged by the check engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+from nmatrix.enums import Space
+from nmatrix.lessons.check.judge import Judge, Outcome
+from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.question import LightPart, Question, Subject
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
+from nmatrix.lessons.exercises.scheme import Draws
+from nmatrix.lessons.exercises.writing import column, equation, typed, written
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    cofactor,
+    determinant,
+    diagonal,
+    linear,
+    product,
+    rational_vector,
+)
+from nmatrix.report import Block, Formula, Text
+from nmatrix.scene.camera import View
+from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.world import World
+
+Vector = tuple[Fraction, ...]
+Build = Callable[[Draws, int], Exercise | None]
+
+SCALES = tuple(Fraction(x) for x in ("1/4", "1/2", "1", "2", "4"))
+MOVES = tuple(Fraction(x) for x in (-3, -2, -1, 1, 2, 3))
+TURNS = (90, -90, 180)
+AXES = "xyz"
+CONVENTION = "Column vectors; M = T · R · S; angles by the right-hand rule."
+
+
+def world_matrix(draws: Draws, number: int) -> Exercise | None:
+    """Ask for a world matrix made of a translation, a quarter turn and a scale."""
+    world, told = _placed(draws)
+    question = Question(Subject.WORLD, Shot(world))
+    task = (
+        Text(f"An object {told}. Write its world matrix M. {CONVENTION}"),
+        Text("Four rows of four numbers."),
+    )
+    planned = (
+        MistakeId.ROTATION_SIGN,
+        MistakeId.SCALE_BEFORE_TRANSLATE,
+        MistakeId.TRANSPOSED_LAYOUT,
+    )
+    R = linear(World(rotate_degrees=world.rotate_degrees).world_from_object)
+    S = diagonal(rational_vector(world.scale))
+    t = rational_vector(world.translate)
+    steps = (
+        equation("R = ", R, ", S = ", S, ", t = ", column(t)),
+        equation("R · S = ", product(R, S)),
+    )
+    return _computed(number, Kind.WORLD, question, task, planned, steps)
+
+
+def normal_matrix(draws: Draws, number: int) -> Exercise | None:
+    """Ask for the normal matrix of a scale and a shear."""
+    scale = draws.several(SCALES, 3)
+    shear = [Fraction(0)] * 3
+    shear[draws.below(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
+    world = World(scale=scale, shear=tuple(shear))
+    question = Question(Subject.NORMAL, Shot(world))
+    A = linear(world.world_from_object)
+    task = (
+        equation("A = ", A),
+        Text("is the 3×3 block of a world matrix. By which matrix are its normals multiplied?"),
+        Text("Three rows of three numbers; any positive multiple counts."),
+    )
+    planned = (
+        MistakeId.NOT_TRANSPOSED,
+        MistakeId.NOT_INVERTED,
+        MistakeId.USED_WORLD_MATRIX,
+    )
+    C, det = cofactor(A), determinant(A)
+    steps = (
+        equation("C = ", C),
+        equation(f"det A = {written(det)}"),
+        equation("A⁻ᵀ = C / det A"),
+    )
+    return _computed(number, Kind.NORMAL, question, task, planned, steps)
+
+
+def light_in_camera(draws: Draws, number: int) -> Exercise | None:
+    """Ask for a lamp's position in camera space, beside an object that must not matter."""
+    world, told = _placed(draws)
+    axis, side = draws.below(2), draws.choice((-1, 1))
+    eye = [Fraction(0)] * 3
+    eye[(0, 2)[axis]] = side * Fraction(3 + draws.below(4))
+    lamp = tuple(draws.choice(MOVES) for _ in range(3))
+    shot = Shot(world, View(eye=tuple(eye)), light=LightSource(position=lamp))
+    question = Question(Subject.LIGHT, shot, Space.CAMERA, light=LightPart.POSITION)
+    task = (
+        Text(
+            f"The camera stands at {_listed(eye)}, looks at the origin, and y is up. A lamp hangs "
+            f"in the world at {_listed(lamp)}. An object {told}. Where is the lamp in camera space?"
+        ),
+        Text("The camera looks down −z. Three numbers."),
+    )
+    V = shot.camera.camera_from_world
+    steps = (
+        equation("V = ", V),
+        Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
+    )
+    planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
+    return _computed(number, Kind.LIGHT, question, task, planned, steps)
+
+
+def eye_in_object(draws: Draws, number: int) -> Exercise | None:
+    """Ask for the eye in object space."""
+    world, told = _placed(draws)
+    eye = tuple(draws.choice(MOVES) * 2 for _ in range(3))
+    shot = Shot(world, View(eye=eye))
+    question = Question(Subject.EYE, shot, Space.OBJECT)
+    task = (
+        Text(
+            f"An object {told}, and the eye is at {_listed(eye)} in the world. Where is the eye in "
+            f"object space? {CONVENTION}"
+        ),
+        Text("Three numbers."),
+    )
+    t = tuple(row[3] for row in world.world_from_object[:3])
+    away = tuple(Fraction(e) - x for e, x in zip(eye, t, strict=True))
+    steps = (
+        Text("Subtract first, then undo the 3×3 block: A x = e − t."),
+        equation("e − t = ", column(away)),
+    )
+    planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
+    return _computed(number, Kind.EYE, question, task, planned, steps)
+
+
+def mirrored(draws: Draws, number: int) -> Exercise | None:
+    """Ask for an outward normal through a mirror, or through a flattening."""
+    scale = list(draws.several(SCALES[1:4], 3))
+    place = draws.below(3)
+    is_flat = draws.below(2) == 1
+    scale[place] = Fraction(0) if is_flat else -scale[place]
+    n = [draws.choice(MOVES) for _ in range(3)]
+    question = Question(Subject.NORMAL, Shot(World(scale=tuple(scale))), normal=tuple(n))
+    A = linear(question.shot.world.world_from_object)
+    task = (
+        equation("A = ", A, ", n = ", column([Fraction(x) for x in n])),
+        Text(
+            "A is the 3×3 block of a world matrix, n the outward normal of a surface. In which "
+            "direction does the normal point after the map?"
+        ),
+        Text("Three numbers; any positive multiple counts."),
+    )
+    steps: tuple[Block, ...] = (equation("C = ", cofactor(A)),)
+    if is_flat:
+        told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
+        return _computed(number, Kind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told)))
+    told = "det A < 0: the outward normal is −C n, which is the inverse transpose times n."
+    planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
+    return _computed(number, Kind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told)))
+
+
+def _placed(draws: Draws) -> tuple[World, str]:
+    """Return a world of three parts, and the sentence that tells it."""
+    move = tuple(draws.choice(MOVES) for _ in range(3))
+    axis, turn = draws.below(3), draws.choice(TURNS[:2])
+    scale = draws.several(SCALES, 3)
+    angles = tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
+    told = (
+        f"is scaled by {_listed(scale)}, then turned by {written(Fraction(turn))}° about "
+        f"{AXES[axis]}, then moved by {_listed(move)}"
+    )
+    return World(translate=move, rotate_degrees=angles, scale=scale), told
+
+
+def _listed(values: object) -> str:
+    return f"({', '.join(written(Fraction(value)) for value in values)})"  # type: ignore[attr-defined]  # a sequence of numbers
+
+
+def _computed(
+    number: int,
+    kind: Kind,
+    question: Question,
+    task: tuple[Block, ...],
+    planned: tuple[MistakeId, ...],
+    steps: tuple[Block, ...] = (),
+) -> Exercise | None:
+    """Return the exercise, or None where a planned mistake would not show in these numbers."""
+    judge = Judge(question)
+    wrong = _shown_mistakes(judge, planned)
+    if wrong is None:
+        return None
+    right = judge.right
+    if question.is_vector:
+        right = (right[0][:3],)
+    cells = (len(right[0]), 1) if question.is_vector else (len(right), len(right[0]))
+    return Exercise(
+        number,
+        kind,
+        task,
+        cells,
+        (*steps, answer_formula(right, is_vector=question.is_vector)),
+        typed(right),
+        Computed(question),
+        wrong,
+    )
+
+
+def _shown_mistakes(judge: Judge, planned: tuple[MistakeId, ...]) -> tuple[Planned, ...] | None:
+    """Return the first answer of each planned mistake, if all of them show and differ."""
+    found: list[Planned] = []
+    for mistake in planned:
+        values = [one.value for one in judge.singles if one.mistakes == (mistake,)]
+        texts = [typed((value[0][:3],) if judge.question.is_vector else value) for value in values]
+        named = [text for text in texts if _is_named(judge, mistake, text)]
+        if not named or named[0] in (one.text for one in found):
+            return None
+        found.append(Planned(mistake, named[0]))
+    return tuple(found)
+
+
+def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
+    found = Computed(judge.question).answer(text)
+    judged = judge.judge(found)
+    return judged.verdict is Outcome.MISTAKE and judged.mistakes == (mistake,)
+
+
+def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
+    """Return the right answer for the key; a decimal stands beside what is no short fraction."""
+    return equation("answer = ", column(right[0]) if is_vector else right)

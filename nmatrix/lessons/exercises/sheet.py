@@ -1,0 +1,55 @@
+"""A sheet: exercises that take turns through the kinds, each drawn by itself."""
+
+from __future__ import annotations
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.lessons.exercises import choices, matrices, tracing
+from nmatrix.lessons.exercises.exercise import Exercise
+from nmatrix.lessons.exercises.matrices import Build
+from nmatrix.lessons.exercises.scheme import Draws, Sheet
+
+MOST = 100  # exercises of one sheet
+ATTEMPTS = 200  # until the numbers of an exercise show its planned mistakes
+
+KINDS: tuple[Build, ...] = (
+    matrices.world_matrix,
+    matrices.normal_matrix,
+    choices.which_space,
+    matrices.light_in_camera,
+    matrices.eye_in_object,
+    choices.short_cut,
+    tracing.trace,
+    choices.find_the_mistake,
+    matrices.mirrored,
+    choices.concept,
+)
+
+
+def exercise(number: int, sheet: Sheet) -> Exercise:
+    """Return one exercise of a sheet; it does not depend on how many there are.
+
+    Raises
+    ------
+    IllegalValueError
+        For a number below 1 or above the most.
+
+    Examples
+    --------
+    >>> exercise(1, Sheet("7", "Ada")) == exercise(1, Sheet("7", "Ada"))
+    True
+    """
+    if not 1 <= number <= MOST:
+        raise IllegalValueError(
+            f"exercise ({number})", f"a sheet has 1 to {MOST}", "give a number from the sheet"
+        )
+    build = KINDS[(number - 1) % len(KINDS)]
+    for attempt in range(ATTEMPTS):
+        found = build(Draws(sheet, number, attempt), number)
+        if found is not None:
+            return found
+    raise AssertionError(f"exercise {number} of {sheet} found no numbers")
+
+
+def exercises(count: int, sheet: Sheet) -> tuple[Exercise, ...]:
+    """Return the first exercises of a sheet."""
+    return tuple(exercise(number, sheet) for number in range(1, count + 1))

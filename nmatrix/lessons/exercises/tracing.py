@@ -1,0 +1,109 @@
+"""The exercise of one vertex on its way to normalised device coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from nmatrix.lessons.check.judge import Judge
+from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.question import Question, Subject
+from nmatrix.lessons.check.slips import lens as lens_slips
+from nmatrix.lessons.check.wrong import WrongAnswer
+from nmatrix.lessons.exercises.exercise import Exercise, Kind, Listed, Planned
+from nmatrix.lessons.exercises.matrices import MOVES
+from nmatrix.lessons.exercises.scheme import Draws
+from nmatrix.lessons.exercises.writing import column, equation, typed, written
+from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector, apply
+from nmatrix.report import Block, Text
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.shot import Shot
+from nmatrix.scene.world import World
+
+PLANNED = (MistakeId.ASPECT_INVERTED, MistakeId.HORIZONTAL_FOV)
+
+
+def trace(draws: Draws, number: int) -> Exercise | None:
+    """Ask for the normalised device coordinates of a vertex."""
+    scale, further = Fraction(draws.choice((1, 2))), draws.below(4)
+    point = tuple(Fraction(draws.choice((-2, -1, 1, 2))) for _ in range(3))
+    move = tuple(draws.choice(MOVES[1:5]) for _ in range(2))
+    world = World(translate=(*move, 0), scale=(scale, scale, scale))
+    lens = Lens(90.0, 2.0, 1.0, float(draws.choice((9, 17))))
+    shot = Shot(world, View(eye=(0, 0, 5 + further)), lens)
+    right = _ndc(shot, point)
+    wrong = [
+        WrongAnswer((mistake,), (_ndc(one, point),))
+        for mistake in PLANNED
+        for one in _slipped(mistake, shot)
+    ]
+    if any(abs(x) > 1 for x in right[:3]):
+        return None  # the vertex should be seen
+    if len({right, *(one.value[0] for one in wrong)}) <= len(wrong):
+        return None
+    judge = _Known(Question(Subject.EYE, shot), right, tuple(wrong))
+    return Exercise(
+        number,
+        Kind.TRACE,
+        _task(shot, point),
+        (3, 1),
+        _key(shot, point, right),
+        typed((right[:3],)),
+        Listed(judge.question, judge),
+        tuple(Planned(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
+    )
+
+
+class _Known(Judge):
+    """A judge whose answers are given, not those of its question."""
+
+    def __init__(
+        self, question: Question, right: RationalVector, wrong: tuple[WrongAnswer, ...]
+    ) -> None:
+        super().__init__(question)
+        self.__dict__.update(right=(right,), singles=wrong, doubles=())
+
+
+def _ndc(shot: Shot, point: RationalVector) -> RationalVector:
+    clip = apply(shot.stage.clip_from_object, (*point, ONE))
+    return (*(x / clip[3] for x in clip[:3]), ONE)
+
+
+def _slipped(mistake: MistakeId, shot: Shot) -> Iterator[Shot]:
+    slip = {
+        MistakeId.ASPECT_INVERTED: lens_slips.aspect_inverted,
+        MistakeId.HORIZONTAL_FOV: lens_slips.horizontal_fov,
+    }[mistake]
+    for one in slip(shot):
+        yield replace(shot, lens=one.lens)
+
+
+def _task(shot: Shot, point: RationalVector) -> tuple[Text, ...]:
+    world, lens = shot.world, shot.lens
+    moved = ", ".join(written(Fraction(x)) for x in world.translate)
+    return (
+        Text(
+            f"An object is scaled by {written(Fraction(world.scale[0]))} and moved by ({moved}). "
+            f"The camera stands at (0, 0, {shot.view.eye[2]}), looks at the origin, and y is up; a "
+            f"vertical field of view of 90°, width over height 2, near 1, far {lens.far:g}, depth "
+            "from −1 to 1. Where is the vertex "
+            f"({', '.join(map(written, point))}) in normalised device coordinates?"
+        ),
+        Text("Three numbers."),
+    )
+
+
+def _key(shot: Shot, point: RationalVector, right: RationalVector) -> tuple[Block, ...]:
+    stage = shot.stage
+    world = apply(stage.world_from_object.exact, (*point, ONE))
+    camera = apply(stage.camera_from_world.exact, world)
+    P: RationalMatrix = stage.clip_from_camera
+    clip = apply(P, camera)
+    return (
+        equation("world = ", column(world[:3]), ", camera = ", column(camera[:3])),
+        equation("P = ", P, ", clip = ", column(clip)),
+        Text("Divide by the fourth number, w."),
+        equation("answer = ", column(right[:3])),
+    )
