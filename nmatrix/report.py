@@ -100,7 +100,22 @@ class Figure:
     caption: str = ""
 
 
-Block = Heading | Text | Verdict | Quantity | Table | Formula | Step | Code | Figure
+@dataclass(frozen=True)
+class Blank:
+    """Room for an answer on paper: so many rows and columns of cells."""
+
+    rows: int
+    columns: int
+
+
+@dataclass(frozen=True)
+class PageBreak:
+    """Where a printed page ends."""
+
+
+Block = (
+    Heading | Text | Verdict | Quantity | Table | Formula | Step | Code | Figure | Blank | PageBreak
+)
 
 
 @dataclass(frozen=True)

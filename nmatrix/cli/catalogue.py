@@ -36,6 +36,7 @@ COMMANDS: tuple[Entry, ...] = (
     Entry("cost", STUDIES, "cost", "What accuracy costs in time, measured here"),
     Entry("stress", STUDIES, "stress", "The hard cases, and who survives them"),
     Entry("check", CLASSROOM, "check", "Is this answer right, and which mistake is it?"),
+    Entry("handout", CLASSROOM, "handout", "Printable sheets: theory, numbers, exercises, keys"),
     Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
 )
 

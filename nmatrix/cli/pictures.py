@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 from typer import Option
 
+from nmatrix.cli.workers import WorkerOptions, whole
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading
-from nmatrix.errors import IllegalValueError, MissingPackageError
+from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers
 
 PICTURE, FRAMES = "Picture", "Frames"
@@ -20,7 +18,6 @@ SAMPLES = ("1", "4", "16", "64")
 LARGEST = 8192  # pixels on a side
 MOST_SAMPLES = 1 << 28
 MOST_FRAMES = 10_000
-MOST_WORKERS = 256
 
 
 @dataclass(frozen=True)
@@ -100,7 +97,7 @@ class FileOptions:
 
 
 @dataclass(frozen=True)
-class FrameOptions:
+class FrameOptions(WorkerOptions):
     """How many pictures, and who draws them."""
 
     frames: Annotated[
@@ -112,56 +109,12 @@ class FrameOptions:
     turn: Annotated[
         bool, Option("--turn", help="Walk once around what is drawn.", rich_help_panel=FRAMES)
     ] = False
-    workers: Annotated[
-        str | None, Option(metavar="N", help="Processes that draw.", rich_help_panel=FRAMES)
-    ] = None
-    dask: Annotated[
-        str | None, Option(metavar="ADDRESS", help="A cluster that draws.", rich_help_panel=FRAMES)
-    ] = None
 
     @property
     def count(self) -> int:
         """Return how many pictures there are."""
         default = "36" if self.turn else "1"
-        return _whole(self.frames or default, "--frames", MOST_FRAMES)
-
-    @contextmanager
-    def executor(self) -> Iterator[Executor | None]:
-        """Open what runs the jobs: nothing, processes, or a cluster's executor."""
-        workers = _whole(self.workers or "1", "--workers", MOST_WORKERS)
-        if self.dask is not None:
-            with _cluster(self.dask) as client:
-                yield client.get_executor()
-        elif workers > 1:
-            with ProcessPoolExecutor(workers) as pool:
-                yield pool
-        else:
-            yield None
-
-
-def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an optional package's client
-    try:
-        from distributed import Client
-    except ImportError:
-        raise MissingPackageError(
-            f"--dask {address[:60]}",
-            "the package distributed is not installed",
-            'run: python -m pip install "nmatrix[dask]"',
-        ) from None
-    try:
-        return Client(address, timeout="10s")
-    except (OSError, ValueError) as error:
-        raise IllegalValueError(
-            f"--dask ({address[:60]})", f"no scheduler answers there ({error})", "check the address"
-        ) from None
-
-
-def _whole(text: str, option: str, most: int) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) < 9 and 1 <= int(text) <= most):
-        raise IllegalValueError(
-            f"{option} ({text[:20]})", f"it is a whole number from 1 to {most}", f"try {option} 2"
-        )
-    return int(text)
+        return whole(self.frames or default, "--frames", MOST_FRAMES)
 
 
 def frame_names(target: Path, count: int) -> list[Path]:

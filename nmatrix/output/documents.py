@@ -9,12 +9,14 @@ from nmatrix.output.numbers import significant
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
 from nmatrix.report import (
+    Blank,
     Block,
     Code,
     Figure,
     Formula,
     Heading,
     Number,
+    PageBreak,
     Quantity,
     Report,
     Step,
@@ -72,6 +74,23 @@ class Dialect(ABC):
     def remarks(self, remarks: Sequence[str]) -> str:
         """Return the remarks as a list."""
 
+    def step(self, formula: Formula, because: str, *, verified: bool) -> str:
+        """Return one line of a derivation, with its reason."""
+        mark = "proved" if verified else "NOT PROVED"
+        return f"{self.formula(formula)}\n\n{self.paragraph(f'{because} ({mark})')}"
+
+    def figure(self, figure: Figure) -> str:
+        """Return a picture; where pictures cannot stand, the sentence in its place."""
+        return self.paragraph(figure.alternative)
+
+    def blank(self, rows: int, columns: int) -> str:
+        """Return room for an answer."""
+        return self.table("", [" "] * columns, [[" "] * columns] * (rows - 1))
+
+    def page_break(self) -> str:
+        """Return the end of a printed page, where the format has pages."""
+        return ""
+
     def number(self, text: str) -> str:
         """Return a formatted number as this format writes it inside a matrix."""
         return text
@@ -87,6 +106,24 @@ class Dialect(ABC):
     def document(self, body: str) -> str:
         """Return the body with whatever must stand around it."""
         return body
+
+
+def blocks_in(blocks: Sequence[Block], dialect: Dialect) -> str:
+    """Return some blocks in a dialect, parted by empty lines."""
+    written = (_block(block, dialect).rstrip("\n") for block in blocks)
+    return "\n\n".join(part for part in written if part)
+
+
+def sections(blocks: Sequence[Block]) -> Iterator[tuple[Block, ...]]:
+    """Give the blocks from one heading to the next."""
+    found: list[Block] = []
+    for block in blocks:
+        if isinstance(block, Heading) and found:
+            yield tuple(found)
+            found = []
+        found.append(block)
+    if found:
+        yield tuple(found)
 
 
 def compose(report: Report, dialect: Dialect) -> str:
@@ -105,7 +142,7 @@ def _untold(report: Report) -> Iterator[Quantity]:
             yield Quantity(leaf.key, leaf.value)
 
 
-def _block(block: Block, dialect: Dialect) -> str:
+def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901  # one branch for each kind of block
     match block:
         case Heading(text):
             found = dialect.heading(text)
@@ -121,12 +158,15 @@ def _block(block: Block, dialect: Dialect) -> str:
         case Formula():
             found = dialect.formula(block)
         case Step(formula, because, verified):
-            mark = "proved" if verified else "NOT PROVED"
-            found = f"{dialect.formula(formula)}\n\n{dialect.paragraph(f'{because} ({mark})')}"
+            found = dialect.step(formula, because, verified=verified)
         case Code(language, text):
             found = dialect.code(language, text)
-        case Figure(alternative=alternative):
-            found = dialect.paragraph(alternative)
+        case Figure():
+            found = dialect.figure(block)
+        case Blank(rows, columns):
+            found = dialect.blank(rows, columns)
+        case PageBreak():
+            found = dialect.page_break()
     return found
 
 

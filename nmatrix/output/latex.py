@@ -45,7 +45,7 @@ _CHARACTERS = {
 
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as LaTeX."""
-    return compose(report, _Latex(options))
+    return compose(report, Latex(options))
 
 
 def bmatrix(cells: Cells) -> str:
@@ -98,7 +98,9 @@ def _in_latin(mark: str) -> str:
     return "".join(_CHARACTERS.get(c, c) for c in spelled(mark, Charset.ASCII))
 
 
-class _Latex(Dialect):
+class Latex(Dialect):
+    """How this format writes each kind of block."""
+
     def heading(self, text: str) -> str:
         return rf"\section*{{{escaped(text)}}}"
 

@@ -12,31 +12,33 @@ from nmatrix.report import Formula, Report
 
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as Markdown."""
-    return compose(report, _Markdown(options))
+    return compose(report, Markdown(options))
 
 
-class _Markdown(Dialect):
+class Markdown(Dialect):
+    """How this format writes each kind of block."""
+
     def heading(self, text: str) -> str:
-        return f"## {_escaped(text)}"
+        return f"## {escaped(text)}"
 
     def paragraph(self, text: str) -> str:
-        return _escaped(text)
+        return escaped(text)
 
     def strong(self, text: str) -> str:
-        return f"**{_escaped(text)}**"
+        return f"**{escaped(text)}**"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
-        about = f" ({_escaped(title)})" if title else ""
+        about = f" ({escaped(title)})" if title else ""
         return f"`{key}`{about}\n\n$$\n{symbol(key)} = {bmatrix(cells)}\n$$"
 
     def scalar(self, key: str, title: str, value: str) -> str:
-        return f"`{key}`{f' ({_escaped(title)})' if title else ''}: {value}"
+        return f"`{key}`{f' ({escaped(title)})' if title else ''}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        head = [_escaped(column) for column in columns]
+        head = [escaped(column) for column in columns]
         lines = [head, ["---"] * len(columns), *rows]
         body = "\n".join(f"| {' | '.join(line)} |" for line in lines)
-        return f"{_escaped(title)}\n\n{body}" if title else body
+        return f"{escaped(title)}\n\n{body}" if title else body
 
     def formula(self, formula: Formula) -> str:
         return f"$$\n{formula.latex}\n$$"
@@ -45,7 +47,7 @@ class _Markdown(Dialect):
         return f"```{language}\n{text.rstrip()}\n```"
 
     def remarks(self, remarks: Sequence[str]) -> str:
-        return "\n".join(f"- {_escaped(remark)}" for remark in remarks)
+        return "\n".join(f"- {escaped(remark)}" for remark in remarks)
 
     def number(self, text: str) -> str:
         return power_of_ten(text)
@@ -54,8 +56,9 @@ class _Markdown(Dialect):
         return f"${power_of_ten(text)}$" if "e" in text else text
 
     def words(self, text: str) -> str:
-        return _escaped(text)
+        return escaped(text)
 
 
-def _escaped(text: str) -> str:
+def escaped(text: str) -> str:
+    """Return text that this format shows as it is."""
     return "".join(f"\\{c}" if c in "\\`*_{}[]<>#|$" else c for c in text)

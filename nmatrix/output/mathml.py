@@ -10,15 +10,17 @@ from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
 
-OPEN = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML">'
+OPEN = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 
 
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as HTML with MathML."""
-    return compose(report, _MathML(options))
+    return compose(report, MathML(options))
 
 
-class _MathML(Dialect):
+class MathML(Dialect):
+    """How this format writes each kind of block."""
+
     def heading(self, text: str) -> str:
         return f"<h2>{escape(text)}</h2>"
 
@@ -32,7 +34,9 @@ class _MathML(Dialect):
         rows = "".join(f"<mtr>{''.join(map(_cell, row))}</mtr>" for row in cells)
         table = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
         about = f"<p>{escape(title)}</p>\n" if title else ""
-        return f"{about}{OPEN}<mi>{escape(key)}</mi><mo>=</mo>{table}</math>"
+        said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
+        head = f'{OPEN} alttext="{escape(said)}">'
+        return f"{about}{head}<mi>{escape(key)}</mi><mo>=</mo>{table}</math>"
 
     def scalar(self, key: str, title: str, value: str) -> str:
         return f"<p>{escape(title or key)}: {value}</p>"
@@ -65,8 +69,8 @@ class _MathML(Dialect):
 
 def _cell(text: str) -> str:
     mantissa, mark, exponent = text.partition("e")
-    number = f"<mn>{escape(mantissa)}</mn>"
+    number = f"<mn>{escape(mantissa.replace('-', '−'))}</mn>"
     if mark:
-        power = f"<msup><mn>10</mn><mn>{int(exponent)}</mn></msup>"
+        power = f"<msup><mn>10</mn><mn>{str(int(exponent)).replace('-', '−')}</mn></msup>"
         number = f"<mrow>{number}<mo>×</mo>{power}</mrow>"
     return f"<mtd>{number}</mtd>"

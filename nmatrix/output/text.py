@@ -17,11 +17,13 @@ from nmatrix.output.quantities import is_matrix, is_number, is_vector
 from nmatrix.output.style import Line, Span, Style, plain, printable, render
 from nmatrix.output.table import draw_table
 from nmatrix.report import (
+    Blank,
     Block,
     Code,
     Figure,
     Formula,
     Heading,
+    PageBreak,
     Quantity,
     Report,
     Step,
@@ -31,6 +33,7 @@ from nmatrix.report import (
 )
 
 INDENT = Span("  ")
+BLANK = 6  # characters of a cell to fill in
 LABEL = 30  # the widest label that others are lined up with
 BULLETS = {Charset.UNICODE: "•", Charset.ASCII: "*"}
 RULES = {Charset.UNICODE: "─", Charset.ASCII: "-"}
@@ -95,7 +98,7 @@ class _Writer:
             (Span(f"{bullet} " if i == 0 else "  "), Span(line)) for i, line in enumerate(lines)
         ]
 
-    def _block(self, block: Block) -> list[Line]:
+    def _block(self, block: Block) -> list[Line]:  # noqa: C901  # one branch for each kind of block
         match block:
             case Heading(text):
                 lines = self._heading(text)
@@ -115,6 +118,10 @@ class _Writer:
                 lines = self._code(block)
             case Figure():
                 lines = self._figure(block)
+            case Blank(rows, columns):
+                lines = [plain("  ".join(["_" * BLANK] * columns))] * rows
+            case PageBreak():
+                lines = []
         return lines
 
     def _spelled(self, text: str) -> str:

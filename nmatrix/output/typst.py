@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from nmatrix.errors import IllegalValueError
@@ -9,34 +10,38 @@ from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
 
+_LISTLIKE = re.compile(r"^(\s*(?:[0-9]+)?)([-+.])", re.MULTILINE)
+
 
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as Typst."""
-    return compose(report, _Typst(options))
+    return compose(report, Typst(options))
 
 
-class _Typst(Dialect):
+class Typst(Dialect):
+    """How this format writes each kind of block."""
+
     def heading(self, text: str) -> str:
-        return f"== {_escaped(text)}"
+        return f"== {escaped(text)}"
 
     def paragraph(self, text: str) -> str:
-        return _escaped(text)
+        return escaped(text)
 
     def strong(self, text: str) -> str:
-        return f"*{_escaped(text)}*"
+        return f"*{escaped(text)}*"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         rows = "; ".join(", ".join(row) for row in cells)
-        about = f"{_escaped(title)}\n" if title else ""
+        about = f"{escaped(title)}\n" if title else ""
         return f'{about}$ #raw("{key}") = mat(delim: "[", {rows}) $'
 
     def scalar(self, key: str, title: str, value: str) -> str:
-        return f"{_escaped(title or key)}: {value}"
+        return f"{escaped(title or key)}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        lines = [[_escaped(column) for column in columns], *rows]
+        lines = [[escaped(column) for column in columns], *rows]
         cells = [f"[{cell}]" for line in lines for cell in line]
-        head = f"{_escaped(title)}\n\n" if title else ""
+        head = f"{escaped(title)}\n\n" if title else ""
         return f"{head}#table(columns: {len(columns)}, {', '.join(cells)})"
 
     def formula(self, formula: Formula) -> str:
@@ -52,7 +57,7 @@ class _Typst(Dialect):
         return f"```{language}\n{text.rstrip()}\n```"
 
     def remarks(self, remarks: Sequence[str]) -> str:
-        return "\n".join(f"- {_escaped(remark)}" for remark in remarks)
+        return "\n".join(f"- {escaped(remark)}" for remark in remarks)
 
     def number(self, text: str) -> str:
         mantissa, mark, exponent = text.partition("e")
@@ -62,8 +67,10 @@ class _Typst(Dialect):
         return f"${self.number(text)}$"
 
     def words(self, text: str) -> str:
-        return _escaped(text)
+        return escaped(text)
 
 
-def _escaped(text: str) -> str:
-    return "".join(f"\\{c}" if c in "\\#$*_`<>@[]=~/" else c for c in text)
+def escaped(text: str) -> str:
+    """Return text that Typst shows as it is, also where a line begins like a list."""
+    shown = "".join(f"\\{c}" if c in "\\#$*_`<>@[]=~/\"'" else c for c in text)
+    return _LISTLIKE.sub(r"\1\\\2", shown)

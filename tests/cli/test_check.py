@@ -224,8 +224,8 @@ def test_a_class_of_exercises_is_graded_by_student_and_number(nmatrix, tmp_path)
 
     lines = ["student,exercise,answer"]
     for student in ("Ada", "Bo"):
-        for one in exercises(10, Sheet("7", student)):
-            lines.append(f'{student},{one.number},"{one.right}"')
+        sheet = exercises(10, Sheet("7", student))
+        lines += [f'{student},{one.number},"{one.right}"' for one in sheet]
     lines += ["Cy,one,a", "Cy,3,z"]
     file = tmp_path / "class.csv"
     file.write_text("\n".join(lines), encoding="utf-8")

@@ -1,0 +1,1 @@
+"""Sheets for a class: what stands on them, who gets which, and how they are all made."""

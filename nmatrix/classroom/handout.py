@@ -1,0 +1,98 @@
+"""One handout: the topics that were asked for, a student's exercises, and the key, kept apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from nmatrix.classroom.topics import Part, Topic, part
+from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
+from nmatrix.lessons.exercises.sheet import exercises
+from nmatrix.output.pages.document import Document, PageFormat, Paper
+from nmatrix.output.pages.write import write
+from nmatrix.report import Blank, Block, Figure, Heading
+from nmatrix.scene.shot import Shot
+from nmatrix.version import __version__
+
+TITLE = "Normals, spaces and lights"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What every sheet of a run has in common."""
+
+    topics: tuple[Topic, ...]
+    shot: Shot
+    exercises: int = 0
+    kind: PageFormat = PageFormat.HTML
+    paper: Paper = Paper.A4
+    with_key: bool = False
+    prefix: str = ""  # of the names of pictures that lie beside the sheet
+
+    @property
+    def note(self) -> str:
+        """Return the small print."""
+        return f"nmatrix {__version__}, exercises by the scheme {SCHEME}"
+
+
+@dataclass(frozen=True)
+class Written:
+    """The files of one student: the sheet, its pictures, and the key if it was asked for."""
+
+    sheet: bytes
+    key: bytes | None
+    pictures: tuple[tuple[str, bytes], ...]
+
+
+def written(plan: Plan, sheet: Sheet) -> Written:
+    """Return the files of one student."""
+    document = handout(plan, sheet)
+    key = write(key_of(plan, sheet), plan.kind) if plan.with_key else None
+    return Written(write(document, plan.kind), key, tuple(document.pictures.items()))
+
+
+def handout(plan: Plan, sheet: Sheet) -> Document:
+    """Return the sheet of one student."""
+    blocks: list[Block] = []
+    pictures: dict[str, bytes] = {}
+    for topic in plan.topics:
+        if topic is not Topic.EXERCISES:
+            found = _common(topic, plan.shot)
+            blocks += [_beside(one, plan.prefix) for one in found.blocks]
+            pictures |= {plan.prefix + name: one for name, one in found.pictures.items()}
+    blocks += _asked(plan, sheet)
+    return Document(TITLE, tuple(blocks), _whose(plan, sheet), pictures, plan.note, plan.paper)
+
+
+def key_of(plan: Plan, sheet: Sheet) -> Document:
+    """Return the worked answers to a student's exercises."""
+    blocks: list[Block] = []
+    for one in exercises(plan.exercises, sheet):
+        blocks += [Heading(one.title), *one.key]
+    title = f"{TITLE}: the key"
+    return Document(title, tuple(blocks), _whose(plan, sheet), {}, plan.note, plan.paper)
+
+
+@lru_cache(maxsize=32)  # a class shares its theory and its pictures
+def _common(topic: Topic, shot: Shot) -> Part:
+    return part(topic, shot)
+
+
+def _beside(block: Block, prefix: str) -> Block:
+    return replace(block, path=prefix + block.path) if isinstance(block, Figure) else block
+
+
+def _asked(plan: Plan, sheet: Sheet) -> Iterator[Block]:
+    if Topic.EXERCISES in plan.topics:
+        for one in exercises(plan.exercises, sheet):
+            yield Heading(one.title)
+            yield from one.task
+            yield Blank(*one.cells)
+
+
+def _whose(plan: Plan, sheet: Sheet) -> str:
+    if Topic.EXERCISES not in plan.topics:
+        return sheet.student
+    name = sheet.student or "Name: ____________________"
+    return f"{name} · seed {sheet.seed}"

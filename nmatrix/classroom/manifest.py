@@ -1,0 +1,82 @@
+"""What a class run was asked for; it lies beside the sheets, so that a rerun finishes it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from hashlib import blake2b
+
+from nmatrix.classroom.handout import Plan
+from nmatrix.classroom.roster import Student
+from nmatrix.errors import IllegalValueError
+from nmatrix.lessons.exercises.scheme import SCHEME
+from nmatrix.version import __version__
+
+NAME = "manifest.json"
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """Everything that decides what the sheets hold; the salt and the scene as digests."""
+
+    scheme: str
+    version: str
+    seed: str
+    salt: str
+    scene: str
+    topics: tuple[str, ...]
+    exercises: int
+    kind: str
+    paper: str
+    with_key: bool
+    students: tuple[str, ...]
+
+    def text(self) -> bytes:
+        """Return it as a file."""
+        return (json.dumps(asdict(self), indent=1, ensure_ascii=False) + "\n").encode()
+
+
+def manifest(plan: Plan, seed: str, salt: bytes, students: tuple[Student, ...]) -> Manifest:
+    """Return the manifest of a run."""
+    return Manifest(
+        SCHEME,
+        __version__,
+        seed,
+        _digest(salt) if salt else "",
+        _digest(repr(plan.shot).encode()),
+        tuple(topic.value for topic in plan.topics),
+        plan.exercises,
+        plan.kind.value,
+        plan.paper.value,
+        plan.with_key,
+        tuple(one.name for one in students),
+    )
+
+
+def check_same(wanted: Manifest, found: bytes, folder: str) -> None:
+    """Refuse to mix the sheets of two runs.
+
+    Raises
+    ------
+    IllegalValueError
+        If the manifest in the folder is that of another run.
+    """
+    if found == wanted.text():
+        return
+    try:
+        there = json.loads(found)
+        differs = [key for key, value in asdict(wanted).items() if there.get(key) != _plain(value)]
+        why = f"it holds another run: {', '.join(differs) or 'its manifest'} differ"
+    except (ValueError, AttributeError):
+        why = "its manifest cannot be read"
+    raise IllegalValueError(
+        f"folder ({folder})", why, "choose another one with -o, or --force to write it anew"
+    )
+
+
+def _plain(value: object) -> object:
+    return list(value) if isinstance(value, tuple) else value
+
+
+def _digest(content: bytes) -> str:
+    return blake2b(content, digest_size=16).hexdigest()

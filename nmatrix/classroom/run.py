@@ -1,0 +1,57 @@
+"""A whole class: one job for each student, run here, by processes or by a cluster.
+
+A job gets all that it needs and gives back bytes: workers may share no disk. What a lost worker
+was at is given to another one by the executor; what is written is complete.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED as FIRST
+from concurrent.futures import Executor, Future, wait
+from dataclasses import dataclass
+from itertools import islice
+
+from nmatrix.classroom.handout import Plan, Written, written
+from nmatrix.classroom.roster import Student
+from nmatrix.lessons.exercises.scheme import Sheet
+
+AT_ONCE = 64  # jobs that wait for a worker: enough to keep many busy, few enough to hold
+
+
+@dataclass(frozen=True)
+class Job:
+    """One student's sheet."""
+
+    plan: Plan
+    student: Student
+    seed: str
+    salt: bytes
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Return the names of the files that it makes: the sheet, then the key."""
+        ending = self.plan.kind.value
+        sheet = f"{self.student.stem}.{ending}"
+        return (sheet, f"{self.student.stem}-key.{ending}") if self.plan.with_key else (sheet,)
+
+
+def run(job: Job) -> tuple[Job, Written]:
+    """Make one student's files."""
+    return job, written(job.plan, Sheet(job.seed, job.student.name, job.salt))
+
+
+def all_of(jobs: Sequence[Job], executor: Executor | None) -> Iterator[tuple[Job, Written]]:
+    """Give the files of every student, in whatever order they are done."""
+    if executor is None:
+        yield from map(run, jobs)
+        return
+    left = iter(jobs)
+    waiting: set[Future[tuple[Job, Written]]] = {
+        executor.submit(run, job) for job in islice(left, AT_ONCE)
+    }
+    while waiting:
+        done, waiting = wait(waiting, return_when=FIRST)
+        for future in done:
+            waiting |= {executor.submit(run, job) for job in islice(left, 1)}
+            yield future.result()

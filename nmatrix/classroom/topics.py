@@ -1,0 +1,183 @@
+"""What a handout may hold: each topic gives the blocks that a terminal shows, and its pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+from fractions import Fraction
+
+from nmatrix.enums import Space
+from nmatrix.linear.rounding import in_short
+from nmatrix.report import Block, Figure, Heading, Quantity, Table, Text, Verdict
+from nmatrix.scene.shot import Shot
+
+
+class Topic(StrEnum):
+    """The topics of a handout, in the order in which they are printed."""
+
+    RULE = "rule"
+    WORKED = "worked"
+    SPACES = "spaces"
+    PROOFS = "proofs"
+    PITFALLS = "pitfalls"
+    COST = "cost"
+    EXERCISES = "exercises"
+
+
+USUAL = (Topic.RULE, Topic.WORKED, Topic.SPACES, Topic.PROOFS, Topic.PITFALLS)
+FOUR_SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
+PROOF_SIZE = (220, 220)
+
+
+@dataclass(frozen=True)
+class Part:
+    """One topic on paper: its blocks, and the PNG files that they name."""
+
+    blocks: tuple[Block, ...]
+    pictures: Mapping[str, bytes] = field(default_factory=dict)
+
+
+def part(topic: Topic, shot: Shot) -> Part:
+    """Return a topic for a scene; exercises belong to a student and are not made here."""
+    return PARTS[topic](shot)
+
+
+def _rule(shot: Shot) -> Part:
+    from nmatrix.lessons.derive import derive
+
+    return Part(derive("rule").blocks)
+
+
+def _worked(shot: Shot) -> Part:
+    """Return the matrices of the given scene, and its light and eye in each space."""
+    from nmatrix.answers.view import view
+    from nmatrix.answers.world import world
+
+    placed = world(shot).blocks
+    matrices = [one for one in placed if _is(one, "world_from_object") or _is(one, "normal_matrix")]
+    matrices += [one for one in view(shot).blocks if _is(one, "camera_from_world")]
+    verdicts = [one for one in placed if isinstance(one, Verdict)]
+    return Part((Heading("In numbers"), *matrices, *verdicts, _seen(shot)))
+
+
+def _is(block: Block, key: str) -> bool:
+    return isinstance(block, Quantity) and block.key == key
+
+
+def _seen(shot: Shot) -> Table:
+    """Return the light and the eye in each space that there is."""
+    from nmatrix.errors import NoAnswerError
+    from nmatrix.spaces.seen import light_in
+
+    rows = []
+    for space in FOUR_SPACES[:3]:
+        try:
+            light, eye = light_in(shot.stage, space), shot.stage.eye_in(space)
+        except NoAnswerError:  # a flattened world has no object space
+            continue
+        rows.append((space.value, _short(light.direction), _short(light.position), _short(eye)))
+    columns = ("space", "light direction", "light position", "eye")
+    return Table(columns, tuple(rows), "The light and the eye, moved")
+
+
+def _short(vector: Sequence[float | Fraction] | None) -> str:
+    if vector is None:
+        return "none"
+    numbers = (in_short(Fraction(x), 4).replace("-", "−") for x in vector)
+    return f"({', '.join(numbers)})"
+
+
+def _spaces(shot: Shot) -> Part:
+    """Return the table of each space: what must be moved, by what."""
+    from nmatrix.spaces.sheet import LESSONS, table
+
+    blocks: list[Block] = [Heading("What each shading space moves")]
+    for space in FOUR_SPACES:
+        rows = tuple((row.data, row.by if row.transform else "as it is") for row in table(space))
+        blocks += [
+            Table(("data", "moves by"), rows, f"{space.value[:1].upper()}{space.value[1:]} space")
+        ]
+        blocks += [Text(f"For it: {LESSONS[space].pros[0]}. Against it: {LESSONS[space].cons[0]}.")]
+    return Part(tuple(blocks))
+
+
+def _proofs(shot: Shot) -> Part:
+    """Return two proof images with their numbers in the alternative text."""
+    from dataclasses import replace
+
+    from nmatrix.raster.proofs.brief import Brief
+    from nmatrix.raster.proofs.rules import mirror, normals
+    from nmatrix.scene.scene import Settings
+
+    brief = Brief("normals", settings=replace(Settings(), size=PROOF_SIZE))
+    blocks: list[Block] = [Heading("Seen")]
+    pictures = {}
+    for name, draw in (("normals", normals), ("mirror", mirror)):
+        proof = draw(replace(brief, subject=name))
+        pictures[f"{name}.png"] = proof.png()
+        blocks.append(Figure(f"{name}.png", f"{TOLD[name]} {proof.verdict}", proof.verdict))
+    return Part(tuple(blocks), pictures)
+
+
+TOLD = {
+    "normals": "Three pictures of a stretched sphere: lit by normals that A itself carried, lit by "
+    "those of the inverse transpose, and a map of the angle between the two.",
+    "mirror": "Three pictures of a mirrored object: by cofactors without the sign, by the inverse "
+    "transpose, and with the winding of its triangles left as it was.",
+}
+
+
+def _pitfalls(shot: Shot) -> Part:
+    from nmatrix.lessons.pitfalls import PITFALLS
+
+    rows = tuple((one.id, one.claim, one.verdict) for one in PITFALLS)
+    return Part(
+        (Heading("What is often said, and what is true"), Table(("", "said", "true"), rows))
+    )
+
+
+def _cost(shot: Shot) -> Part:
+    """Return counted work; a time would be another one tomorrow."""
+    from nmatrix.errors import NoAnswerError
+    from nmatrix.spaces.cost import cost
+    from nmatrix.spaces.uniforms import Request
+
+    rows = []
+    for space in FOUR_SPACES:
+        try:
+            found = cost(shot.stage, Request(space))
+        except NoAnswerError:  # a flattened world has no object space
+            continue
+        rows.append(
+            (
+                space.value,
+                found.per_vertex_multiplications,
+                found.per_fragment_multiplications,
+                found.per_object_multiplications,
+                found.uniform_bytes,
+            )
+        )
+    columns = ("space", "a vertex", "a fragment", "an object", "bytes of uniforms")
+    return Part(
+        (
+            Heading("What it costs"),
+            Text("Multiplications for light with a highlight, counted where they happen."),
+            Table(columns, tuple(rows)),
+            Text(
+                "For one matrix exact whole numbers take less than twice the time of a float64 "
+                "inverse. What is visible in a picture are normals that are zero, not a number, "
+                "flipped or skewed; the last digits of a good one are not."
+            ),
+        )
+    )
+
+
+PARTS: dict[Topic, Callable[[Shot], Part]] = {
+    Topic.RULE: _rule,
+    Topic.WORKED: _worked,
+    Topic.SPACES: _spaces,
+    Topic.PROOFS: _proofs,
+    Topic.PITFALLS: _pitfalls,
+    Topic.COST: _cost,
+}

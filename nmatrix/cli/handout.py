@@ -1,0 +1,210 @@
+"""`nmatrix handout`: a sheet to print, or a folder of them for a class."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from typer import Option
+
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.files import refuse_existing, write_file
+from nmatrix.cli.scene_group import SceneOptions
+from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.sheet_options import SheetOptions
+from nmatrix.cli.show import progress, show
+from nmatrix.cli.workers import WorkerOptions
+from nmatrix.cli.world_options import LightOptions, WorldOptions
+from nmatrix.errors import IllegalValueError
+from nmatrix.output.pages.document import PageFormat, Paper
+from nmatrix.reading.records import records
+from nmatrix.report import Report, Text, Verdict
+
+if TYPE_CHECKING:
+    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.run import Job
+    from nmatrix.classroom.topics import Topic
+
+HELP = {
+    "handout": """nmatrix handout --scale 1 2 1
+
+nmatrix handout --topics rule,exercises --exercises 10 --student Ada --key --to pdf
+
+nmatrix handout --roster class.csv --seed 7 --to pdf --key -o sheets
+
+A printable sheet: theory, numbers, pictures, exercises; or one for everybody in a class.""",
+}
+
+MOST_EXERCISES = 100
+USUAL_EXERCISES = 10
+USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
+
+
+@dataclass(frozen=True)
+class HandoutOptions:
+    """What stands on the sheet, and what it is printed on."""
+
+    to: Annotated[PageFormat, Option("--to", help="The format of the file.")] = PageFormat.HTML
+    topics: Annotated[
+        str | None,
+        Option(metavar="WORDS", help="rule, worked, spaces, proofs, pitfalls, cost, exercises."),
+    ] = None
+    exercises: Annotated[
+        str | None, Option(metavar="N", help="So many exercises (10 with that topic).")
+    ] = None
+    roster: Annotated[
+        str | None, Option(metavar="FILE", help="A .csv with a column student: one sheet each.")
+    ] = None
+    key: Annotated[bool, Option("--key", help="Write the answers too, as a second file.")] = False
+    paper: Annotated[Paper, Option(help="What it is printed on.")] = Paper.A4
+    output: Annotated[
+        str | None, Option("--output", "-o", metavar="FILE", help="A folder with --roster.")
+    ] = None
+    force: Annotated[bool, Option("--force", help="Overwrite what is there.")] = False
+
+    def chosen_topics(self) -> tuple[Topic, ...]:
+        """Return the topics, in the order in which they are printed."""
+        from nmatrix.classroom.topics import USUAL, Topic
+
+        wants_exercises = self.exercises is not None or self.roster is not None
+        if self.topics is None:
+            usual = () if self.roster is not None else USUAL
+            return (*usual, Topic.EXERCISES) if wants_exercises or self.key else usual
+        words = [word.strip() for word in self.topics.split(",")]
+        for word in words:
+            if word not in list(Topic):
+                raise IllegalValueError(
+                    f"--topics ({word[:20]})", f"they are {', '.join(Topic)}", "choose from them"
+                )
+        if wants_exercises and Topic.EXERCISES not in words:
+            words.append(Topic.EXERCISES)
+        return tuple(topic for topic in Topic if topic in words)
+
+    def count(self) -> int:
+        """Return how many exercises there are."""
+        typed = str(USUAL_EXERCISES) if self.exercises is None else self.exercises
+        if typed.isascii() and typed.isdigit() and 1 <= int(typed[:9]) <= MOST_EXERCISES:
+            return int(typed)
+        raise IllegalValueError(
+            f"--exercises ({typed[:20]})", f"a sheet has 1 to {MOST_EXERCISES}", "try 10"
+        )
+
+
+def handout(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    lens: LensOptions,
+    light: LightOptions,
+    space: SpaceOptions,
+    scene: SceneOptions,
+    options: HandoutOptions,
+    of: SheetOptions,
+    workers: WorkerOptions,
+    everywhere: Everywhere,
+) -> None:
+    """Write a handout."""
+    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.topics import Topic
+
+    topics = options.chosen_topics()
+    has_exercises = Topic.EXERCISES in topics
+    if options.key and not has_exercises:
+        raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
+    if options.to is PageFormat.PDF:
+        from nmatrix.output.pages.pdf import check_typst
+
+        check_typst()
+    shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
+    count = options.count() if has_exercises else 0
+    plan = Plan(topics, shot, count, options.to, options.paper, options.key)
+    if options.roster is None:
+        files = _one(plan, options, of)
+    else:
+        files = _class(plan, options, of, workers)
+    show(_report(files, options), everywhere)
+
+
+def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
+    """Write one sheet, its pictures where they stand beside it, and its key."""
+    from nmatrix.classroom.handout import written
+    from nmatrix.output.pages.write import WITH_PICTURES_BESIDE
+
+    path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")
+    key = path.with_name(f"{path.stem}-key{path.suffix}")
+    refuse_existing([path, key] if plan.with_key else [path], force=options.force)
+    has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
+    found = written(replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else ""), of.sheet)
+    contents = [(path, found.sheet)]
+    if found.key is not None:
+        contents.append((key, found.key))
+    if has_pictures_beside:
+        beside = [(path.with_name(name), content) for name, content in found.pictures]
+        contents += [(one, content) for one, content in beside if not _is_there(one, content)]
+    refuse_existing([target for target, _ in contents], force=options.force)
+    for target, content in contents:
+        write_file(target, content, force=options.force)
+    return [target for target, _ in contents]
+
+
+def _is_there(path: Path, content: bytes) -> bool:
+    """Return whether a picture was written before, for another format."""
+    return path.is_file() and path.read_bytes() == content
+
+
+def _class(
+    plan: Plan, options: HandoutOptions, of: SheetOptions, workers: WorkerOptions
+) -> list[Path]:
+    """Write what is missing of a class's sheets into a folder."""
+    from nmatrix.classroom.manifest import NAME, check_same, manifest
+    from nmatrix.classroom.roster import COLUMN, students
+    from nmatrix.classroom.run import Job, all_of
+
+    assert options.roster is not None
+    if of.student is not None:
+        raise IllegalValueError(
+            "--student with --roster", "the students stand in the file", "leave it out"
+        )
+    everyone = students(records(options.roster, (COLUMN,)), options.roster)
+    folder, salt = Path(options.output or USUAL_FOLDER), of.salt_read
+    wanted = manifest(plan, of.seed, salt, everyone)
+    _prepare(folder)
+    if (folder / NAME).exists() and not options.force:
+        check_same(wanted, (folder / NAME).read_bytes(), str(folder))
+    is_new = not (folder / NAME).exists() or options.force
+    write_file(folder / NAME, wanted.text(), force=True)
+    jobs = [Job(plan, one, of.seed, salt) for one in everyone]
+    missing = [job for job in jobs if is_new or not _is_complete(job, folder)]
+    with workers.executor() as executor:
+        for job, found in progress(all_of(missing, executor), len(missing), "writing sheets"):
+            contents = (found.sheet,) if found.key is None else (found.sheet, found.key)
+            for name, content in zip(job.files, contents, strict=True):
+                write_file(folder / name, content, force=True)
+            for name, content in found.pictures:
+                if plan.kind not in (PageFormat.HTML, PageFormat.PDF):
+                    write_file(folder / name, content, force=True)
+    return [folder / name for job in jobs for name in job.files]
+
+
+def _is_complete(job: Job, folder: Path) -> bool:
+    return all((folder / name).exists() for name in job.files)
+
+
+def _prepare(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise IllegalValueError(
+            f"folder ({folder})", error.strerror or "it cannot be made", "choose another with -o"
+        ) from None
+
+
+def _report(files: Sequence[Path], options: HandoutOptions) -> Report:
+    names = [str(path) for path in files]
+    shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+    hint = "Open it in a browser and print it." if options.to is PageFormat.HTML else ""
+    blocks = (Verdict(f"Written: {shown}"), *((Text(hint),) if hint else ()))
+    return Report("handout", {"files": names}, blocks)

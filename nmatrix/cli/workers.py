@@ -1,0 +1,71 @@
+"""Who does the work where there is much of it: this process, several, or a cluster."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from typer import Option
+
+from nmatrix.errors import IllegalValueError, MissingPackageError
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+WORKERS = "Workers"
+MOST_WORKERS = 256
+
+
+@dataclass(frozen=True)
+class WorkerOptions:
+    """How many processes, or whose cluster."""
+
+    workers: Annotated[
+        str | None, Option(metavar="N", help="So many processes.", rich_help_panel=WORKERS)
+    ] = None
+    dask: Annotated[
+        str | None, Option(metavar="ADDRESS", help="A cluster.", rich_help_panel=WORKERS)
+    ] = None
+
+    @contextmanager
+    def executor(self) -> Iterator[Executor | None]:
+        """Open what runs the jobs: nothing, processes, or a cluster's executor."""
+        workers = whole(self.workers or "1", "--workers", MOST_WORKERS)
+        if self.dask is not None:
+            with _cluster(self.dask) as client:
+                yield client.get_executor()
+        elif workers > 1:
+            from concurrent.futures import ProcessPoolExecutor
+
+            with ProcessPoolExecutor(workers) as pool:
+                yield pool
+        else:
+            yield None
+
+
+def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an optional package's client
+    try:
+        from distributed import Client
+    except ImportError:
+        raise MissingPackageError(
+            f"--dask {address[:60]}",
+            "the package distributed is not installed",
+            'run: python -m pip install "nmatrix[dask]"',
+        ) from None
+    try:
+        return Client(address, timeout="10s")
+    except (OSError, ValueError) as error:
+        raise IllegalValueError(
+            f"--dask ({address[:60]})", f"no scheduler answers there ({error})", "check the address"
+        ) from None
+
+
+def whole(text: str, option: str, most: int) -> int:
+    """Return a whole number from 1 to the most that an option takes."""
+    if not (text.isascii() and text.isdigit() and len(text) < 9 and 1 <= int(text) <= most):
+        raise IllegalValueError(
+            f"{option} ({text[:20]})", f"it is a whole number from 1 to {most}", f"try {option} 2"
+        )
+    return int(text)

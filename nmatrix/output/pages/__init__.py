@@ -1,0 +1,1 @@
+"""Documents for paper and screen: one model, several writers."""

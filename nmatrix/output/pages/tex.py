@@ -1,0 +1,61 @@
+"""A document as LaTeX source, for pdflatex and what every distribution of TeX has."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nmatrix.output.documents import Cells, blocks_in
+from nmatrix.output.latex import Latex, escaped
+from nmatrix.output.options import OutputOptions
+from nmatrix.output.pages.document import Document, Paper
+from nmatrix.report import Figure
+
+SIZES = {Paper.A4: "a4paper", Paper.LETTER: "letterpaper"}
+
+
+def tex(document: Document) -> bytes:
+    """Return the document as LaTeX source."""
+    body = blocks_in(document.blocks, LatexPage(OutputOptions()))
+    subtitle = rf"\\[1ex] \large {escaped(document.subtitle)}" if document.subtitle else ""
+    source = rf"""\documentclass[11pt,{SIZES[document.paper]}]{{article}}
+\usepackage[utf8]{{inputenc}}
+\usepackage[T1]{{fontenc}}
+\usepackage{{amsmath,amssymb,graphicx}}
+\usepackage[margin=18mm]{{geometry}}
+\setlength{{\parindent}}{{0pt}}
+\setlength{{\parskip}}{{1ex}}
+\begin{{document}}
+{{\Large\bfseries {escaped(document.title)}}}{subtitle}
+
+{body}
+
+\vfill
+{{\footnotesize {escaped(document.note)}}}
+\end{{document}}
+"""
+    return source.encode("utf-8", "replace")
+
+
+class LatexPage(Latex):
+    """How a page writes each kind of block."""
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        """Return a table whose last column wraps."""
+        plain, wrapped = "l" * len(columns), "l" * (len(columns) - 1) + r"p{0.5\textwidth}"
+        return super().table(title, columns, rows).replace(f"{{{plain}}}", f"{{{wrapped}}}", 1)
+
+    def figure(self, figure: Figure) -> str:
+        """Return a picture; its alternative text stands in a comment."""
+        comment = escaped(" ".join(figure.alternative.split()))
+        include = rf"\includegraphics[width=\linewidth]{{{figure.path}}}"
+        return f"% alt: {comment}\n{include}\n\n{escaped(figure.caption)}"
+
+    def blank(self, rows: int, columns: int) -> str:
+        """Return empty cells between brackets."""
+        row = " & ".join([r"\rule{0pt}{8mm}\hspace{14mm}"] * columns)
+        lines = (row + r" \\ \hline ") * rows
+        return rf"\begin{{tabular}}{{|{'c|' * columns}}} \hline {lines} \end{{tabular}}"
+
+    def page_break(self) -> str:
+        """Return the end of a page."""
+        return r"\clearpage"

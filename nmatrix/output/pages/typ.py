@@ -1,0 +1,120 @@
+"""A document as Typst source: what the PDF is made of, and what a teacher may edit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nmatrix.output.documents import Cells, blocks_in
+from nmatrix.output.options import OutputOptions
+from nmatrix.output.pages.document import Document, Paper
+from nmatrix.output.typst import Typst, escaped
+from nmatrix.report import Figure, Formula
+
+SIZES = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
+
+
+def typ(document: Document) -> bytes:
+    """Return the document as Typst source."""
+    page = TypstPage(OutputOptions())
+    body = "\n\n".join(
+        f"#block(breakable: false)[\n{blocks_in(section, page)}\n]"
+        if whole
+        else blocks_in(section, page)
+        for section, whole in document.sections()
+    )
+    subtitle = (
+        f"#text(fill: luma(35%))[{escaped(document.subtitle)}]\n" if document.subtitle else ""
+    )
+    source = f"""#set document(title: {quoted(document.title)}, author: ())
+#set text(lang: "en", size: 10.5pt)
+#set page(
+  paper: "{SIZES[document.paper]}",
+  margin: 18mm,
+  numbering: "1 / 1",
+  footer: context [
+    #set text(size: 8pt, fill: luma(35%))
+    {escaped(document.note)} #h(1fr) #counter(page).display("1 / 1", both: true)
+  ],
+)
+#set par(justify: false)
+#let rule(x, y) = (bottom: if y == 0 {{ 0.8pt }} else {{ 0.4pt + luma(60%) }})
+#set table(stroke: rule, inset: 4pt)
+#show heading.where(level: 2): it => block(above: 1.6em, below: 0.8em, sticky: true)[
+  #line(length: 100%, stroke: 0.4pt + luma(60%)) #it.body
+]
+#show math.equation.where(block: true): set block(above: 0.9em, below: 0.7em)
+
+= {escaped(document.title)}
+{subtitle}
+{body}
+"""
+    return source.encode("utf-8", "replace")
+
+
+def quoted(text: str) -> str:
+    r"""Return text as a string of Typst.
+
+    Examples
+    --------
+    >>> print(quoted('a "b"'))
+    "a \"b\""
+    """
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+class TypstPage(Typst):
+    """How a page writes each kind of block; every formula says what it looks like."""
+
+    def matrix(self, key: str, title: str, cells: Cells) -> str:
+        """Return a matrix under its name."""
+        rows = "; ".join(", ".join(row) for row in cells)
+        about = f"{escaped(title)}\n\n" if title else ""
+        said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
+        return about + _equation(f'#raw("{key}") = mat(delim: "[", {rows})', said)
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        """Return a table whose first row is its head."""
+        head = ", ".join(f"[*{escaped(column)}*]" for column in columns)
+        cells = ", ".join(f"[{cell}]" for row in rows for cell in row)
+        widths = ", ".join(["auto"] * (len(columns) - 1) + ["1fr"])
+        about = f"*{escaped(title)}*\n\n" if title else ""
+        return f"{about}#table(columns: ({widths},), table.header({head}), {cells})"
+
+    def formula(self, formula: Formula) -> str:
+        """Return a formula with its sentence."""
+        return _equation(formula.typst, formula.spoken)
+
+    def step(self, formula: Formula, because: str, *, verified: bool) -> str:
+        """Return a step that stays together on a page."""
+        mark = "✓" if verified else "not proved:"
+        reason = f"#pad(left: 1.2em)[#text(fill: luma(30%))[{mark} {escaped(because)}]]"
+        return f"#block(breakable: false)[\n{self.formula(formula)}\n{reason}\n]"
+
+    def inline(self, text: str) -> str:
+        """Return a number in a sentence, which a screen reader reads as it is."""
+        mantissa, mark, exponent = text.partition("e")
+        return f"{mantissa} · 10#super[{int(exponent)}]" if mark else text
+
+    def figure(self, figure: Figure) -> str:
+        """Return a picture with its alternative text."""
+        image = f"image({quoted(figure.path)}, alt: {quoted(figure.alternative)}, width: 100%)"
+        return f"#figure({image}, caption: [{escaped(figure.caption)}], numbering: none)"
+
+    def blank(self, rows: int, columns: int) -> str:
+        """Return empty cells between brackets."""
+        cells = ", ".join(["[]"] * rows * columns)
+        widths = ", ".join(["16mm"] * columns)
+        stroke = "0.4pt + luma(60%)"
+        return (
+            f"#block(stroke: (left: 1pt, right: 1pt), inset: (x: 2pt))"
+            f"[#table(columns: ({widths},), rows: 8mm, stroke: {stroke}, {cells})]"
+        )
+
+    def page_break(self) -> str:
+        """Return the end of a page."""
+        return "#pagebreak(weak: true)"
+
+
+def _equation(body: str, said: str) -> str:
+    return f"#math.equation(block: true, alt: {quoted(said)}, $ {body} $)"

@@ -1,0 +1,403 @@
+"""Handouts: every writer writes every block, nothing leaks, a class is finished after a kill."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from nmatrix.classroom import run as running
+from nmatrix.classroom.handout import Plan, handout, key_of, written
+from nmatrix.classroom.roster import slug, students
+from nmatrix.classroom.topics import Topic
+from nmatrix.cli.app import run
+from nmatrix.errors import IllegalValueError
+from nmatrix.lessons.exercises.scheme import Sheet
+from nmatrix.lessons.pitfalls import PITFALLS
+from nmatrix.output.pages.document import Document, PageFormat, Paper
+from nmatrix.output.pages.write import write
+from nmatrix.raster.image import png
+from nmatrix.reading.records import records_of
+from nmatrix.report import (
+    Blank,
+    Code,
+    Figure,
+    Formula,
+    Heading,
+    PageBreak,
+    Quantity,
+    Step,
+    Table,
+    Text,
+    Verdict,
+)
+from nmatrix.scene.shot import Shot
+from nmatrix.scene.world import World
+
+EVIL = "<script>alert(1)</script> #import $x$ \\input{x} `c` *b* [l](u) ]] </style> _ % & \" '"
+FORMATS = list(PageFormat)
+
+
+def typst_or_skip() -> None:
+    pytest.importorskip("typst", reason="typst is not installed")
+
+
+def a_picture() -> bytes:
+    import numpy as np
+
+    return png(np.zeros((2, 2, 3), np.uint8), {})
+
+
+def everything(word: str = "word") -> Document:
+    formula = Formula("a = b", "a = b", "<math alttext='a'><mi>a</mi></math>", "a = b", "a is b")
+    blocks = (
+        Heading(word),
+        Text(word),
+        Verdict(word),
+        Quantity("world_from_object", ((1.5, 0.0), (0.0, -1e-9)), word),
+        Quantity("scalar", 2.5, word),
+        Table((word, "n"), ((word, 1.5), (None, True)), word),
+        formula,
+        Step(formula, word, verified=True),
+        Step(formula, word, verified=False),
+        Code("glsl", "void main() {}\n"),
+        Figure("a.png", word, word),
+        Blank(2, 3),
+        PageBreak(),
+        Text("- 1. + = /"),
+    )
+    return Document(word, blocks, word, {"a.png": a_picture()}, word)
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_every_writer_writes_every_block(kind: PageFormat) -> None:
+    if kind is PageFormat.PDF:
+        typst_or_skip()
+    assert len(write(everything(), kind)) > 200
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+@pytest.mark.parametrize("paper", Paper)
+def test_hostile_words_are_only_words(kind: PageFormat, paper: Paper) -> None:
+    if kind is PageFormat.PDF:
+        typst_or_skip()
+    document = everything(EVIL)
+    text = write(Document(EVIL, document.blocks, EVIL, document.pictures, EVIL, paper), kind)
+    if kind is PageFormat.HTML:
+        assert b"<script" not in text
+    if kind is PageFormat.TEX:
+        assert b"\\input{" not in text
+    if kind is PageFormat.MD:
+        assert b"<script" not in text.replace(b"\\<script", b"")
+
+
+class Reader(HTMLParser):
+    """Collects what a page refers to, and whether its tags close."""
+
+    VOID = ("meta", "img", "br", "link")
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.images: list[dict] = []
+        self.formulas: list[dict] = []
+        self.tags: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list) -> None:
+        self.tags.add(tag)
+        if tag == "img":
+            self.images.append(dict(attrs))
+        if tag == "math":
+            self.formulas.append(dict(attrs))
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_a_page_stands_alone_and_can_be_heard() -> None:
+    plan = Plan(tuple(Topic), Shot(World(scale=(1, 2, 1))), 10)
+    text = written(plan, Sheet("1", "Ada")).sheet.decode()
+    reader = Reader()
+    reader.feed(text)
+    assert not reader.open
+    assert not reader.tags & {"script", "link", "iframe", "object"}
+    assert not re.findall(r"(?:src|href)=\"(?!data:|#)", text)
+    assert not re.findall(r"url\(\"?(?!data:|\"data:)", text)
+    assert "default-src 'none'" in text
+    assert all(len(image["alt"]) > 40 for image in reader.images)
+    assert len(reader.images) == 2
+    assert all(formula.get("alttext") for formula in reader.formulas)
+    assert len(text) < 400_000
+
+
+def test_the_font_is_small_and_its_licence_is_beside_it() -> None:
+    from importlib.resources import files
+
+    folder = files("nmatrix.output.pages")
+    assert len(folder.joinpath("math.woff2").read_bytes()) <= 60 * 1024
+    assert "SIL OPEN FONT LICENSE Version 1.1" in folder.joinpath("OFL.txt").read_text()
+
+
+def test_pdf_is_the_same_bytes_twice() -> None:
+    typst_or_skip()
+    plan = Plan((Topic.RULE, Topic.EXERCISES), Shot(), 3, PageFormat.PDF)
+    first, second = (written(plan, Sheet("1", "Ada")).sheet for _ in range(2))
+    assert first == second
+    assert first.startswith(b"%PDF")
+
+
+def test_a_picture_without_words_is_refused() -> None:
+    typst_or_skip()
+    import typst
+
+    with pytest.raises(typst.TypstError):
+        write(
+            Document("t", (Figure("a.png", ""),), pictures={"a.png": b"no picture"}), PageFormat.PDF
+        )
+
+
+def test_the_key_is_another_document_and_not_on_the_sheet() -> None:
+    plan = Plan((Topic.EXERCISES,), Shot(), 10, PageFormat.MD, with_key=True)
+    found = written(plan, Sheet("3", "Bo"))
+    assert b"Answer: " not in found.sheet
+    assert found.key is not None
+    assert found.key.count(b"Answer: ") >= 3
+    assert b"nmatrix/1" in found.sheet
+    assert handout(plan, Sheet("3", "Bo")).title != key_of(plan, Sheet("3", "Bo")).title
+
+
+def test_the_pitfalls_are_sixteen_and_their_commands_run(capsys) -> None:
+    assert [one.id for one in PITFALLS] == [f"F{i}" for i in range(1, 17)]
+    for one in PITFALLS:
+        words = shlex.split(one.command)[1:]
+        if words[0] != "cost":  # it measures, and may refuse on a busy machine
+            assert run(words) == 0, one.command
+    capsys.readouterr()
+
+
+# The command.
+
+
+@pytest.fixture
+def nmatrix(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    def call(line: str) -> tuple[int, str, str]:
+        capsys.readouterr()
+        code = run(shlex.split(line))
+        captured = capsys.readouterr()
+        return code, captured.out, captured.err
+
+    return call
+
+
+def test_a_sheet_and_its_key_are_two_files(nmatrix) -> None:
+    line = "handout --topics rule --exercises 3 --student Ada --key -f json"
+    code, out, _ = nmatrix(line)
+    assert code == 0
+    assert json.loads(out)["files"] == ["handout.html", "handout-key.html"]
+    assert all(Path(name).exists() for name in json.loads(out)["files"])
+    assert nmatrix(line)[0] == 2
+    assert nmatrix(f"{line} --force")[0] == 0
+
+
+def test_sources_have_their_pictures_beside_them(nmatrix) -> None:
+    for kind in ("typ", "tex", "md"):
+        code, _, err = nmatrix(f"handout --topics proofs --to {kind} -o sheet.{kind}")
+        assert (code, err) == (0, "")
+        text = Path(f"sheet.{kind}").read_text()
+        assert "sheet-normals.png" in text
+    assert Path("sheet-mirror.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_same_command_writes_the_same_bytes(nmatrix) -> None:
+    for name in ("a.html", "b.html"):
+        assert nmatrix(f"handout --scale 1 2 1 --exercises 2 --student Ada -o {name}")[0] == 0
+    assert Path("a.html").read_bytes() == Path("b.html").read_bytes()
+
+
+CLASS = 'Student\nAda\n"Lovelace, ""Countess"" A."\n\n<script>\n李\n'
+
+
+def test_a_class_gets_a_folder(nmatrix) -> None:
+    Path("class.csv").write_text(CLASS, encoding="utf-8")
+    code, out, _ = nmatrix("handout --roster class.csv --exercises 2 --key -o out -f json")
+    assert code == 0
+    names = [Path(name).name for name in json.loads(out)["files"]]
+    assert names[0::2] == [
+        "0001-ada.html",
+        "0002-lovelace-countess-a.html",
+        "0003-script.html",
+        "0004-student.html",
+    ]
+    assert sorted(path.name for path in Path("out").iterdir()) == sorted([*names, "manifest.json"])
+    assert b"<script" not in Path("out/0003-script.html").read_bytes()
+    assert "李" in Path("out/0004-student.html").read_text(encoding="utf-8")
+
+
+def test_a_rerun_writes_what_is_missing_and_nothing_else(nmatrix) -> None:
+    Path("class.csv").write_text("student\nAda\nBo\nCy\n")
+    line = "handout --roster class.csv --exercises 1 -o out"
+    assert nmatrix(line)[0] == 0
+    kept, lost = Path("out/0001-ada.html"), Path("out/0002-bo.html")
+    content = lost.read_bytes()
+    lost.unlink()
+    kept.write_bytes(b"touched")
+    assert nmatrix(line)[0] == 0
+    assert lost.read_bytes() == content
+    assert kept.read_bytes() == b"touched"
+    code, _, err = nmatrix(f"{line} --seed 9")
+    assert code == 2
+    assert "seed differ" in err
+    assert nmatrix(f"{line} --seed 9 --force")[0] == 0
+    assert kept.read_bytes() != b"touched"
+
+
+def test_a_run_that_is_killed_is_finished_by_the_next(nmatrix, monkeypatch) -> None:
+    Path("class.csv").write_text("student\n" + "\n".join(f"s{i}" for i in range(6)))
+    line = "handout --roster class.csv --exercises 1 -o out"
+    original, made = running.run, []
+
+    def dying(job):
+        made.append(job)
+        if len(made) == 4:
+            raise KeyboardInterrupt
+        return original(job)
+
+    monkeypatch.setattr(running, "run", dying)
+    assert nmatrix(line)[0] == 130
+    assert len(list(Path("out").glob("*.html"))) == 3
+    assert not list(Path("out").glob(".*"))
+    monkeypatch.setattr(running, "run", original)
+    assert nmatrix(line)[0] == 0
+    assert len(list(Path("out").glob("*.html"))) == 6
+
+
+@pytest.mark.slow
+def test_two_processes_write_what_one_writes(nmatrix) -> None:
+    Path("class.csv").write_text("student\nAda\nBo\nCy\n")
+    for folder, more in (("one", ""), ("two", "--workers 2")):
+        line = f"handout --roster class.csv --exercises 3 --key {more} -o {folder}"
+        assert nmatrix(line)[0] == 0
+    for path in Path("one").iterdir():
+        assert path.read_bytes() == (Path("two") / path.name).read_bytes()
+
+
+@pytest.mark.slow
+def test_a_cluster_loses_a_worker_and_no_sheet(nmatrix, monkeypatch) -> None:
+    """A real scheduler and two workers on loopback, of which one is killed midway."""
+    distributed = pytest.importorskip("distributed", reason="distributed is not installed")
+    import subprocess
+    import sys
+
+    Path("class.csv").write_text("student\n" + "\n".join(f"student {i}" for i in range(40)))
+    start = [sys.executable, "-m", "distributed.cli.dask_worker"]
+    options = ["--nthreads", "1", "--no-nanny", "--no-dashboard"]
+    with distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=None) as cluster:
+        address = cluster.scheduler_address
+        workers = [subprocess.Popen([*start, address, *options]) for _ in range(2)]
+        try:
+            with distributed.Client(address) as client:
+                client.wait_for_workers(2, timeout=60)
+            arrived: list[str] = []
+            original = running.all_of
+
+            def watched(jobs, executor):
+                for i, found in enumerate(original(jobs, executor)):
+                    if i == 5:
+                        workers[0].kill()
+                    arrived.append(found[0].student.name)
+                    yield found
+
+            monkeypatch.setattr(running, "all_of", watched)
+            line = f"handout --roster class.csv --exercises 10 --dask {address} -o out"
+            assert nmatrix(line)[0] == 0
+        finally:
+            for worker in workers:
+                worker.kill()
+    assert sorted(arrived) == sorted(f"student {i}" for i in range(40)), "each arrives once"
+    assert len(list(Path("out").glob("*.html"))) == 40
+
+
+ROSTERS = [
+    (b"", "it is empty"),
+    (b"name\nAda\n", "column student"),
+    (b"student\nAda\nAda\n", "line 2 has the same name"),
+    (b"student,mail\nAda,a\n,b\n", "1 to 200 characters"),
+    (b"student\nAda,Bo\n", "cells under 1 columns"),
+    ("student\nZoë\n".encode("latin-1"), "utf-8"),
+    (b"student\n", "names no student"),
+    (b"student\n" + b"x" * 300 + b"\n", "1 to 200 characters"),
+]
+
+
+@pytest.mark.parametrize(("content", "words"), ROSTERS)
+def test_a_roster_that_cannot_be_used_is_refused(nmatrix, content: bytes, words: str) -> None:
+    Path("class.csv").write_bytes(content)
+    code, out, err = nmatrix("handout --roster class.csv -o out")
+    assert (code, out) == (2, "")
+    assert words in err
+    assert err.count("\n") == 1
+    assert not Path("out").exists()
+
+
+def test_a_roster_may_be_long() -> None:
+    text = "student\n" + "\n".join(f"student {i}" for i in range(10_000))
+    found = students(records_of(text, ("student",), "x"), "x")
+    assert len({one.stem for one in found}) == 10_000
+
+
+def test_slugs_are_plain_and_never_paths() -> None:
+    for name in ("../../etc/passwd", "a/b\\c", "NUL", "….", "Ünïcödé", "\x00"):
+        assert re.fullmatch(r"[a-z0-9-]+", slug(name))
+
+
+MISUSE = [
+    ("handout --topics nothing", 2, "choose from them"),
+    ("handout --exercises 0", 2, "1 to 100"),
+    ("handout --exercises many", 2, "1 to 100"),
+    ("handout --topics rule --key", 2, "no exercises"),
+    ("handout --roster none.csv", 2, "no such file"),
+    ("handout --to docx", 2, "docx"),
+    ("handout -o nowhere/x.html", 2, "no folder"),
+    ("handout --topics rule --exercises 1 --salt none", 2, "no such file"),
+]
+
+
+@pytest.mark.parametrize(("line", "code", "words"), MISUSE)
+def test_misuse_is_one_line(nmatrix, line: str, code: int, words: str) -> None:
+    found, out, err = nmatrix(line)
+    assert (found, out) == (code, "")
+    assert words in err
+    assert err.count("\n") == 1
+
+
+def test_a_missing_typst_says_how_to_install_it(nmatrix, monkeypatch) -> None:
+    import sys
+
+    monkeypatch.setitem(sys.modules, "typst", None)
+    code, _, err = nmatrix("handout --to pdf")
+    assert code == 4
+    assert "nmatrix[pdf]" in err
+    assert not list(Path().iterdir())
+
+
+def test_a_flattened_scene_has_a_sheet_too(nmatrix) -> None:
+    assert nmatrix("handout --scale 1 0 1 --topics worked,spaces,cost")[0] == 0
+
+
+def test_students_of_one_class_have_different_sheets() -> None:
+    plan = Plan((Topic.EXERCISES,), Shot(), 10)
+    found = {written(plan, Sheet("1", f"s{i}")).sheet for i in range(12)}
+    assert len(found) == 12
+
+
+def test_an_unknown_refusal_is_ours() -> None:
+    with pytest.raises(IllegalValueError):
+        students([], "x")
