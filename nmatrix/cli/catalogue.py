@@ -37,6 +37,7 @@ COMMANDS: tuple[Entry, ...] = (
     Entry("stress", STUDIES, "stress", "The hard cases, and who survives them"),
     Entry("check", CLASSROOM, "check", "Is this answer right, and which mistake is it?"),
     Entry("handout", CLASSROOM, "handout", "Printable sheets: theory, numbers, exercises, keys"),
+    Entry("explore", CLASSROOM, "explore", "One page with sliders: wrong beside right, live"),
     Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
 )
 

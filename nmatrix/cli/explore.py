@@ -1,0 +1,55 @@
+"""`nmatrix explore`: one page with sliders."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+from typer import Option
+
+from nmatrix.cli.camera_options import LensOptions, ViewOptions
+from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.files import refuse_existing, write_file
+from nmatrix.cli.scene_group import SceneOptions
+from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.show import show
+from nmatrix.cli.world_options import LightOptions, WorldOptions
+from nmatrix.report import Report, Text, Verdict
+
+FROM_ABOVE = (1.5, 1.75, 3.25)  # a torus seen from its side shows no hole
+
+HELP = {
+    "explore": """nmatrix explore
+
+nmatrix explore --scale 1 2 1 --light-direction -1 -2 -1 -o stretch.html
+
+One page with sliders: live matrices, wrong normals beside right ones, no network.""",
+}
+
+
+def explore(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    lens: LensOptions,
+    light: LightOptions,
+    space: SpaceOptions,
+    scene: SceneOptions,
+    everywhere: Everywhere,
+    output: Annotated[
+        str, Option("--output", "-o", metavar="FILE", help="Where the page goes.")
+    ] = "explore.html",
+    force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False,
+) -> None:
+    """Write the page."""
+    from nmatrix.output.explorer.page import page
+
+    path = Path(output)
+    refuse_existing([path], force=force)
+    shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
+    if not view.is_given and scene.scene is None:
+        shot = replace(shot, view=replace(shot.view, eye=FROM_ABOVE))
+    write_file(path, page(shot), force=force)
+    blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
+    show(Report("explore", {"file": str(path)}, blocks), everywhere)

@@ -1,0 +1,161 @@
+"""The explorer's page: a template, its style and script, and the data of one scene.
+
+The shaders are those that `space -f glsl` prints for a stretched object in this scene, so that
+object space has its metric. The script is allowed by its hash alone, and nothing is fetched.
+"""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from dataclasses import replace
+from fractions import Fraction
+from hashlib import sha256
+from importlib.resources import files
+from typing import Any
+
+from nmatrix.enums import Handedness, NormalRule, Space
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.decompose import parts
+from nmatrix.linear.rational import RationalMatrix, to_floats
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.shot import Shot
+from nmatrix.scene.world import World
+from nmatrix.spaces.shaders import shader_pair
+from nmatrix.spaces.uniforms import AMBIENT, DIFFUSE, SHININESS, SPECULAR, WHITE, Request, uniforms
+
+SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT)
+TESSELLATION = (32, 64)
+BACKGROUND = (0.93, 0.93, 0.93)
+WRONG_RULES = {
+    NormalRule.NONE: "A itself",
+    NormalRule.NOT_TRANSPOSED: "A⁻¹, not transposed",
+    NormalRule.NOT_INVERTED: "Aᵀ, not inverted",
+    NormalRule.COFACTOR: "the cofactors, without the sign of det",
+}
+STRETCHED = World(scale=(1, 2, 1))  # calls for everything that a shader may need
+
+
+def page(shot: Shot) -> bytes:
+    """Return the page for a scene.
+
+    Raises
+    ------
+    NoAnswerError
+        If the world matrix is singular and not given by its parts: sliders cannot show it.
+    """
+    folder = files(__package__)
+    script = folder.joinpath("explorer.js").read_text(encoding="utf-8")
+    style = folder.joinpath("explorer.css").read_text(encoding="utf-8")
+    text = folder.joinpath("page.html").read_text(encoding="utf-8")
+    data = json.dumps(page_data(shot), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    for name, value in (
+        ("SCRIPT_HASH", _hash(script)),
+        ("STYLE_HASH", _hash(style)),
+        ("STYLE", style),
+        ("DATA", data.replace("<", "\\u003c")),
+        ("SCRIPT", script),
+    ):
+        text = text.replace(name, value, 1)
+    return text.encode()
+
+
+def page_data(shot: Shot) -> dict[str, Any]:
+    """Return what the script works with."""
+    stage = shot.stage
+    light = stage.light
+    return {
+        "start": _start(shot),
+        "translate": _floats(row[3] for row in stage.world_from_object.exact[:3]),
+        "camera_from_world": to_floats(stage.camera_from_world.exact),
+        "clip_from_camera": to_floats(stage.clip_from_camera),
+        "eye": _floats(stage.eye),
+        "up": _floats(stage.up),
+        "has_direction": light.direction is not None,
+        "light_position": None if light.position is None else _floats(light.position),
+        "shaders": _shaders(shot),
+        "rules": {rule.value: text for rule, text in WRONG_RULES.items()},
+        "constants": {
+            "light_color": _floats(WHITE),
+            "ambient_color": _floats(AMBIENT),
+            "diffuse_color": _floats(DIFFUSE),
+            "specular_color": _floats(SPECULAR),
+            "shininess": float(SHININESS),
+        },
+        "background": BACKGROUND,
+        "tessellation": TESSELLATION,
+        "options": _options(shot),
+    }
+
+
+def _start(shot: Shot) -> dict[str, float | str]:
+    """Return where the sliders stand."""
+    scale, rotate, shear = _sliders(shot)
+    direction = shot.stage.light.direction or (0, -1, 0)
+    start: dict[str, float | str] = {"rule": "none", "space": "world", "shape": "torus"}
+    for axis, s, r, d in zip("xyz", scale, rotate, direction, strict=True):
+        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"l{axis}": float(d)}
+    return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
+
+
+def _sliders(shot: Shot) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
+    """Return scale, angles about x, y, z and shear of the world."""
+    world = shot.world
+    plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
+    if world == plain:
+        found = (world.scale, world.rotate_degrees, world.shear)
+        return tuple(tuple(map(float, one)) for one in found)  # type: ignore[return-value]  # three
+    taken = parts(world.world_from_object)
+    if taken is None:
+        raise NoAnswerError(
+            "world matrix (determinant 0)",
+            "sliders cannot show a singular matrix that is not given by its parts",
+            "give --scale with a 0 in it",
+        )
+    return tuple(map(float, taken.scale)), taken.rotate, tuple(map(float, taken.shear))
+
+
+def _shaders(shot: Shot) -> dict[str, dict[str, Any]]:
+    stage = replace(shot, world=STRETCHED).stage
+    found = {}
+    for space in SPACES:
+        request = Request(space)
+        vertex, fragment = shader_pair(stage, request)
+        listed = [(one.name, one.kind) for one in uniforms(stage, request)]
+        found[space.value] = {"vertex": vertex, "fragment": fragment, "uniforms": listed}
+    return found
+
+
+def _options(shot: Shot) -> list[str]:
+    """Return the rest of a command that shows the same scene."""
+    view, lens, light = shot.view, shot.lens, shot.stage.light
+    found = []
+    if view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT:
+        usual = View()
+        for name in ("eye", "target", "up"):
+            if getattr(view, name) != getattr(usual, name):
+                found.append(f"--{name} {_spaced(getattr(view, name))}")
+    else:
+        found.append(f"--view-matrix {_literal(shot.stage.camera_from_world.exact)}")
+    if lens != Lens():
+        found.append(f"--projection-matrix {_literal(lens.clip_from_camera)}")
+    if light.position is not None:
+        found.append(f"--light-position {_spaced(light.position)}")
+    return found
+
+
+def _spaced(values: Any) -> str:  # noqa: ANN401  # numbers of any kind
+    return " ".join(f"{value:.17g}" for value in _floats(values))
+
+
+def _literal(A: RationalMatrix) -> str:
+    return '"' + "; ".join(" ".join(map(repr, row)) for row in to_floats(A)) + '"'
+
+
+def _floats(values: Any) -> list[float]:  # noqa: ANN401  # numbers of any kind
+    return [float(Fraction(value)) for value in values]
+
+
+def _hash(text: str) -> str:
+    return f"sha256-{b64encode(sha256(text.encode()).digest()).decode()}"

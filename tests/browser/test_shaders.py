@@ -1,0 +1,75 @@
+"""Every shader that nmatrix prints, compiled and linked by a browser's own WebGL2."""
+
+from __future__ import annotations
+
+from itertools import product
+from pathlib import Path
+
+import pytest
+
+from nmatrix.enums import Frame, Reflection, Shading, Space
+from nmatrix.linear.rational import rational
+from nmatrix.raster.emit import shaders
+from nmatrix.raster.plan import planned
+from nmatrix.raster.studio import studio
+from nmatrix.scene.open import scene_of
+from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.world import World
+from nmatrix.spaces.shaders import shader_pair
+from nmatrix.spaces.uniforms import Request
+
+SCENES = sorted((Path(__file__).parents[2] / "docs" / "scenes").glob("*.toml"))
+COMPILE = """([vertex, fragment]) => {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const program = gl.createProgram(), said = [];
+  for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text); gl.compileShader(shader); gl.attachShader(program, shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) said.push(gl.getShaderInfoLog(shader));
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) said.push(gl.getProgramInfoLog(program));
+  const error = gl.getError();
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return error ? [...said, "error " + error] : said;
+}"""
+
+
+@pytest.fixture(scope="module")
+def blank(browser):
+    page = browser.new_page()
+    yield page
+    page.close()
+
+
+def stages():
+    lights = (LightSource((-1, -2, -1)), LightSource(position=(2, 2, 8)),
+              LightSource((0, -1, 0), position=(1, 2, 3)))  # fmt: skip
+    stretched = rational([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    for light, scale in product(lights, ((1, 1, 1), (1, 2, 1))):
+        yield Shot(World(scale=scale), light=light, space_matrix=stretched).stage
+
+
+def test_every_pair_of_every_space_links(blank) -> None:
+    pairs = {
+        shader_pair(stage, Request(space, shading, reflection))
+        for stage, space, shading, reflection in product(
+            stages(), Space, (Shading.GOURAUD, Shading.PHONG), Reflection
+        )
+    }
+    assert len(pairs) > 100
+    for pair in pairs:
+        assert blank.evaluate(COMPILE, list(pair)) == [], pair
+    assert Frame.CUSTOM  # custom space is among them
+
+
+def test_the_plans_of_the_example_scenes_link(blank) -> None:
+    assert SCENES
+    for path in SCENES:
+        plan = planned(studio(scene_of(path)))
+        for body in plan.bodies:
+            assert blank.evaluate(COMPILE, list(shaders(plan, body))) == [], path.name
+
+
+def test_a_broken_shader_is_noticed(blank) -> None:
+    assert blank.evaluate(COMPILE, ["#version 300 es\nvoid main() { x }", "void"])
