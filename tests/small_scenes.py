@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from nmatrix.enums import LampKind, Reflection, Shape, Space
+from nmatrix.enums import Reflection, Space
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material, grey

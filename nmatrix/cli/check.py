@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 HELP = {
     "check": """nmatrix check normal "1 0 0; 0 0.5 0; 0 0 1" --scale 1 2 1
 
-nmatrix check light "1 -0.5 0" --space object --scale 1 2 1 --light-direction 1 -1 0
-
 nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
 
 nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv

@@ -28,7 +28,7 @@ def world_over(one: SceneObject, options: WorldOptions, typed: World) -> World:
 
     Examples
     --------
-    >>> from nmatrix.enums import Shape
+    >>> from nmatrix.scene.kinds import Shape
     >>> from nmatrix.scene.geometry import ShapeGeometry
     >>> place = World(translate=(1, 0, 0), scale=(2, 2, 2))
     >>> one = SceneObject("a", ShapeGeometry(Shape.BOX), place.world_from_object, place=place)

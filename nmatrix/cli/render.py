@@ -17,9 +17,10 @@ from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import LampKind, Reflection, Space
+from nmatrix.enums import Reflection, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.proofs.catalogue import PROOFS, entry
+from nmatrix.scene.kinds import LampKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

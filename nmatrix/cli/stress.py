@@ -15,8 +15,6 @@ HELP = {
 
 nmatrix stress --case N9
 
-nmatrix stress --random 400 --seed 7
-
 nmatrix stress --random 400 --seed 7 --case S17
 
 Every hard case against every method, naive ones included; exit 1 if nmatrix itself fails one.""",

@@ -9,7 +9,7 @@ from html import escape
 from typing import TYPE_CHECKING, TypeAlias
 
 from nmatrix.lessons.formulas import beside
-from nmatrix.lessons.formulas.mathml import mathml
+from nmatrix.lessons.formulas.mathml import MATH, mathml
 from nmatrix.lessons.formulas.parse import parse
 from nmatrix.lessons.formulas.spoken import spoken
 from nmatrix.lessons.formulas.tree import Grid, Node, Row
@@ -30,7 +30,6 @@ class Words:
 
 Part: TypeAlias = "Words | sp.Expr | sp.MatrixBase"
 
-MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 
 EQUALS = Words(" = ", " = ")
 NOT_EQUAL = Words(" ≠ ", r" \neq ")

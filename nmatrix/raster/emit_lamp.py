@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from nmatrix.enums import Effect, LampKind, Reflection
+from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.plan import BodyPlan
 from nmatrix.raster.studio import PlacedLamp
+from nmatrix.scene.kinds import LampKind
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import LampKind, Sides, Space
+from nmatrix.enums import Space
 from nmatrix.raster.moved import in_parts
 from nmatrix.raster.shading_space import ShadingSpace, dot, length
 from nmatrix.raster.studio import Body, PlacedLamp, Studio
+from nmatrix.scene.kinds import LampKind, Sides
 
 Array = NDArray[Any]
 

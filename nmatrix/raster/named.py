@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from nmatrix.enums import LampKind, Reflection, Shading
+from nmatrix.enums import Reflection, Shading
 from nmatrix.raster.decision import Verdict
 from nmatrix.raster.facts import Facts
+from nmatrix.scene.kinds import LampKind
 
 
 def ambient(facts: Facts) -> Verdict:

@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.canvas import Canvas
 from nmatrix.raster.fragments import Fragments, Reads, interpolate
@@ -22,6 +21,7 @@ from nmatrix.raster.layers import layers
 from nmatrix.raster.runs import Runs, visible_runs
 from nmatrix.raster.vertices import Projected
 from nmatrix.raster.visibility import TRIANGLE_MASK, Tile
+from nmatrix.scene.kinds import DepthBuffer
 
 Array = NDArray[Any]
 

@@ -11,13 +11,14 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from nmatrix.enums import Effect, Effort, LeftOut, Shading, Sides
+from nmatrix.enums import Effect, Effort, LeftOut, Shading
 from nmatrix.raster.decision import Decision
 from nmatrix.raster.decisions import decide
 from nmatrix.raster.effects import RECIPES, closure, per_sample
 from nmatrix.raster.facts import Facts
 from nmatrix.raster.lamps import why_dark
 from nmatrix.raster.studio import Body, PlacedLamp, Studio
+from nmatrix.scene.kinds import Sides
 
 BUDGET = 0.5 / 255
 NEEDED = (Effect.POSITION, Effect.EYE)  # on when something else reads them

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect, LampKind, NormalRule
+from nmatrix.enums import Effect, NormalRule
 from nmatrix.raster.effects import per_sample, per_vertex
 from nmatrix.raster.lighting import Lighting, SpaceLamp, colour
 from nmatrix.raster.picture import Drawable, Drawing, Picture
@@ -21,6 +21,7 @@ from nmatrix.raster.studio import PlacedLamp, Studio
 from nmatrix.raster.surface import Look, Surface
 from nmatrix.raster.texture import to_srgb
 from nmatrix.raster.vertices import front_sign, project
+from nmatrix.scene.kinds import LampKind
 
 Array = NDArray[Any]
 Change = Callable[[Surface], Surface]

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer, DepthRange, Handedness
+from nmatrix.enums import DepthRange, Handedness
 from nmatrix.linear import rational
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import ClipSpace, Window, orthographic, perspective
@@ -26,6 +26,7 @@ from nmatrix.raster.shading_space import ShadingSpace, as_array
 from nmatrix.raster.studio import Body, PlacedLamp
 from nmatrix.raster.vertices import project
 from nmatrix.raster.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
+from nmatrix.scene.kinds import DepthBuffer
 
 Array = NDArray[Any]
 

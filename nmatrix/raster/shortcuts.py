@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from math import inf, radians, sqrt
 
-from nmatrix.enums import DepthBuffer, LeftOut, NormalRule, Reflection, Shading, Sides
+from nmatrix.enums import LeftOut, NormalRule, Reflection, Shading
 from nmatrix.raster.decision import Verdict
 from nmatrix.raster.facts import Facts
 from nmatrix.raster.occluders import occluders
+from nmatrix.scene.kinds import DepthBuffer, Sides
 
 ROUNDING = 1e-12
 MODEST_RATIO = 256.0  # of w within a triangle: sums then lose 2⁸ · 8u < 1e-12

@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer
 from nmatrix.raster.spans import SUBPIXELS, Spans, spans
 from nmatrix.raster.spread import Spread, batches
 from nmatrix.raster.vertices import Corners, Projected
+from nmatrix.scene.kinds import DepthBuffer
 
 Array = NDArray[Any]
 

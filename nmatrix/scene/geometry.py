@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nmatrix.enums import Shape
+from nmatrix.scene.kinds import Shape
 
 if TYPE_CHECKING:
     from nmatrix.scene.gltf import GltfScene

@@ -15,7 +15,7 @@ from math import degrees, inf
 
 import msgspec
 
-from nmatrix.enums import Handedness, LampKind
+from nmatrix.enums import Handedness
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.linear.projection import Window
 from nmatrix.linear.rational import ONE, RationalMatrix, apply, rational, translation
@@ -30,6 +30,7 @@ from nmatrix.scene.gltf_records import (
     PunctualLights,
     PunctualReference,
 )
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from urllib.parse import unquote
 
-from nmatrix.enums import Sides
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf import LONGEST_URI, GltfScene, image_bytes
 from nmatrix.scene.gltf_records import MaterialRecord, MetallicRoughness, TextureReference
+from nmatrix.scene.kinds import Sides
 from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
 
 NAMED = 4  # files that a remark names

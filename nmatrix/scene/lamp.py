@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf
 
-from nmatrix.enums import LampKind
 from nmatrix.report import Vector
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.material import Colour
 
 WORLD, EYE = "world", "eye"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from nmatrix.enums import Reflection, Sides
+from nmatrix.enums import Reflection
+from nmatrix.scene.kinds import Sides
 
 Colour = tuple[float, float, float]
 

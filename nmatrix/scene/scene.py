@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from nmatrix.enums import DepthBuffer, Effort, NormalRule, Shading, Space
+from nmatrix.enums import Effort, NormalRule, Shading, Space
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
+from nmatrix.scene.kinds import DepthBuffer
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material

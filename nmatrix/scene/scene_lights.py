@@ -6,10 +6,10 @@ from collections.abc import Collection
 from dataclasses import replace
 from math import inf
 
-from nmatrix.enums import LampKind
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.vectors import direction_from_angles, normalize
 from nmatrix.report import Vector
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.lamp import EYE, WORLD, Lamp
 from nmatrix.scene.material import Colour, grey
 from nmatrix.scene.scene_faults import Place, converted, suggestion

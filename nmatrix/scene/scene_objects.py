@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from nmatrix.enums import Convention, Shape
+from nmatrix.enums import Convention
 from nmatrix.errors import NMatrixError
 from nmatrix.linear.rational import RationalMatrix, affine, product, rational, to_floats
 from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.kinds import Shape
 from nmatrix.scene.lamp import EYE, WORLD
 from nmatrix.scene.material import DEFAULT_MATERIAL, Material
 from nmatrix.scene.scene import SceneObject

@@ -9,16 +9,8 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from nmatrix.enums import (
-    Convention,
-    DepthRange,
-    Handedness,
-    LampKind,
-    Reflection,
-    Shading,
-    Shape,
-    Space,
-)
+from nmatrix.enums import Convention, DepthRange, Handedness, Reflection, Shading, Space
+from nmatrix.scene.kinds import LampKind, Shape
 
 MOST_PIXELS = 8192  # on a side
 FINEST = 2000  # cells on a side of a shape

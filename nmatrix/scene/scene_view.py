@@ -7,10 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nmatrix.enums import Convention, DepthBuffer, Handedness, Sides, Space
+from nmatrix.enums import Convention, Handedness, Space
 from nmatrix.errors import NMatrixError
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
+from nmatrix.scene.kinds import DepthBuffer, Sides
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import AMBIENT_SHARE, CHECKER, Colour, Material
 from nmatrix.scene.scene import Fog, Settings

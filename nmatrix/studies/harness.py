@@ -162,7 +162,7 @@ def interval(ratios: Sequence[float]) -> tuple[float, float]:
 
     Examples
     --------
-    >>> interval([1.0, 1.0, 1.0, 9.0, 1.0])
+    >>> interval([1.0, 1.0, 1.0, 1.0, 1.0])
     (1.0, 1.0)
     """
     draw = random.Random(SEED)

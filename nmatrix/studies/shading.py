@@ -15,12 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect, Effort, LampKind, Reflection, Shading, Shape
+from nmatrix.enums import Effect, Effort, Reflection, Shading
 from nmatrix.raster.plan import Plan, plan_for
 from nmatrix.raster.render import Change, render
 from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import CHECKER, Material, grey

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import LampKind, NormalRule, Shape, Space
+from nmatrix.enums import NormalRule, Space
 from nmatrix.raster.shading_space import ShadingSpace
 from nmatrix.raster.studio import Body, Studio, studio
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings

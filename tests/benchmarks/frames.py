@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 
-from nmatrix.enums import LampKind
 from nmatrix.linear.rational import identity
 from nmatrix.raster.canvas import Canvas
 from nmatrix.raster.fragments import Fragments, Reads
@@ -22,6 +21,7 @@ from nmatrix.raster.shading_space import as_array
 from nmatrix.raster.studio import Studio, studio
 from nmatrix.raster.vertices import Projected, front_sign, project
 from nmatrix.scene.camera import View
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material, grey

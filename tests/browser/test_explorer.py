@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 from nmatrix.cli.app import run
-from nmatrix.enums import LampKind, NormalRule, Reflection, Shape, Space
+from nmatrix.enums import NormalRule, Reflection, Space
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rounding import angle, integers
 from nmatrix.output.explorer.page import BACKGROUND, TESSELLATION, page, page_data
@@ -23,6 +23,7 @@ from nmatrix.raster.render import render
 from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material, grey
@@ -81,12 +82,12 @@ def test_its_numbers_are_pythons(opened, file) -> None:
         found.wait_for_function(f"state.sx === {one['sx']} && state.rz === {one['rz']}")
         numbers = state(found)
         exact = LinearMap.of([row[:3] for row in world_of(one).exact[:3]])
-        for key, true in (
+        for key, matrix in (
             ("A", [[e / exact.denominator for e in row] for row in exact.entries]),
             ("N", exact.inverse_transpose),
             ("C", exact.cofactor_matrix),
         ):
-            true = np.array(true, float)
+            true = np.array(matrix, float)
             assert np.abs(np.array(numbers[key]) - true).max() <= 1e-12 * np.abs(true).max()
         assert numbers["det"] == pytest.approx(float(exact.determinant), rel=1e-12)
         mesh = ShapeGeometry(Shape.TORUS, TESSELLATION).mesh()

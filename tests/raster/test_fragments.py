@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from nmatrix.enums import Effect, LampKind, Shape
+from nmatrix.enums import Effect
 from nmatrix.linear.rational import identity
 from nmatrix.raster import fragments as fragments_module
 from nmatrix.raster.fragments import Fragments, Reads, Weighing, interpolate
@@ -19,6 +19,7 @@ from nmatrix.raster.studio import studio
 from nmatrix.raster.vertices import Projected
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.scene import Scene, SceneObject, Settings

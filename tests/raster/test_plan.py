@@ -9,16 +9,7 @@ import numpy as np
 import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 
-from nmatrix.enums import (
-    DepthBuffer,
-    Effect,
-    LampKind,
-    LeftOut,
-    Reflection,
-    Shading,
-    Shape,
-    Space,
-)
+from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
 from nmatrix.raster import decisions as decisions_module
 from nmatrix.raster import plan as plan_module
 from nmatrix.raster import shortcuts
@@ -28,6 +19,7 @@ from nmatrix.raster.render import render
 from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import DepthBuffer, LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.open import scene_of

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
-from nmatrix.enums import LampKind, Space
+from nmatrix.enums import Space
 from nmatrix.linear.rational import rational
 from nmatrix.raster import plan as plan_module
 from nmatrix.raster.decision import Decision
@@ -14,6 +14,7 @@ from nmatrix.raster.plan import planned
 from nmatrix.raster.render import render
 from nmatrix.raster.shading_space import Measure
 from nmatrix.raster.studio import studio
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.world import World

@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from nmatrix.enums import DepthBuffer
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster import picture as picture_module
 from nmatrix.raster import visibility as visibility_module
@@ -17,6 +16,7 @@ from nmatrix.raster.picture import Drawable, Drawing, Picture
 from nmatrix.raster.spans import SUBPIXELS
 from nmatrix.raster.vertices import Projected
 from nmatrix.raster.visibility import EMPTY, TRIANGLE_MASK, Tile, depth_code
+from nmatrix.scene.kinds import DepthBuffer
 
 SIZE = 48
 CANVAS = Canvas(SIZE, SIZE)

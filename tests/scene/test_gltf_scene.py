@@ -12,7 +12,6 @@ from struct import pack
 import numpy as np
 import pytest
 
-from nmatrix.enums import LampKind, Sides
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity, product, to_floats
 from nmatrix.raster.plan import planned
@@ -21,6 +20,7 @@ from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import FileGeometry
 from nmatrix.scene.gltf_scene import gltf_scene
+from nmatrix.scene.kinds import LampKind, Sides
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene

@@ -10,12 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from nmatrix.enums import DepthBuffer, DepthRange, Handedness, LampKind, Shape, Space
+from nmatrix.enums import DepthRange, Handedness, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import inverse_transpose, linear, product, to_floats
 from nmatrix.linear.vectors import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.kinds import DepthBuffer, LampKind, Shape
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.scenefile import read_scene
 from nmatrix.scene.world import World

@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nmatrix.lessons.formulas import beside
-from nmatrix.lessons.formulas.mathml import mathml
+from nmatrix.lessons.formulas.mathml import MATH, mathml
 from nmatrix.lessons.formulas.parse import parse
 from nmatrix.lessons.formulas.spoken import spoken
 from nmatrix.lessons.formulas.tree import Grid, Node, Row
 from nmatrix.lessons.formulas.typst import typst
-from nmatrix.lessons.notation import MATH
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.report import Formula
 

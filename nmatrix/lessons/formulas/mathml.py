@@ -18,6 +18,7 @@ from nmatrix.lessons.formulas.tree import (
     Sign,
 )
 
+MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 RAISED_UP = str.maketrans(LOWERED, "0123456789")
 PLAIN = str.maketrans(RAISED, "0123456789−⊤′s")

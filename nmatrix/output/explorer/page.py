@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from base64 import b64encode
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
@@ -18,6 +19,7 @@ from nmatrix.enums import Handedness, NormalRule, Space
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.decompose import parts
 from nmatrix.linear.rational import RationalMatrix, to_floats
+from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.shot import Shot
@@ -27,6 +29,7 @@ from nmatrix.spaces.uniforms import AMBIENT, DIFFUSE, SHININESS, SPECULAR, WHITE
 
 SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT)
 TESSELLATION = (32, 64)
+PLACED = ("eye", "target", "up")  # what places a camera that looks at something
 BACKGROUND = (0.93, 0.93, 0.93)
 WRONG_RULES = {
     NormalRule.NONE: "A itself",
@@ -104,8 +107,7 @@ def _sliders(shot: Shot) -> tuple[tuple[float, ...], tuple[float, ...], tuple[fl
     world = shot.world
     plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
     if world == plain:
-        found = (world.scale, world.rotate_degrees, world.shear)
-        return tuple(tuple(map(float, one)) for one in found)  # type: ignore[return-value]  # three
+        return _float3(world.scale), _float3(world.rotate_degrees), _float3(world.shear)
     taken = parts(world.world_from_object)
     if taken is None:
         raise NoAnswerError(
@@ -113,7 +115,11 @@ def _sliders(shot: Shot) -> tuple[tuple[float, ...], tuple[float, ...], tuple[fl
             "sliders cannot show a singular matrix that is not given by its parts",
             "give --scale with a 0 in it",
         )
-    return tuple(map(float, taken.scale)), taken.rotate, tuple(map(float, taken.shear))
+    return _float3(taken.scale), taken.rotate, _float3(taken.shear)
+
+
+def _float3(values: Iterable[Number]) -> tuple[float, ...]:
+    return tuple(map(float, values))
 
 
 def _shaders(shot: Shot) -> dict[str, dict[str, Any]]:
@@ -133,9 +139,8 @@ def _options(shot: Shot) -> list[str]:
     found = []
     if view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT:
         usual = View()
-        for name in ("eye", "target", "up"):
-            if getattr(view, name) != getattr(usual, name):
-                found.append(f"--{name} {_spaced(getattr(view, name))}")
+        given = [one for one in PLACED if getattr(view, one) != getattr(usual, one)]
+        found += [f"--{one} {_spaced(getattr(view, one))}" for one in given]
     else:
         found.append(f"--view-matrix {_literal(shot.stage.camera_from_world.exact)}")
     if lens != Lens():

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect, LampKind, Reflection, Shape
+from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.image import levels, png
 from nmatrix.raster.plan import Plan, plan_for
 from nmatrix.raster.render import Rendered, Work, render
@@ -17,6 +17,7 @@ from nmatrix.raster.studio import Studio, studio
 from nmatrix.report import Value
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, LoadedGeometry, ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material

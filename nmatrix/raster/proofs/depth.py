@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from nmatrix.enums import DepthBuffer, DepthRange, Shape
+from nmatrix.enums import DepthRange
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.brief import Brief, Proof, Shown, shown, together
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import DepthBuffer, Shape
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.scene import Scene, SceneObject

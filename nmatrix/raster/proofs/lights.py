@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import LampKind, NormalRule, Space
+from nmatrix.enums import NormalRule, Space
 from nmatrix.linear.rational import linear, to_floats
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.lighting import SpaceLamp
@@ -27,6 +27,7 @@ from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading_space import Measure
 from nmatrix.raster.surface import Surface
 from nmatrix.scene.camera import View
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.lamp import EYE, Lamp
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.world import World

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nmatrix.enums import LampKind, Reflection, Shape
+from nmatrix.enums import Reflection
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import LampKind, Shape
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import CHECKER, Material, grey

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from nmatrix.enums import LampKind, NormalRule, Reflection, Space
+from nmatrix.enums import NormalRule, Reflection, Space
 from nmatrix.linear.rational import identity
 from nmatrix.raster.image import Panel, compose, levels
 from nmatrix.raster.plan import everything, planned
@@ -26,6 +26,7 @@ from nmatrix.raster.render import render
 from nmatrix.raster.studio import studio
 from nmatrix.report import Value
 from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.scene.kinds import LampKind
 from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.world import World

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect, NormalRule, Reflection, Shading, Shape
+from nmatrix.enums import Effect, NormalRule, Reflection, Shading
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.angles import angle_map
 from nmatrix.raster.proofs.brief import Brief, Proof, level_difference, shown, together
@@ -18,6 +18,7 @@ from nmatrix.raster.render import surface_of
 from nmatrix.raster.surface import Surface
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.kinds import Shape
 from nmatrix.scene.material import CHECKER, Material
 from nmatrix.scene.scene import Scene, SceneObject
 from nmatrix.scene.world import World

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.raster.canvas import Canvas
 from nmatrix.raster.spans import SUBPIXELS
 from nmatrix.raster.vertices import project
 from nmatrix.raster.visibility import EMPTY, Tile
+from nmatrix.scene.kinds import DepthBuffer
 from nmatrix.scene.mesh import Mesh
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer, DepthRange, Frame
+from nmatrix.enums import DepthRange, Frame
 from nmatrix.linear.affine import compose, rotation, translation_matrix
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
@@ -18,6 +18,7 @@ from nmatrix.linear.rational import RationalMatrix, rational, rational_vector, t
 from nmatrix.raster.canvas import Canvas
 from nmatrix.raster.vertices import project
 from nmatrix.raster.visibility import TRIANGLE_MASK, Tile
+from nmatrix.scene.kinds import DepthBuffer
 from nmatrix.scene.mesh import Mesh
 from nmatrix.spaces.stage import Light, Stage
 from nmatrix.spaces.transform import Transform

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthBuffer, Effect, Reflection
+from nmatrix.enums import Effect, Reflection
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.raster.canvas import Canvas
 from nmatrix.raster.fragments import exact_weights
@@ -18,6 +18,7 @@ from nmatrix.raster.shading_space import Measure
 from nmatrix.raster.spread import Spread
 from nmatrix.raster.vertices import project
 from nmatrix.raster.visibility import STEPS, TRIANGLE_BITS, Tile
+from nmatrix.scene.kinds import DepthBuffer
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.mesh import Mesh
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
