@@ -42,6 +42,9 @@ _CHARACTERS = {
     "⇒": r"$\Rightarrow$",
 }
 
+# What the T1 fonts have beyond Latin-1.
+_EASTERN = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž"
+
 
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as LaTeX."""
@@ -92,8 +95,8 @@ def escaped(text: str) -> str:
 
 
 def _in_latin(mark: str) -> str:
-    """Return a letter of Latin-1 as it is, any other character spelled in ASCII."""
-    if mark.isascii() or (mark.isalpha() and mark <= "ÿ"):
+    """Return a letter that LaTeX's fonts have as it is, any other character spelled in ASCII."""
+    if mark.isascii() or (mark.isalpha() and mark <= "ÿ") or mark in _EASTERN:
         return mark if mark.isprintable() else " "
     return "".join(_CHARACTERS.get(c, c) for c in spelled(mark, Charset.ASCII))
 

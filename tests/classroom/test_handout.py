@@ -152,6 +152,27 @@ def test_pdf_is_the_same_bytes_twice() -> None:
     assert first.startswith(b"%PDF")
 
 
+@pytest.mark.slow
+def test_pdflatex_accepts_a_whole_sheet_and_fills_no_line_too_far(tmp_path) -> None:
+    import shutil
+    import subprocess
+
+    if shutil.which("pdflatex") is None:
+        pytest.skip("pdflatex is not installed")
+    plan = Plan(tuple(Topic), Shot(World(scale=(1, 2, 1))), 10, PageFormat.TEX, with_key=True)
+    found = written(plan, Sheet("1", f"Łucja {EVIL}"))
+    for name, content in (("sheet.tex", found.sheet), ("key.tex", found.key), *found.pictures):
+        (tmp_path / name).write_bytes(content)
+    for name in ("sheet.tex", "key.tex"):
+        done = subprocess.run(
+            ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", name],
+            cwd=tmp_path, capture_output=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stdout[-2000:].decode("utf-8", "replace")
+        widest = re.findall(rb"Overfull .hbox .([0-9.]+)pt too wide", done.stdout)
+        assert all(float(width) < 8 for width in widest), widest
+
+
 def test_a_picture_without_words_is_refused() -> None:
     typst_or_skip()
     import typst

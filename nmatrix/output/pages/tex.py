@@ -10,6 +10,7 @@ from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
 from nmatrix.report import Figure
 
+LONG = 30  # characters from which a cell is a sentence
 SIZES = {Paper.A4: "a4paper", Paper.LETTER: "letterpaper"}
 
 
@@ -20,7 +21,7 @@ def tex(document: Document) -> bytes:
     source = rf"""\documentclass[11pt,{SIZES[document.paper]}]{{article}}
 \usepackage[utf8]{{inputenc}}
 \usepackage[T1]{{fontenc}}
-\usepackage{{amsmath,amssymb,graphicx}}
+\usepackage{{amsmath,amssymb,graphicx,tabularx}}
 \usepackage[margin=18mm]{{geometry}}
 \setlength{{\parindent}}{{0pt}}
 \setlength{{\parskip}}{{1ex}}
@@ -40,9 +41,19 @@ class LatexPage(Latex):
     """How a page writes each kind of block."""
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Return a table whose last column wraps."""
-        plain, wrapped = "l" * len(columns), "l" * (len(columns) - 1) + r"p{0.5\textwidth}"
-        return super().table(title, columns, rows).replace(f"{{{plain}}}", f"{{{wrapped}}}", 1)
+        """Return a table whose long columns wrap, each with its share of the line."""
+        longest = [max(map(len, column)) for column in zip(columns, *rows, strict=True)]
+        found = super().table(title, columns, rows)
+        if max(longest, default=0) <= LONG:
+            return found
+        shape = "".join("X" if size > LONG else "l" for size in longest)
+        plain = rf"\begin{{tabular}}{{{'l' * len(columns)}}}"
+        wide = rf"\begin{{tabularx}}{{\linewidth}}{{{shape}}}"
+        return found.replace(plain, wide, 1).replace(r"\end{tabular}", r"\end{tabularx}")
+
+    def code(self, language: str, text: str) -> str:
+        """Return program text, small enough for the lines that nmatrix prints."""
+        return f"{{\\footnotesize\n{super().code(language, text)}\n}}"
 
     def figure(self, figure: Figure) -> str:
         """Return a picture; its alternative text stands in a comment."""
