@@ -290,6 +290,13 @@ def test_a_positive_factor_changes_no_direction_and_a_negative_one_does(factor):
         assert Judge(question).judge(typed(turned)).verdict is not Outcome.CORRECT
 
 
+def test_with_unit_the_inverse_transpose_itself_is_asked_for():
+    question = asked(Subject.NORMAL, Shot(World(scale=(1, 2, 1))), unit=True)
+    right, cofactors = ("1 0 0; 0 0.5 0; 0 0 1", "2 0 0; 0 1 0; 0 0 2")
+    assert Judge(question).judge(read_answer(right, question)).verdict is Outcome.CORRECT
+    assert Judge(question).judge(read_answer(cofactors, question)).mistake == "missing-normalise"
+
+
 def test_zeros_are_never_right_by_rounding():
     tiny = Shot(World(scale=(1000, 1000, 1000)))
     for question in (asked(Subject.NORMAL, tiny), asked(Subject.EYE, tiny, space=Space.OBJECT)):

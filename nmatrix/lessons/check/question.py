@@ -57,7 +57,7 @@ class Question:
     subject, shot, space
         What is asked for, of which scene, in which space.
     unit
-        Whether a unit vector is asked for.
+        Whether a unit vector is asked for, or the inverse transpose itself and no multiple of it.
     tolerance
         How far an entry may be off, in place of the digits given.
     normal
@@ -75,11 +75,11 @@ class Question:
     light: LightPart = LightPart.DIRECTION
 
     def __post_init__(self) -> None:
-        if self.unit and not self.is_direction:
+        if self.unit and not self.is_direction and self.subject is not Subject.NORMAL:
             raise IllegalValueError(
                 f"--unit with {self.subject}",
                 "only a direction has a length to bring to 1",
-                "leave it out, or ask for a normal with --normal X Y Z",
+                "leave it out",
             )
 
     @property
@@ -196,7 +196,7 @@ def light_vector(question: Question) -> RationalVector:
 
 def finished(question: Question, raw: RationalMatrix) -> RationalMatrix:
     """Return an answer as it is asked for: a direction at length one, if a unit is wanted."""
-    if not question.unit:
+    if not question.unit or not question.is_vector:
         return raw
     *direction, w = raw[0]
     if not any(direction):
