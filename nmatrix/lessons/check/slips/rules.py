@@ -37,6 +37,8 @@ def by_normal_rule(mistake: MistakeId, question: Question, by: Setting) -> Ratio
         return None
     if rule is NormalRule.FOUR_COMPONENT and not question.unit:
         return None  # the length is all that is wrong with it
+    if rule is NormalRule.COFACTOR and determinant(linear(by.space_from_object)) > 0:
+        return None  # without a mirror the sign is right
     found = carrier(rule, by.space_from_object)
     if found is None:
         return None
