@@ -60,7 +60,7 @@ PITFALLS: tuple[Pitfall, ...] = (
             "nmatrix derive nonuniform"),
     Pitfall("F15", "Ambient light is light.",
             "A constant in place of all light that other surfaces send: no shape, no corner.",
-            "nmatrix stress --case R9"),
+            "nmatrix space world -f glsl"),
     Pitfall("F16", "In camera space the eye's direction is the position.",
             "Its negative: from the point to the eye is −p/|p|.",
             "nmatrix derive reflection"),
