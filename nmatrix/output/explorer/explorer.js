@@ -263,7 +263,7 @@ function build() {
   const spaces = Object.fromEntries(CHOICES.space.map((space) => [space, space + " space"]));
   form.append(choice("rule", "Wrong rule", data.rules), choice("space", "Shading in", spaces), choice("shape", "Mesh", { torus: "torus", sphere: "sphere" }));
   const groups = [["Scale", "s", ["x", "y", "z"], [0, 4, 0.05]], ["Rotation (°)", "r", ["x", "y", "z"], [-180, 180, 1]], ["Shear", "h", ["xy", "xz", "yz"], [-2, 2, 0.05]]];
-  if (data.has_direction) groups.push(["Light travels along", "l", ["x", "y", "z"], [-1, 1, 0.05]]);
+  if (data.has_direction) groups.push(["Light travels along", "l", ["x", "y", "z"], [-3, 3, 0.05]]);
   for (const [title, letter, names, range] of groups) {
     const group = document.createElement("fieldset");
     group.innerHTML = `<legend>${title}</legend>`;
