@@ -37,6 +37,7 @@ WRONG_RULES = {
     NormalRule.NOT_INVERTED: "Aᵀ, not inverted",
     NormalRule.COFACTOR: "the cofactors, without the sign of det",
 }
+DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a direction
 STRETCHED = World(scale=(1, 2, 1))  # calls for everything that a shader may need
 
 
@@ -95,10 +96,10 @@ def page_data(shot: Shot) -> dict[str, Any]:
 def _start(shot: Shot) -> dict[str, float | str]:
     """Return where the sliders stand."""
     scale, rotate, shear = _sliders(shot)
-    direction = shot.stage.light.direction or (0, -1, 0)
+    direction = _float3(shot.stage.light.direction or DOWNWARDS)
     start: dict[str, float | str] = {"rule": "none", "space": "world", "shape": "torus"}
     for axis, s, r, d in zip("xyz", scale, rotate, direction, strict=True):
-        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"l{axis}": float(d)}
+        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"l{axis}": d}
     return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
 
 
