@@ -18,7 +18,7 @@ from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject, right_answer
 from nmatrix.lessons.check.wrong import pairs, single_mistakes
-from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.shot import LightSource, Shot
@@ -288,6 +288,21 @@ def test_a_positive_factor_changes_no_direction_and_a_negative_one_does(factor):
         assert judging.UP_TO_LENGTH in found.remarks
         turned = tuple(tuple(-x for x in row) for row in exact)
         assert Judge(question).judge(typed(turned)).verdict is not Outcome.CORRECT
+
+
+@pytest.mark.parametrize(
+    "lens",
+    [
+        Lens(near=1, far=float("inf"), frustum=Window(-2, 2, -1, 1)),
+        Lens(near=1, far=float("inf")),
+        Lens(aspect=1e-300, near=1, far=10),
+        Lens(aspect=1e-300, fov_degrees=179.9999, near=1e-300, far=1e300),
+    ],
+)
+def test_lenses_at_the_limits_have_fewer_mistakes_and_no_crash(lens):
+    question = asked(Subject.PROJECTION, Shot(lens=lens))
+    numbers = " ".join(["1"] * 16)
+    assert Judge(question).judge(read_answer(numbers, question)).verdict is Outcome.UNKNOWN
 
 
 def test_with_unit_the_inverse_transpose_itself_is_asked_for():

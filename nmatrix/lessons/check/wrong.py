@@ -8,6 +8,7 @@ can happen: at different stages, or both in the description.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import combinations
@@ -68,6 +69,7 @@ RULES: dict[Subject, dict[MistakeId, Rule]] = {
         MistakeId.DIRECTION_AS_POINT: rules.direction_as_point,
     },
 }
+NO_ANSWER = (NMatrixError, ArithmeticError)  # of a mistaken scene, which is then no candidate
 MATRICES = (Subject.WORLD, Subject.VIEW, Subject.PROJECTION)
 
 
@@ -114,7 +116,7 @@ class Flow:
         for question, at in drafts.of(self.describe):
             try:
                 found = self._answer(question, at)
-            except NMatrixError:  # the mistaken matrices have no answer of their own
+            except NO_ANSWER:  # the mistaken matrices have none of their own
                 continue
             if found is not None:
                 yield found
@@ -147,7 +149,7 @@ class Drafts:
 
     def _made(self, describe: tuple[Describe, ...]) -> Iterator[tuple[Question, Setting]]:
         seen = set()
-        for shot in _misread(self.question.shot, describe):
+        for shot in _readable(_misread(self.question.shot, describe)):
             asked = replace(self.question, shot=shot)
             what_matters = _what_matters(asked)
             if what_matters in seen:
@@ -155,8 +157,14 @@ class Drafts:
             seen.add(what_matters)
             try:
                 yield asked, setting(asked)
-            except NMatrixError:  # the mistaken scene has no such space
+            except NO_ANSWER:  # the mistaken scene has no such space
                 continue
+
+
+def _readable(shots: Iterator[Shot]) -> Iterator[Shot]:
+    """Give scenes up to one that floats cannot hold, such as the inverse of a tiny aspect."""
+    with suppress(*NO_ANSWER):
+        yield from shots
 
 
 def _misread(shot: Shot, describe: tuple[Describe, ...]) -> Iterator[Shot]:

@@ -82,8 +82,8 @@ def near_far_swapped(shot: Shot) -> Iterator[Shot]:
 
 def near_far_swapped_in_frustum(shot: Shot) -> Iterator[Shot]:
     """Give the same for a frustum, whose focal lengths hold near too."""
-    ratio = Fraction(shot.lens.far) / Fraction(shot.lens.near)
     for swapped in near_far_swapped(shot):
+        ratio = Fraction(shot.lens.far) / Fraction(shot.lens.near)
         matrix = product(swapped.lens.clip_from_camera, diagonal((ratio, ratio, ONE, ONE)))
         yield replace(swapped, lens=replace(swapped.lens, matrix=matrix))
 
