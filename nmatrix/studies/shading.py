@@ -33,15 +33,24 @@ from nmatrix.studies.surfaces import as_it_is, in_float32, normal_angles, normal
 
 Array = NDArray[Any]
 
-FULL, QUICK = (256, 256), (64, 64)
 TESSELLATIONS = ((8, 16), (16, 32), (32, 64), (64, 128))
-REFERENCE = (96, 192)
 SAMPLES = (1, 4, 16, 64)
 SHADOW_MAPS = (64, 256, 1024)
 FINEST_MAP = 2048
 SHINY = Material("shiny", specular=grey(0.4), shininess=48, reflection=Reflection.BLINN_PHONG)
 FLOOR = Material("floor", texture=CHECKER)
 SUN = Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1), intensity=0.8, shadows=True)
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How large the pictures are, and how fine the torus is where no dial says so."""
+
+    size: tuple[int, int] = (256, 256)
+    tessellation: tuple[int, int] = (96, 192)
+
+
+FULL, QUICK = Extent(), Extent((64, 64), TESSELLATIONS[-1])
 
 
 @dataclass(frozen=True)
@@ -63,16 +72,15 @@ class Dial:
         return np.asarray(render(self.plan, change=self.change).rgb) * 255.0
 
 
-def scene(size: tuple[int, int], tessellation: tuple[int, int] = REFERENCE) -> Scene:
+def scene(extent: Extent, tessellation: tuple[int, int] | None = None) -> Scene:
     """Return a stretched torus over a checkered floor, with a highlight and a shadow."""
+    size, fine = extent.size, tessellation or extent.tessellation
     torus = World(rotate_degrees=(60, 0, 20), scale=(1, 1.4, 0.8))
     floor = World(translate=(0, -1.5, 0), scale=(4, 1, 4))
     return Scene(
         (
             SceneObject("floor", ShapeGeometry(Shape.PLANE), floor.world_from_object, FLOOR),
-            SceneObject(
-                "torus", ShapeGeometry(Shape.TORUS, tessellation), torus.world_from_object, SHINY
-            ),
+            SceneObject("torus", ShapeGeometry(Shape.TORUS, fine), torus.world_from_object, SHINY),
         ),
         (SUN,),
         View(eye=(1, 1.6, 4.5)),
@@ -81,9 +89,9 @@ def scene(size: tuple[int, int], tessellation: tuple[int, int] = REFERENCE) -> S
     )
 
 
-def dials(size: tuple[int, int]) -> Iterator[Dial]:
+def dials(extent: Extent) -> Iterator[Dial]:
     """Return every setting of every dial."""
-    usual = scene(size)
+    usual = scene(extent)
 
     def turned(**settings: object) -> Scene:
         return replace(usual, settings=replace(usual.settings, **settings))  # type: ignore[arg-type]  # names of settings
@@ -99,16 +107,16 @@ def dials(size: tuple[int, int]) -> Iterator[Dial]:
     for value, change in (("float32", in_float32), ("float64", as_it_is)):
         yield Dial("attributes", value, usual, change)
     for rings, sectors in TESSELLATIONS:
-        yield Dial("tessellation", f"{rings} × {sectors}", scene(size, (rings, sectors)))
+        yield Dial("tessellation", f"{rings} × {sectors}", scene(extent, (rings, sectors)))
     for texels in SHADOW_MAPS:
         yield Dial("shadow map", str(texels), turned(shadow_map=texels))
     for effort in Effort:
         yield Dial("effects", effort.value, turned(effort=effort))
 
 
-def reference(size: tuple[int, int]) -> Dial:
+def reference(extent: Extent) -> Dial:
     """Return the picture without a shortcut: 64 samples, light at fragments, a fine shadow map."""
-    usual = scene(size)
+    usual = scene(extent)
     settings = replace(usual.settings, samples=64, shadow_map=FINEST_MAP, effort=Effort.ALL)
     return Dial("reference", "", replace(usual, settings=settings))
 
@@ -116,10 +124,10 @@ def reference(size: tuple[int, int]) -> Dial:
 class Against:
     """The reference picture and the usual frame, each made once and when it is first asked for."""
 
-    def __init__(self, harness: Harness, size: tuple[int, int]) -> None:
+    def __init__(self, harness: Harness, extent: Extent) -> None:
         self.harness = harness
-        self.reference = reference(size)
-        self.usual = Dial("usual", "", scene(size))
+        self.reference = reference(extent)
+        self.usual = Dial("usual", "", scene(extent))
 
     @cached_property
     def image(self) -> Array:
@@ -148,7 +156,7 @@ class Against:
         return Row(one.value, one.dial, rms, "levels", timing, more=more)
 
 
-def tasks(harness: Harness, size: tuple[int, int]) -> list[Task]:
+def tasks(harness: Harness, extent: Extent) -> list[Task]:
     """Return every setting still to be measured."""
-    against = Against(harness, size)
-    return [partial(against.row, one) for one in dials(size)]
+    against = Against(harness, extent)
+    return [partial(against.row, one) for one in dials(extent)]

@@ -98,7 +98,7 @@ def test_medians_hide_what_the_worst_shows(rows: tuple) -> None:
 
 @pytest.fixture(scope="module")
 def pictures() -> dict:
-    found = measured(shading.tasks(HARNESS, (48, 48)))
+    found = measured(shading.tasks(HARNESS, shading.Extent((48, 48))))
     return {(row.setting, row.method): row for row in found}
 
 
