@@ -15,18 +15,27 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Level
 from nmatrix.linear.certified import determinant_signs
-from nmatrix.linear.compensated import AFTER, NEXT, Scaled, cofactors
+from nmatrix.linear.compensated import Scaled, cofactors
 from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.plain import Workspace
 
 Array = NDArray[Any]
 
-CHUNK = 1 << 12  # matrices whose entries, cofactors and scratch stay in the second-level cache
-FLATTEST = 2.0**-10  # of the largest cofactor to the largest product that plain ones are taken for
-DOUBT = 2.0**-40  # of the determinant to the cube of the largest entry
+CHUNK = 5 << 10  # matrices whose entries, cofactors and scratch stay in the second-level cache
+ENOUGH = 1 << 10  # matrices that are worth the calls of the certified level
+
+
+def normal_matrices_by_row(A: Array, out: Array, level: Level) -> Array:
+    """Write sign(det A)·C for arrays of structures (N, 3, 3) into `out`, and return it.
+
+    Each chunk is turned once, in the cache.
+    """
+    normal_matrices(A.transpose(1, 2, 0), out.transpose(1, 2, 0), level)
+    return out
 
 
 def normal_matrices(A: Array, out: Array, level: Level) -> Array:
-    """Write sign(det A)·C for structures of arrays (3, 3, N) into `out`, and return it.
+    """Do the same for structures of arrays (3, 3, N).
 
     A singular map's sign counts as +1: the cofactors of rank 2 still hold the plane's normal.
 
@@ -36,72 +45,41 @@ def normal_matrices(A: Array, out: Array, level: Level) -> Array:
     >>> normal_matrices(A, np.empty_like(A), Level.CERTIFIED)[:, :, 0].diagonal().tolist()
     [-8.0, 4.0, 2.0]
     """
+    write = _guarded if level is Level.GUARDED else _certified
+    return write(A, out)
+
+
+def _guarded(A: Array, out: Array) -> Array:
+    """Write plain cofactors, and certified ones over those that may not be good enough.
+
+    The few of each chunk wait until there are enough of them: together they cost a tenth.
+    """
+    space = Workspace.of(min(CHUNK, A.shape[2]))
+    at, waiting = [np.empty(0, np.intp)], [np.empty((3, 3, 0))]
+    for first in range(0, A.shape[2], CHUNK):
+        some = A[:, :, first : first + CHUNK]
+        doubtful = space.write(some, out[:, :, first : first + CHUNK])
+        at.append(first + doubtful)
+        waiting.append(_planes(some[:, :, doubtful]))
+        if sum(map(len, at)) >= ENOUGH or first + CHUNK >= A.shape[2]:
+            out[:, :, np.concatenate(at)] = _certified_chunk(np.concatenate(waiting, axis=2))
+            at, waiting = at[:1], waiting[:1]
+    return out
+
+
+def _certified(A: Array, out: Array) -> Array:
     for first in range(0, A.shape[2], CHUNK):
         part = slice(first, first + CHUNK)
-        _chunk(np.ascontiguousarray(A[:, :, part], np.float64), out[:, :, part], level)
+        np.copyto(out[:, :, part], _certified_chunk(_planes(A[:, :, part])), casting="same_kind")
     return out
 
 
-def normal_matrices_by_row(A: Array, out: Array, level: Level) -> Array:
-    """Do the same for arrays of structures (N, 3, 3); each chunk is turned once, in the cache."""
-    turned = np.empty((3, 3, CHUNK))
-    found = np.empty((3, 3, CHUNK))
-    for first in range(0, len(A), CHUNK):
-        some = A[first : first + CHUNK]
-        count = len(some)
-        np.copyto(turned[:, :, :count], some.transpose(1, 2, 0))
-        whole = count == CHUNK
-        given = turned if whole else np.ascontiguousarray(turned[:, :, :count])
-        result = found if whole else np.empty((3, 3, count))
-        _chunk(given, result, level)
-        np.copyto(out[first : first + CHUNK], result.transpose(2, 0, 1), casting="same_kind")
-    return out
-
-
-def _chunk(A: Array, out: Array, level: Level) -> None:
-    if level is Level.CERTIFIED:
-        _certified(A, out)
-        return
-    doubtful = np.flatnonzero(_plain(A, out))
-    if len(doubtful):
-        again = np.empty((3, 3, len(doubtful)))
-        _certified(np.ascontiguousarray(A[:, :, doubtful]), again)
-        out[:, :, doubtful] = again
-
-
-def _plain(A: Array, out: Array) -> Array:
-    """Write sign(det A)·C by plain cofactors, and return where that is not good enough."""
-    scratch = np.empty(A.shape[2])
-    with np.errstate(over="ignore", invalid="ignore", under="ignore"):
-        for i in range(3):
-            for j in range(3):
-                r, s, k, m = NEXT[i], AFTER[i], NEXT[j], AFTER[j]
-                np.multiply(A[r, k], A[s, m], out=out[i, j])
-                np.multiply(A[r, m], A[s, k], out=scratch)
-                out[i, j] -= scratch
-        determinant = A[0, 0] * out[0, 0]
-        determinant += A[0, 1] * out[0, 1]
-        determinant += A[0, 2] * out[0, 2]
-        largest = np.maximum(A.max(axis=(0, 1)), -A.min(axis=(0, 1)))
-        cofactor = np.maximum(out.max(axis=(0, 1)), -out.min(axis=(0, 1)))
-        square = largest * largest
-        good = cofactor >= FLATTEST * square
-        good &= np.abs(determinant) >= DOUBT * square * largest
-        good &= (largest < 2.0**150) & (largest > 2.0**-150)
-    np.copysign(1.0, determinant, out=scratch)
-    out *= scratch
-    return np.asarray(~good)
-
-
-def _certified(A: Array, out: Array) -> None:
-    """Write sign(det A)·C within 2u, scaled by a power of two for each matrix that needs it."""
+def _certified_chunk(A: Array) -> Array:
+    """Return sign(det A)·C within 2u, scaled by a power of two for each matrix that needs it."""
     C = cofactors(A)
-    signs = _signs(A, C)
-    if C.exponent.any():
-        np.copyto(out, _at_one_scale(C))
-    else:
-        np.copyto(out, C.mantissa)
-    out *= signs
+    found = _at_one_scale(C) if C.exponent.any() else C.mantissa
+    found *= _signs(A, C)
+    return found
 
 
 def _at_one_scale(C: Scaled) -> Array:
@@ -120,3 +98,7 @@ def _signs(A: Array, C: Scaled) -> Array:
     for i in np.flatnonzero(~sure).tolist():
         sign[i] = LinearMap.of(A[:, :, i].tolist()).determinant_sign
     return np.where(sign < 0, -1.0, 1.0)
+
+
+def _planes(A: Array) -> Array:
+    return np.ascontiguousarray(A, np.float64)
