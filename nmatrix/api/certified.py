@@ -53,7 +53,7 @@ def normal_matrices(
     [-8.0, 4.0, 2.0]
     """
     given = _batch(matrices, (3, 3), "matrices")
-    found = np.empty(given.shape, given.dtype) if out is None else _checked(out, given)
+    found = _room(out, given)
     if level is Level.EXACT:
         for i, matrix in enumerate(given.astype(np.float64).tolist()):
             found[i] = _exact(matrix)
@@ -67,12 +67,18 @@ def _exact(matrix: list[list[float]]) -> Rows:
     return to_floats(scaled(block.cofactor_matrix, sign))
 
 
-def _checked(out: Array, given: Array) -> Array:
-    """Return where to write, if the answer fits there."""
-    if out.shape != given.shape or out.dtype not in FLOATS:
+def _room(out: Array | None, given: Array) -> Array:
+    """Return where to write: what was given for that, if the answer fits there."""
+    if out is None:
+        return np.empty_like(given)
+    if not isinstance(out, np.ndarray) or out.shape != given.shape or out.dtype not in FLOATS:
+        is_array = isinstance(out, np.ndarray)
+        is_what = (
+            f"of shape {out.shape}, {out.dtype}" if is_array else f"of type {type(out).__name__}"
+        )
         raise IllegalValueError(
-            f"out of shape {out.shape}, {out.dtype}",
-            f"the answer is {given.shape}, float32 or float64",
+            f"out {is_what}",
+            f"the answer is an array {given.shape}, float32 or float64",
             "leave it out",
         )
     return out
@@ -95,10 +101,12 @@ def carry_normals(matrix: ArrayLike, normals: ArrayLike, out: Array | None = Non
     [[0.7071, 0.7071, 0.0]]
     """
     n = _batch(normals, (3,), "normals")
-    A = _batch(np.asarray(matrix)[None], (3, 3), "matrices")
-    carrier = normal_matrices(A.astype(np.float64), level=Level.EXACT)[0]
-    carrier = carrier / (np.abs(carrier).max() or 1.0)
-    return carried_by_row(carrier.astype(n.dtype), n, np.empty_like(n) if out is None else out)
+    A = _finite(_numbers(matrix, "matrix"), "matrix")
+    if A.shape != (3, 3):
+        raise IllegalValueError(f"matrix of shape {A.shape}", "it is (3, 3)", "give the 3×3 part")
+    carrier = _exact(A.astype(np.float64).tolist())
+    largest = max(abs(x) for row in carrier for x in row) or 1.0
+    return carried_by_row((np.array(carrier) / largest).astype(n.dtype), n, _room(out, n))
 
 
 def certified_normals(
@@ -126,6 +134,8 @@ def certified_normals(
     >>> bool((found.bound_rad < 1e-14).all()), found.status.tolist()  # the second one is two-sided
     (True, [0, 1])
     """
+    if not tolerance > 0:
+        raise IllegalValueError(f"tolerance ({tolerance})", "it is a positive angle", "try 1e-14")
     A = _batch(matrices, (3, 3), "matrices").astype(np.float64, copy=False)
     n = _batch(normals, (3,), "normals").astype(np.float64, copy=False)
     if len(A) != len(n):
@@ -139,6 +149,17 @@ def certified_normals(
 
 def _batch(values: ArrayLike, shape: tuple[int, ...], what: str) -> Array:
     """Return an array (N, *shape) of finite floats, or say what is wrong and where."""
+    given = _numbers(values, what)
+    if given.ndim != 1 + len(shape) or given.shape[1:] != shape:
+        wanted = ", ".join(map(str, ("N", *shape)))
+        raise IllegalValueError(f"{what} of shape {given.shape}", f"they are ({wanted})", "reshape")
+    if not len(given):
+        raise IllegalValueError(f"0 {what}", "a batch has one at least", "leave the call out")
+    return _finite(given, what)
+
+
+def _numbers(values: ArrayLike, what: str) -> Array:
+    """Return an array of float32 or float64."""
     try:
         given = np.asarray(values)
         if given.dtype not in FLOATS:
@@ -151,11 +172,11 @@ def _batch(values: ArrayLike, shape: tuple[int, ...], what: str) -> Array:
             "they are numbers, all of one shape",
             "give an array of floats",
         ) from None
-    if given.ndim != 1 + len(shape) or given.shape[1:] != shape:
-        wanted = ", ".join(map(str, ("N", *shape)))
-        raise IllegalValueError(f"{what} of shape {given.shape}", f"they are ({wanted})", "reshape")
-    if not len(given):
-        raise IllegalValueError(f"0 {what}", "a batch has one at least", "leave the call out")
+    return given
+
+
+def _finite(given: Array, what: str) -> Array:
+    """Return an array if every number of it is finite."""
     good = np.isfinite(given)
     if not good.all():
         first = np.argwhere(~good)[0].tolist()

@@ -61,7 +61,8 @@ def _guarded(A: Array, out: Array) -> Array:
         doubtful = space.write(some, out[:, :, first : first + CHUNK])
         at.append(first + doubtful)
         waiting.append(_planes(some[:, :, doubtful]))
-        if sum(map(len, at)) >= ENOUGH or first + CHUNK >= A.shape[2]:
+        count = sum(map(len, at))
+        if count >= ENOUGH or (count and first + CHUNK >= A.shape[2]):
             out[:, :, np.concatenate(at)] = _certified_chunk(np.concatenate(waiting, axis=2))
             at, waiting = at[:1], waiting[:1]
     return out

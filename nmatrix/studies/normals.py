@@ -143,6 +143,7 @@ def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Row:
     if len(family.matrices) > 1:  # times of batches are those of 10⁵ normals
         timing = replace(timing, seconds=timing.seconds * BATCH / len(A))
     more = {
+        "matrices": len(checked.matrices),
         "median_error": found.median,
         "not_a_number": found.not_a_number,
         "zero": found.zero,

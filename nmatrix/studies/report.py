@@ -52,7 +52,13 @@ def report(study: str, rows: Sequence[Row], check: Ratio, wish: Wish) -> Report:
         f"A function against itself took {check.ratio:.3f} of its own time, "
         f"between {check.low:.3f} and {check.high:.3f}."
     )
-    return Report("cost", data, (*blocks, *tables), (READING[study], remark))
+    return Report("cost", data, (*blocks, *tables), (*_checked(rows), READING[study], remark))
+
+
+def _checked(rows: Sequence[Row]) -> list[str]:
+    """Return how many answers the errors are the worst of."""
+    count = rows[0].more.get("matrices")
+    return [f"Errors are the worst of {count} matrices a family."] if count else []
 
 
 def _settings(rows: Sequence[Row]) -> list[str]:
@@ -62,7 +68,7 @@ def _settings(rows: Sequence[Row]) -> list[str]:
 def _of(setting: str, rows: Sequence[Row]) -> list[Row]:
     """Return the rows of a setting, the fastest first."""
     found = [row for row in rows if row.setting == setting]
-    return sorted(found, key=lambda row: row.timing.seconds)
+    return sorted(found, key=lambda row: row.timing.ratio)
 
 
 def _candidates(study: str, rows: Sequence[Row]) -> Sequence[Row]:
@@ -92,7 +98,7 @@ def _normals_table(setting: str, rows: Sequence[Row]) -> Table:
         (row.method, _short(row.error), _short(row.more["median_error"]), _wrong(row), *_time(row))
         for row in rows
     )
-    return Table(("method", "worst rad", "median", "wrong", "time ratio", ""), cells, setting)
+    return Table(("method", "worst", "median", "wrong", "time ratio", ""), cells, setting)
 
 
 def _shading_table(setting: str, rows: Sequence[Row]) -> Table:
@@ -111,6 +117,12 @@ def _spaces_table(setting: str, rows: Sequence[Row]) -> Table:
 
 
 TABLES = {"normals": _normals_table, "shading": _shading_table, "spaces": _spaces_table}
+WRONG = {
+    "not_a_number": "nan",
+    "zero": "zero",
+    "flipped": "flipped",
+    "not_reported": "not reported",
+}
 
 
 def _short(value: float | None) -> str:
@@ -119,15 +131,17 @@ def _short(value: float | None) -> str:
 
 def _wrong(row: Row) -> str:
     """Return the wrong answers in words."""
-    kinds = ("not_a_number", "zero", "flipped", "not_reported")
-    counted = [f"{row.more[kind]} {kind.replace('_', ' ')}" for kind in kinds if row.more[kind]]
-    return ", ".join(counted)
+    return ", ".join(f"{row.more[kind]} {word}" for kind, word in WRONG.items() if row.more[kind])
 
 
 def _time(row: Row) -> tuple[str, str]:
     found = row.timing
-    ratio = f"{found.ratio:.2f} ({found.low:.2f} … {found.high:.2f})"
-    return ratio, "front" if row.on_front else ""
+    ratio, low, high = map(_three_digits, (found.ratio, found.low, found.high))
+    return f"{ratio} ({low}–{high})", "front" if row.on_front else ""
+
+
+def _three_digits(ratio: float) -> str:
+    return f"{ratio:.2f}" if ratio < 9.995 else f"{ratio:.1f}"
 
 
 def _verdict(study: str, rows: Sequence[Row], wish: Wish, granted: Row | None) -> str:
@@ -138,12 +152,24 @@ def _verdict(study: str, rows: Sequence[Row], wish: Wish, granted: Row | None) -
     error = "no error" if granted.error is None else f"{granted.error:.2g} {granted.unit}"
     asked = "Cheapest" if wish.tolerance is not None else "Most accurate"
     where = granted.setting if study == "normals" else f"dial: {granted.setting}"
-    return (
-        f"{asked}: {granted.method} ({where}), {error}, "
-        f"{granted.timing.seconds * 1e3:.3g} ms {PER[study]}."
-    )
+    time = f"{in_time(granted.timing.seconds)} {PER[study]}"
+    return f"{asked}: {granted.method} ({where}), {error}, {time}."
 
 
+def in_time(seconds: float) -> str:
+    """Return a time as people say it.
+
+    Examples
+    --------
+    >>> in_time(2.42), in_time(0.0314), in_time(5e-5)
+    ('2.4 s', '31 ms', '50 µs')
+    """
+    scale, unit = next((one for one in TIMES if seconds >= one[0]), TIMES[-1])
+    value = seconds / scale
+    return f"{value:.0f} {unit}" if value >= 10 else f"{value:.1f} {unit}"
+
+
+TIMES = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
 SOUND = 1e-10  # radians that no picture and no other program would miss
 PER = {"normals": "for 10⁵ normals", "shading": "a frame", "spaces": "for all vertices"}
 
@@ -169,8 +195,8 @@ def _unasked(study: str, rows: Sequence[Row]) -> str:
 
 
 READING = {
-    "normals": "Ratios are times over np.linalg.inv(A).T's; rows marked front are beaten by no "
-    "other in both error and time.",
+    "normals": "Errors are in radians, ratios are times over np.linalg.inv(A).T's; rows marked "
+    "front are beaten by no other in both error and time.",
     "shading": "Ratios are frames over the usual frame's (4 samples, phong, shadow map of 512); "
     "errors are against 64 samples and everything on, and 4 samples alone make a part of each.",
     "spaces": "Ratios are times over world space's; multiplications are counted, not measured.",

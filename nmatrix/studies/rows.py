@@ -57,7 +57,7 @@ def with_fronts(rows: Sequence[Row]) -> tuple[Row, ...]:
 
 
 def _beats(a: Row, b: Row) -> bool:
-    times = a.timing.seconds, b.timing.seconds
+    times = a.timing.ratio, b.timing.ratio  # seconds drift between the rows of a study
     no_worse = times[0] <= times[1] and a.rank <= b.rank
     return no_worse and (times[0] < times[1] or a.rank < b.rank)
 
@@ -70,7 +70,7 @@ def overall(rows: Sequence[Row]) -> tuple[Row, ...]:
     found = []
     for name in dict.fromkeys(row.method for row in rows):
         mine = [row for row in rows if row.method == name]
-        slowest = max(mine, key=lambda row: row.timing.seconds)
+        slowest = max(mine, key=lambda row: row.timing.ratio)
         worst = max(mine, key=lambda row: inf if row.error is None else row.error)
         failures = sum(row.failures for row in mine)
         found.append(replace(worst, setting="everywhere", timing=slowest.timing, failures=failures))
@@ -80,7 +80,7 @@ def overall(rows: Sequence[Row]) -> tuple[Row, ...]:
 def cheapest(rows: Sequence[Row], tolerance: float) -> Row | None:
     """Return the fastest row without failures whose error is within a tolerance."""
     good = [r for r in rows if not r.failures and r.error is not None and r.error <= tolerance]
-    return min(good, key=lambda row: row.timing.seconds, default=None)
+    return min(good, key=lambda row: row.timing.ratio, default=None)
 
 
 def most_accurate(rows: Sequence[Row], seconds: float) -> Row | None:

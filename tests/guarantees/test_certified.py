@@ -5,8 +5,6 @@ Each check is run a second time on a wrong implementation, which it must refuse.
 
 from __future__ import annotations
 
-import re
-import tracemalloc
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import product
@@ -16,8 +14,7 @@ import pytest
 
 import nmatrix
 from nmatrix.enums import Level
-from nmatrix.errors import IllegalValueError
-from nmatrix.linear import batched, certified, compensated
+from nmatrix.linear import certified, compensated
 from nmatrix.linear.certified import STATUSES, certified_normals
 from nmatrix.linear.compensated import AFTER, NEXT, UNIT, cofactors, two_product
 from nmatrix.linear.exact import LinearMap
@@ -268,54 +265,6 @@ def test_float32_products_are_exact_in_float64() -> None:
     assert found.dtype == np.float32
     exact = nmatrix.normal_matrices(A.astype(np.float64), level=Level.EXACT)
     assert np.abs(found - exact).max() <= np.abs(exact).max() * 2.0**-24
-
-
-def test_out_is_written_and_returned() -> None:
-    A = families(5000)["ordinary"]
-    out = np.empty_like(A)
-    assert nmatrix.normal_matrices(A, out) is out
-    assert (out == nmatrix.normal_matrices(A)).all()
-
-
-@pytest.mark.parametrize("level", [Level.CERTIFIED, Level.GUARDED])
-@pytest.mark.parametrize("family", ["ordinary", "flat", "wild"])
-def test_memory_is_input_output_and_four_mebibytes(family: str, level: Level) -> None:
-    rng = np.random.default_rng(1)
-    A = rng.normal(size=(100_000, 3, 3))
-    if family == "flat":
-        A *= [1, 1e-5, 1]
-    elif family == "wild":
-        A *= 2.0 ** rng.integers(-400, 400, size=(len(A), 1, 1))
-    out = np.empty_like(A)
-    tracemalloc.start()
-    batched.normal_matrices_by_row(A, out, level)
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert peak < 4 << 20
-
-
-MISUSE = [
-    (np.zeros((0, 3, 3)), "0 matrices"),
-    (np.zeros((3, 3)), "shape (3, 3)"),
-    (np.zeros((2, 4, 4)), "shape (2, 4, 4)"),
-    ("text", "numbers"),
-    ([[["a"] * 3] * 3], "numbers"),
-    (np.array([[[object()] * 3] * 3]), "numbers"),
-    ([[1, 2], [3]], "numbers"),
-]
-
-
-@pytest.mark.parametrize(("given", "says"), MISUSE)
-def test_bad_batches_are_refused_with_a_reason(given: object, says: str) -> None:
-    with pytest.raises(IllegalValueError, match=re.escape(says)):
-        nmatrix.normal_matrices(given)
-
-
-def test_one_bad_number_in_many_is_named() -> None:
-    A = np.ones((100_000, 3, 3))
-    A[99_999, 1, 2] = np.nan
-    with pytest.raises(IllegalValueError, match=r"\[99999, 1, 2\] \(nan\)"):
-        nmatrix.normal_matrices(A)
 
 
 def test_products_are_exact() -> None:

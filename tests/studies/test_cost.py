@@ -14,7 +14,7 @@ from nmatrix.linear.methods import METHODS, method
 from nmatrix.studies import chart, normals, shading, spaces
 from nmatrix.studies.harness import SEED, Harness, Ratio
 from nmatrix.studies.report import Wish, report
-from nmatrix.studies.rows import with_fronts
+from nmatrix.studies.rows import Row, cheapest, with_fronts
 
 
 class Ticking:
@@ -211,3 +211,22 @@ def test_misuse_is_one_line(capsys, line: list[str], says: str) -> None:
     error = capsys.readouterr().err
     assert says in error
     assert error.count("\n") == 1
+
+
+def test_the_front_is_that_of_the_ratios_whatever_the_seconds_drifted_to() -> None:
+    slower_clock = Ratio(seconds=2.0, ratio=0.5, low=0.5, high=0.5)
+    usual_clock = Ratio(seconds=1.0, ratio=1.0, low=1.0, high=1.0)
+    fast, slow = (
+        Row("fast", "s", 1.0, "rad", slower_clock),
+        Row("slow", "s", 2.0, "rad", usual_clock),
+    )
+    assert [row.on_front for row in with_fronts([fast, slow])] == [True, False]
+    assert cheapest([slow, fast], 3.0) == fast
+
+
+def test_marks_in_a_crowd_share_a_label() -> None:
+    rows = [Row(name, "s", 1.0, "rad", Ratio(1, 1, 1, 1)) for name in "abcde"]
+    numbered = chart.Numbered(rows)
+    assert numbered.label(rows) == "1–5"
+    assert numbered.label([rows[i] for i in (4, 0, 1, 2)]) == "1–3, 5"
+    assert numbered.label(rows[:2]) == "1, 2"
