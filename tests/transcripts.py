@@ -22,15 +22,17 @@ def output(command: str, folder: Path) -> str:
     script = f'nmatrix() {{ "{sys.executable}" -m nmatrix "$@"; }}; {command}'
     done = subprocess.run(
         ["bash", "-c", script],
-        capture_output=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
         text=True,
         check=False,
         cwd=folder,
         env={
             **os.environ, "NO_COLOR": "1", "PYTHONIOENCODING": "utf-8", "PYTHONPATH": str(ROOT),
+            "PYTHONUNBUFFERED": "1",
         },
     )  # fmt: skip
-    return done.stdout + done.stderr
+    return done.stdout
 
 
 def filled(text: str) -> str:

@@ -11,7 +11,7 @@ from fractions import Fraction
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.rounding import in_short
 from nmatrix.reading.literal import MatrixLiteral
@@ -76,7 +76,7 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
 def judged(question: Question, answer: Answer, found: Judgement, named: str = "") -> Report:
     """Return the report of one judgement; `named` is what was asked for."""
     blocks = _blocks(named or _named(question), question, answer, found)
-    return Report("check", judgement_data(found), blocks, found.remarks, failure(found))
+    return Report("check", judgement_data(found), blocks, found.remarks, failure(question, found))
 
 
 def judgement_data(found: Judgement) -> dict[str, Value]:
@@ -91,35 +91,34 @@ def judgement_data(found: Judgement) -> dict[str, Value]:
     }
 
 
-def failure(found: Judgement) -> CheckFailedError | None:
+def failure(question: Question, found: Judgement) -> CheckFailedError | None:
     """Return the one line that a wrong answer ends in."""
     if found.verdict is Outcome.CORRECT:
         return None
     why = found.mistake or "no known mistake gives these numbers"
-    return CheckFailedError("answer (wrong)", why, f"try {_next_command(found)}")
-
-
-def _next_command(found: Judgement) -> str:
     if found.mistakes:
-        return MISTAKES[found.mistakes[0]].command
-    return "the command of that name with the same options, which shows the right answer"
+        return CheckFailedError("answer (wrong)", why, f"try {_commands(question, found)[0]}")
+    command = question.subject.value
+    if question.subject in (Subject.LIGHT, Subject.EYE):
+        command += f" {question.space}"
+    shows = f"nmatrix {command} with the numbers of the scene shows the right one"
+    return CheckFailedError("answer (wrong)", why, shows)
+
+
+def _commands(question: Question, found: Judgement) -> list[str]:
+    """Return the command lines that show the right way, one for each mistake."""
+    return [MISTAKES[one].command_for(question.subject) for one in found.mistakes]
 
 
 def _blocks(named: str, question: Question, answer: Answer, found: Judgement) -> tuple[Block, ...]:
     heading = Heading(f"Check: {named}")
     if found.verdict is Outcome.CORRECT:
         return (heading, Verdict("Correct."))
-    verdict = f"Mistake: {found.mistake}." if found.mistake else "Wrong: an unknown mistake."
-    blocks: list[Block] = [heading, Verdict(verdict), Text(found.explanation)]
-    blocks.append(_marked(question, answer, found))
-    if found.also:
-        blocks.append(Text(f"The same numbers here: {', '.join(found.also)}."))
-    blocks += _commands(found.mistakes)
-    return tuple(blocks)
-
-
-def _commands(mistakes: tuple[MistakeId, ...]) -> list[Block]:
-    return [Text(f"See: {MISTAKES[one].command}") for one in mistakes]
+    named = ", or ".join(filter(None, (found.mistake, *found.also)))
+    verdict = f"Mistake: {named}." if named else "Wrong."
+    marked = _marked(question, answer, found)
+    seen = (Text(f"See: {command}") for command in _commands(question, found))
+    return (heading, Verdict(verdict), Text(found.explanation), marked, *seen)
 
 
 def _named(question: Question) -> str:

@@ -18,6 +18,7 @@ from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
 NEEDED = ("student", "answer")  # exercise too, where the exercises differ
 COLUMNS = ("student", "exercise", "verdict", "mistake", "also", "explanation")
 UNREADABLE = "unreadable"
+NAMED = 5  # of those who answered twice
 
 JudgeRecord = Callable[[Mapping[str, str]], Judgement]
 
@@ -68,12 +69,14 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
         Heading(f"Check: {len(found)} answers"),
         Verdict(f"{_counted(summary)}."),
         Table(COLUMNS[:4], tuple(grade.cells[:4] for grade in found)),
+        *_unreadable(found),
         *_mistakes(found),
     )
     return Report(
         "check",
         {"rows": rows, "summary": dict(summary)},
         blocks,
+        _twice(found),
         failure=_failure(summary[UNREADABLE]),
         records=table,
     )
@@ -113,7 +116,28 @@ def _grade(record: Record, judge: JudgeRecord) -> Grade:
 
 
 def _counted(summary: Mapping[str, int]) -> str:
-    return ", ".join(f"{count} {name}" for name, count in summary.items() if count) or "No answers"
+    words = {"mistake": "with a known mistake", "unknown": "wrong in another way"}
+    counted = (f"{count} {words.get(name, name)}" for name, count in summary.items() if count)
+    return ", ".join(counted) or "No answers"
+
+
+def _unreadable(found: list[Grade]) -> tuple[Block, ...]:
+    rows = tuple((g.student, g.explanation) for g in found if g.verdict == UNREADABLE)
+    return (Table(("student", "reason"), rows, "Could not be read"),) if rows else ()
+
+
+def _twice(found: list[Grade]) -> tuple[str, ...]:
+    """Return a remark on those who answered the same exercise more than once."""
+    counts = Counter((grade.student, grade.exercise) for grade in found)
+    several = [
+        f"{student}, exercise {exercise}" if exercise else student
+        for (student, exercise), count in counts.items()
+        if count > 1
+    ]
+    if not several:
+        return ()
+    named = "; ".join(several[:NAMED]) + (" …" if len(several) > NAMED else "")
+    return (f"Answered more than once, each row graded by itself: {named}.",)
 
 
 def _mistakes(found: list[Grade]) -> tuple[Block, ...]:
@@ -128,6 +152,6 @@ def _failure(unreadable: int) -> CheckFailedError | None:
         return None
     return CheckFailedError(
         f"batch ({unreadable} unreadable)",
-        "these rows hold no answer of the right shape",
-        "their explanation says why",
+        "these rows hold no answer that fits",
+        "see the reasons above, or in the explanation column of -f csv",
     )

@@ -109,8 +109,8 @@ def _sentence(result: Normal) -> str:
     if result.angle_without_deg is None:
         return "ok."
     if result.angle_without_deg < SAME_DIRECTION_DEG:
-        return "ok; A itself gives the same direction."
-    return f"ok; A itself would be {result.angle_without_deg:.6g}° off."
+        return "A itself gives the same direction."
+    return f"With A itself it would be {result.angle_without_deg:.6g}° off."
 
 
 def _method_remarks(method: NormalMethod, found: Classification) -> tuple[str, ...]:

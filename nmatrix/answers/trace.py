@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from nmatrix.linear.exact import Normal
+from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Heading, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.shot import Shot
 from nmatrix.spaces.trace import Trace, Viewport
@@ -74,15 +77,20 @@ def _blocks(found: Trace) -> list[Block]:
 def _verdict(found: Trace) -> str:
     if found.inside:
         return "Inside the view volume."
-    return f"Outside: beyond the {' and the '.join(found.outside_planes)} plane."
+    w = Fraction(found.clip[3])
+    if w <= 0:
+        return f"Outside: {'behind' if w else 'beside'} the eye, w = {in_short(w, 6)}."
+    *others, last = found.outside_planes
+    named = f"{', '.join(others)} and {last} planes" if others else f"{last} plane"
+    return f"Outside: beyond the {named}."
 
 
 def _remarks(found: Trace) -> tuple[str, ...]:
     remarks = []
     if found.clip[3] <= 0:
         remarks.append(
-            "w ≤ 0: the vertex lies beside or behind the eye; dividing by w would mirror it into "
-            "view, so it is clipped first and has no NDC."
+            "Where w ≤ 0, dividing by it would mirror the vertex into view, so it is clipped first "
+            "and has no NDC."
         )
     if found.normal is not None:
         remarks += [

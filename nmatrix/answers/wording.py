@@ -16,6 +16,13 @@ _MEANING = {
     Kind.SHEAR: "a shear: normals need the inverse transpose",
     Kind.SINGULAR: "singular: it flattens space, so it has no inverse transpose",
 }
+_MIRRORED = {
+    Kind.ROTATION: "a mirror (orthogonal, determinant −1): A⁻ᵀ = A, so A itself carries normals",
+    Kind.RIGID: "a mirror and a translation (A is orthogonal, determinant −1): A carries normals",
+    Kind.SIMILARITY: "a mirrored similarity (uniform scale): A carries normals, up to length",
+    Kind.NON_UNIFORM_SCALE: "a mirrored non-uniform scale: normals need the inverse transpose",
+    Kind.SHEAR: "a mirrored shear: normals need the inverse transpose",
+}
 
 
 def transform_data(found: Classification) -> dict[str, Value]:
@@ -46,11 +53,12 @@ def transform_blocks(found: Classification) -> tuple[Block, ...]:
 
 def verdict(found: Classification) -> str:
     """Return one sentence: kind, mirror, and whether it holds exactly."""
-    sentence = f"This is {_MEANING[found.kind]}"
+    meaning = _MIRRORED[found.kind] if found.mirrored else _MEANING[found.kind]
+    sentence = f"This is {meaning}"
     if found.kind is Kind.SINGULAR:
         return f"{sentence} (rank {found.rank})."
     if found.mirrored:
-        sentence += ", and it mirrors: triangle winding flips, outward normals stay outward"
+        sentence += "; triangle winding flips, outward normals stay outward"
     if not found.kind_exact:
         sentence += " (to rounding: the printed digits miss it by about 1e-16)"
     return f"{sentence}."

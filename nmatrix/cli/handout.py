@@ -21,7 +21,7 @@ from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.pages.document import PageFormat, Paper
 from nmatrix.reading.records import records
-from nmatrix.report import Report, Text, Verdict
+from nmatrix.report import Block, Report, Text, Verdict
 
 if TYPE_CHECKING:
     from nmatrix.classroom.handout import Plan
@@ -205,6 +205,8 @@ def _prepare(folder: Path) -> None:
 def _report(files: Sequence[Path], options: HandoutOptions) -> Report:
     names = [str(path) for path in files]
     shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-    hint = "Open it in a browser and print it." if options.to is PageFormat.HTML else ""
-    blocks = (Verdict(f"Written: {shown}"), *((Text(hint),) if hint else ()))
-    return Report("handout", {"files": names}, blocks)
+    blocks: list[Block] = [Verdict(f"Written: {shown}")]
+    if options.to is PageFormat.HTML:
+        them = "it" if len(names) == 1 else "them"
+        blocks.append(Text(f"Open {them} in a browser and print {them}."))
+    return Report("handout", {"files": names}, tuple(blocks))

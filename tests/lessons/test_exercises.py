@@ -38,8 +38,10 @@ def judged_rightly(one: Exercise) -> None:
         texts.add(wrong.text)
     if isinstance(one.grader, Choice):
         for i in range(len(one.grader.options)):
-            verdict = one.judge("abcdefgh"[i]).verdict
-            assert (verdict is Outcome.CORRECT) == (i == one.grader.right)
+            found = one.judge("abcdefgh"[i])
+            assert (found.verdict is Outcome.CORRECT) == (i == one.grader.right)
+            if i != one.grader.right:  # a hint, not the answer
+                assert one.grader.options[one.grader.right].because not in found.explanation
 
 
 def test_the_draws_are_those_of_the_documented_scheme() -> None:

@@ -6,7 +6,7 @@ only where no other pair gives the same numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
@@ -139,7 +139,7 @@ class Judge:
             found.wrong,
             first,
             tuple("+".join(other) for other in others),
-            " ".join(MISTAKES[one].explanation for one in first),
+            _explanation(first, others),
             answer.remarks,
         )
 
@@ -159,9 +159,9 @@ class Judge:
     def _unknown(self, answer: Answer, found: Likeness, several: Names) -> Judgement:
         if several:
             listed = ", ".join("+".join(pair) for pair in several)
-            sentence = f"Wrong, and several pairs of mistakes give these numbers: {listed}."
+            sentence = f"Several pairs of mistakes give these numbers: {listed}."
         else:
-            sentence = "Wrong, and no known mistake, nor two of them, gives these numbers."
+            sentence = "No known mistake, nor two of them, gives these numbers."
         return Judgement(
             Outcome.UNKNOWN,
             scaled(self.right, found.factor),
@@ -180,6 +180,15 @@ class Judge:
             if shape != right and (one.mistakes, shape) not in seen:
                 seen.add((one.mistakes, shape))
                 yield one
+
+
+def _explanation(first: tuple[MistakeId, ...], others: Sequence[tuple[MistakeId, ...]]) -> str:
+    """Return what was done and the rules broken; and what else would have given these numbers."""
+    sentences = [MISTAKES[one].explanation for one in first]
+    for other in others:
+        did = " ".join(MISTAKES[one].did for one in other)
+        sentences.append(f"Or, with the same numbers here: {did}")
+    return " ".join(sentences)
 
 
 def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:

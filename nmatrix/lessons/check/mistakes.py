@@ -5,7 +5,8 @@ Where several of them give the same numbers, the first one of this table is name
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 
@@ -48,16 +49,23 @@ class Mistake:
         The rule that it broke, as a sentence.
     command
         A command line that shows the right way on a small example.
+    elsewhere
+        Command lines for subjects of which `command` is no example.
     """
 
     did: str
     rule: str
     command: str
+    elsewhere: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def explanation(self) -> str:
         """Return what was done and the rule that it broke."""
         return f"{self.did} {self.rule}"
+
+    def command_for(self, subject: str) -> str:
+        """Return the command line that shows the right way for what was asked."""
+        return self.elsewhere.get(subject, self.command)
 
 
 MISTAKES: dict[MistakeId, Mistake] = {
@@ -78,12 +86,14 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "The matrix that moves points carries normals only where it turns and scales alike in "
         "all directions; light and eye reach object space by its inverse.",
         "nmatrix derive nonuniform",
+        {"light": "nmatrix derive lightdirection", "eye": "nmatrix derive eye"},
     ),
     MistakeId.TRANSPOSED_LAYOUT: Mistake(
         "Your matrix is the transposed one: rows stand where columns belong.",
         "Column vectors are multiplied from the left and the translation is the last column; "
         "memory order is another matter, and --input-layout column-major reads it.",
         "nmatrix world --translate 1 2 3",
+        {"view": "nmatrix view --eye 3 0 5", "projection": "nmatrix projection --near 1 --far 10"},
     ),
     MistakeId.MISSING_NORMALISE: Mistake(
         "The direction is right and its length is not 1.",
@@ -128,6 +138,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "You gave degrees to a sine or tangent that takes radians.",
         "Multiply degrees by π/180 first.",
         "nmatrix world --rotate 0 30 0",
+        {"projection": "nmatrix projection --fov 60", "view": "nmatrix view --roll 30"},
     ),
     MistakeId.ROTATION_ORDER: Mistake(
         "You multiplied the rotations in another order.",
@@ -150,6 +161,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "A right-handed camera looks down −z, a left-handed one down +z; view and projection "
         "must agree.",
         "nmatrix view --handed left",
+        {"projection": "nmatrix projection --handed left"},
     ),
     MistakeId.DEPTH_RANGE: Mistake(
         "You took another depth range.",

@@ -21,13 +21,23 @@ from nmatrix.scene.world import World
 
 LETTER = Text("Answer with a letter.")
 
+# What a wrong choice is told: where to look, and not what is to be seen there.
+FOLLOW_THE_MATRICES = (
+    "Read the line from right to left: world takes object space to world space, view takes that "
+    "to camera space, projection takes that to clip space, an inverse goes back."
+)
+LOOK_AT_PRODUCTS = (
+    "Work out AᵀA: its diagonal holds the squared lengths of the columns, the rest tells whether "
+    "they are perpendicular."
+)
+OTHER_NUMBERS = "That mistake gives other numbers: work one entry out and compare."
+
 
 def which_space(draws: Draws, number: int) -> Exercise:
     """Ask for the space of a vector in a line of shader code."""
     line, space, because = draws.choice(SPACES)
     options = tuple(
-        Option(one, because if one == space else f"The line leads to {space} space. {because}")
-        for one in SPACE_OPTIONS
+        Option(one, because if one == space else FOLLOW_THE_MATRICES) for one in SPACE_OPTIONS
     )
     task = (
         Code("glsl", f"{line}\n"),
@@ -54,7 +64,7 @@ def short_cut(draws: Draws, number: int) -> Exercise:
         "AᵀA is not diagonal: a shear. Its determinant says nothing about that.",
     )[right]
     options = tuple(
-        Option(text, because if i == right else f"Look at AᵀA. {because}")
+        Option(text, because if i == right else LOOK_AT_PRODUCTS)
         for i, text in enumerate((yes, lengths, angles))
     )
     task = (
@@ -83,7 +93,11 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     if len({by_mistake[one] for one in chosen}) < CHOICES:
         return None
     right = draws.below(CHOICES)
-    options = tuple(_found(one, chosen[right]) for one in chosen)
+    made = chosen[right]
+    options = tuple(
+        Option(MISTAKES[one].did, MISTAKES[one].rule if one is made else OTHER_NUMBERS, one)
+        for one in chosen
+    )
     told = (
         f"scaled by ({', '.join(map(written, scale))}), turned by {written(Fraction(quarter))}° "
         f"about z, moved by ({', '.join(map(written, move))})"
@@ -91,10 +105,10 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     what = "the world matrix" if subject is Subject.WORLD else "the normal matrix"
     task: tuple[Block, ...] = (
         Text(f"An object is {told}. For {what} Sam writes"),
-        equation("answer = ", by_mistake[chosen[right]]),
+        equation("answer = ", by_mistake[made]),
         Text("What did Sam do wrong?"),
     )
-    key = (equation("right = ", judge.right), Text(MISTAKES[chosen[right]].explanation))
+    key = (equation("right = ", judge.right), Text(MISTAKES[made].explanation))
     return _choice(number, Kind.MISTAKE, task, options, right, key)
 
 
@@ -110,13 +124,6 @@ def concept(draws: Draws, number: int) -> Exercise:
 CHOICES = 4
 # They need a sentence of context to be a fair question.
 NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
-
-
-def _found(mistake: MistakeId, made: MistakeId) -> Option:
-    did = MISTAKES[mistake].did
-    if mistake is made:
-        return Option(did, MISTAKES[mistake].rule, mistake)
-    return Option(did, f"That gives other numbers. {MISTAKES[made].explanation}", mistake)
 
 
 def _block(draws: Draws, kind: int) -> RationalMatrix:
