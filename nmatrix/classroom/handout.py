@@ -8,7 +8,6 @@ from functools import lru_cache
 
 from nmatrix.classroom.topics import Part, Topic, part
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
-from nmatrix.lessons.exercises.sheet import exercises
 from nmatrix.output.pages.document import Document, PageFormat, Paper
 from nmatrix.output.pages.write import write
 from nmatrix.report import Blank, Block, Figure, Heading
@@ -67,6 +66,8 @@ def handout(plan: Plan, sheet: Sheet) -> Document:
 
 def key_of(plan: Plan, sheet: Sheet) -> Document:
     """Return the worked answers to a student's exercises."""
+    from nmatrix.lessons.exercises.sheet import exercises
+
     blocks: list[Block] = []
     for one in exercises(plan.exercises, sheet):
         blocks += [Heading(one.title), *one.key]
@@ -85,6 +86,8 @@ def _beside(block: Block, prefix: str) -> Block:
 
 def _asked(plan: Plan, sheet: Sheet) -> Iterator[Block]:
     if Topic.EXERCISES in plan.topics:
+        from nmatrix.lessons.exercises.sheet import exercises
+
         for one in exercises(plan.exercises, sheet):
             yield Heading(one.title)
             yield from one.task

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
+from functools import lru_cache
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError, NoAnswerError
@@ -27,7 +28,9 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.report import Vector
+from nmatrix.scene.camera import View
 from nmatrix.scene.shot import Shot
+from nmatrix.scene.world import World
 
 
 class Subject(StrEnum):
@@ -122,9 +125,19 @@ def setting(question: Question) -> Setting:
     NoAnswerError
         Where the space does not exist, as object space of a singular world matrix.
     """
-    M = question.shot.world.world_from_object
-    V = question.shot.camera.camera_from_world
+    M = _world_from_object(question.shot.world)
+    V = _camera_from_world(question.shot.view)
     return Setting(M, V, _space_from_world(question, M, V))
+
+
+@lru_cache(maxsize=256)  # two mistakes at once leave most of a scene as one of them does
+def _world_from_object(world: World) -> RationalMatrix:
+    return world.world_from_object
+
+
+@lru_cache(maxsize=64)
+def _camera_from_world(view: View) -> RationalMatrix:
+    return view.placed().camera_from_world
 
 
 def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) -> RationalMatrix:
