@@ -1,7 +1,8 @@
 """The judgement of one answer: right, a mistake with a name, or unknown.
 
 First the right answer, then the answer of every single mistake, then of every pair. A pair counts
-only where no other pair gives the same numbers.
+only where no other pair gives the same numbers. What agrees with every digit that was typed comes
+before what is only close: where an angle is tiny, the right answer is close to the wrong ones.
 """
 
 from __future__ import annotations
@@ -13,7 +14,14 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.lessons.check.answer import Answer
-from nmatrix.lessons.check.likeness import Likeness, Place, is_alike, likeness, may_be_alike
+from nmatrix.lessons.check.likeness import (
+    Likeness,
+    Place,
+    is_alike,
+    likeness,
+    likeness_of_known,
+    may_be_alike,
+)
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject, right_answer
 from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
@@ -99,7 +107,7 @@ class Judge:
         'not-inverted'
         """
         found = likeness(answer, self.right, self.question)
-        if found.alike:
+        if found.alike and not self._is_rather_a_mistake(answer, found):
             return self._correct(answer, found)
         if self._is_other_side(answer):
             return Judgement(Outcome.CORRECT, self.right, found.difference, remarks=(TWO_SIDED,))
@@ -110,6 +118,12 @@ class Judge:
         if len(names) == 1:
             return self._mistaken(answer, found, names)
         return self._unknown(answer, found, names)
+
+    def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
+        """Return whether a mistake gives every digit of an answer that is only close to right."""
+        if found.to_the_digit or self.question.tolerance is not None:
+            return False
+        return any(alike.to_the_digit for _, alike in self._alike(answer, self.singles))
 
     def _correct(self, answer: Answer, found: Likeness) -> Judgement:
         remarks = answer.remarks if found.factor == 1 else (*answer.remarks, UP_TO_LENGTH)
@@ -136,7 +150,7 @@ class Judge:
             Outcome.MISTAKE,
             scaled(self.right, found.factor),
             found.difference,
-            found.wrong,
+            found.wrong or found.unrounded,
             first,
             tuple("+".join(other) for other in others),
             _explanation(first, others),
@@ -144,12 +158,19 @@ class Judge:
         )
 
     def _named(self, answer: Answer, wrong: tuple[WrongAnswer, ...]) -> Names:
-        return {
-            one.mistakes: None
-            for one in wrong
-            if may_be_alike(answer, one.floats, self.question)
-            and is_alike(answer, one.value, self.question)
-        }
+        """Return the mistakes whose numbers these are: to every digit, or else nearly."""
+        alike = list(self._alike(answer, wrong))
+        to_the_digit = {one.mistakes: None for one, found in alike if found.to_the_digit}
+        return to_the_digit or {one.mistakes: None for one, _ in alike}
+
+    def _alike(
+        self, answer: Answer, wrong: tuple[WrongAnswer, ...]
+    ) -> Iterator[tuple[WrongAnswer, Likeness]]:
+        for one in wrong:
+            if may_be_alike(answer, one.floats, self.question):
+                found = likeness_of_known(answer, one.value, self.question)
+                if found is not None and found.alike:
+                    yield one, found
 
     def _only_length(self, answer: Answer) -> bool:
         """Return whether a unit vector was asked for, and the length is all that is wrong."""

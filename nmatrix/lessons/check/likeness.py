@@ -9,10 +9,8 @@ from math import isnan
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question
+from nmatrix.lessons.check.tolerance import RELATIVE, limits, roundings
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
-
-RELATIVE = Fraction(5, 10_000)  # of the largest entry: three good digits
-COARSEST = Fraction(1, 10)  # of the largest entry: so that zeros are never right by rounding
 
 Place = tuple[int, int]
 
@@ -21,17 +19,24 @@ Place = tuple[int, int]
 class Likeness:
     """An answer beside a value: the largest difference, and the entries that are too far off.
 
-    `factor` is what the value was multiplied by, 1 unless length is free.
+    `unrounded` are those that are not the value's, rounded to the digits that were typed; `factor`
+    is what the value was multiplied by, 1 unless length is free.
     """
 
     difference: Fraction
     wrong: tuple[Place, ...]
+    unrounded: tuple[Place, ...]
     factor: Fraction
 
     @property
     def alike(self) -> bool:
         """Return whether every entry is within the tolerance."""
         return not self.wrong
+
+    @property
+    def to_the_digit(self) -> bool:
+        """Return whether every digit that was typed is the value's."""
+        return not self.unrounded
 
 
 def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Likeness:
@@ -63,13 +68,17 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     return best
 
 
+def likeness_of_known(answer: Answer, value: RationalMatrix, question: Question) -> Likeness | None:
+    """Compare an answer with a value at one factor; None where only a negative one would do."""
+    given, wanted = _comparable(answer.rows, value, question)
+    factor = _least_squares(given, wanted) if question.any_length else ONE
+    return _at(given, wanted, factor, answer, question) if factor > 0 else None
+
+
 def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
     """Return whether an answer and a value are the same to the digits given."""
-    given, wanted = _comparable(answer.rows, value, question)
-    if not question.any_length:
-        return _at(given, wanted, ONE, answer, question).alike
-    factor = _least_squares(given, wanted)
-    return factor > 0 and _at(given, wanted, factor, answer, question).alike
+    found = likeness_of_known(answer, value, question)
+    return found is not None and found.alike
 
 
 def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool:
@@ -111,27 +120,26 @@ def _at(
     question: Question,
 ) -> Likeness:
     wanted = scaled(value, factor)
-    largest = max(abs(entry) for row in wanted for entry in row)
-    differences = {
-        (i, j): abs(entry - right)
-        for i, (row, wanted_row) in enumerate(zip(given, wanted, strict=True))
-        for j, (entry, right) in enumerate(zip(row, wanted_row, strict=True))
-    }
-    wrong = tuple(
-        (i, j)
-        for (i, j), difference in differences.items()
-        if difference > _limit(answer.last_places[i][j], largest, question)
+    differences = tuple(
+        tuple(abs(entry - right) for entry, right in zip(row, wanted_row, strict=True))
+        for row, wanted_row in zip(given, wanted, strict=True)
     )
-    return Likeness(max(differences.values()), wrong, factor)
+    places = answer.last_places
+    return Likeness(
+        max(entry for row in differences for entry in row),
+        _beyond(differences, limits(wanted, places, question)),
+        _beyond(differences, roundings(wanted, places, question)),
+        factor,
+    )
 
 
-def _limit(last_place: Fraction, largest: Fraction, question: Question) -> Fraction:
-    """Return how far one entry may be off."""
-    if question.tolerance is not None:
-        return question.tolerance
-    if not largest:
-        return last_place
-    return max(min(last_place, COARSEST * largest), RELATIVE * largest)
+def _beyond(differences: RationalMatrix, allowed: RationalMatrix) -> tuple[Place, ...]:
+    return tuple(
+        (i, j)
+        for i, (row, most) in enumerate(zip(differences, allowed, strict=True))
+        for j, (difference, limit) in enumerate(zip(row, most, strict=True))
+        if difference > limit
+    )
 
 
 def _factors(given: RationalMatrix, value: RationalMatrix) -> Iterator[Fraction]:

@@ -1,0 +1,151 @@
+"""What is near enough to be right: by the digits typed, and among entries of one kind."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+from math import floor, log10
+
+import pytest
+
+from nmatrix.enums import Space
+from nmatrix.lessons.check.answer import read_answer
+from nmatrix.lessons.check.judge import Judge, Outcome
+from nmatrix.lessons.check.question import LightPart, Question, Subject
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.world import World
+
+LONG = LightSource((3000, 0, 0))
+FAR = Shot(World(translate=(5000, 3, 0)))
+TINY_TURN = Shot(World(rotate_degrees=(0, 0, -0.01)))
+CLOSE = Lens(60, 1, 0.0001, 1000)
+FOCUS = "1.7321 0 0 0; 0 1.7321 0 0; 0 0 -1"
+
+
+def judged(question, text):
+    return Judge(question).judge(read_answer(text, question))
+
+
+NEAR_BUT_WRONG = [
+    # what hides what, question, answer, where it is wrong
+    ("a translation hides a scale", Question(Subject.WORLD, FAR),
+     "1 0 0 5000; 0 2 0 3; 0 0 1 0; 0 0 0 1", ((1, 1),)),
+    ("a translation hides the corner", Question(Subject.WORLD, FAR),
+     "1 0 0 5000; 0 1 0 3; 0 0 1 0; 0 0 0 0", ((3, 3),)),
+    ("one scale hides another", Question(Subject.WORLD, Shot(World(scale=(5000, 1, 1)))),
+     "5000 0 0; 0 2 0; 0 0 1", ((1, 1),)),
+    ("a small entry is left out", Question(Subject.NORMAL, Shot(World(scale=(1, 1000, 1)))),
+     "1 0 0; 0 0 0; 0 0 1", ((1, 1),)),
+    ("a long direction hides its w", Question(Subject.LIGHT, Shot(light=LONG)),
+     "3000 0 0 1", ((0, 3),)),
+    ("a distant eye hides its w", Question(Subject.EYE, Shot(view=View(eye=(0, 0, 5000)))),
+     "0 0 5000 0", ((0, 3),)),
+    ("the focal length hides the depth", Question(Subject.PROJECTION, Shot(lens=CLOSE)),
+     f"{FOCUS} 0; 0 0 -1 0", ((2, 3),)),
+    ("a tiny scale is doubled", Question(Subject.WORLD, Shot(World(scale=(0.01, 0.02, 0.01)))),
+     "0.01 0 0; 0 0.01 0; 0 0 0.01", ((1, 1),)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("question", "text", "wrong"), [case[1:] for case in NEAR_BUT_WRONG], ids=lambda case: ""
+)
+def test_a_large_entry_excuses_nothing_of_another_kind(question, text, wrong):
+    found = judged(question, text)
+    assert found.verdict is not Outcome.CORRECT
+    assert found.wrong_entries == wrong
+
+
+@pytest.mark.parametrize(
+    ("question", "text", "mistake"),
+    [
+        (Question(Subject.WORLD, TINY_TURN), "1 -0.000175 0; 0.000175 1 0; 0 0 1", "rotation-sign"),
+        (Question(Subject.PROJECTION, Shot(lens=CLOSE)), f"{FOCUS} -0.0001; 0 0 -1 0",
+         "depth-range"),
+        (Question(Subject.LIGHT, Shot(light=LONG)), "3000 0 0 1", "direction-as-point"),
+    ],
+)  # fmt: skip
+def test_a_mistake_that_gives_every_digit_wins_over_what_is_nearly_right(question, text, mistake):
+    found = judged(question, text)
+    assert found.verdict is Outcome.MISTAKE
+    assert mistake in (found.mistake, *found.also)
+    assert found.wrong_entries
+
+
+def test_what_is_right_to_its_digits_stays_right_beside_a_mistake_that_is_as_close():
+    for text in ("1 0 0; 0 1 0; 0 0 1", "1 0.0002 0; -0.0002 1 0; 0 0 1"):
+        assert judged(Question(Subject.WORLD, TINY_TURN), text).verdict is Outcome.CORRECT
+
+
+def test_a_tolerance_of_the_teachers_is_the_only_one():
+    for tolerance, right in ((Fraction(2), True), (Fraction(1, 2), False)):
+        question = Question(Subject.WORLD, FAR, tolerance=tolerance)
+        found = judged(question, "1 0 0 5001; 0 2 0 3; 0 0 1 0; 0 0 0 1")
+        assert (found.verdict is Outcome.CORRECT) is right
+
+
+def wide_question(draw: random.Random) -> Question:
+    """Return a question whose entries differ by many orders of magnitude."""
+
+    def three(low, high):
+        return tuple(draw.choice([1, -1]) * 10 ** draw.uniform(low, high) for _ in range(3))
+
+    shot = Shot(
+        World(
+            translate=three(-1, 4),
+            rotate_degrees=tuple(draw.uniform(-180, 180) for _ in range(3)),
+            scale=three(-2, 3),
+        ),
+        View(eye=three(-1, 4), target=three(-1, 1)),
+        Lens(draw.uniform(5, 120), 10 ** draw.uniform(-0.5, 0.5), 10 ** draw.uniform(-4, 0), 2000),
+        LightSource(three(-1, 4), position=three(-1, 4)),
+    )
+    subject = draw.choice(list(Subject))
+    space = draw.choice([Space.WORLD, Space.CAMERA, Space.OBJECT])
+    if subject is Subject.NORMAL and space is Space.OBJECT:
+        space = Space.CAMERA
+    return Question(subject, shot, space, light=draw.choice(list(LightPart)))
+
+
+def printed(value, decimals: int) -> list[list[str]]:
+    return [[f"{float(entry):.{decimals}f}" for entry in row] for row in value]
+
+
+def written(rows) -> str:
+    return "; ".join(" ".join(row) for row in rows)
+
+
+def decimals_for(value) -> int:
+    """Return how many decimals show a digit of the largest entry of every column."""
+    columns = zip(*value[:3], strict=True) if len(value) > 1 else value
+    smallest = min(max(map(abs, column)) or 1 for column in columns)
+    return max(2, -floor(log10(smallest)))
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_right_to_any_number_of_digits_at_any_magnitude(seed):
+    draw = random.Random(seed)
+    question = wide_question(draw)
+    judge = Judge(question)
+    least = decimals_for(judge.right)
+    for decimals in range(least, least + 8):
+        answer = read_answer(written(printed(judge.right, decimals)), question)
+        assert judge.judge(answer).verdict is Outcome.CORRECT
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_an_entry_off_by_a_twentieth_of_its_column_is_found_at_any_magnitude(seed):
+    draw = random.Random(seed)
+    question = wide_question(draw)
+    judge = Judge(question)
+    rows = printed(judge.right, decimals_for(judge.right) + 4)
+    i, j = draw.randrange(min(3, len(rows))), draw.randrange(3 if len(rows) == 1 else len(rows[0]))
+    beside = judge.right[0][:3] if len(rows) == 1 else [row[j] for row in judge.right[:3]]
+    largest = float(max(map(abs, beside))) or 1.0
+    if question.any_length and largest == abs(float(judge.right[i][j])):
+        return  # a longer direction along an axis is the same direction
+    rows[i][j] = repr(float(rows[i][j]) + largest / 20)
+    found = judge.judge(read_answer(written(rows), question))
+    assert found.verdict is not Outcome.CORRECT
