@@ -19,7 +19,7 @@ from nmatrix.lessons.check.likeness import (
     Place,
     is_alike,
     likeness,
-    likeness_of_known,
+    likeness_to_known,
     may_be_alike,
 )
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
@@ -168,7 +168,7 @@ class Judge:
     ) -> Iterator[tuple[WrongAnswer, Likeness]]:
         for one in wrong:
             if may_be_alike(answer, one.floats, self.question):
-                found = likeness_of_known(answer, one.value, self.question)
+                found = likeness_to_known(answer, one.value, self.question)
                 if found is not None and found.alike:
                     yield one, found
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from math import isnan
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question
-from nmatrix.lessons.check.tolerance import RELATIVE, limits, roundings
+from nmatrix.lessons.check.tolerance import RELATIVE, is_near, is_rounding, yardsticks
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
 Place = tuple[int, int]
@@ -17,26 +18,68 @@ Place = tuple[int, int]
 
 @dataclass(frozen=True)
 class Likeness:
-    """An answer beside a value: the largest difference, and the entries that are too far off.
+    """The numbers of an answer beside those of a value, in one shape.
 
-    `unrounded` are those that are not the value's, rounded to the digits that were typed; `factor`
-    is what the value was multiplied by, 1 unless length is free.
+    `factor` is what the value was multiplied by, 1 unless length is free; `tolerance` is the
+    teacher's own, which takes the place of every other.
     """
 
-    difference: Fraction
-    wrong: tuple[Place, ...]
-    unrounded: tuple[Place, ...]
+    given: RationalMatrix
+    wanted: RationalMatrix
+    last_places: RationalMatrix
+    is_vector: bool
+    tolerance: Fraction | None
     factor: Fraction
 
     @property
     def alike(self) -> bool:
-        """Return whether every entry is within the tolerance."""
+        """Return whether every entry is near enough to be right."""
         return not self.wrong
 
     @property
     def to_the_digit(self) -> bool:
         """Return whether every digit that was typed is the value's."""
         return not self.unrounded
+
+    @cached_property
+    def difference(self) -> Fraction:
+        """Return the largest difference of two entries."""
+        return max(entry for row in self._differences for entry in row)
+
+    @cached_property
+    def wrong(self) -> tuple[Place, ...]:
+        """Return the entries that are too far off."""
+        if self.tolerance is not None:
+            most = self.tolerance
+            return self._where(lambda off, _place, _yardstick: off > most)
+        largest = max(abs(entry) for row in self.wanted for entry in row)
+        return self._where(lambda *entry: not is_near(*entry, largest))
+
+    @cached_property
+    def unrounded(self) -> tuple[Place, ...]:
+        """Return the entries that are not the value's, rounded to the digits that were typed."""
+        return self._where(lambda *entry: not is_rounding(*entry))
+
+    @cached_property
+    def _differences(self) -> RationalMatrix:
+        return tuple(
+            tuple(abs(entry - right) for entry, right in zip(row, wanted, strict=True))
+            for row, wanted in zip(self.given, self.wanted, strict=True)
+        )
+
+    @cached_property
+    def _yardsticks(self) -> RationalMatrix:
+        return yardsticks(self.wanted, is_vector=self.is_vector)
+
+    def _where(self, said: Callable[[Fraction, Fraction, Fraction], bool]) -> tuple[Place, ...]:
+        """Return the entries of which that is said: its difference, last place and yardstick."""
+        rows = zip(self._differences, self.last_places, self._yardsticks, strict=True)
+        return tuple(
+            (i, j)
+            for i, row in enumerate(rows)
+            for j, entry in enumerate(zip(*row, strict=True))
+            if entry[0] and said(*entry)
+        )
 
 
 def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Likeness:
@@ -68,7 +111,7 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     return best
 
 
-def likeness_of_known(answer: Answer, value: RationalMatrix, question: Question) -> Likeness | None:
+def likeness_to_known(answer: Answer, value: RationalMatrix, question: Question) -> Likeness | None:
     """Compare an answer with a value at one factor; None where only a negative one would do."""
     given, wanted = _comparable(answer.rows, value, question)
     factor = _least_squares(given, wanted) if question.any_length else ONE
@@ -77,7 +120,7 @@ def likeness_of_known(answer: Answer, value: RationalMatrix, question: Question)
 
 def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
     """Return whether an answer and a value are the same to the digits given."""
-    found = likeness_of_known(answer, value, question)
+    found = likeness_to_known(answer, value, question)
     return found is not None and found.alike
 
 
@@ -119,27 +162,9 @@ def _at(
     answer: Answer,
     question: Question,
 ) -> Likeness:
-    wanted = scaled(value, factor)
-    differences = tuple(
-        tuple(abs(entry - right) for entry, right in zip(row, wanted_row, strict=True))
-        for row, wanted_row in zip(given, wanted, strict=True)
-    )
+    wanted = value if factor == 1 else scaled(value, factor)
     places = answer.last_places
-    return Likeness(
-        max(entry for row in differences for entry in row),
-        _beyond(differences, limits(wanted, places, question)),
-        _beyond(differences, roundings(wanted, places, question)),
-        factor,
-    )
-
-
-def _beyond(differences: RationalMatrix, allowed: RationalMatrix) -> tuple[Place, ...]:
-    return tuple(
-        (i, j)
-        for i, (row, most) in enumerate(zip(differences, allowed, strict=True))
-        for j, (difference, limit) in enumerate(zip(row, most, strict=True))
-        if difference > limit
-    )
+    return Likeness(given, wanted, places, question.is_vector, question.tolerance, factor)
 
 
 def _factors(given: RationalMatrix, value: RationalMatrix) -> Iterator[Fraction]:

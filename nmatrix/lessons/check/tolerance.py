@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nmatrix.lessons.check.question import Question
 from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector
 
 RELATIVE = Fraction(5, 10_000)  # of the largest entry of all: three good digits
@@ -19,56 +18,40 @@ NOT_ALL = Fraction(9, 10)  # of the yardstick: so that zeros are never right by 
 NOISE = Fraction(1, 10**9)  # of the yardstick: what float64 leaves of a careful computation
 
 
-def limits(value: RationalMatrix, places: RationalMatrix, question: Question) -> RationalMatrix:
-    """Return how far each entry may be off.
+def is_near(off: Fraction, place: Fraction, yardstick: Fraction, largest: Fraction) -> bool:
+    """Return whether an entry that is so far off counts as right.
 
-    One unit of its last place (half a unit where that is much), or 5e-4 of the largest entry.
+    It may be off by one unit of its last place (by half a unit, where one is much beside the
+    yardstick), or by 5e-4 of the largest entry of all.
 
     Examples
     --------
-    A translation of 5,000 with a half beside it, both typed with two decimals.
+    An entry beside a translation of 5,000: 0.51 for 0.5, and 0.6 for it.
 
-    >>> from nmatrix.lessons.check.question import Subject
-    >>> from nmatrix.scene.shot import Shot
     >>> half, place = Fraction(1, 2), Fraction(1, 100)
-    >>> moved = ((half, Fraction(5000)), (half, Fraction(0)))
-    >>> [[float(x) for x in row] for row in limits(
-    ...     moved, ((place, place), (place, place)), Question(Subject.WORLD, Shot()))]
-    [[0.01, 2.5], [0.01, 2.5]]
+    >>> [is_near(off, place, half, Fraction(5000)) for off in (Fraction(1, 100), Fraction(1, 10))]
+    [True, False]
     """
-    if question.tolerance is not None:
-        return tuple((question.tolerance,) * len(row) for row in value)
-    least = RELATIVE * max(abs(entry) for row in value for entry in row)
-    return tuple(
-        tuple(
-            max(
-                min(place, COARSEST * yardstick),
-                _half(place, yardstick),
-                min(least, ONE_PERCENT * yardstick),
-            )
-            for place, yardstick in zip(places_of_row, row, strict=True)
-        )
-        for places_of_row, row in zip(places, _yardsticks(value, question), strict=True)
-    )
+    if off <= place and (off <= COARSEST * yardstick or is_rounding(off, place, yardstick)):
+        return True
+    return off <= RELATIVE * largest and off <= ONE_PERCENT * yardstick
 
 
-def roundings(value: RationalMatrix, places: RationalMatrix, question: Question) -> RationalMatrix:
-    """Return how far each entry may be off and still be the value, rounded to the digits typed."""
-    return tuple(
-        tuple(
-            max(_half(place, yardstick), NOISE * yardstick)
-            for place, yardstick in zip(places_of_row, row, strict=True)
-        )
-        for places_of_row, row in zip(places, _yardsticks(value, question), strict=True)
-    )
+def is_rounding(off: Fraction, place: Fraction, yardstick: Fraction) -> bool:
+    """Return whether every digit of an entry that is so far off is right."""
+    return off <= max(min(place / 2, NOT_ALL * yardstick), NOISE * yardstick)
 
 
-def _half(place: Fraction, yardstick: Fraction) -> Fraction:
-    return min(place / 2, NOT_ALL * yardstick)
+def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
+    """Return the largest entry of each entry's kind; where all of a kind are zero, at most 1.
 
-
-def _yardsticks(value: RationalMatrix, question: Question) -> RationalMatrix:
-    if question.is_vector:
+    Examples
+    --------
+    >>> moved = ((Fraction(1, 2), Fraction(5000)), (Fraction(1, 4), Fraction(0)))
+    >>> [[float(x) for x in row] for row in yardsticks(moved, is_vector=False)]
+    [[0.5, 5000.0], [0.5, 5000.0]]
+    """
+    if is_vector:
         (row,) = value
         largest = _largest(row[:3], ONE)
         return ((largest,) * 3 + (min(largest, ONE),) * (len(row) - 3),)
