@@ -59,6 +59,21 @@ def test_a_large_entry_excuses_nothing_of_another_kind(question, text, wrong):
 
 
 @pytest.mark.parametrize(
+    ("scale", "normal", "text"),
+    [
+        ((1, 1.5, 1), (1, 1, 0), "0.01 0 0"),  # 34 degrees off
+        ((1, 4, 1), (1, 1, 0), "1e-5 0 0"),  # 14 degrees off
+        ((1, 4, 1), (1, 1, 0), "0.01 0 0"),
+        ((4, 1, 2), None, "0 0 0; -0.01 0.01 0; 0 0 0.01"),
+    ],
+)
+def test_few_digits_of_a_short_direction_are_no_direction(scale, normal, text):
+    shot = Shot(World(scale=scale, shear=(1 if normal is None else 0, 0, 0)))
+    found = judged(Question(Subject.NORMAL, shot, normal=normal), text)
+    assert found.verdict is not Outcome.CORRECT
+
+
+@pytest.mark.parametrize(
     ("question", "text", "mistake"),
     [
         (Question(Subject.WORLD, TINY_TURN), "1 -0.000175 0; 0.000175 1 0; 0 0 1", "rotation-sign"),
@@ -117,11 +132,14 @@ def written(rows) -> str:
     return "; ".join(" ".join(row) for row in rows)
 
 
-def decimals_for(value) -> int:
-    """Return how many decimals show a digit of the largest entry of every column."""
+def decimals_for(value, *, any_length) -> int:
+    """Return how many decimals show the largest entry of every column.
+
+    One digit of it, or two where length is free: one would not tell a direction.
+    """
     columns = zip(*value[:3], strict=True) if len(value) > 1 else value
     smallest = min(max(map(abs, column)) or 1 for column in columns)
-    return max(2, -floor(log10(smallest)))
+    return max(2, (1 if any_length else 0) - floor(log10(smallest)))
 
 
 @pytest.mark.parametrize("seed", range(60))
@@ -129,7 +147,7 @@ def test_right_to_any_number_of_digits_at_any_magnitude(seed):
     draw = random.Random(seed)
     question = wide_question(draw)
     judge = Judge(question)
-    least = decimals_for(judge.right)
+    least = decimals_for(judge.right, any_length=question.any_length)
     for decimals in range(least, least + 8):
         answer = read_answer(written(printed(judge.right, decimals)), question)
         assert judge.judge(answer).verdict is Outcome.CORRECT
@@ -140,7 +158,7 @@ def test_an_entry_off_by_a_twentieth_of_its_column_is_found_at_any_magnitude(see
     draw = random.Random(seed)
     question = wide_question(draw)
     judge = Judge(question)
-    rows = printed(judge.right, decimals_for(judge.right) + 4)
+    rows = printed(judge.right, decimals_for(judge.right, any_length=question.any_length) + 4)
     i, j = draw.randrange(min(3, len(rows))), draw.randrange(3 if len(rows) == 1 else len(rows[0]))
     beside = judge.right[0][:3] if len(rows) == 1 else [row[j] for row in judge.right[:3]]
     largest = float(max(map(abs, beside))) or 1.0

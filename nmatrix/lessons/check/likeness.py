@@ -10,7 +10,13 @@ from math import isnan
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question
-from nmatrix.lessons.check.tolerance import RELATIVE, is_near, is_rounding, yardsticks
+from nmatrix.lessons.check.tolerance import (
+    RELATIVE,
+    coarsest_of_free_length,
+    is_near,
+    is_rounding,
+    yardsticks,
+)
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
 Place = tuple[int, int]
@@ -51,14 +57,16 @@ class Likeness:
         """Return the entries that are too far off."""
         if self.tolerance is not None:
             most = self.tolerance
-            return self._where(lambda off, _place, _yardstick: off > most)
+            return self._where(lambda off, place, yardstick: off > most)
         largest = max(abs(entry) for row in self.wanted for entry in row)
-        return self._where(lambda *entry: not is_near(*entry, largest))
+        return self._where(
+            lambda off, place, yardstick: not is_near(off, place, yardstick, largest)
+        )
 
     @cached_property
     def unrounded(self) -> tuple[Place, ...]:
         """Return the entries that are not the value's, rounded to the digits that were typed."""
-        return self._where(lambda *entry: not is_rounding(*entry))
+        return self._where(lambda off, place, yardstick: not is_rounding(off, place, yardstick))
 
     @cached_property
     def _differences(self) -> RationalMatrix:
@@ -164,6 +172,9 @@ def _at(
 ) -> Likeness:
     wanted = value if factor == 1 else scaled(value, factor)
     places = answer.last_places
+    if question.any_length:
+        most = coarsest_of_free_length(wanted)
+        places = tuple(tuple(min(place, most) for place in row) for row in places)
     return Likeness(given, wanted, places, question.is_vector, question.tolerance, factor)
 
 

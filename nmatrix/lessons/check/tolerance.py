@@ -15,6 +15,7 @@ RELATIVE = Fraction(5, 10_000)  # of the largest entry of all: three good digits
 ONE_PERCENT = Fraction(1, 100)  # of the yardstick: where entries of another kind are far larger
 COARSEST = Fraction(1, 10)  # of the yardstick: one digit that may be one off is no answer
 NOT_ALL = Fraction(9, 10)  # of the yardstick: so that zeros are never right by rounding
+A_TWENTIETH = Fraction(1, 20)  # of the largest entry: 3 degrees, where length is free
 NOISE = Fraction(1, 10**9)  # of the yardstick: what float64 leaves of a careful computation
 
 
@@ -40,6 +41,15 @@ def is_near(off: Fraction, place: Fraction, yardstick: Fraction, largest: Fracti
 def is_rounding(off: Fraction, place: Fraction, yardstick: Fraction) -> bool:
     """Return whether every digit of an entry that is so far off is right."""
     return off <= max(min(place / 2, NOT_ALL * yardstick), NOISE * yardstick)
+
+
+def coarsest_of_free_length(value: RationalMatrix) -> Fraction:
+    """Return the coarsest last place of an answer that may be as long as one likes.
+
+    Digits are claimed by the longest: in (0.01, 0, 0) two decimals tell nearly nothing of where it
+    points.
+    """
+    return A_TWENTIETH * max(abs(entry) for row in value for entry in row)
 
 
 def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
