@@ -73,10 +73,17 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
     return tuple(replace(question, light=part) for part in parts)
 
 
-def judged(question: Question, answer: Answer, found: Judgement, named: str = "") -> Report:
-    """Return the report of one judgement; `named` is what was asked for."""
+def judged(
+    question: Question, answer: Answer, found: Judgement, named: str = "", command: str = ""
+) -> Report:
+    """Return the report of one judgement.
+
+    `named` is what was asked for, `command` the one that answers it; else the question tells them.
+    """
     blocks = _blocks(named or _named(question), question, answer, found)
-    return Report("check", judgement_data(found), blocks, found.remarks, failure(question, found))
+    return Report(
+        "check", judgement_data(found), blocks, found.remarks, _failure(question, found, command)
+    )
 
 
 def judgement_data(found: Judgement) -> dict[str, Value]:
@@ -91,18 +98,22 @@ def judgement_data(found: Judgement) -> dict[str, Value]:
     }
 
 
-def failure(question: Question, found: Judgement) -> CheckFailedError | None:
+def _failure(question: Question, found: Judgement, command: str) -> CheckFailedError | None:
     """Return the one line that a wrong answer ends in."""
     if found.verdict is Outcome.CORRECT:
         return None
     why = found.mistake or "no known mistake gives these numbers"
     if found.mistakes:
         return CheckFailedError("answer (wrong)", why, f"try {_commands(question, found)[0]}")
-    command = question.subject.value
+    shows = f"nmatrix {command or _command(question)} with the numbers of the scene"
+    return CheckFailedError("answer (wrong)", why, f"{shows} shows the right one")
+
+
+def _command(question: Question) -> str:
+    """Return the command that answers the question."""
     if question.subject in (Subject.LIGHT, Subject.EYE):
-        command += f" {question.space}"
-    shows = f"nmatrix {command} with the numbers of the scene shows the right one"
-    return CheckFailedError("answer (wrong)", why, shows)
+        return f"{question.subject} {question.space}"
+    return question.subject.value
 
 
 def _commands(question: Question, found: Judgement) -> list[str]:

@@ -7,10 +7,12 @@ from collections.abc import Callable, Mapping
 from nmatrix.answers.check import judged, judgement_data
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.lessons.check.judge import Judgement, Outcome
-from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise
+from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Kind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
 from nmatrix.report import Block, Heading, Report, Text, Verdict
+
+COMMANDS = {Kind.TRACE: "trace"}  # where the question's own is not the one that answers it
 
 
 def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
@@ -25,7 +27,8 @@ def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
     one = exercise(number, sheet)
     found = one.judge(text)
     if isinstance(one.grader, Computed):
-        return judged(one.grader.question, one.grader.answer(text), found, _told(one))
+        answer, command = one.grader.answer(text), COMMANDS.get(one.kind, "")
+        return judged(one.grader.question, answer, found, _told(one), command)
     blocks: list[Block] = [Heading(f"Check: exercise {one.title}")]
     word = "Correct." if found.verdict is Outcome.CORRECT else "Wrong."
     blocks += [Verdict(word), Text(found.explanation)]

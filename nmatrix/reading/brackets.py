@@ -19,6 +19,8 @@ MOST = 64  # numbers; a matrix has 16, a slip of the hand a few more
 _TOKEN = re.compile(r"[\[(]|[\])]|[,;]|[^\s\[\](),;]+")
 _ROW_BREAK = re.compile(r"[;\n]")
 _SEPARATOR = re.compile(r"\s*,\s*|\s+")
+_BLANK = re.compile(r"[^\s,]\s+[^\s,]")
+_TIGHT_COMMA = re.compile(r"(?<![0-9])[0-9]*,[0-9]+")
 
 
 def bracketed(text: str, source: str, start: int = 0) -> tuple[list[list[str]], int]:
@@ -50,7 +52,7 @@ def bare_rows(text: str, source: str) -> list[list[str]]:
     Raises
     ------
     IllegalValueError
-        If there are more numbers than any matrix has.
+        If there are more numbers than any matrix has, or a comma may be a decimal point.
 
     Examples
     --------
@@ -58,10 +60,24 @@ def bare_rows(text: str, source: str) -> list[list[str]]:
     [['1', '0'], ['0', '2']]
     """
     lines = [line.strip() for line in _ROW_BREAK.split(text, maxsplit=MOST) if line.strip()]
+    for line in lines:
+        _refuse_decimal_comma(line, source)
     rows = [_SEPARATOR.split(line, maxsplit=MOST) for line in lines]
     if sum(len(row) for row in rows) > MOST:
         raise _refusal(source, f"it holds more than {MOST} numbers")
     return rows
+
+
+def _refuse_decimal_comma(line: str, source: str) -> None:
+    """Refuse a line whose numbers are set apart by blanks and that has commas inside as well."""
+    tight = _TIGHT_COMMA.search(line)
+    if tight is not None and _BLANK.search(line) is not None:
+        point = tight[0].replace(",", ".")
+        raise IllegalValueError(
+            f"matrix ({source})",
+            f"{tight[0]} may be one number or two",
+            f"write {point}, or commas between all numbers",
+        )
 
 
 @dataclass

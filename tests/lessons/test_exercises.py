@@ -16,6 +16,7 @@ from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
 from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
+from nmatrix.lessons.exercises.tracing import UNDIVIDED
 from nmatrix.report import Formula, Text
 
 SIZE = len(Kind)
@@ -73,7 +74,7 @@ GOLDEN_ANSWERS = [
     "c",
     "1/20 2/5 73/80",
     "c",
-    "0 0 2",
+    "2 -2 1",
     "c",
 ]
 
@@ -185,3 +186,38 @@ def test_only_the_documented_method_of_the_generator_is_used() -> None:
     source = inspect.getsource(scheme)
     calls = {part.split("(")[0] for part in source.split("self._random.")[1:]}
     assert calls == {"random"}
+
+
+def test_a_vertex_must_have_been_divided_by_w() -> None:
+    one = exercise(7, Sheet("7", "Ada"))
+    x, y, z = (Fraction(number) for number in one.right.split())
+    assert one.judge(f"{one.right} 1").verdict is Outcome.CORRECT
+    for w in (2, 9, 18):
+        found = one.judge(f"{x * w} {y * w} {z * w} {w}")
+        assert (found.verdict, found.explanation) == (Outcome.UNKNOWN, UNDIVIDED)
+    assert UNDIVIDED in {one.judge(f"{x * w} {y * w} {z * w}").explanation for w in range(2, 20)}
+
+
+def test_mirrors_are_asked_for_as_often_as_flattenings() -> None:
+    asked = [exercise(9, Sheet(str(seed), "mirror")) for seed in range(60)]
+    mirrors = [one for one in asked if one.planned]
+    assert 15 < len(mirrors) < 45
+    for one in mirrors:
+        assert [wrong.mistake.value for wrong in one.planned] == [
+            "cofactor-sign",
+            "used-world-matrix",
+        ]
+
+
+def test_a_choice_is_taken_in_the_words_of_whoever_answers() -> None:
+    one = exercise(3, Sheet("7", "Ada"))  # clip space
+    for text in ("d", "(D)", "d.", "d) clip", "Clip", "clip space"):
+        assert one.judge(text).verdict is Outcome.CORRECT
+    for text in ("view space", "eye space", "camera", "model", "local space", "world space"):
+        assert one.judge(text).verdict is Outcome.UNKNOWN
+    shortcut = next(
+        found for seed in range(50) if (found := exercise(6, Sheet(str(seed), "x"))).right == "a"
+    )
+    assert shortcut.judge("yes").verdict is Outcome.CORRECT
+    with pytest.raises(IllegalValueError, match="none of the choices"):
+        shortcut.judge("no")  # two of them begin so

@@ -245,3 +245,14 @@ def test_vectors(text: str) -> None:
 def test_a_vector_keeps_its_shape_in_either_layout() -> None:
     assert matrix_literal("1 2 3", Layout.COLUMN_MAJOR).shape == (1, 3)
     assert matrix_literal("1; 2; 3", Layout.COLUMN_MAJOR).shape == (3, 1)
+
+
+@pytest.mark.parametrize("text", ["-16 -1,75 3", "1,5 2,5 3,5", "1,2 3,4"])
+def test_a_decimal_comma_is_not_taken_for_two_numbers(text: str) -> None:
+    with pytest.raises(IllegalValueError, match="may be one number or two"):
+        matrix_literal(text)
+
+
+@pytest.mark.parametrize("text", ["1,2,3", "1, 2, 3", "1 ,2 , 3", "1,2, 3", "[1,2,3]"])
+def test_commas_between_all_numbers_separate_them(text: str) -> None:
+    assert matrix_literal(text).rows == ((1.0, 2.0, 3.0),)

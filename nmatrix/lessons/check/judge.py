@@ -14,6 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.lessons.check.answer import Answer
+from nmatrix.lessons.check.hints import Hint, hints
 from nmatrix.lessons.check.likeness import (
     Likeness,
     Place,
@@ -30,6 +31,8 @@ from nmatrix.linear.rational import RationalMatrix, linear, scaled
 
 RIGHT = "This is right."
 UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
+NO_MISTAKE = "No known mistake, nor two of them, gives these numbers."
+SEVERAL = "Several pairs of mistakes give these numbers:"
 TWO_SIDED = (
     "The map flattens space to a plane, whose two sides are alike: both directions are right."
 )
@@ -94,6 +97,11 @@ class Judge:
             if _shape(self.question, one.value) not in known
         )
 
+    @cached_property
+    def hints(self) -> tuple[Hint, ...]:
+        """Return what else an answer may show."""
+        return tuple(hints(self.question))
+
     def judge(self, answer: Answer) -> Judgement:
         """Return the judgement of an answer.
 
@@ -153,9 +161,20 @@ class Judge:
             found.wrong or found.unrounded,
             first,
             tuple("+".join(other) for other in others),
-            _explanation(first, others),
+            self._explanation(answer, first, others),
             answer.remarks,
         )
+
+    def _explanation(
+        self, answer: Answer, first: tuple[MistakeId, ...], others: Sequence[tuple[MistakeId, ...]]
+    ) -> str:
+        """Return what was done and the rules broken; and what else would have given this."""
+        sentences = [MISTAKES[one].explanation for one in first]
+        alike = [" ".join(MISTAKES[one].did for one in other) for other in others]
+        hint = self._hint(answer)
+        if hint is not None:
+            alike.append(hint)
+        return " ".join([*sentences, *(f"Or, with the same numbers here: {did}" for did in alike)])
 
     def _named(self, answer: Answer, wrong: tuple[WrongAnswer, ...]) -> Names:
         """Return the mistakes whose numbers these are: to every digit, or else nearly."""
@@ -178,11 +197,8 @@ class Judge:
         return self.question.unit and is_alike(answer, self.right, free)
 
     def _unknown(self, answer: Answer, found: Likeness, several: Names) -> Judgement:
-        if several:
-            listed = ", ".join("+".join(pair) for pair in several)
-            sentence = f"Several pairs of mistakes give these numbers: {listed}."
-        else:
-            sentence = "No known mistake, nor two of them, gives these numbers."
+        pairs = f"{SEVERAL} {', '.join('+'.join(pair) for pair in several)}." if several else None
+        sentence = self._hint(answer) or pairs or NO_MISTAKE
         return Judgement(
             Outcome.UNKNOWN,
             scaled(self.right, found.factor),
@@ -191,6 +207,10 @@ class Judge:
             explanation=sentence,
             remarks=answer.remarks,
         )
+
+    def _hint(self, answer: Answer) -> str | None:
+        alike = (one for one in self.hints if is_alike(answer, one.value, self.question))
+        return next((one.sentence for one in alike), None)
 
     def _distinct(self, wrong: Iterator[WrongAnswer]) -> Iterator[WrongAnswer]:
         """Give the wrong answers that are not the right one, each value of a mistake once."""
@@ -201,15 +221,6 @@ class Judge:
             if shape != right and (one.mistakes, shape) not in seen:
                 seen.add((one.mistakes, shape))
                 yield one
-
-
-def _explanation(first: tuple[MistakeId, ...], others: Sequence[tuple[MistakeId, ...]]) -> str:
-    """Return what was done and the rules broken; and what else would have given these numbers."""
-    sentences = [MISTAKES[one].explanation for one in first]
-    for other in others:
-        did = " ".join(MISTAKES[one].did for one in other)
-        sentences.append(f"Or, with the same numbers here: {did}")
-    return " ".join(sentences)
 
 
 def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:

@@ -89,7 +89,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
         {"light": "nmatrix derive lightdirection", "eye": "nmatrix derive eye"},
     ),
     MistakeId.TRANSPOSED_LAYOUT: Mistake(
-        "Your matrix is the transposed one: rows stand where columns belong.",
+        "You used the transposed matrix: rows stand where columns belong.",
         "Column vectors are multiplied from the left and the translation is the last column; "
         "memory order is another matter, and --input-layout column-major reads it.",
         "nmatrix world --translate 1 2 3",

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-SPACE_OPTIONS = ("object", "world", "camera", "clip")
+# The spaces, and what else people call them.
+SPACE_OPTIONS: dict[str, tuple[str, ...]] = {
+    "object": ("object space", "model", "model space", "local", "local space"),
+    "world": ("world space",),
+    "camera": ("camera space", "view", "view space", "eye", "eye space"),
+    "clip": ("clip space",),
+}
 
 # A line of a shader, the space of what it computes, and the reason.
 SPACES: tuple[tuple[str, str, str], ...] = (
@@ -42,9 +48,10 @@ SPACES: tuple[tuple[str, str, str], ...] = (
         "A direction moves by the inverse of the 3×3 block, from the world to the object.",
     ),
     (
-        "vec3 x = normalize(-(camera_from_world * vec4(eye_position, 1.0)).xyz);",
+        "vec3 x = normalize(-(camera_from_world * world_from_object * "
+        "vec4(vertex_position, 1.0)).xyz);",
         "camera",
-        "The view matrix leads to camera space, where the eye is the origin.",
+        "Both matrices lead to camera space; there the eye is the origin, so −p points to it.",
     ),
 )
 
@@ -80,10 +87,11 @@ CONCEPTS: tuple[tuple[str, Said, tuple[Said, ...]], ...] = (
         ),
     ),
     (
-        "Why is A⁻ᵀ = A no proof that A is right for normals, when it was tested on a rotation?",
+        "A shader moves normals by A itself, and every rotated object looks right. Why is that no "
+        "proof?",
         (
-            "for every rotation both are the same",
-            "So the test cannot tell them apart: stretch the object.",
+            "for every rotation A⁻ᵀ is A",
+            "So that test cannot tell them apart: stretch the object.",
         ),
         (
             ("rotations have determinant 1", "So has a shear, where A is wrong."),
@@ -96,7 +104,7 @@ CONCEPTS: tuple[tuple[str, Said, tuple[Said, ...]], ...] = (
         ("it points inwards", "cofactor = det · inverse transpose: multiply by the sign of det."),
         (
             ("it is right", "That holds for positive determinants alone."),
-            ("it is zero", "Only a flattening makes cofactors vanish."),
+            ("it is zero", "Only where the map flattens can it vanish."),
             ("it is not perpendicular", "It is; only its side is wrong."),
         ),
     ),
@@ -106,7 +114,7 @@ CONCEPTS: tuple[tuple[str, Said, tuple[Said, ...]], ...] = (
         (
             ("at (0, 0, 1)", "Nothing stands there."),
             ("at the near plane", "That lies in front of the eye."),
-            ("where the view matrix says", "Its last column is −R · eye, the world's origin."),
+            ("in the view matrix's last column", "That is −R · eye: where the world's origin is."),
         ),
     ),
     (
@@ -119,7 +127,7 @@ CONCEPTS: tuple[tuple[str, Said, tuple[Said, ...]], ...] = (
         ),
     ),
     (
-        "n · l < 0 and r · v = 1. How bright is the highlight?",
+        "n · l < 0 and r · v > 0. How bright is the highlight?",
         ("there is none", "The light is behind the surface: gate on n · l, not on r · v."),
         (
             ("as bright as can be", "r · v says so, and the surface is in its own shadow."),

@@ -9,7 +9,7 @@ from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
 from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind, Option, listed
-from nmatrix.lessons.exercises.matrices import SCALES
+from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.exercises.writing import equation, written
 from nmatrix.linear.affine import rotation_about
@@ -30,6 +30,7 @@ LOOK_AT_PRODUCTS = (
     "Work out AᵀA: its diagonal holds the squared lengths of the columns, the rest tells whether "
     "they are perpendicular."
 )
+UP_TO_LENGTH = "Of a normal matrix any positive multiple counts."
 OTHER_NUMBERS = "That mistake gives other numbers: work one entry out and compare."
 
 
@@ -37,7 +38,8 @@ def which_space(draws: Draws, number: int) -> Exercise:
     """Ask for the space of a vector in a line of shader code."""
     line, space, because = draws.choice(SPACES)
     options = tuple(
-        Option(one, because if one == space else FOLLOW_THE_MATRICES) for one in SPACE_OPTIONS
+        Option(one, because if one == space else FOLLOW_THE_MATRICES, aliases=aliases)
+        for one, aliases in SPACE_OPTIONS.items()
     )
     task = (
         Code("glsl", f"{line}\n"),
@@ -46,7 +48,7 @@ def which_space(draws: Draws, number: int) -> Exercise:
             "which space is the result?"
         ),
     )
-    return _choice(number, Kind.WHICH_SPACE, task, options, SPACE_OPTIONS.index(space))
+    return _choice(number, Kind.WHICH_SPACE, task, options, list(SPACE_OPTIONS).index(space))
 
 
 def short_cut(draws: Draws, number: int) -> Exercise:
@@ -106,7 +108,8 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     task: tuple[Block, ...] = (
         Text(f"An object is {told}. For {what} Sam writes"),
         equation("answer = ", by_mistake[made]),
-        Text("What did Sam do wrong?"),
+        Text(CONVENTION if subject is Subject.WORLD else f"{CONVENTION} {UP_TO_LENGTH}"),
+        Text("What do you tell Sam?"),
     )
     key = (equation("right = ", judge.right), Text(MISTAKES[made].explanation))
     return _choice(number, Kind.MISTAKE, task, options, right, key)

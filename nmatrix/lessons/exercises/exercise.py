@@ -99,27 +99,28 @@ class Computed:
         return Judge(self.question).judge(self.answer(text))
 
 
-@dataclass(frozen=True)
-class Listed(Computed):
-    """Numbers with a list of wrong answers of their own."""
-
-    by: Judge
-
-    def judge(self, text: str) -> Judgement:
-        """Return the judgement of numbers."""
-        return self.by.judge(self.answer(text))
-
-
 LETTERS = "abcdefgh"
 
 
 @dataclass(frozen=True)
 class Option:
-    """One choice: what it says, why it is right or wrong, and the mistake that it names, if any."""
+    """One choice: what it says, why it is right or wrong, and the mistake that it names, if any.
+
+    `aliases` are other words for it.
+    """
 
     text: str
     because: str
     mistake: MistakeId | None = None
+    aliases: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> set[str]:
+        """Return what it may be called, in small letters."""
+        names = {self.text.lower().rstrip("."), *self.aliases}
+        if self.mistake is not None:
+            names |= {self.mistake.value, self.mistake.value.replace("-", " ")}
+        return names
 
 
 @dataclass(frozen=True)
@@ -154,17 +155,32 @@ class Choice:
         )
 
     def _chosen(self, text: str) -> int:
-        typed = " ".join(text.strip().lower().strip("()").rstrip(".):").split())
-        for i, option in enumerate(self.options):
-            names = {LETTERS[i], option.text.lower().rstrip(".")}
-            if option.mistake is not None:
-                names.add(option.mistake.value)
-            if typed in names:
-                return i
+        """Return the place of the one option that is meant: by letter, by name, by its beginning.
+
+        Raises
+        ------
+        IllegalValueError
+            If no option is meant, or several.
+        """
+        typed = " ".join(text.strip().lower().split()).rstrip(".")
+        letter = typed.strip("(").partition(")")[0].rstrip(".:")
+        by_name = [i for i, one in enumerate(self.options) if typed in one.names]
+        begun = [i for i, one in enumerate(self.options) if _begins(one, typed)]
+        if len(letter) == 1 and letter in LETTERS[: len(self.options)]:
+            return LETTERS.index(letter)
+        for found in (by_name, begun):
+            if len(found) == 1:
+                return found[0]
         letters = ", ".join(LETTERS[: len(self.options)])
         raise IllegalValueError(
             f"answer ({text.strip()[:30]})", "it is none of the choices", f"answer {letters}"
         )
+
+
+def _begins(option: Option, typed: str) -> bool:
+    """Return whether an option begins with these whole words."""
+    words, first = typed.rstrip(",:").split(), option.text.lower().split()
+    return bool(words) and [word.rstrip(",:") for word in first[: len(words)]] == words
 
 
 def listed(options: Sequence[Option]) -> str:

@@ -31,7 +31,7 @@ Build = Callable[[Draws, int], Exercise | None]
 
 SCALES = tuple(Fraction(x) for x in ("1/4", "1/2", "1", "2", "4"))
 MOVES = tuple(Fraction(x) for x in (-3, -2, -1, 1, 2, 3))
-TURNS = (90, -90, 180)
+QUARTERS = (90, -90)
 AXES = "xyz"
 CONVENTION = "Column vectors; M = T · R · S; angles by the right-hand rule."
 
@@ -135,27 +135,28 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
 
 
 def mirrored(draws: Draws, number: int) -> Exercise | None:
-    """Ask for an outward normal through a mirror, or through a flattening."""
+    """Ask for an outward normal through a turned mirror, or through a flattening."""
     scale = list(draws.several(SCALES[1:4], 3))
     place = draws.below(3)
     is_flat = draws.below(2) == 1
     scale[place] = Fraction(0) if is_flat else -scale[place]
     n = [draws.choice(MOVES) for _ in range(3)]
-    question = Question(Subject.NORMAL, Shot(World(scale=tuple(scale))), normal=tuple(n))
-    A = linear(question.shot.world.world_from_object)
+    world = World(rotate_degrees=_quarter_turn(draws), scale=tuple(scale))
+    question = Question(Subject.NORMAL, Shot(world), normal=tuple(n))
+    A = linear(world.world_from_object)
     task = (
         equation("A = ", A, ", n = ", column([Fraction(x) for x in n])),
         Text(
             "A is the 3×3 block of a world matrix, n the outward normal of a surface. In which "
             "direction does the normal point after the map?"
         ),
-        Text("Three numbers; any positive multiple counts."),
+        Text("Three numbers; any positive multiple counts, and where A flattens, either sign."),
     )
     steps: tuple[Block, ...] = (equation("C = ", cofactor(A)),)
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
         return _computed(number, Kind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told)))
-    told = "det A < 0: the outward normal is −C n, which is the inverse transpose times n."
+    told = "det A < 0: the outward normal is −C n, a positive multiple of the inverse transpose's."
     planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
     return _computed(number, Kind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told)))
 
@@ -163,14 +164,20 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
 def _placed(draws: Draws) -> tuple[World, str]:
     """Return a world of three parts, and the sentence that tells it."""
     move = tuple(draws.choice(MOVES) for _ in range(3))
-    axis, turn = draws.below(3), draws.choice(TURNS[:2])
+    angles = _quarter_turn(draws)
     scale = draws.several(SCALES, 3)
-    angles = tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
+    turn, axis = next((angle, axis) for angle, axis in zip(angles, AXES, strict=True) if angle)
     told = (
-        f"is scaled by {_listed(scale)}, then turned by {written(Fraction(turn))}° about "
-        f"{AXES[axis]}, then moved by {_listed(move)}"
+        f"is scaled by {_listed(scale)}, then turned by {written(turn)}° about {axis}, then moved "
+        f"by {_listed(move)}"
     )
     return World(translate=move, rotate_degrees=angles, scale=scale), told
+
+
+def _quarter_turn(draws: Draws) -> Vector:
+    """Return angles about x, y and z in degrees, one of them a quarter turn."""
+    axis, turn = draws.below(3), draws.choice(QUARTERS)
+    return tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
 
 
 def _listed(values: object) -> str:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from nmatrix.lessons.check.judge import Judge
+from nmatrix.lessons.check.hints import Hint
+from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.slips import lens as lens_slips
 from nmatrix.lessons.check.wrong import WrongAnswer
-from nmatrix.lessons.exercises.exercise import Exercise, Kind, Listed, Planned
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
 from nmatrix.lessons.exercises.matrices import MOVES
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.exercises.writing import column, equation, typed, written
@@ -22,6 +23,7 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.shot import Shot
 from nmatrix.scene.world import World
 
+UNDIVIDED = "These are clip coordinates: divide x, y and z by the fourth number, w."
 PLANNED = (MistakeId.ASPECT_INVERTED, MistakeId.HORIZONTAL_FOV)
 
 
@@ -43,7 +45,8 @@ def trace(draws: Draws, number: int) -> Exercise | None:
         return None  # the vertex should be seen
     if len({right, *(one.value[0] for one in wrong)}) <= len(wrong):
         return None
-    judge = _Known(Question(Subject.EYE, shot), right, tuple(wrong))
+    undivided = Hint((_clip(shot, point),), UNDIVIDED)
+    judge = _Known(Question(Subject.EYE, shot), right, tuple(wrong), undivided)
     return Exercise(
         number,
         Kind.TRACE,
@@ -51,7 +54,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
         (3, 1),
         _key(shot, point, right),
         typed((right[:3],)),
-        Listed(judge.question, judge),
+        _Divided(judge.question, judge),
         tuple(Planned(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
     )
 
@@ -60,14 +63,44 @@ class _Known(Judge):
     """A judge whose answers are given, not those of its question."""
 
     def __init__(
-        self, question: Question, right: RationalVector, wrong: tuple[WrongAnswer, ...]
+        self,
+        question: Question,
+        right: RationalVector,
+        wrong: tuple[WrongAnswer, ...],
+        undivided: Hint,
     ) -> None:
         super().__init__(question)
-        self.__dict__.update(right=(right,), singles=wrong, doubles=())
+        self.__dict__.update(right=(right,), singles=wrong, doubles=(), hints=(undivided,))
+
+
+@dataclass(frozen=True)
+class _Divided(Computed):
+    """Numbers that must have been divided by w: of four, the last one is 1."""
+
+    by: Judge
+
+    def judge(self, text: str) -> Judgement:
+        """Return the judgement of numbers."""
+        answer = self.answer(text)
+        found = self.by.judge(answer)
+        w = answer.rows[0][3:] or (ONE,)
+        if found.verdict is not Outcome.CORRECT or w == (ONE,):
+            return found
+        return replace(
+            found,
+            verdict=Outcome.UNKNOWN,
+            max_difference=abs(w[0] - ONE),
+            wrong_entries=((0, 3),),
+            explanation=UNDIVIDED,
+        )
+
+
+def _clip(shot: Shot, point: RationalVector) -> RationalVector:
+    return apply(shot.stage.clip_from_object, (*point, ONE))
 
 
 def _ndc(shot: Shot, point: RationalVector) -> RationalVector:
-    clip = apply(shot.stage.clip_from_object, (*point, ONE))
+    clip = _clip(shot, point)
     return (*(x / clip[3] for x in clip[:3]), ONE)
 
 
