@@ -58,7 +58,8 @@ def _between() -> Step:
                 r"\sigma^2 + \frac{\sigma_1^2 \sigma_3^2}{\sigma^2} \le \sigma_1^2 + \sigma_3^2",
             )
         ),
-        "for every σ from σ₃ to σ₁, since (σ₁² − σ²)(σ² − σ₃²) is not negative",
+        "for every stretch σ from the least, σ₃, to the greatest, σ₁: (σ₁² − σ²)(σ² − σ₃²) is not "
+        "negative",
         proved=equal(gap * some**2, (first**2 - some**2) * (some**2 - third**2)),
     )
 
@@ -77,7 +78,8 @@ def _together() -> Step:
                 r" \tan\theta \le \frac{\kappa - 1/\kappa}{2}",
             )
         ),
-        "add that up over the axes of A and take the geometric mean: nothing is worse than half "
+        "weigh that by n² along each axis of A and add: |A n|² + σ₁² σ₃² |A⁻ᵀ n|² ≤ σ₁² + σ₃², and "
+        "the left is at least 2 σ₁ σ₃ |A n| |A⁻ᵀ n|; with κ = σ₁/σ₃ nothing is worse than half "
         "way; κ = 2 gives tan θ = 3/4, the triangle of 3, 4 and 5",
         proved=equal(half_sum**2 - 1, half_difference**2) and is_345,
     )

@@ -41,7 +41,8 @@ def rule() -> tuple[list[Step], str]:
     """Derive N = A⁻ᵀ from the one thing that a normal is: perpendicular to every tangent."""
     return [*_demand(), *_solution(), _worst_angle(), *nothing_is_worse()], (
         "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
-        "length one. A itself does only where AᵀA = s² · 1."
+        "length one; where det A = 0 it is C n, with either sign. A itself does only where "
+        "AᵀA = s² · 1."
     )
 
 
@@ -72,10 +73,9 @@ def _demand() -> list[Step]:
                 words("(A t)ᵀ (N n)", r"(A t)^{\mathsf T} (N n)"),
                 EQUALS,
                 words("tᵀ (Aᵀ N) n", r"t^{\mathsf T} (A^{\mathsf T} N)\, n"),
-                EQUALS,
-                words("0"),
             ),
-            "the new normal N n must be perpendicular to every new tangent A t",
+            "this product must be 0: the new normal N n is to be perpendicular to every new "
+            "tangent A t",
             proved=rational.dot(moved_t, moved_n)
             == rational.dot(t, rational.apply(rational.product(rational.transpose(M), free), n)),
         ),
@@ -102,7 +102,7 @@ def _solution() -> list[Step]:
             formula(
                 words("(C n) · (A t)", r"(C n) \cdot (A t)"),
                 EQUALS,
-                words("det A (n · t)", r"\det A \, (n \cdot t)"),
+                words("(det A) (n · t)", r"(\det A)\,(n \cdot t)"),
             ),
             "so C n is perpendicular too; only the sign of det A decides which side is outside",
             proved=perpendicular == det * rational.dot(n, t),
@@ -150,7 +150,7 @@ def cofactor() -> tuple[list[Step], str]:
     steps = [
         step(
             formula(A_T, C, EQUALS, DET, words(" · "), ONE),
-            "each row of A times its own cofactors is det A, times another row's it is 0",
+            "each column of A times its own cofactors is det A, times another column's it is 0",
             proved=equal(M.T * K, det * sp.eye(3)),
         ),
         step(
@@ -179,7 +179,7 @@ def translation() -> tuple[list[Step], str]:
     """Show where a translation hides in the 4×4 inverse transpose."""
     import sympy as sp
 
-    x, y, z, w = sp.symbols("nx ny nz w")
+    x, y, z, w = sp.symbols("n_x n_y n_z w")
     M = sp.eye(4)
     M[0, 3] = 5
     inverse_transpose = sp.eye(4)

@@ -54,8 +54,8 @@ def rotation() -> tuple[list[Step], str]:
         ),
     ]
     return steps, (
-        "R itself carries normals. A test on rotated objects can therefore never tell a wrong "
-        "normal matrix from the right one: the hidden bias."
+        "R itself carries normals. A test on rotated objects can therefore never tell A from "
+        "A⁻ᵀ: the hidden bias."
     )
 
 
@@ -95,8 +95,8 @@ def nonuniform() -> tuple[list[Step], str]:
         *_on_tangents_and_lengths(),
     ]
     return steps, (
-        "Stretching y by 2 flattens the slope, so the normal must lean the other way: the "
-        "inverse transpose divides by 2 where A multiplies. A itself is 36.87° off here."
+        "Stretching y by 2 makes the slope steeper, so its normal leans away from y: the inverse "
+        "transpose divides by 2 where A multiplies. A itself is 36.87° off in this example."
     )
 
 
@@ -160,19 +160,26 @@ def shear() -> tuple[list[Step], str]:
 def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> list[Step]:
     """Carry one normal both ways and measure both against the moved tangent."""
     wrong, right = A_ * n, cofactors(A_) * n / determinant(A_)
-    return [_chosen(n, t), *_against_tangent(A_ * t, wrong, right), _angle_between(wrong, right)]
+    return [
+        _chosen(A_, n, t),
+        *_against_tangent(A_ * t, wrong, right),
+        _angle_between(wrong, right),
+    ]
 
 
-def _chosen(n: sp.Matrix, t: sp.Matrix) -> Step:
+def _chosen(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> Step:
     return step(
         formula(
-            words("n = ", "n = "),
+            A,
+            EQUALS,
+            A_,
+            words(",  n = ", r",\; n = "),
             n,
             words(",  t = ", r",\; t = "),
             t,
             words(",  t · n = 0", r",\; t \cdot n = 0"),
         ),
-        "take one normal and a tangent perpendicular to it",
+        "take one such matrix, a normal, and a tangent perpendicular to it",
         proved=t.dot(n) == 0,
     )
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.notation import EQUALS, NOT_EQUAL, A, formula, words
+from nmatrix.lessons.notation import EQUALS, IMPLIES, NOT_EQUAL, ONE, A, formula, words
 from nmatrix.lessons.steps import equal, step
 from nmatrix.lessons.symbols import (
     cofactors,
@@ -76,7 +76,7 @@ def _in_numbers() -> list[Step]:
     return [
         step(
             formula(A, EQUALS, quarter, words(",  n = "), n, words(",  l = "), light),
-            "a flattened object, a normal half way up, a light mostly from above",
+            "a flattened object, a normal half way up, and l, which points to a light above",
             proved=n.dot(n) == 1,
         ),
         _shade("exact: over both lengths", exact, 39, 1598),
@@ -127,12 +127,22 @@ def _in_camera_space() -> list[Step]:
     mirrored, scaled = sp.diag(-1, 1, 1) * R, 2 * R
     return [
         step(
-            formula(words("V⁻ᵀ = V", r"V^{-\mathsf T} = V")),
+            formula(
+                words("Vᵀ V", r"V^{\mathsf T} V"),
+                EQUALS,
+                ONE,
+                IMPLIES,
+                words("V⁻ᵀ = V", r"V^{-\mathsf T} = V"),
+            ),
             "a view that turns and mirrors is its own inverse transpose: there both rules agree",
             proved=all(equal(one.T * one, sp.eye(3), (c, s)) for one in (R, mirrored)),
         ),
         step(
-            formula(words("V⁻ᵀ l ≠ V l", r"V^{-\mathsf T} l \neq V l")),
+            formula(
+                words("V = 2 R", "V = 2 R"),
+                IMPLIES,
+                words("V⁻ᵀ l ≠ V l", r"V^{-\mathsf T} l \neq V l"),
+            ),
             "a view that scales is not: a direction still moves by V, and only a normal by V⁻ᵀ",
             proved=not equal(scaled.T * scaled, sp.eye(3), (c, s)),
         ),
@@ -162,9 +172,10 @@ def eye() -> tuple[list[Step], str]:
             proved=equal(course, x),
         ),
         step(
-            formula(words("(10¹⁶ + 3) − 10¹⁶ = 4", r"(10^{16} + 3) - 10^{16} = 4")),
-            "in float64 it is not: V·M adds and cancels numbers of the size of t, so its last "
-            "digits are lost before the inverse looks; subtracted first, e − t loses nothing",
+            formula(words("fl(10¹⁶ + 3) − 10¹⁶ = 4", r"\mathrm{fl}(10^{16} + 3) - 10^{16} = 4")),
+            "in float64 it is not (fl rounds): V·M adds and cancels numbers of the size of t, so "
+            "its last digits are lost before the inverse looks; e − t, subtracted first, is "
+            "rounded once",
             proved=(far + 3) - far == 4,
         ),
     ]
@@ -218,7 +229,7 @@ def metric() -> tuple[list[Step], str]:
         ),
         step(
             formula(words("|B b|² = 5", "|B b|^2 = 5"), NOT_EQUAL, words("|b|² = 2", "|b|^2 = 2")),
-            "lengths change too: every cosine made of them is wrong without the metric",
+            "lengths change too: a cosine made of them is wrong without the metric",
             proved=moved_b.dot(moved_b) == 5 and b.dot(b) == 2,
         ),
     ]

@@ -115,7 +115,13 @@ def _plain(expression: sp.Expr) -> str:
         .replace("**3", "³")
         .replace("**", "^")
     )
-    return text.replace("*", "·").replace("sqrt", "√").replace("-", "−").replace("kappa", "κ")
+    return (
+        text.replace("*", "·")
+        .replace("sqrt", "√")
+        .replace("-", "−")
+        .replace("kappa", "κ")
+        .replace("_", "")
+    )
 
 
 def _latex(part: Part) -> str:

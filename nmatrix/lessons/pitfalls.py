@@ -35,7 +35,7 @@ PITFALLS: tuple[Pitfall, ...] = (
             "Only if it is fixed to the object; a lamp of the world moves by V.",
             "nmatrix light camera --light-position 2 2 8"),
     Pitfall("F7", "It looked right, so the matrix is right.",
-            "For a rotation A⁻ᵀ = A: a test on rotated objects proves nothing.",
+            "For a rotation A⁻ᵀ = A: a test on rotated objects cannot tell the two apart.",
             "nmatrix derive rotation"),
     Pitfall("F8", "The inverse transpose removes the translation.",
             "Taking the 3×3 block does, or w = 0.",

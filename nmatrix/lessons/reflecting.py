@@ -40,7 +40,8 @@ def _reflected() -> list[Step]:
                     r"\frac{2 (n \cdot l)(n \cdot v)}{|n|^2} - l \cdot v",
                 ),
             ),
-            "so a highlight needs three products; in any space, each measured by its metric",
+            "so a highlight needs these products: n · l and n · v are the same in every space, "
+            "l · v and |n|² are measured by the metric",
             proved=equal(r.dot(v), 2 * n.dot(light) * n.dot(v) / square - light.dot(v)),
         ),
     ]
@@ -73,18 +74,19 @@ def _gate() -> Step:
 
     n, light, v = sp.Matrix([0, 0, 1]), sp.Matrix([3, 0, -4]) / 5, sp.Matrix([-12, 0, 5]) / 13
     r = 2 * n.dot(light) * n - light
-    products = [n.dot(light), n.dot(v), r.dot(v)]
-    names = (r"n \cdot l", r"n \cdot v", r"r \cdot v")
+    products = [n.dot(light), n.dot(v), light.dot(v), r.dot(v)]
+    names = (r"n \cdot l", r"n \cdot v", r"l \cdot v", r"r \cdot v")
     found = [
         part
-        for name, value, end in zip(names, products, (",  ", ",  ", ""), strict=True)
+        for name, value, end in zip(names, products, (",  ", ",  ", ",  ", ""), strict=True)
         for part in (words(name.replace(r"\cdot", "·"), name), EQUALS, value, words(end))
     ]
     return step(
         formula(*found),
-        "l is behind the surface, v before it, and r · v is positive all the same: gate the "
-        "highlight on n · l, not on r · v; 0⁰ must not glow",
-        proved=products[0] < 0 < products[1] and products[2] > 0,
+        "for n = (0, 0, 1), l = (3/5, 0, −4/5), v = (−12/13, 0, 5/13): l is behind the surface, "
+        "v before it, and r · v is positive all the same: gate the highlight on n · l, not on "
+        "r · v; 0⁰ must not glow",
+        proved=products[0] < 0 < products[1] and products[3] > 0,
     )
 
 

@@ -38,7 +38,7 @@ def mirror() -> tuple[list[Step], str]:
         *_on_one_normal(A_, K),
     ]
     return steps, (
-        "Outward normals: sign(det A) · C n, which is the inverse transpose. Flip the winding of "
+        "Outward normals: sign(det A) · C n, which points where A⁻ᵀ n does. Flip the winding of "
         "the triangles, not the normals."
     )
 
@@ -62,7 +62,8 @@ def _on_one_normal(A_: sp.Matrix, K: sp.Matrix) -> list[Step]:
                 EQUALS,
                 K * u.cross(v),
             ),
-            "a triangle's edge product moves by C: seen from outside its winding has flipped",
+            "the edges u = (0, 1, 0) and v = (0, 0, 1) of a triangle span n; their product moves "
+            "by C: seen from outside the winding has flipped",
             proved=equal((A_ * u).cross(A_ * v), K * u.cross(v)),
         ),
         step(

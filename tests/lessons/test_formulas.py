@@ -45,7 +45,7 @@ def test_trees() -> None:
 def test_the_three_printers_agree_on_what_they_say() -> None:
     tree = parse("A⁻ᵀ = C / det A")
     assert typst(tree) == "A^(- top) = frac(C, det A)"
-    assert spoken(tree) == "A to the minus transpose equals C over the determinant of A"
+    assert spoken(tree) == "A inverse transposed equals C over the determinant of A"
     assert mathml(tree).count("<mfrac>") == 1
     assert mathml(parse("σ₁²")) == "<msup><msub><mi>σ</mi><mn>1</mn></msub><mn>2</mn></msup>"
     assert spoken(parse("(A t)ᵀ")) == "the group A t end of group transposed"
@@ -124,3 +124,27 @@ def test_ones_own_matrix_follows_once() -> None:
 def test_a_misspelled_case_is_guessed() -> None:
     with pytest.raises(ValueError, match="did you mean lightdirection"):
         chosen("lightdirecton")
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("|A n|²", "the squared length of A n"),
+        ("|A n| |A⁻ᵀ n|", "the length of A n times the length of A inverse transposed n"),
+        ("tan² θ", "tangent squared of theta"),
+        ("10¹⁶", "10 to the power 16"),
+        ("(A t)ᵀ", "the group A t end of group transposed"),
+    ],
+)
+def test_lengths_and_powers_are_said_as_they_are_meant(line: str, said: str) -> None:
+    assert spoken(parse(line)) == said
+
+
+def test_latex_has_every_sign_of_the_lessons_and_the_pitfalls() -> None:
+    from nmatrix.lessons.pitfalls import PITFALLS
+    from nmatrix.output.latex import escaped
+
+    prose = [step["because"] for case in derive("all").data["cases"] for step in case["steps"]]
+    prose += [text for one in PITFALLS for text in (one.claim, one.verdict)]
+    for text in prose:
+        assert "textbackslash" not in escaped(text), text

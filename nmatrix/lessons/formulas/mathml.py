@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from html import escape
 
 from nmatrix.lessons.formulas.parse import FUNCTIONS, RAISED
@@ -52,10 +53,8 @@ def mathml(node: Node) -> str:
             left, right = ("|", "|") if bars else ("(", ")")
             found = f"<mrow><mo>{left}</mo>{mathml(inside)}<mo>{right}</mo></mrow>"
         case Grid(rows):
-            cells = (
-                f"<mtr>{''.join(f'<mtd>{mathml(x)}</mtd>' for x in row)}</mtr>" for row in rows
-            )
-            found = f"<mrow><mo>[</mo><mtable>{''.join(cells)}</mtable><mo>]</mo></mrow>"
+            lines = "".join(f"<mtr>{_cells(row)}</mtr>" for row in rows)
+            found = f"<mrow><mo>[</mo><mtable>{lines}</mtable><mo>]</mo></mrow>"
     return found
 
 
@@ -84,7 +83,7 @@ def _letters(text: str) -> str:
 
 
 def _exponent(text: str) -> str:
-    parts = text.translate(PLAIN).replace("-", "−")
+    parts = re.findall(r"[0-9]+|.", text.translate(PLAIN).replace("-", "−"))
     found = "".join(
         f"<mo>{c}</mo>" if c in "−′" else f"<mn>{c}</mn>" if c.isdigit() else f"<mi>{c}</mi>"
         for c in parts

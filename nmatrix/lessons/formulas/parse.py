@@ -21,7 +21,7 @@ from nmatrix.lessons.formulas.tree import (
     Sign,
 )
 
-FUNCTIONS = ("det", "tan", "sin", "cos", "arctan", "sign", "max", "rank")
+FUNCTIONS = ("det", "tan", "sin", "cos", "arctan", "sign", "max", "rank", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 _TOKEN = re.compile(
     rf"\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from nmatrix.lessons.formulas.mathml import LOWERED, RAISED_UP
+from collections.abc import Iterator
+
+from nmatrix.lessons.formulas.mathml import LOWERED, PLAIN, RAISED_UP
 from nmatrix.lessons.formulas.tree import (
     Fence,
     Fraction,
@@ -35,7 +37,7 @@ SIGNS = {
     "→": "becomes",
 }
 POWERS = {
-    "⁻ᵀ": "to the minus transpose",
+    "⁻ᵀ": "inverse transposed",
     "ᵀ": "transposed",
     "⁻¹": "inverse",
     "²": "squared",
@@ -52,6 +54,7 @@ FUNCTIONS = {
     "cos": "cosine of",
     "arctan": "arc tangent of",
     "sign": "the sign of",
+    "fl": "the rounded value of",
 }
 
 
@@ -62,7 +65,7 @@ def spoken(node: Node) -> str:
     --------
     >>> from nmatrix.lessons.formulas.parse import parse
     >>> spoken(parse("A⁻ᵀ = C / det A"))
-    'A to the minus transpose equals C over the determinant of A'
+    'A inverse transposed equals C over the determinant of A'
     """
     match node:
         case Name(text):
@@ -72,9 +75,9 @@ def spoken(node: Node) -> str:
         case Sign(text):
             found = SIGNS.get(text, text)
         case Row(items):
-            found = " ".join(map(spoken, items)).replace(" ,", ",")
+            found = " ".join(_in_a_row(items)).replace(" ,", ",")
         case Power(base, exponent):
-            found = f"{_whole(base)} {POWERS.get(exponent, f'to the power {exponent}')}"
+            found = _power(base, exponent)
         case Fraction(top, bottom):
             found = f"{_grouped(top)} over {_grouped(bottom)}"
         case Root(inside):
@@ -91,6 +94,30 @@ def _letters(text: str) -> str:
     if text[1:] and text[1] in LOWERED:
         return f"{_letters(text[0])} {text[1:].translate(RAISED_UP)}"
     return LETTERS.get(text, text)
+
+
+def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
+    """Give what each piece is called; a length after another thing multiplies it."""
+    for i, item in enumerate(items):
+        if i and _is_length(item) and not isinstance(items[i - 1], Sign):
+            yield "times"
+        yield spoken(item)
+
+
+def _is_length(node: Node) -> bool:
+    return (isinstance(node, Fence) and node.bars) or (
+        isinstance(node, Power) and _is_length(node.base)
+    )
+
+
+def _power(base: Node, exponent: str) -> str:
+    """Return a power; of a length or a function it is said before what they are of."""
+    said = POWERS.get(exponent) or f"to the power {exponent.translate(PLAIN)}"
+    if isinstance(base, Fence) and base.bars and exponent == "²":
+        return f"the squared length of {_grouped(base.inside)}"
+    if isinstance(base, Name) and base.text in FUNCTIONS:
+        return f"{FUNCTIONS[base.text].removesuffix(' of')} {said} of"
+    return f"{_whole(base)} {said}"
 
 
 def _whole(node: Node) -> str:
