@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
+from nmatrix.answers.wording import transform_remarks, verdict
 from nmatrix.lessons import derivations, examples, lighting, reflecting, sides
 from nmatrix.lessons.cases import TITLES, chosen
-from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, A, C, formula, words
-from nmatrix.lessons.steps import equal, is_zero, normal_form, step
-from nmatrix.lessons.symbols import cofactors, determinant
-from nmatrix.linear.angle import Angle
-from nmatrix.report import Block, Heading, Number, Report, Step, Value, Verdict
+from nmatrix.lessons.own import own_matrix
+from nmatrix.linear.classify import classify
+from nmatrix.report import Block, Heading, Report, Step, Value, Verdict
 from nmatrix.scene.world import World
 
-if TYPE_CHECKING:
-    import sympy as sp
-
+SYMBOLIC = Fraction(1, 10**30)  # sines come in 130 bits here; what they miss by, surds do not
 Lesson = Callable[[], tuple[list[Step], str]]
 
 LESSONS: dict[str, Lesson] = {
@@ -41,7 +38,7 @@ def derive(case: str, world: World | None = None) -> Report:
     """Return the lessons that a word stands for, every step proved.
 
     With a world, its own matrix follows the first lesson in exact numbers: fractions stay
-    fractions, and 30° gives √3/2.
+    fractions, and 30° gives √3/2. What holds for it is said apart from what the lesson shows.
 
     Raises
     ------
@@ -54,88 +51,47 @@ def derive(case: str, world: World | None = None) -> Report:
     >>> all(step["verified"] for step in found.data["cases"][0]["steps"])
     True
     """
-    own = [] if world is None else own_matrix(world)
-    cases: list[Value] = []
-    blocks: list[Block] = []
-    for i, name in enumerate(chosen(case)):
-        steps, conclusion = LESSONS[name]()
-        steps += own if i == 0 else []
-        cases.append(_data(name, steps, conclusion))
-        blocks += [Heading(TITLES[name]), *steps, Verdict(conclusion)]
-    return Report("derive", {"cases": cases}, tuple(blocks))
+    first, *others = (_lesson(name) for name in chosen(case))
+    if world is not None:
+        first = _with_own(first, world)
+    lessons = (first, *others)
+    return Report(
+        "derive",
+        {"cases": [one.data for one in lessons]},
+        tuple(block for one in lessons for block in one.blocks),
+        tuple(remark for one in lessons for remark in one.remarks),
+    )
 
 
-def own_matrix(world: World) -> list[Step]:
-    """Put a world's 3×3 block into the rule, in exact numbers."""
-    import sympy as sp
+def _lesson(name: str) -> Report:
+    steps, conclusion = LESSONS[name]()
+    blocks: tuple[Block, ...] = (Heading(TITLES[name]), *steps, Verdict(conclusion))
+    data = {"case": name, "title": TITLES[name], "steps": _data(steps), "conclusion": conclusion}
+    return Report("derive", data, blocks)
 
-    A_ = exact_block(world)
-    K, det = cofactors(A_).applyfunc(tidy), tidy(determinant(A_))
-    steps = [
-        step(
-            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, det),
-            "your matrix, exactly as it was typed",
-            proved=equal(determinant(A_), det),
-        ),
-        step(
-            formula(C, EQUALS, K),
-            "its cofactors",
-            proved=equal(A_.T * K, det * sp.eye(3)),
-        ),
-    ]
-    if det == 0:
-        rank = A_.rank(iszerofunc=is_zero)
-        because = f"det A = 0 and the rank is {rank}: no inverse transpose; C is what is left"
-        return [*steps, step(formula(DET, EQUALS, det), because, proved=rank < 3)]
-    normal_matrix = (K / det).applyfunc(tidy)
+
+def _with_own(lesson: Report, world: World) -> Report:
+    """Return a lesson and, after its conclusion, the user's own matrix with one of its own."""
+    steps = own_matrix(world)
+    kind = replace(classify(world.exact, SYMBOLIC), kind_exact=True)
+    told = verdict(kind)
+    earlier = lesson.data["steps"]
+    assert isinstance(earlier, list)
+    return Report(
+        "derive",
+        {**lesson.data, "steps": [*earlier, *_data(steps)], "own_conclusion": told},
+        (*lesson.blocks, Heading("Your matrix"), *steps, Verdict(told)),
+        (*world.remarks, *transform_remarks(kind)),
+    )
+
+
+def _data(steps: list[Step]) -> list[Value]:
     return [
-        *steps,
-        step(
-            formula(A_INVERSE_T, EQUALS, normal_matrix),
-            "your normal matrix: the cofactors over the determinant",
-            proved=equal(A_.T * normal_matrix, sp.eye(3)),
-        ),
+        {
+            "text": one.formula.text,
+            "latex": one.formula.latex,
+            "because": one.because,
+            "verified": one.verified,
+        }
+        for one in steps
     ]
-
-
-def exact_block(world: World) -> sp.Matrix:
-    """Return the 3×3 block of a world with SymPy's own sines and cosines."""
-    import sympy as sp
-
-    rows = world.exact_by(_turn)
-    return sp.Matrix([[tidy(sp.sympify(entry)) for entry in row[:3]] for row in rows[:3]])
-
-
-def _turn(degrees: Number) -> Angle:
-    import sympy as sp
-
-    radians = sp.pi * sp.Rational(*Fraction(degrees).as_integer_ratio()) / 180
-    # An Angle is a sine and a cosine; the builders only multiply and add them.
-    return Angle(sp.sin(radians), sp.cos(radians))
-
-
-def tidy(expression: sp.Expr) -> sp.Expr:
-    """Return an expression without needless roots, sines and products."""
-    import sympy as sp
-
-    if not expression.has(sp.sin, sp.cos):
-        return sp.radsimp(sp.expand(expression))
-    top, bottom = sp.fraction(expression)
-    return normal_form(top) / normal_form(bottom)
-
-
-def _data(name: str, steps: list[Step], conclusion: str) -> dict[str, Value]:
-    return {
-        "case": name,
-        "title": TITLES[name],
-        "steps": [
-            {
-                "text": one.formula.text,
-                "latex": one.formula.latex,
-                "because": one.because,
-                "verified": one.verified,
-            }
-            for one in steps
-        ],
-        "conclusion": conclusion,
-    }

@@ -6,9 +6,11 @@ from fractions import Fraction
 
 import pytest
 
+from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.cases import TITLES
-from nmatrix.lessons.derive import LESSONS, derive, exact_block
+from nmatrix.lessons.derive import LESSONS, derive
+from nmatrix.lessons.own import exact_block
 from nmatrix.lessons.steps import equal
 from nmatrix.linear import rational
 from nmatrix.report import Step
@@ -114,3 +116,40 @@ def test_a_false_claim_about_several_angles_is_not_proved() -> None:
     assert equal(A.det(), sp.Integer(2))
     assert not equal(A.det(), sp.Integer(2) + sp.sin(sp.pi * 7 / 180) / 10**9)
     assert not equal(A.T * A, sp.eye(3))
+
+
+@pytest.mark.parametrize(
+    ("case", "world", "told", "remark"),
+    [
+        ("nonuniform", World(scale=(2, 2, 2)), "a similarity", None),
+        ("nonuniform", World(scale=(3, 1, Fraction(1, 2))), "a non-uniform scale", "71.08°"),
+        ("rotation", World(scale=(1, 2, 1)), "a non-uniform scale", "36.87°"),
+        ("rotation", World(rotate_degrees=(7, 11, 13)), "a rotation", None),
+        ("mirror", World(scale=(1, -2, 1)), "a mirrored non-uniform scale", "inside out"),
+        ("rule", World(scale=(1, 0, 1)), "rank 2", "two sides are alike"),
+        ("rule", World(scale=(1, 0, 0)), "rank 1", "no normal exists"),
+        ("rule", World(quaternion=(0.1, 0.2, 0.3, 0.9)), "a rotation", None),
+        ("rule", World(convention=Convention.POLIMI, rotate_degrees=(1, 2, 3)), "a rotation",
+         "convention polimi"),
+    ],
+)  # fmt: skip
+def test_ones_own_matrix_has_a_conclusion_of_its_own(case, world, told, remark) -> None:
+    report = derive(case, world)
+    (lesson,) = report.data["cases"]
+    assert told in lesson["own_conclusion"]
+    assert "rounding" not in lesson["own_conclusion"], "surds have none"
+    assert lesson["conclusion"] == derive(case).data["cases"][0]["conclusion"]
+    assert (remark is None and not report.remarks) or remark in " ".join(report.remarks)
+
+
+def test_a_third_is_a_third_and_not_its_float() -> None:
+    thirds = rational.rational([[1, 2, 0], [2, 4, 0], [0, 0, 3]])
+    world = World(matrix=rational.affine(rational.scaled(thirds, Fraction(1, 3))))
+    assert "rank 2" in derive("rule", world).data["cases"][0]["own_conclusion"]
+
+
+def test_ones_own_translation_goes_to_the_last_row() -> None:
+    world = World(translate=(1, 2, 3), scale=(2, 4, 1))
+    last = steps("translation", world)[-1]
+    assert last["verified"]
+    assert last["text"].split("=")[1].split() == ["[", "−1/2", "−1/2", "−3", "]"]

@@ -1,0 +1,103 @@
+"""The user's own matrix in the rule, in exact numbers: fractions stay fractions, 30° gives √3/2."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, A, C, formula, words
+from nmatrix.lessons.steps import equal, is_zero, normal_form, step
+from nmatrix.lessons.symbols import cofactors, determinant
+from nmatrix.linear.angle import Angle
+from nmatrix.report import Number, Step
+from nmatrix.scene.world import World
+
+if TYPE_CHECKING:
+    import sympy as sp
+TYPED = "your matrix, exactly as it was typed"
+OF_UNIT_LENGTH = "your matrix, exactly; the quaternion was brought to length one"
+
+
+def own_matrix(world: World) -> list[Step]:
+    """Put a world's 3×3 block into the rule, in exact numbers."""
+    import sympy as sp
+
+    A_ = exact_block(world)
+    K, det = cofactors(A_).applyfunc(tidy), tidy(determinant(A_))
+    steps = [
+        step(
+            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, det),
+            TYPED if world.quaternion is None else OF_UNIT_LENGTH,
+            proved=equal(determinant(A_), det),
+        ),
+        step(
+            formula(C, EQUALS, K),
+            "its cofactors",
+            proved=equal(A_.T * K, det * sp.eye(3)),
+        ),
+    ]
+    if det == 0:
+        rank = A_.rank(iszerofunc=is_zero)
+        left = "C is what is left" if rank == 2 else "C is zero as well"
+        because = f"det A = 0 and the rank is {rank}: no inverse transpose; {left}"
+        proved = rank < 3 and K.is_zero_matrix is (rank < 2)
+        return [*steps, step(formula(DET, EQUALS, det), because, proved=proved)]
+    normal_matrix = (K / det).applyfunc(tidy)
+    return [
+        *steps,
+        step(
+            formula(A_INVERSE_T, EQUALS, normal_matrix),
+            "your normal matrix: the cofactors over the determinant",
+            proved=equal(A_.T * normal_matrix, sp.eye(3)),
+        ),
+        *_translation(world, normal_matrix),
+    ]
+
+
+def _translation(world: World, normal_matrix: sp.Matrix) -> list[Step]:
+    """Show where the translation goes, if there is one: to the last row of M⁻ᵀ."""
+    import sympy as sp
+
+    M = _exact(world)
+    A_, t = M[:3, :3], M[:3, 3]
+    if not any(t):
+        return []
+    row = (-(normal_matrix.T * t)).applyfunc(tidy).T
+    return [
+        step(
+            formula(words("−(A⁻¹ t)ᵀ", r"-(A^{-1} t)^{\mathsf T}"), EQUALS, row),
+            "your translation: the first three numbers of the last row of M⁻ᵀ, where normals "
+            "never meet it",
+            proved=equal(A_ * row.T + t, sp.zeros(3, 1)),
+        )
+    ]
+
+
+def exact_block(world: World) -> sp.Matrix:
+    """Return the 3×3 block of a world with SymPy's own sines and cosines."""
+    return _exact(world)[:3, :3]
+
+
+def _exact(world: World) -> sp.Matrix:
+    import sympy as sp
+
+    rows = world.exact_by(_turn)
+    return sp.Matrix([[tidy(sp.sympify(entry)) for entry in row] for row in rows])
+
+
+def _turn(degrees: Number) -> Angle:
+    import sympy as sp
+
+    radians = sp.pi * sp.Rational(*Fraction(degrees).as_integer_ratio()) / 180
+    # An Angle is a sine and a cosine; the builders only multiply and add them.
+    return Angle(sp.sin(radians), sp.cos(radians))
+
+
+def tidy(expression: sp.Expr) -> sp.Expr:
+    """Return an expression without needless roots, sines and products."""
+    import sympy as sp
+
+    if not expression.has(sp.sin, sp.cos):
+        return sp.radsimp(sp.expand(expression))
+    top, bottom = sp.fraction(expression)
+    return normal_form(top) / normal_form(bottom)
