@@ -64,6 +64,7 @@ def normal(shot: Shot, request: NormalRequest) -> Report:
 
 
 SAME_DIRECTION_DEG = 1e-9  # what a matrix built from angles misses by rounding
+TWO_AXES = "give at least two axes a scale other than 0"
 
 _TITLES = {rule.method: rule.title for rule in RULES}
 
@@ -129,11 +130,12 @@ def _failure(
     for n, result in zip(normals, results, strict=True):
         if result.status is NormalStatus.UNDEFINED:
             shown = " ".join(f"{float(component):g}" for component in n)
-            return NoAnswerError(f"normal ({shown})", result.reason, "choose another normal")
+            next_step = "choose another normal" if found.rank == 2 else TWO_AXES
+            return NoAnswerError(f"normal ({shown})", result.reason, next_step)
     if not results and found.rank <= 1:
         return NoAnswerError(
             f"a map of rank {found.rank}",
             "it leaves no surface, so no normal exists",
-            "give at least two axes a scale other than 0",
+            TWO_AXES,
         )
     return None

@@ -88,6 +88,6 @@ def _singular_remark(rank: int) -> str:
     if rank == 2:
         return (
             "Space is flattened to a plane. The cofactor matrix still gives that plane's normal, "
-            "but its two sides are alike; a normal lying in the plane's edge has no image."
+            "but its two sides are alike; a normal that lies in the plane has no image."
         )
     return f"Rank {rank} leaves no surface at all, so no normal exists."

@@ -90,11 +90,12 @@ def _short(vector: Sequence[float | Fraction] | None) -> str:
 
 def _spaces(shot: Shot) -> Part:
     """Return the table of each space: what must be moved, by what."""
-    from nmatrix.spaces.sheet import LESSONS, table
+    from nmatrix.spaces.sheet import LESSONS, UNMOVED, table
 
     blocks: list[Block] = [Heading("What each shading space moves")]
     for space in FOUR_SPACES:
-        rows = tuple((row.data, row.by if row.transform else "as it is") for row in table(space))
+        moves = ((row.data, row.by) for row in table(space))
+        rows = tuple((data, "as it is" if by == UNMOVED else by) for data, by in moves)
         blocks += [
             Table(("data", "moves by"), rows, f"{space.value[:1].upper()}{space.value[1:]} space")
         ]

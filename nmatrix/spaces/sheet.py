@@ -36,6 +36,7 @@ VERTEX, CPU_SCENE, CPU_OBJECT, NOWHERE = (
     "CPU, once per object",
     "nowhere",
 )
+UNMOVED = "—"
 
 _RULES: dict[Space, tuple[str, str, str, str, str, str]] = {
     # position, normal and tangent, light direction, light position, eye, place of the lights
@@ -125,7 +126,7 @@ def table(space: Space) -> tuple[Row, ...]:
 
 def _row(data: str, usually_in: str, by: str, where: str) -> Row:
     if not by:
-        return Row(data, usually_in, transform=False, by="—", where=NOWHERE)
+        return Row(data, usually_in, transform=False, by=UNMOVED, where=NOWHERE)
     return Row(data, usually_in, transform=True, by=by, where=where)
 
 
