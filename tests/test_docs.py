@@ -34,3 +34,14 @@ def test_links_lead_somewhere(page: Path) -> None:
 def test_a_changed_output_is_noticed() -> None:
     text = "```console\n$ nmatrix --version\nnmatrix 9.9.9\n```"
     assert transcripts.filled(text) != text
+
+
+def test_sample_pages_are_what_the_commands_write(tmp_path: Path) -> None:
+    pictures = re.compile(r"data:image/png;base64,[^\"]+")  # compressed alike by one zlib only
+    written = transcripts.sampled(tmp_path)
+    assert {page.name for page in written} == {"explorer.html", "handout-key.html", "handout.html"}
+    for page in written:
+        kept = (transcripts.SAMPLES / page.name).read_text()
+        assert pictures.sub("", page.read_text()) == pictures.sub("", kept), (
+            "run python tests/transcripts.py"
+        )

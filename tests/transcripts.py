@@ -1,4 +1,4 @@
-"""The console transcripts of the documentation: run every command, put its output below it.
+"""The console transcripts and the sample pages of the documentation: what the commands make.
 
 `python tests/transcripts.py` writes them anew; the tests compare.
 """
@@ -14,6 +14,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
+SAMPLES = ROOT / "docs" / "samples"
+SHEET = 'nmatrix handout --scale 1 2 1 --seed 7 --student "Ada Lovelace" --key -o handout.html'
+EXPLORER = "nmatrix explore --scale 1 2 1 --light-direction -1 -2 -1 -o explorer.html"
 BLOCK = re.compile(r"```console\n(.*?)```", re.DOTALL)
 
 
@@ -53,6 +56,16 @@ def filled(text: str) -> str:
         return BLOCK.sub(run, text)
 
 
+def sampled(folder: Path) -> list[Path]:
+    """Write the sample pages into a folder and return them."""
+    for command in (SHEET, EXPLORER):
+        output(command, folder)
+    return sorted(folder.glob("*.html"))
+
+
 if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as name:
+        for sample in sampled(Path(name)):
+            (SAMPLES / sample.name).write_bytes(sample.read_bytes())
     for page in PAGES:
         page.write_text(filled(page.read_text()))
