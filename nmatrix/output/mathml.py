@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from html import escape
 
@@ -12,38 +13,56 @@ from nmatrix.report import Formula, Report
 
 OPEN = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 
+_RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")
+_PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
+_PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
+
 
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as HTML with MathML."""
     return compose(report, MathML(options))
 
 
+def prose(text: str) -> str:
+    r"""Return words for a page; exponents by markup, since not every font has ᵀ where it belongs.
+
+    A matrix and its vector stay on one line.
+
+    Examples
+    --------
+    >>> prose("A⁻ᵀ n < 1")
+    'A<sup>−T</sup>\xa0n &lt; 1'
+    """
+    joined = _PRODUCT.sub("\\1\N{NO-BREAK SPACE}\\2", text)
+    return _RAISED.sub(lambda run: f"<sup>{run[0].translate(_PLAIN)}</sup>", escape(joined))
+
+
 class MathML(Dialect):
     """How this format writes each kind of block."""
 
     def heading(self, text: str) -> str:
-        return f"<h2>{escape(text)}</h2>"
+        return f"<h2>{prose(text)}</h2>"
 
     def paragraph(self, text: str) -> str:
-        return f"<p>{escape(text)}</p>"
+        return f"<p>{prose(text)}</p>"
 
     def strong(self, text: str) -> str:
-        return f"<p><strong>{escape(text)}</strong></p>"
+        return f"<p><strong>{prose(text)}</strong></p>"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         rows = "".join(f"<mtr>{''.join(map(_cell, row))}</mtr>" for row in cells)
         table = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
-        about = f"<p>{escape(title)}</p>\n" if title else ""
+        about = f"<p>{prose(title)}</p>\n" if title else ""
         said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
         head = f'{OPEN} alttext="{escape(said)}">'
         return f"{about}{head}<mi>{escape(key)}</mi><mo>=</mo>{table}</math>"
 
     def scalar(self, key: str, title: str, value: str) -> str:
-        return f"<p>{escape(title or key)}: {value}</p>"
+        return f"<p>{prose(title or key)}: {value}</p>"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        caption = f"<caption>{escape(title)}</caption>" if title else ""
-        head = "".join(f"<th>{escape(column)}</th>" for column in columns)
+        caption = f"<caption>{prose(title)}</caption>" if title else ""
+        head = "".join(f"<th>{prose(column)}</th>" for column in columns)
         body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
         return f"<table>{caption}<tr>{head}</tr>{body}</table>"
 
@@ -60,11 +79,11 @@ class MathML(Dialect):
         return f'<pre><code class="language-{escape(language)}">{escape(text)}</code></pre>'
 
     def remarks(self, remarks: Sequence[str]) -> str:
-        items = "".join(f"<li>{escape(remark)}</li>" for remark in remarks)
+        items = "".join(f"<li>{prose(remark)}</li>" for remark in remarks)
         return f"<ul>{items}</ul>"
 
     def words(self, text: str) -> str:
-        return escape(text)
+        return prose(text)
 
 
 def _cell(text: str) -> str:

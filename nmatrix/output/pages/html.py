@@ -9,7 +9,7 @@ from html import escape
 from importlib.resources import files
 
 from nmatrix.output.documents import Cells, blocks_in
-from nmatrix.output.mathml import MathML
+from nmatrix.output.mathml import MathML, prose
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
 from nmatrix.report import Figure, Formula
@@ -75,13 +75,13 @@ class HtmlPage(MathML):
         mark = "proved" if verified else "unproved"
         words = because if verified else f"not proved: {because}"
         return (
-            f'<div class="step">{self.formula(formula)}<p class="{mark}">{escape(words)}</p></div>'
+            f'<div class="step">{self.formula(formula)}<p class="{mark}">{prose(words)}</p></div>'
         )
 
     def figure(self, figure: Figure) -> str:
         """Return a picture with its alternative text."""
         data = b64encode(self.pictures[figure.path]).decode()
-        caption = f"<figcaption>{escape(figure.caption)}</figcaption>" if figure.caption else ""
+        caption = f"<figcaption>{prose(figure.caption)}</figcaption>" if figure.caption else ""
         image = f'<img src="data:image/png;base64,{data}" alt="{escape(figure.alternative)}">'
         return f"<figure>{image}{caption}</figure>"
 
