@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from html import escape
 
-from nmatrix.lessons.formulas.parse import FUNCTIONS, RAISED
+from nmatrix.lessons.formulas.parse import APART, FUNCTIONS, RAISED
 from nmatrix.lessons.formulas.tree import (
     Fence,
     Fraction,
@@ -20,6 +20,7 @@ from nmatrix.lessons.formulas.tree import (
 )
 
 MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
+WIDE = '<mspace width="1em"></mspace>'
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 RAISED_UP = str.maketrans(LOWERED, "0123456789")
 PLAIN = str.maketrans(RAISED, "0123456789−⊤′s")
@@ -40,7 +41,7 @@ def mathml(node: Node) -> str:
         case Number(text):
             found = f"<mn>{escape(text)}</mn>"
         case Sign(text):
-            found = f"<mo>{escape(text)}</mo>"
+            found = f"<mo>,</mo>{WIDE}" if text == APART else f"<mo>{escape(text)}</mo>"
         case Row(items):
             found = f"<mrow>{''.join(_spaced(items))}</mrow>"
         case Power(base, exponent):

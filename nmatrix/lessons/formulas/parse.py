@@ -21,10 +21,11 @@ from nmatrix.lessons.formulas.tree import (
     Sign,
 )
 
+APART = ",  "  # between two statements, which stand further apart than two numbers
 FUNCTIONS = ("det", "tan", "sin", "cos", "arctan", "sign", "max", "rank", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 _TOKEN = re.compile(
-    rf"\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"
+    rf",\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"
 )
 
 
@@ -83,7 +84,7 @@ def _plain_piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
         return Row((Name(head), argument)), rest
     if head[0].isalpha():
         return Name(head), rest
-    return Sign(head), rest
+    return Sign(APART if head.startswith(",") and head != "," else head), rest
 
 
 def _joined(items: Sequence[Node]) -> Node:

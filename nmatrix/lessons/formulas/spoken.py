@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nmatrix.lessons.formulas.mathml import LOWERED, PLAIN, RAISED_UP
+from nmatrix.lessons.formulas.parse import APART
 from nmatrix.lessons.formulas.tree import (
     Fence,
     Fraction,
@@ -33,6 +34,7 @@ SIGNS = {
     "·": "dot",
     "×": "cross",
     ",": ",",
+    APART: ",",
     "/": "over",
     "→": "becomes",
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nmatrix.lessons.formulas.mathml import LOWERED, PLAIN, RAISED_UP
-from nmatrix.lessons.formulas.parse import FUNCTIONS
+from nmatrix.lessons.formulas.parse import APART, FUNCTIONS
 from nmatrix.lessons.formulas.tree import (
     Fence,
     Fraction,
@@ -17,7 +17,16 @@ from nmatrix.lessons.formulas.tree import (
     Sign,
 )
 
-SIGNS = {"·": "dot", "×": "times", "≠": "!=", "⇒": "=>", "⇔": "<=>", "≤": "<=", "≥": ">="}
+SIGNS = {
+    APART: "\\, quad",
+    "·": "dot",
+    "×": "times",
+    "≠": "!=",
+    "⇒": "=>",
+    "⇔": "<=>",
+    "≤": "<=",
+    "≥": ">=",
+}
 ESCAPED = '#$"\\_*`~@&;,'
 NAMED = ("det", "tan", "sin", "cos", "arctan", "max")  # operators that Typst knows
 
