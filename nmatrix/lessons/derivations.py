@@ -13,11 +13,10 @@ from nmatrix.lessons.bound import nothing_is_worse
 from nmatrix.lessons.notation import (
     A_INVERSE_T,
     A_T,
-    DET,
     EQUALS,
+    IDENTITY,
     IMPLIES,
     NOT_EQUAL,
-    ONE,
     C,
     N,
     formula,
@@ -42,7 +41,7 @@ def rule() -> tuple[list[Step], str]:
     return [*_demand(), *_solution(), _worst_angle(), *nothing_is_worse()], (
         "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
         "length one; where det A = 0 it is C n, with either sign. A itself does only where "
-        "AᵀA = s² · 1."
+        "AᵀA = s² I."
     )
 
 
@@ -89,13 +88,13 @@ def _solution() -> list[Step]:
     perpendicular = rational.dot(rational.apply(K, n), rational.apply(M, t))
     return [
         step(
-            formula(A_T, words(" N"), EQUALS, ONE, IMPLIES, N, EQUALS, A_INVERSE_T),
+            formula(A_T, words(" N"), EQUALS, IDENTITY, IMPLIES, N, EQUALS, A_INVERSE_T),
             "that holds for all t and n with t · n = 0 if AᵀN is the identity",
             proved=rational.product(rational.transpose(M), K) == _times_identity(det),
         ),
         step(
             formula(A_INVERSE_T, EQUALS, words("C / det A", r"\frac{C}{\det A}")),
-            "C, the cofactors, solves Aᵀ C = det A · 1 without any division",
+            "C, the cofactors, solves Aᵀ C = (det A) I without any division",
             proved=rational.product(rational.transpose(K), M) == _times_identity(det),
         ),
         step(
@@ -149,7 +148,7 @@ def cofactor() -> tuple[list[Step], str]:
 
     steps = [
         step(
-            formula(A_T, C, EQUALS, DET, words(" · "), ONE),
+            formula(A_T, C, EQUALS, words("(det A) ", r"(\det A)\,"), IDENTITY),
             "each column of A times its own cofactors is det A, times another column's it is 0",
             proved=equal(M.T * K, det * sp.eye(3)),
         ),
@@ -164,7 +163,7 @@ def cofactor() -> tuple[list[Step], str]:
             proved=equal((M * u).cross(M * v), K * u.cross(v)),
         ),
         step(
-            formula(C, EQUALS, DET, words(" · "), A_INVERSE_T),
+            formula(C, EQUALS, words("(det A) ", r"(\det A)\,"), A_INVERSE_T),
             "it is the inverse transpose times a number, which is negative for a mirror",
             proved=equal(K.T * M, det * sp.eye(3)),
         ),

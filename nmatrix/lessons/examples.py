@@ -8,8 +8,8 @@ from nmatrix.lessons.notation import (
     A_INVERSE_T,
     DET,
     EQUALS,
+    IDENTITY,
     NOT_EQUAL,
-    ONE,
     A,
     Words,
     formula,
@@ -37,7 +37,7 @@ def rotation() -> tuple[list[Step], str]:
             proved=equal(determinant(R), sp.Integer(1), circle),
         ),
         step(
-            formula(words("Rᵀ R", r"R^{\mathsf T} R"), EQUALS, ONE),
+            formula(words("Rᵀ R", r"R^{\mathsf T} R"), EQUALS, IDENTITY),
             "its columns have length one and are perpendicular",
             proved=equal(R.T * R, sp.eye(3), circle),
         ),
@@ -154,7 +154,7 @@ def shear() -> tuple[list[Step], str]:
         ),
         *_on_one_normal(H.subs(h, 1), sp.Matrix([1, 0, 0]), sp.Matrix([0, 1, 0])),
     ]
-    return steps, "det A = 1 proves nothing: only AᵀA = s² · 1 lets A itself carry normals."
+    return steps, "det A = 1 proves nothing: only AᵀA = s² I lets A itself carry normals."
 
 
 def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> list[Step]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.notation import EQUALS, IMPLIES, NOT_EQUAL, ONE, A, formula, words
+from nmatrix.lessons.notation import EQUALS, IDENTITY, IMPLIES, NOT_EQUAL, A, formula, words
 from nmatrix.lessons.steps import equal, step
 from nmatrix.lessons.symbols import (
     cofactors,
@@ -130,7 +130,7 @@ def _in_camera_space() -> list[Step]:
             formula(
                 words("Vᵀ V", r"V^{\mathsf T} V"),
                 EQUALS,
-                ONE,
+                IDENTITY,
                 IMPLIES,
                 words("V⁻ᵀ = V", r"V^{-\mathsf T} = V"),
             ),

@@ -40,7 +40,7 @@ A_INVERSE_T = Words("A⁻ᵀ", r"A^{-\mathsf T}")
 C = Words("C", "C")
 N = Words("N", "N")
 DET = Words("det A", r"\det A")
-ONE = Words("1", r"\mathbf 1")
+IDENTITY = Words("I", "I")
 
 
 def words(text: str, latex: str | None = None) -> Words:
@@ -55,8 +55,8 @@ def formula(*parts: Part) -> Formula:
 
     Examples
     --------
-    >>> formula(A, EQUALS, ONE).latex
-    'A = \\mathbf 1'
+    >>> formula(A, EQUALS, IDENTITY).latex
+    'A = I'
     """
     node = tree(parts)
     said = spoken(node)

@@ -17,7 +17,7 @@ class Pitfall:
 
 PITFALLS: tuple[Pitfall, ...] = (
     Pitfall("F1", "Without a non-uniform scale the world matrix carries normals.",
-            "Exactly if AᵀA = s² · 1. A shear has determinant 1 and still bends them.",
+            "Exactly if AᵀA = s² I. A shear has determinant 1 and still bends them.",
             "nmatrix derive shear"),
     Pitfall("F2", "w must be 0, or the translation distorts the normal.",
             "True for M itself; in the inverse transpose w is junk: do not normalise it.",

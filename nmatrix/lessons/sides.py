@@ -27,7 +27,7 @@ def mirror() -> tuple[list[Step], str]:
         ),
         step(
             formula(A_INVERSE_T, EQUALS, A_, EQUALS, A),
-            "AᵀA = 1, so the inverse transpose is A itself",
+            "AᵀA = I, so the inverse transpose is A itself",
             proved=equal(A_.T * A_, sp.eye(3)),
         ),
         step(
