@@ -41,6 +41,7 @@ C = Words("C", "C")
 N = Words("N", "N")
 DET = Words("det A", r"\det A")
 IDENTITY = Words("I", "I")
+APART = Words(",  ", r",\; ")  # between two statements
 
 
 def words(text: str, latex: str | None = None) -> Words:
@@ -106,17 +107,21 @@ def _text(part: Part) -> list[str]:
 
 
 _ROOT = re.compile(r"sqrt\((\d+)\)")
+_INDEX = re.compile(r"_(\d)")
+_ZEROS = re.compile(r"(/|(?<!\d))(\d*?[1-9])(0{15,})(?!\d)")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def _plain(expression: sp.Expr) -> str:
-    text = (
-        _ROOT.sub(r"√\1", str(expression))
+    """Return an expression as one types it: √3/2, s₁ for s_1, 10²⁰ for a one with twenty zeros."""
+    text = _ZEROS.sub(_typed_power, _ROOT.sub(r"√\1", str(expression)))
+    return (
+        _INDEX.sub(lambda found: found[1].translate(_LOWERED), text)
         .replace("**2", "²")
         .replace("**3", "³")
         .replace("**", "^")
-    )
-    return (
-        text.replace("*", "·")
+        .replace("*", "·")
         .replace("sqrt", "√")
         .replace("-", "−")
         .replace("kappa", "κ")
@@ -124,9 +129,23 @@ def _plain(expression: sp.Expr) -> str:
     )
 
 
+def _typed_power(number: re.Match[str]) -> str:
+    slash, factor, zeros = number.groups()
+    power = f"10{str(len(zeros)).translate(_RAISED)}"
+    if factor == "1":
+        return slash + power
+    return f"/({factor}*{power})" if slash else f"{factor}*{power}"
+
+
+def _latex_power(number: re.Match[str]) -> str:
+    slash, factor, zeros = number.groups()
+    product = "" if factor == "1" else rf"{factor} \cdot "
+    return f"{slash}{product}10^{{{len(zeros)}}}"
+
+
 def _latex(part: Part) -> str:
     if isinstance(part, Words):
         return part.latex
     import sympy as sp
 
-    return str(sp.latex(part, mat_delim="", mat_str="bmatrix"))
+    return _ZEROS.sub(_latex_power, str(sp.latex(part, mat_delim="", mat_str="bmatrix")))

@@ -5,7 +5,17 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.notation import A_INVERSE_T, DET, EQUALS, A, C, formula, words
+from nmatrix.lessons.notation import (
+    A_INVERSE_T,
+    APART,
+    DET,
+    EQUALS,
+    A,
+    C,
+    Part,
+    formula,
+    words,
+)
 from nmatrix.lessons.steps import equal, is_zero, normal_form, step
 from nmatrix.lessons.symbols import cofactors, determinant
 from nmatrix.linear.angle import Angle
@@ -24,14 +34,16 @@ def own_matrix(world: World) -> list[Step]:
 
     A_ = exact_block(world)
     K, det = cofactors(A_).applyfunc(tidy), tidy(determinant(A_))
+    named = Named(A_)
     steps = [
         step(
-            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, det),
+            formula(A, EQUALS, named(A_), APART, DET, EQUALS, named(det)),
             TYPED if world.quaternion is None else OF_UNIT_LENGTH,
             proved=equal(determinant(A_), det),
         ),
+        *named.steps(),
         step(
-            formula(C, EQUALS, K),
+            formula(C, EQUALS, named(K)),
             "its cofactors",
             proved=equal(A_.T * K, det * sp.eye(3)),
         ),
@@ -46,15 +58,63 @@ def own_matrix(world: World) -> list[Step]:
     return [
         *steps,
         step(
-            formula(A_INVERSE_T, EQUALS, normal_matrix),
+            formula(A_INVERSE_T, EQUALS, named(normal_matrix)),
             "your normal matrix: the cofactors over the determinant",
             proved=equal(A_.T * normal_matrix, sp.eye(3)),
         ),
-        *_translation(world, normal_matrix),
+        *_translation(world, normal_matrix, named),
     ]
 
 
-def _translation(world: World, normal_matrix: sp.Matrix) -> list[Step]:
+class Named:
+    """Cosines and sines that are no surds, written as c₁ and s₁: a matrix of them stays a page."""
+
+    def __init__(self, A_: sp.Matrix) -> None:
+        import sympy as sp
+
+        self.angles = sorted({atom.args[0] for atom in A_.atoms(sp.sin, sp.cos)}, key=float)
+        self.names = {
+            function(angle): sp.Symbol(f"{letter}_{i}")
+            for i, angle in enumerate(self.angles, start=1)
+            for letter, function in (("c", sp.cos), ("s", sp.sin))
+        }
+
+    def __call__(self, expression: sp.Basic) -> sp.Basic:
+        """Return an expression with the names in it."""
+        return expression.xreplace(self.names)
+
+    def steps(self) -> list[Step]:
+        """Say which angle each name belongs to, if there is any."""
+        if not self.names:
+            return []
+        parts = [part for value, name in self.names.items() for part in _equation(name, value)]
+        back = {name: value for value, name in self.names.items()}
+        proved = all(name.xreplace(back) == value for value, name in self.names.items())
+        return [step(formula(*parts[1:]), "they are no short roots and keep a name", proved=proved)]
+
+
+def _equation(name: sp.Symbol, value: sp.Expr) -> tuple[Part, ...]:
+    """Return `c₁ = cos(20°)`, set apart from what stands before it."""
+    import sympy as sp
+
+    degrees = _typed(sp.Rational(value.args[0] * 180 / sp.pi))
+    called = value.func.__name__
+    return (
+        APART,
+        name,
+        EQUALS,
+        words(f"{called}({degrees}°)", rf"\{called}({degrees}^\circ)"),
+    )
+
+
+def _typed(degrees: sp.Rational) -> str:
+    """Return degrees as a short decimal, if they are one."""
+    short = f"{float(degrees):g}"
+    exact = Fraction(int(degrees.p), int(degrees.q))
+    return short if Fraction(short) == exact else str(exact)
+
+
+def _translation(world: World, normal_matrix: sp.Matrix, named: Named) -> list[Step]:
     """Show where the translation goes, if there is one: to the last row of M⁻ᵀ."""
     import sympy as sp
 
@@ -65,7 +125,7 @@ def _translation(world: World, normal_matrix: sp.Matrix) -> list[Step]:
     row = (-(normal_matrix.T * t)).applyfunc(tidy).T
     return [
         step(
-            formula(words("−(A⁻¹ t)ᵀ", r"-(A^{-1} t)^{\mathsf T}"), EQUALS, row),
+            formula(words("−(A⁻¹ t)ᵀ", r"-(A^{-1} t)^{\mathsf T}"), EQUALS, named(row)),
             "your translation: the first three numbers of the last row of M⁻ᵀ, where normals "
             "never meet it",
             proved=equal(A_ * row.T + t, sp.zeros(3, 1)),

@@ -153,3 +153,28 @@ def test_ones_own_translation_goes_to_the_last_row() -> None:
     last = steps("translation", world)[-1]
     assert last["verified"]
     assert last["text"].split("=")[1].split() == ["[", "−1/2", "−1/2", "−3", "]"]
+
+
+def test_angles_without_short_roots_keep_a_name_and_matrices_a_page() -> None:
+    world = World(rotate_degrees=(20, 35.5, 50), scale=(1, 2, 1))
+    found = steps("rule", world)[-4:]
+    assert all(step["verified"] for step in found)
+    for step in found:
+        assert all(len(line) <= 78 for line in step["text"].split("\n")) or "cos(" in step["text"]
+    assert "c₁ = cos(20°),  s₁ = sin(20°),  c₂ = cos(35.5°)" in found[1]["text"]
+    roots = steps("rule", World(rotate_degrees=(30, 45, 60)))
+    assert not any("cos(" in step["text"] for step in roots)
+
+
+@pytest.mark.parametrize(
+    ("scale", "shown"),
+    [
+        ((10**200, 1, 1), "10²⁰⁰"),
+        ((3 * 10**20, 1, 1), "1/(3·10²⁰)"),
+        ((1, Fraction(1, 10**30), 1), "1/10³⁰"),
+    ],
+)  # fmt: skip
+def test_long_rows_of_zeros_are_powers_of_ten(scale, shown) -> None:
+    found = steps("rule", World(scale=scale))
+    assert any(shown in step["text"] for step in found)
+    assert all("0" * 15 not in step["text"] + step["latex"] for step in found)

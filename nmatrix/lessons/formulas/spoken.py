@@ -37,6 +37,7 @@ SIGNS = {
     APART: ",",
     "/": "over",
     "→": "becomes",
+    "°": "degrees",
 }
 POWERS = {
     "⁻ᵀ": "inverse transposed",
