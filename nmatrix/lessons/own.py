@@ -84,27 +84,28 @@ class Named:
         return expression.xreplace(self.names)
 
     def steps(self) -> list[Step]:
-        """Say which angle each name belongs to, if there is any."""
-        if not self.names:
-            return []
-        parts = [part for value, name in self.names.items() for part in _equation(name, value)]
-        back = {name: value for value, name in self.names.items()}
-        proved = all(name.xreplace(back) == value for value, name in self.names.items())
-        return [step(formula(*parts[1:]), "they are no short roots and keep a name", proved=proved)]
+        """Say which angle each pair of names belongs to."""
+        import sympy as sp
+
+        return [self._pair(sp.cos(angle), sp.sin(angle)) for angle in self.angles]
+
+    def _pair(self, cosine: sp.Expr, sine: sp.Expr) -> Step:
+        c, s = self.names[cosine], self.names[sine]
+        back = {c: cosine, s: sine}
+        return step(
+            formula(*_equation(c, cosine), APART, *_equation(s, sine)),
+            "no short roots: they keep a name",
+            proved=bool((c**2 + s**2).xreplace(back).simplify() == 1),
+        )
 
 
 def _equation(name: sp.Symbol, value: sp.Expr) -> tuple[Part, ...]:
-    """Return `c₁ = cos(20°)`, set apart from what stands before it."""
+    """Return `c₁ = cos(20°)`."""
     import sympy as sp
 
     degrees = _typed(sp.Rational(value.args[0] * 180 / sp.pi))
     called = value.func.__name__
-    return (
-        APART,
-        name,
-        EQUALS,
-        words(f"{called}({degrees}°)", rf"\{called}({degrees}^\circ)"),
-    )
+    return name, EQUALS, words(f"{called}({degrees}°)", rf"\{called}({degrees}^\circ)")
 
 
 def _typed(degrees: sp.Rational) -> str:

@@ -157,11 +157,13 @@ def test_ones_own_translation_goes_to_the_last_row() -> None:
 
 def test_angles_without_short_roots_keep_a_name_and_matrices_a_page() -> None:
     world = World(rotate_degrees=(20, 35.5, 50), scale=(1, 2, 1))
-    found = steps("rule", world)[-4:]
+    found = steps("rule", world)[-6:]
     assert all(step["verified"] for step in found)
-    for step in found:
-        assert all(len(line) <= 78 for line in step["text"].split("\n")) or "cos(" in step["text"]
-    assert "c₁ = cos(20°),  s₁ = sin(20°),  c₂ = cos(35.5°)" in found[1]["text"]
+    assert all(len(line) <= 78 for step in found for line in step["text"].split("\n"))
+    assert [step["text"] for step in found[1:4]] == [
+        f"c{i} = cos({angle}°),  s{i} = sin({angle}°)"
+        for i, angle in (("₁", "20"), ("₂", "35.5"), ("₃", "50"))
+    ]
     roots = steps("rule", World(rotate_degrees=(30, 45, 60)))
     assert not any("cos(" in step["text"] for step in roots)
 
