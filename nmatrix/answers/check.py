@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
+from nmatrix.enums import Space
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
@@ -16,8 +17,12 @@ from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.rounding import in_short
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.scene.shot import Shot
 
 SHOWN_DIGITS = 6
+NO_WORLD = "M is the identity here: no --translate, --rotate, --scale, --shear or matrix was given."
+NO_VIEW = "The usual camera is meant: no --eye, --target or angle was given."
+NO_LENS = "The usual lens is meant: no --fov, --aspect, --near or --far was given."
 WRONG = "✗"
 VECTOR_COLUMNS = ("x", "y", "z", "w")
 MATRIX_COLUMNS = ("column 1", "column 2", "column 3", "column 4")
@@ -81,9 +86,24 @@ def judged(
     `named` is what was asked for, `command` the one that answers it; else the question tells them.
     """
     blocks = _blocks(named or _named(question), question, answer, found)
-    return Report(
-        "check", judgement_data(found), blocks, found.remarks, _failure(question, found, command)
-    )
+    remarks = (*found.remarks, *_taken_for_granted(question, found))
+    failure = _failure(question, found, command)
+    return Report("check", judgement_data(found), blocks, remarks, failure)
+
+
+def _taken_for_granted(question: Question, found: Judgement) -> tuple[str, ...]:
+    """Say of a wrong answer what it was compared with, where the scene was not told."""
+    if found.verdict is Outcome.CORRECT:
+        return ()
+    shot, usual = question.shot, Shot()
+    of_objects = question.subject in (Subject.WORLD, Subject.NORMAL)
+    if (of_objects or question.space is Space.OBJECT) and shot.world == usual.world:
+        return (NO_WORLD,)
+    if question.subject is Subject.VIEW and shot.view == usual.view:
+        return (NO_VIEW,)
+    if question.subject is Subject.PROJECTION and shot.lens == usual.lens:
+        return (NO_LENS,)
+    return ()
 
 
 def judgement_data(found: Judgement) -> dict[str, Value]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from nmatrix.answers.check import judged, judgement_data
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.lessons.check.judge import Judgement, Outcome
-from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Kind
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
 from nmatrix.report import Block, Heading, Report, Text, Verdict
@@ -28,8 +28,8 @@ def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
     found = one.judge(text)
     if isinstance(one.grader, Computed):
         answer, command = one.grader.answer(text), COMMANDS.get(one.kind, "")
-        return judged(one.grader.question, answer, found, _told(one), command)
-    blocks: list[Block] = [Heading(f"Check: exercise {one.title}")]
+        return judged(one.grader.question, answer, found, _told(one, sheet), command)
+    blocks: list[Block] = [Heading(f"Check: {_told(one, sheet)}")]
     word = "Correct." if found.verdict is Outcome.CORRECT else "Wrong."
     blocks += [Verdict(word), Text(found.explanation)]
     wrong = None
@@ -42,6 +42,8 @@ def exercises_of(seed: str, salt: bytes) -> Callable[[Mapping[str, str]], Judgem
     """Return what judges rows of a class, each with its student and the number of its exercise."""
 
     def judge(cells: Mapping[str, str]) -> Judgement:
+        if not cells["student"]:
+            raise IllegalValueError("student ()", "the cell is empty", "give the name of the sheet")
         sheet = Sheet(seed, cells["student"], salt)
         return exercise(whole_number(cells["exercise"]), sheet).judge(cells["answer"])
 
@@ -63,6 +65,7 @@ def whole_number(text: str) -> int:
     return int(text)
 
 
-def _told(one: Exercise) -> str:
-    assert not isinstance(one.grader, Choice)  # a choice has letters, not entries
-    return f"exercise {one.title}"
+def _told(one: Exercise, sheet: Sheet) -> str:
+    """Return which exercise it is, and whose: under another name it asks for other numbers."""
+    whose = sheet.student or "the sheet without a name"
+    return f"exercise {one.title} ({whose}, seed {sheet.seed})"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -10,7 +11,7 @@ from nmatrix.classroom.topics import Part, Topic, part
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
 from nmatrix.output.pages.document import Document, PageFormat, Paper
 from nmatrix.output.pages.write import write
-from nmatrix.report import Blank, Block, Figure, Heading
+from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
 from nmatrix.scene.shot import Shot
 from nmatrix.version import __version__
 
@@ -92,6 +93,28 @@ def _asked(plan: Plan, sheet: Sheet) -> Iterator[Block]:
             yield Heading(one.title)
             yield from one.task
             yield Blank(*one.cells)
+        yield from _how_to_check(sheet)
+
+
+def _how_to_check(sheet: Sheet) -> Iterator[Block]:
+    """Say how an answer is checked; a salted sheet is checked by whoever has the salt."""
+    yield Heading("Are your answers right?")
+    if sheet.salt:
+        yield Text("This sheet is part of a graded test: your teacher has what checks it.")
+        return
+    words = ["nmatrix", "check", "exercise", "1", "YOUR ANSWER", "--seed", sheet.seed]
+    if sheet.student:
+        words += ["--student", sheet.student]
+    yield Text("This command says so, and names the mistake if there is one:")
+    yield Code("sh", f"{' '.join(map(_in_quotes, words))}\n")
+
+
+def _in_quotes(word: str) -> str:
+    """Return a word as every shell takes it: plain, or in double quotes if that is enough."""
+    if word.isascii() and word.replace("-", "").isalnum():
+        return word
+    is_tame = all(c.isalnum() or c in " ,.'-" for c in word)
+    return f'"{word}"' if is_tame else shlex.quote(word)
 
 
 def _whose(plan: Plan, sheet: Sheet) -> str:

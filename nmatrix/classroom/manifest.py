@@ -7,9 +7,10 @@ from dataclasses import asdict, dataclass
 from hashlib import blake2b
 
 from nmatrix.classroom.handout import Plan
-from nmatrix.classroom.roster import Student
+from nmatrix.classroom.roster import Student, stem_of
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.exercises.scheme import SCHEME
+from nmatrix.output.pages.document import PageFormat
 from nmatrix.version import __version__
 
 NAME = "manifest.json"
@@ -54,7 +55,7 @@ def manifest(plan: Plan, seed: str, salt: bytes, students: tuple[Student, ...]) 
 
 
 def check_same(wanted: Manifest, found: bytes, folder: str) -> None:
-    """Refuse to mix the sheets of two runs.
+    """Refuse to mix the sheets of two runs; students may have come at the end of the list.
 
     Raises
     ------
@@ -66,12 +67,31 @@ def check_same(wanted: Manifest, found: bytes, folder: str) -> None:
     try:
         there = json.loads(found)
         differs = [key for key, value in asdict(wanted).items() if there.get(key) != _plain(value)]
+        before = there.get("students")
+        if differs == ["students"] and before == list(wanted.students[: len(before)]):
+            return
         why = f"it holds another run: {', '.join(differs) or 'its manifest'} differ"
     except (ValueError, AttributeError):
         why = "its manifest cannot be read"
     raise IllegalValueError(
         f"folder ({folder})", why, "choose another one with -o, or --force to write it anew"
     )
+
+
+def files_of(found: bytes) -> frozenset[str]:
+    """Return the names of the sheets and keys that the run of a manifest wrote.
+
+    What is no manifest of ours wrote none.
+    """
+    try:
+        there = json.loads(found)
+        kind, names = PageFormat(there["kind"]), there["students"]
+        endings = [f".{kind}", f"-key.{kind}"] if there["with_key"] else [f".{kind}"]
+        return frozenset(
+            stem_of(i, str(name)) + ending for i, name in enumerate(names) for ending in endings
+        )
+    except (ValueError, KeyError, TypeError):
+        return frozenset()
 
 
 def _plain(value: object) -> object:

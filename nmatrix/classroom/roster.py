@@ -37,15 +37,20 @@ def students(records: Iterable[Record], source: str) -> tuple[Student, ...]:
         name = " ".join(normalize("NFC", record.cells[COLUMN]).split())
         if record.fault or not name or len(name) > LONGEST_NAME:
             why = record.fault or f"a name has 1 to {LONGEST_NAME} characters"
-            raise _refusal(source, record.line, name, why)
+            raise _refusal(source, record.line, name, why, "mend the row")
         if name in lines:
             why = f"line {lines[name]} has the same name, so the sheets would be alike"
-            raise _refusal(source, record.line, name, why)
+            raise _refusal(source, record.line, name, why, "add an initial, or leave the row out")
         lines[name] = record.line
-        found.append(Student(name, f"{len(found) + 1:04}-{slug(name)}"))
+        found.append(Student(name, stem_of(len(found), name)))
     if not found:
         raise IllegalValueError(f"roster ({source})", "it names no student", "add a row")
     return tuple(found)
+
+
+def stem_of(place: int, name: str) -> str:
+    """Return how the names of a student's files begin: the place in the list, and the name."""
+    return f"{place + 1:04}-{slug(name)}"
 
 
 def slug(name: str) -> str:
@@ -60,7 +65,5 @@ def slug(name: str) -> str:
     return _NOT_PLAIN.sub("-", plain).strip("-")[:LONGEST_SLUG].strip("-") or "student"
 
 
-def _refusal(source: str, line: int, name: str, why: str) -> IllegalValueError:
-    return IllegalValueError(
-        f"roster ({source}), line {line} ({name[:30]})", why, "mend the row, or add an initial"
-    )
+def _refusal(source: str, line: int, name: str, why: str, next_step: str) -> IllegalValueError:
+    return IllegalValueError(f"roster ({source}), line {line} ({name[:30]})", why, next_step)

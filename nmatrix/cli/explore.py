@@ -16,8 +16,10 @@ from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.report import Report, Text, Verdict
+from nmatrix.scene.world import World
 
 FROM_ABOVE = (1.5, 1.75, 3.25)  # a torus seen from its side shows no hole
+STRETCHED = World(scale=(1, 2, 1))  # without a stretch every rule is right, and nothing is seen
 
 HELP = {
     "explore": """nmatrix explore
@@ -50,6 +52,8 @@ def explore(
     shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
     if not view.is_given and scene.scene is None:
         shot = replace(shot, view=replace(shot.view, eye=FROM_ABOVE))
+    if not world.is_given and scene.scene is None:
+        shot = replace(shot, world=STRETCHED)
     write_file(path, page(shot), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), everywhere)

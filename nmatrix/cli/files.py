@@ -21,12 +21,17 @@ def refuse_existing(paths: Sequence[Path], *, force: bool) -> None:
     for path in paths:
         if str(path) == "-":
             continue
-        if path.exists() and not force:
+        if _is_taken(path) and not force:
             raise _exists(path)
         if not path.parent.is_dir():
             raise IllegalValueError(
                 f"{path}", f"there is no folder {path.parent}", "choose another one with -o"
             )
+
+
+def _is_taken(path: Path) -> bool:
+    """Return whether something would be lost; a device or a pipe loses nothing."""
+    return path.is_file() or path.is_dir()
 
 
 def _exists(path: Path) -> IllegalValueError:
@@ -36,14 +41,19 @@ def _exists(path: Path) -> IllegalValueError:
 def write_file(path: Path, content: bytes, *, force: bool) -> None:
     """Write a file under a temporary name beside its place, then rename it.
 
+    A device or a pipe is written to, not replaced.
+
     Raises
     ------
     IllegalValueError
         If the file exists and `force` is not given, or the place cannot be written.
     """
-    if path.exists() and not force:
+    if _is_taken(path) and not force:
         raise _exists(path)
     try:
+        if path.exists() and not _is_taken(path):
+            path.write_bytes(content)
+            return
         descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
             with os.fdopen(descriptor, "wb") as file:

@@ -15,17 +15,15 @@ from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.sheet_options import SheetOptions
-from nmatrix.cli.show import progress, show
+from nmatrix.cli.show import show
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.pages.document import PageFormat, Paper
-from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
 
 if TYPE_CHECKING:
     from nmatrix.classroom.handout import Plan
-    from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
 
 HELP = {
@@ -115,17 +113,21 @@ def handout(
     if options.key and not has_exercises:
         raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
     if options.to is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_typst
+        from nmatrix.output.pages.pdf import check_names
 
-        check_typst()
+        check_names([of.student or ""])
     shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
     count = options.count() if has_exercises else 0
     plan = Plan(topics, shot, count, options.to, options.paper, options.key)
     if options.roster is None:
         files = _one(plan, options, of)
+        made = len(files)
     else:
-        files = _class(plan, options, of, workers)
-    show(_report(files, options), everywhere)
+        from nmatrix.cli.handout_class import write_class
+
+        folder = Path(options.output or USUAL_FOLDER)
+        files, made = write_class(plan, options.roster, folder, of, workers, force=options.force)
+    show(_report(files, made, options), everywhere)
 
 
 def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
@@ -155,57 +157,13 @@ def _is_there(path: Path, content: bytes) -> bool:
     return path.is_file() and path.read_bytes() == content
 
 
-def _class(
-    plan: Plan, options: HandoutOptions, of: SheetOptions, workers: WorkerOptions
-) -> list[Path]:
-    """Write what is missing of a class's sheets into a folder."""
-    from nmatrix.classroom.manifest import NAME, check_same, manifest
-    from nmatrix.classroom.roster import COLUMN, students
-    from nmatrix.classroom.run import Job, all_of
-
-    assert options.roster is not None
-    if of.student is not None:
-        raise IllegalValueError(
-            "--student with --roster", "the students stand in the file", "leave it out"
-        )
-    everyone = students(records(options.roster, (COLUMN,)), options.roster)
-    folder, salt = Path(options.output or USUAL_FOLDER), of.salt_read
-    wanted = manifest(plan, of.seed, salt, everyone)
-    _prepare(folder)
-    if (folder / NAME).exists() and not options.force:
-        check_same(wanted, (folder / NAME).read_bytes(), str(folder))
-    is_new = not (folder / NAME).exists() or options.force
-    write_file(folder / NAME, wanted.text(), force=True)
-    jobs = [Job(plan, one, of.seed, salt) for one in everyone]
-    missing = [job for job in jobs if is_new or not _is_complete(job, folder)]
-    with workers.executor() as executor:
-        for job, found in progress(all_of(missing, executor), len(missing), "writing sheets"):
-            contents = (found.sheet,) if found.key is None else (found.sheet, found.key)
-            for name, content in zip(job.files, contents, strict=True):
-                write_file(folder / name, content, force=True)
-            for name, content in found.pictures:
-                if plan.kind not in (PageFormat.HTML, PageFormat.PDF):
-                    write_file(folder / name, content, force=True)
-    return [folder / name for job in jobs for name in job.files]
-
-
-def _is_complete(job: Job, folder: Path) -> bool:
-    return all((folder / name).exists() for name in job.files)
-
-
-def _prepare(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise IllegalValueError(
-            f"folder ({folder})", error.strerror or "it cannot be made", "choose another with -o"
-        ) from None
-
-
-def _report(files: Sequence[Path], options: HandoutOptions) -> Report:
+def _report(files: Sequence[Path], made: int, options: HandoutOptions) -> Report:
     names = [str(path) for path in files]
     shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-    blocks: list[Block] = [Verdict(f"Written: {shown}")]
+    told = f"Written: {shown}"
+    if made < len(names):
+        told = f"Complete: {shown}; {made} of {len(names)} files were missing and are written"
+    blocks: list[Block] = [Verdict(told)]
     if options.to is PageFormat.HTML:
         them = "it" if len(names) == 1 else "them"
         blocks.append(Text(f"Open {them} in a browser and print {them}."))

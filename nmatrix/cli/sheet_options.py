@@ -52,7 +52,14 @@ class SheetOptions:
             raise IllegalValueError(
                 f"--salt ({self.salt[:60]})", "there is no such file", "check the path"
             )
-        return file_bytes(path)
+        salt = file_bytes(path)
+        if not salt:
+            raise IllegalValueError(
+                f"--salt ({self.salt[:60]})",
+                "the file is empty, so it keeps nothing secret",
+                "put some words that nobody guesses into it",
+            )
+        return salt
 
     @property
     def sheet(self) -> Sheet:

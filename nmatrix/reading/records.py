@@ -54,14 +54,15 @@ def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record
     """
     head, _, _ = text.partition("\n")
     separator = max(SEPARATORS, key=head.count)
-    rows = csv.reader(StringIO(text.removeprefix("\ufeff")), delimiter=separator)
+    rows = csv.reader(StringIO(text.removeprefix("\ufeff")), delimiter=separator, strict=True)
     header: list[str] | None = None
     while True:
+        began = rows.line_num + 1
         try:
             row = next(rows, None)
         except csv.Error as error:
             raise IllegalValueError(
-                f"file ({quoted(source)}), line {rows.line_num}", str(error), "mend the quotes"
+                f"file ({quoted(source)}), line {began}", _told(error), "mend the quotes"
             ) from None
         if row is None:
             break
@@ -76,6 +77,10 @@ def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record
         raise IllegalValueError(
             f"file ({quoted(source)})", "it is empty", f"give it the header {','.join(needed)}"
         )
+
+
+def _told(error: csv.Error) -> str:
+    return "a quote is never closed" if "unexpected end" in str(error) else str(error)
 
 
 def _header(cells: list[str], needed: Sequence[str], source: str) -> list[str]:

@@ -205,19 +205,6 @@ def test_the_pitfalls_are_sixteen_and_their_commands_run(capsys) -> None:
 # The command.
 
 
-@pytest.fixture
-def nmatrix(capsys, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-
-    def call(line: str) -> tuple[int, str, str]:
-        capsys.readouterr()
-        code = run(shlex.split(line))
-        captured = capsys.readouterr()
-        return code, captured.out, captured.err
-
-    return call
-
-
 def test_a_sheet_and_its_key_are_two_files(nmatrix) -> None:
     line = "handout --topics rule --exercises 3 --student Ada --key -f json"
     code, out, _ = nmatrix(line)

@@ -113,5 +113,5 @@ def _refusal(
 ) -> IllegalValueError:
     got = f"{size[0]} rows of {size[1]}" if size[0] > 1 else f"{size[1]} numbers"
     return IllegalValueError(
-        f"answer ({got})", f"{question.subject} takes {wanted}", f'write it like "{example}"'
+        f"answer ({got})", f"it is to have {wanted}", f'write it like "{example}"'
     )

@@ -73,9 +73,7 @@ def short_cut(draws: Draws, number: int) -> Exercise:
         equation("A = ", A),
         Text("Is it legal to multiply normals by A itself, and to normalise?"),
     )
-    return _choice(
-        number, Kind.SHORTCUT, task, options, right, (equation("Aᵀ · A = ", size), Text(because))
-    )
+    return _choice(number, Kind.SHORTCUT, task, options, right, (equation("Aᵀ · A = ", size),))
 
 
 def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
@@ -111,7 +109,7 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
         Text(CONVENTION if subject is Subject.WORLD else f"{CONVENTION} {UP_TO_LENGTH}"),
         Text("What do you tell Sam?"),
     )
-    key = (equation("right = ", judge.right), Text(MISTAKES[made].explanation))
+    key = (equation("right = ", judge.right), Text(MISTAKES[made].did))
     return _choice(number, Kind.MISTAKE, task, options, right, key)
 
 

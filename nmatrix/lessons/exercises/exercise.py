@@ -81,6 +81,14 @@ class Exercise:
         IllegalValueError
             If the text is no answer to this exercise.
         """
+        if not isinstance(self.grader, Choice) and not any(c.isdigit() for c in text):
+            rows, columns = self.cells
+            size = f"{rows} rows of {columns} numbers" if columns > 1 else f"{rows} numbers"
+            raise IllegalValueError(
+                f"answer ({text.strip()[:30]})",
+                f"exercise {self.number} takes {size}",
+                'write them like "1 0 -2", rows apart by semicolons',
+            )
         return self.grader.judge(text)
 
 

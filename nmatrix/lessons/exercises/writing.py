@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -88,7 +89,11 @@ LATEX = {
 }
 
 
+_WORD = re.compile(r"(?<!\\)\b(?!det\b)[a-z]{3,}\b")
+
+
 def _latex_line(line: str) -> str:
+    line = _WORD.sub(lambda word: rf"\mathrm{{{word[0]}}}", line)
     for sign, command in LATEX.items():
         line = line.replace(sign, command)
     return line

@@ -35,7 +35,7 @@ def html(document: Document) -> bytes:
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{escape(document.title)}</title>
 <style>
-{_style(document.paper)}</style>
+{_style(document.paper)}{_foot(document.subtitle)}</style>
 </head>
 <body>
 <main>
@@ -57,6 +57,17 @@ def _style(paper: Paper) -> str:
     font = b64encode(folder.joinpath("math.woff2").read_bytes()).decode()
     style = folder.joinpath("style.css").read_text(encoding="utf-8")
     return style.replace("FONT", font).replace("PAPER", SIZES[paper])
+
+
+def _foot(whose: str) -> str:
+    """Return what prints a name and a number on every page: sheets get dropped."""
+    page = 'counter(page) " / " counter(pages)'
+    name = "".join(c if c.isalnum() and c.isascii() else f"\\{ord(c):x} " for c in whose)
+    style = "font: 8pt serif; color: #5a5a5a;"
+    return (
+        f'@page {{ @bottom-left {{ content: "{name}"; {style} white-space: nowrap; }} '
+        f"@bottom-right {{ content: {page}; {style} }} }}\n"
+    )
 
 
 class HtmlPage(MathML):

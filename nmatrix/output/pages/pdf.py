@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from nmatrix.errors import MissingPackageError
+from nmatrix.errors import IllegalValueError, MissingPackageError
 from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.typ import typ
+from nmatrix.report import Text
 
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
 
@@ -41,6 +43,38 @@ def pdf(document: Document) -> bytes:
         )
     assert isinstance(found, bytes)  # without an output path the file comes back
     return found
+
+
+def check_names(names: Sequence[str]) -> None:
+    """Say now, and not after half the class, whose name the fonts of a PDF cannot print.
+
+    Raises
+    ------
+    MissingPackageError
+        If Typst is not installed.
+    IllegalValueError
+        If a name has a character that they lack.
+    """
+    check_typst()
+    while not _is_printable(names):
+        half = len(names) // 2
+        if not half:
+            raise IllegalValueError(
+                f"student ({names[0][:30]})",
+                "the fonts of a PDF lack a character of this name",
+                "write it in Latin letters, or print the HTML",
+            )
+        names = names[half:] if _is_printable(names[:half]) else names[:half]
+
+
+def _is_printable(names: Sequence[str]) -> bool:
+    import typst
+
+    try:
+        pdf(Document("Names", tuple(map(Text, names))))
+    except typst.TypstError:
+        return False
+    return True
 
 
 def check_typst() -> None:

@@ -25,6 +25,8 @@ def tex(document: Document) -> bytes:
 \usepackage[margin=18mm]{{geometry}}
 \setlength{{\parindent}}{{0pt}}
 \setlength{{\parskip}}{{1ex}}
+\pagestyle{{myheadings}}
+\markright{{{escaped(document.subtitle)}}}
 \begin{{document}}
 {{\Large\bfseries {escaped(document.title)}}}{subtitle}
 

@@ -10,6 +10,7 @@ from nmatrix.output.pages.document import Document, Paper
 from nmatrix.output.typst import Typst, escaped
 from nmatrix.report import Figure, Formula
 
+TOGETHER = "#block(breakable: false, width: 100%)"
 SIZES = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 
 
@@ -17,14 +18,13 @@ def typ(document: Document) -> bytes:
     """Return the document as Typst source."""
     page = TypstPage(OutputOptions())
     body = "\n\n".join(
-        f"#block(breakable: false)[\n{blocks_in(section, page)}\n]"
-        if whole
-        else blocks_in(section, page)
+        f"{TOGETHER}[\n{blocks_in(section, page)}\n]" if whole else blocks_in(section, page)
         for section, whole in document.sections()
     )
     subtitle = (
         f"#text(fill: luma(35%))[{escaped(document.subtitle)}]\n" if document.subtitle else ""
     )
+    footer = " · ".join(escaped(part) for part in (document.subtitle, document.note) if part)
     source = f"""#set document(title: {quoted(document.title)}, author: ())
 #set text(lang: "en", size: 10.5pt)
 #set page(
@@ -33,7 +33,7 @@ def typ(document: Document) -> bytes:
   numbering: "1 / 1",
   footer: context [
     #set text(size: 8pt, fill: luma(35%))
-    {escaped(document.note)} #h(1fr) #counter(page).display("1 / 1", both: true)
+    {footer} #h(1fr) #counter(page).display("1 / 1", both: true)
   ],
 )
 #set par(justify: false)
@@ -69,7 +69,7 @@ class TypstPage(Typst):
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         """Return a matrix under its name."""
         rows = "; ".join(", ".join(row) for row in cells)
-        about = f"{escaped(title)}\n\n" if title else ""
+        about = f"#block(sticky: true)[{escaped(title)}]\n" if title else ""
         said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
         return about + _equation(f'#raw("{key}") = mat(delim: "[", {rows})', said)
 
@@ -78,7 +78,7 @@ class TypstPage(Typst):
         head = ", ".join(f"[*{escaped(column)}*]" for column in columns)
         cells = ", ".join(f"[{cell}]" for row in rows for cell in row)
         widths = ", ".join(["auto"] * (len(columns) - 1) + ["1fr"])
-        about = f"*{escaped(title)}*\n\n" if title else ""
+        about = f"#block(sticky: true)[*{escaped(title)}*]\n" if title else ""
         return f"{about}#table(columns: ({widths},), table.header({head}), {cells})"
 
     def formula(self, formula: Formula) -> str:
@@ -89,7 +89,7 @@ class TypstPage(Typst):
         """Return a step that stays together on a page."""
         mark = "✓" if verified else "not proved:"
         reason = f"#pad(left: 1.2em)[#text(fill: luma(30%))[{mark} {escaped(because)}]]"
-        return f"#block(breakable: false)[\n{self.formula(formula)}\n{reason}\n]"
+        return f"{TOGETHER}[\n{self.formula(formula)}\n{reason}\n]"
 
     def inline(self, text: str) -> str:
         """Return a number in a sentence, which a screen reader reads as it is."""
@@ -105,11 +105,11 @@ class TypstPage(Typst):
         """Return empty cells between brackets."""
         cells = ", ".join(["[]"] * rows * columns)
         widths = ", ".join(["16mm"] * columns)
-        stroke = "0.4pt + luma(60%)"
-        return (
-            f"#block(stroke: (left: 1pt, right: 1pt), inset: (x: 2pt))"
-            f"[#table(columns: ({widths},), rows: 8mm, stroke: {stroke}, {cells})]"
-        )
+        thin = "0.4pt + luma(60%)"
+        left = f"left: if x == 0 {{ 1pt }} else {{ {thin} }}"
+        right = f"right: if x == {columns - 1} {{ 1pt }} else {{ {thin} }}"
+        stroke = f"(x, y) => (top: {thin}, bottom: {thin}, {left}, {right})"
+        return f"#table(columns: ({widths},), rows: 8mm, stroke: {stroke}, {cells})"
 
     def page_break(self) -> str:
         """Return the end of a page."""

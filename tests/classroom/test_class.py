@@ -1,0 +1,134 @@
+"""A class's folder: late enrolment, another roster, damage, and names that cannot be printed."""
+
+from __future__ import annotations
+
+import os
+import re
+import threading
+from pathlib import Path
+
+import pytest
+
+from nmatrix.classroom.handout import Plan, handout, written
+from nmatrix.classroom.manifest import files_of
+from nmatrix.classroom.topics import Topic
+from nmatrix.cli.files import write_file
+from nmatrix.lessons.exercises.scheme import Sheet
+from nmatrix.output.pages.document import PageFormat
+from nmatrix.report import Code, Text
+from nmatrix.scene.shot import Shot
+
+LINE = "handout --exercises 1 -o out --roster"
+SHEETS = Plan((Topic.EXERCISES,), Shot(), 1)
+
+
+def roster(*names: str) -> str:
+    Path("class.csv").write_text("student\n" + "\n".join(names) + "\n", encoding="utf-8")
+    return f"{LINE} class.csv"
+
+
+def sheets() -> list[str]:
+    return sorted(path.name for path in Path("out").glob("*.html"))
+
+
+def test_who_comes_late_gets_a_sheet_and_the_others_keep_theirs(nmatrix) -> None:
+    assert nmatrix(roster("Ada", "Bo"))[0] == 0
+    Path("out/0001-ada.html").write_bytes(b"kept")
+    code, out, _ = nmatrix(roster("Ada", "Bo", "Cy"))
+    assert code == 0
+    assert "1 of 3 files were missing" in " ".join(out.split())
+    assert sheets() == ["0001-ada.html", "0002-bo.html", "0003-cy.html"]
+    assert Path("out/0001-ada.html").read_bytes() == b"kept"
+    assert nmatrix(roster("Bo", "Ada", "Cy"))[0] == 2
+
+
+def test_force_takes_the_sheets_of_the_earlier_run_away(nmatrix) -> None:
+    assert nmatrix(f"{roster('Bo', 'Cy')} --key")[0] == 0
+    Path("out/notes.html").write_text("the teacher's own")
+    assert nmatrix(f"{roster('Ada', 'Bo')} --force")[0] == 0
+    assert sheets() == ["0001-ada.html", "0002-bo.html", "notes.html"]
+
+
+def test_a_manifest_that_is_none_names_no_files() -> None:
+    for text in (b"", b"{}", b"[]", b'{"kind": "html", "students": 3, "with_key": true}'):
+        assert files_of(text) == frozenset()
+    named = files_of(b'{"kind": "html", "students": ["../../x"], "with_key": true}')
+    assert named == {"0001-x.html", "0001-x-key.html"}
+
+
+def test_an_emptied_sheet_is_written_again(nmatrix) -> None:
+    assert nmatrix(roster("Ada", "Bo"))[0] == 0
+    content = Path("out/0002-bo.html").read_bytes()
+    Path("out/0002-bo.html").write_bytes(b"")
+    assert nmatrix(roster("Ada", "Bo"))[0] == 0
+    assert Path("out/0002-bo.html").read_bytes() == content
+
+
+@pytest.mark.parametrize("wrong", ["--workers 0", "--dask nowhere:1", "--salt empty"])
+def test_a_refused_run_leaves_no_folder(nmatrix, wrong: str) -> None:
+    Path("empty").write_bytes(b"")
+    code, _, err = nmatrix(f"{roster('Ada')} {wrong}")
+    assert code in (2, 4)
+    assert err.count("\n") == 1
+    assert not Path("out").exists()
+
+
+def test_a_quote_that_is_never_closed_is_named_by_its_line(nmatrix) -> None:
+    code, _, err = nmatrix(roster("Ada", '"Bo', "Cy", "Dee"))
+    assert code == 2
+    assert "line 3: a quote is never closed" in err
+
+
+def test_a_name_that_a_pdf_cannot_print_is_told_before_anything_is_written(nmatrix) -> None:
+    pytest.importorskip("typst", reason="typst is not installed")
+    code, _, err = nmatrix(f"{roster('Ada', 'Мария', '李小龍', 'Bo')} --to pdf")
+    assert code == 2
+    assert "李小龍" in err
+    assert not Path("out").exists()
+    assert nmatrix(f"{roster('Ada', 'Мария', 'Łukasz')} --to pdf")[0] == 0
+
+
+def test_every_printed_page_says_whose_it_is() -> None:
+    name = 'Ada "</style>" B.'
+    sheet = Sheet("7", name)
+    page = written(SHEETS, sheet).sheet.decode()
+    style = page.partition("<style>")[2].partition("</style>")[0]
+    content = re.search(r'@bottom-left \{ content: "([^"]*)"', style)
+    assert content is not None
+    assert re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1]) == f"{name} · seed 7"
+    for kind in (PageFormat.TYP, PageFormat.TEX):
+        head = written(Plan((Topic.EXERCISES,), Shot(), 1, kind), Sheet("7", "Zoe")).sheet.decode()
+        assert re.search(r"(footer: context|markright)[^$]*Zoe", head)
+
+
+@pytest.mark.parametrize(
+    ("student", "words"),
+    [
+        ("", ""),
+        ("Ada", " --student Ada"),
+        ("Lovelace, Ada", ' --student "Lovelace, Ada"'),
+        ('O"x', " --student 'O\"x'"),
+    ],
+)
+def test_a_sheet_says_how_to_check_it(student: str, words: str) -> None:
+    last = handout(SHEETS, Sheet("7", student)).blocks[-1]
+    assert isinstance(last, Code)
+    assert last.text == f'nmatrix check exercise 1 "YOUR ANSWER" --seed 7{words}\n'
+
+
+def test_a_graded_sheet_says_who_checks_it() -> None:
+    last = handout(SHEETS, Sheet("7", "Ada", b"secret")).blocks[-1]
+    assert isinstance(last, Text)
+    assert "your teacher" in last.text
+
+
+def test_a_pipe_is_written_to_and_not_replaced(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    read: list[bytes] = []
+    reader = threading.Thread(target=lambda: read.append(pipe.read_bytes()))
+    reader.start()
+    write_file(pipe, b"content", force=False)
+    reader.join(timeout=10)
+    assert read == [b"content"]
+    assert pipe.is_fifo()
