@@ -8,10 +8,11 @@ from math import floor, log10
 
 import pytest
 
-from nmatrix.enums import Space
+from nmatrix.enums import DepthRange, Space
 from nmatrix.lessons.check.answer import read_answer
-from nmatrix.lessons.check.judge import Judge, Outcome
+from nmatrix.lessons.check.judge import TOO_FEW_DIGITS, Judge, Outcome
 from nmatrix.lessons.check.question import LightPart, Question, Subject
+from nmatrix.linear.projection import ClipSpace
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.shot import LightSource, Shot
@@ -87,6 +88,60 @@ def test_a_mistake_that_gives_every_digit_wins_over_what_is_nearly_right(questio
     assert found.verdict is Outcome.MISTAKE
     assert mistake in (found.mistake, *found.also)
     assert found.wrong_entries
+
+
+TURNED = World(rotate_degrees=(0.5, 0, 0), translate=(20, 0, 0))
+ON_THE_WAY = Shot(
+    World(translate=(1, 0, 0)),
+    View(eye=(3000, 0, 5), target=(3001, 0, 4)),
+    light=LightSource(position=(2, 3, 4)),
+)
+TINY_MOVE = Shot(World(translate=(0.0001, 0, 0)))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1 0 0 20; 0 1 0.0000 0; 0 0.0000 1 0; 0 0 0 1",
+        "1 0 0 20; 0 1 0.0007 0; 0 -0.0007 1 0; 0 0 0 1",
+    ],
+)
+def test_a_translation_of_twenty_hides_no_rotation(text) -> None:
+    question = Question(Subject.WORLD, Shot(TURNED))
+    assert judged(question, text).verdict is not Outcome.CORRECT
+
+
+@pytest.mark.parametrize("text", ["-2119.91 3.00 2118.49", "-2119.9 3.0 2118.5", "-2120 3 2118"])
+def test_the_digits_that_count_are_those_that_were_typed(text) -> None:
+    question = Question(Subject.LIGHT, ON_THE_WAY, Space.CAMERA, light=LightPart.POSITION)
+    assert judged(question, text).mistake == "used-model-view"
+
+
+@pytest.mark.parametrize("number", ["-0.0001", "0.0002", "-0.0003"])
+def test_a_nearly_symmetric_matrix_is_not_called_transposed(number) -> None:
+    found = judged(Question(Subject.WORLD, TINY_MOVE), f"1 0 0 {number}; 0 1 0 0; 0 0 1 0; 0 0 0 1")
+    assert found.verdict is Outcome.UNKNOWN
+
+
+def test_a_rightly_rounded_direction_is_right_at_some_length() -> None:
+    world = World(translate=(0, 0.25, 1), rotate_degrees=(17, 0, 0), scale=(0.0001, 1, 1))
+    shot = Shot(world, View(eye=(3, -2, 0), target=(2, -3, 3)))
+    question = Question(Subject.NORMAL, shot, Space.CAMERA, normal=(1, -2, 1))
+    for text in ("-0.949 -0.0955 0.301", "-0.949 -0.096 0.301", "-0.9487 -0.0955 0.3014"):
+        assert judged(question, text).verdict is Outcome.CORRECT
+    for text in ("-0.949 0.0955 0.301", "-0.749 -0.0955 0.301"):
+        assert judged(question, text).verdict is not Outcome.CORRECT
+
+
+def test_too_few_digits_are_said_to_be_too_few() -> None:
+    lens = Lens(90, 2, 0.1, 100, clip=ClipSpace(depth=DepthRange.REVERSED))
+    question = Question(Subject.PROJECTION, Shot(lens=lens))
+    found = judged(question, "0.5 0 0 0; 0 1 0 0; 0 0 0.00 0.1; 0 0 -1 0")
+    assert (found.verdict, found.wrong_entries) == (Outcome.CORRECT, ())
+    for text in ("0.5 0 0 0; 0 1 0 0; 0 0 0 0.1; 0 0 -1 0", "0 0 0 0; 0 0 0 0; 0 0 0 0; 0 0 -1 0"):
+        assert judged(question, text).verdict is not Outcome.CORRECT
+    found = judged(Question(Subject.PROJECTION, Shot(lens=CLOSE)), f"{FOCUS} 0; 0 0 -1 0")
+    assert (found.verdict, found.explanation) == (Outcome.UNKNOWN, TOO_FEW_DIGITS)
 
 
 def test_what_is_right_to_its_digits_stays_right_beside_a_mistake_that_is_as_close():

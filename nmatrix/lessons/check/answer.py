@@ -9,11 +9,10 @@ from functools import cached_property
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.check.question import Question, Subject
+from nmatrix.lessons.check.tolerance import FEWEST
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, affine, linear, to_floats
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.matrix import matrix_literal
-
-FEWEST_DECIMALS = 2  # a whole number claims two decimals
 
 Decimals = tuple[tuple[int | None, ...], ...]
 
@@ -32,7 +31,7 @@ class Answer:
 
     @cached_property
     def last_places(self) -> RationalMatrix:
-        """Return one unit of the last place of each number; a fraction is exact and has none.
+        """Return one unit of the last decimal of each number; a fraction is exact and has none.
 
         Examples
         --------
@@ -51,8 +50,8 @@ class Answer:
 
     @cached_property
     def coarsest(self) -> float:
-        """Return the largest unit of a last place."""
-        return float(max(place for row in self.last_places for place in row))
+        """Return the largest unit of a last place that counts."""
+        return float(max(min(place, FEWEST) for row in self.last_places for place in row))
 
 
 def read_answer(text: str, question: Question, layout: Layout = Layout.ROW_MAJOR) -> Answer:
@@ -103,9 +102,7 @@ def with_w_one(row: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
 
 
 def _last_place(decimals: int | None) -> Fraction:
-    if decimals is None:
-        return ZERO
-    return Fraction(1, 10 ** max(FEWEST_DECIMALS, decimals))
+    return ZERO if decimals is None else Fraction(1, 10**decimals)
 
 
 def _refusal(

@@ -32,6 +32,9 @@ from nmatrix.linear.rational import RationalMatrix, linear, scaled
 RIGHT = "This is right."
 UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
 NO_MISTAKE = "No known mistake, nor two of them, gives these numbers."
+TOO_FEW_DIGITS = (
+    "Right to the digits given, but a zero stands where there is a number: give more of its digits."
+)
 SEVERAL = "Several pairs of mistakes give these numbers:"
 TWO_SIDED = (
     "The map flattens space to a plane, whose two sides are alike: both directions are right."
@@ -125,6 +128,8 @@ class Judge:
         names = self._named(answer, self.doubles)
         if len(names) == 1:
             return self._mistaken(answer, found, names)
+        if found.lacks_only_digits:
+            return self._incomplete(answer, found)
         return self._unknown(answer, found, names)
 
     def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
@@ -188,7 +193,7 @@ class Judge:
         for one in wrong:
             if may_be_alike(answer, one.floats, self.question):
                 found = likeness_to_known(answer, one.value, self.question)
-                if found is not None and found.alike:
+                if found is not None and found.alike_as_a_mistake:
                     yield one, found
 
     def _only_length(self, answer: Answer) -> bool:
@@ -207,6 +212,10 @@ class Judge:
             explanation=sentence,
             remarks=answer.remarks,
         )
+
+    def _incomplete(self, answer: Answer, found: Likeness) -> Judgement:
+        unknown = self._unknown(answer, found, {})
+        return replace(unknown, explanation=TOO_FEW_DIGITS)
 
     def _hint(self, answer: Answer) -> str | None:
         alike = (one for one in self.hints if is_alike(answer, one.value, self.question))
@@ -229,8 +238,3 @@ def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:
         return value
     largest = max(abs(entry) for row in value for entry in row)
     return scaled(value, 1 / largest) if largest else value
-
-
-def judge(question: Question, answer: Answer) -> Judgement:
-    """Return the judgement of one answer to a question."""
-    return Judge(question).judge(answer)

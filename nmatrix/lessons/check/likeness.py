@@ -11,10 +11,11 @@ from math import isnan
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question
 from nmatrix.lessons.check.tolerance import (
+    A_TWENTIETH,
+    NOISE,
     RELATIVE,
-    coarsest_of_free_length,
-    is_near,
-    is_rounding,
+    Off,
+    Zero,
     yardsticks,
 )
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
@@ -26,15 +27,13 @@ Place = tuple[int, int]
 class Likeness:
     """The numbers of an answer beside those of a value, in one shape.
 
-    `factor` is what the value was multiplied by, 1 unless length is free; `tolerance` is the
-    teacher's own, which takes the place of every other.
+    `factor` is what the value was multiplied by, 1 unless length is free.
     """
 
     given: RationalMatrix
     wanted: RationalMatrix
     last_places: RationalMatrix
-    is_vector: bool
-    tolerance: Fraction | None
+    question: Question
     factor: Fraction
 
     @property
@@ -43,51 +42,81 @@ class Likeness:
         return not self.wrong
 
     @property
+    def alike_as_a_mistake(self) -> bool:
+        """Return whether every entry is near enough for a mistake to be named."""
+        if self.question.tolerance is not None:
+            return self.alike
+        return all(off.is_near_a_mistake() for off in self._entries.values())
+
+    @cached_property
     def to_the_digit(self) -> bool:
-        """Return whether every digit that was typed is the value's."""
-        return not self.unrounded
+        """Return whether every digit that was typed is the value's, at some length if it is free.
+
+        Each entry leaves an interval of factors; there is one if they have a point in common.
+        """
+        if not self.question.any_length:
+            return not self.unrounded
+        least, most = ZERO, None
+        for given, wanted, off in self._numbers():
+            half = max(off.place / 2, NOISE * off.yardstick)
+            if not wanted:
+                if abs(given) > half:
+                    return False
+                continue
+            low, high = sorted(((given - half) / wanted, (given + half) / wanted))
+            least, most = max(least, low), high if most is None else min(most, high)
+        return most is not None and least <= most and most > 0
 
     @cached_property
     def difference(self) -> Fraction:
         """Return the largest difference of two entries."""
-        return max(entry for row in self._differences for entry in row)
+        return max(off.difference for off in self._entries.values())
 
     @cached_property
     def wrong(self) -> tuple[Place, ...]:
         """Return the entries that are too far off."""
-        if self.tolerance is not None:
-            most = self.tolerance
-            return self._where(lambda off, place, yardstick: off > most)
-        largest = max(abs(entry) for row in self.wanted for entry in row)
-        return self._where(
-            lambda off, place, yardstick: not is_near(off, place, yardstick, largest)
-        )
+        tolerance = self.question.tolerance
+        if tolerance is not None:
+            return self._where(lambda off: off.difference > tolerance)
+        return self._where(lambda off: not off.is_near())
 
     @cached_property
     def unrounded(self) -> tuple[Place, ...]:
         """Return the entries that are not the value's, rounded to the digits that were typed."""
-        return self._where(lambda off, place, yardstick: not is_rounding(off, place, yardstick))
+        return self._where(lambda off: not off.is_rounded())
+
+    @property
+    def lacks_only_digits(self) -> bool:
+        """Return whether every wrong entry is a zero that a number was rounded to."""
+        entries = (self._entries[place] for place in self.wrong)
+        return all(off.zero != Zero.NONE and off.difference <= off.place / 2 for off in entries)
 
     @cached_property
-    def _differences(self) -> RationalMatrix:
-        return tuple(
-            tuple(abs(entry - right) for entry, right in zip(row, wanted, strict=True))
-            for row, wanted in zip(self.given, self.wanted, strict=True)
-        )
-
-    @cached_property
-    def _yardsticks(self) -> RationalMatrix:
-        return yardsticks(self.wanted, is_vector=self.is_vector)
-
-    def _where(self, said: Callable[[Fraction, Fraction, Fraction], bool]) -> tuple[Place, ...]:
-        """Return the entries of which that is said: its difference, last place and yardstick."""
-        rows = zip(self._differences, self.last_places, self._yardsticks, strict=True)
-        return tuple(
-            (i, j)
+    def _entries(self) -> dict[Place, Off]:
+        rulers = yardsticks(self.wanted, is_vector=self.question.is_vector)
+        largest = max(abs(entry) for row in self.wanted for entry in row)
+        coarsest = A_TWENTIETH * largest if self.question.any_length else ONE
+        rows = zip(self.given, self.wanted, self.last_places, rulers, strict=True)
+        return {
+            (i, j): Off(
+                abs(given - wanted), min(place, coarsest), yardstick, largest, _zero(given, place)
+            )
             for i, row in enumerate(rows)
-            for j, entry in enumerate(zip(*row, strict=True))
-            if entry[0] and said(*entry)
-        )
+            for j, (given, wanted, place, yardstick) in enumerate(zip(*row, strict=True))
+        }
+
+    def _numbers(self) -> Iterator[tuple[Fraction, Fraction, Off]]:
+        for (i, j), off in self._entries.items():
+            yield self.given[i][j], self.wanted[i][j], off
+
+    def _where(self, said: Callable[[Off], bool]) -> tuple[Place, ...]:
+        return tuple(place for place, off in self._entries.items() if off.difference and said(off))
+
+
+def _zero(given: Fraction, place: Fraction) -> Zero:
+    if given:
+        return Zero.NONE
+    return Zero.BARE if place >= 1 else Zero.ROUNDED
 
 
 def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Likeness:
@@ -172,10 +201,7 @@ def _at(
 ) -> Likeness:
     wanted = value if factor == 1 else scaled(value, factor)
     places = answer.last_places
-    if question.any_length:
-        most = coarsest_of_free_length(wanted)
-        places = tuple(tuple(min(place, most) for place in row) for row in places)
-    return Likeness(given, wanted, places, question.is_vector, question.tolerance, factor)
+    return Likeness(given, wanted, places, question, factor)
 
 
 def _factors(given: RationalMatrix, value: RationalMatrix) -> Iterator[Fraction]:

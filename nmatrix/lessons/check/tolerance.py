@@ -2,54 +2,97 @@
 
 Entries of one matrix differ in kind. A translation of 5,000 says nothing of how well the rotation
 beside it is known, so an entry is held against the largest of its own kind, its *yardstick*: of
-its column (the image of one axis, or of the origin), of the bottom row, of x, y and z.
+its column of the 3×3 block (the image of one axis), of the translation, of the bottom row, of x, y
+and z.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from enum import Enum
 from fractions import Fraction
 
-from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector
+from nmatrix.linear.rational import (
+    ONE,
+    RationalMatrix,
+    RationalVector,
+    linear,
+    translation,
+    transpose,
+)
 
 RELATIVE = Fraction(5, 10_000)  # of the largest entry of all: three good digits
-ONE_PERCENT = Fraction(1, 100)  # of the yardstick: where entries of another kind are far larger
+ITS_OWN = Fraction(1, 400)  # of the yardstick: where entries of another kind are far larger
 COARSEST = Fraction(1, 10)  # of the yardstick: one digit that may be one off is no answer
-NOT_ALL = Fraction(9, 10)  # of the yardstick: so that zeros are never right by rounding
-A_TWENTIETH = Fraction(1, 20)  # of the largest entry: 3 degrees, where length is free
+NOT_ALL = Fraction(9, 10)  # of the largest: a zero in its place is never right by rounding
+A_TWENTIETH = Fraction(1, 20)  # of the largest entry: no last place of a direction is coarser
+FEWEST = Fraction(1, 100)  # a whole number claims two decimals
 NOISE = Fraction(1, 10**9)  # of the yardstick: what float64 leaves of a careful computation
 
 
-def is_near(off: Fraction, place: Fraction, yardstick: Fraction, largest: Fraction) -> bool:
-    """Return whether an entry that is so far off counts as right.
+class Zero(Enum):
+    """Whether a zero was typed, and with how many decimals: some, or none."""
 
-    It may be off by one unit of its last place (by half a unit, where one is much beside the
-    yardstick), or by 5e-4 of the largest entry of all.
+    NONE = 0
+    ROUNDED = 1
+    BARE = 2
 
-    Examples
-    --------
-    An entry beside a translation of 5,000: 0.51 for 0.5, and 0.6 for it.
 
-    >>> half, place = Fraction(1, 2), Fraction(1, 100)
-    >>> [is_near(off, place, half, Fraction(5000)) for off in (Fraction(1, 100), Fraction(1, 10))]
-    [True, False]
+@dataclass(frozen=True)
+class Off:
+    """How far one entry of an answer is off, and what that is held against.
+
+    `place` is one unit of the last decimal that counts, `largest` the largest entry of all.
     """
-    if off <= place and (off <= COARSEST * yardstick or is_rounding(off, place, yardstick)):
-        return True
-    return off <= RELATIVE * largest and off <= ONE_PERCENT * yardstick
 
+    difference: Fraction
+    place: Fraction
+    yardstick: Fraction
+    largest: Fraction
+    zero: Zero
 
-def is_rounding(off: Fraction, place: Fraction, yardstick: Fraction) -> bool:
-    """Return whether every digit of an entry that is so far off is right."""
-    return off <= max(min(place / 2, NOT_ALL * yardstick), NOISE * yardstick)
+    def is_near(self) -> bool:
+        """Return whether the entry counts as right.
 
+        It may be off by one unit of its last place, at least two decimals counted (by half a unit,
+        where one is much beside the yardstick), or by 5e-4 of the largest entry of all.
 
-def coarsest_of_free_length(value: RationalMatrix) -> Fraction:
-    """Return the coarsest last place of an answer that may be as long as one likes.
+        Examples
+        --------
+        A half beside a translation of 5,000, typed as 0.51 and as 0.60.
 
-    Digits are claimed by the longest: in (0.01, 0, 0) two decimals tell nearly nothing of where it
-    points.
-    """
-    return A_TWENTIETH * max(abs(entry) for row in value for entry in row)
+        >>> place, half, all_ = Fraction(1, 100), Fraction(1, 2), Fraction(5000)
+        >>> [Off(off, place, half, all_, Zero.NONE).is_near()
+        ...  for off in (Fraction(1, 100), Fraction(1, 10))]
+        [True, False]
+        """
+        return self._is_near_in_digits() or self.difference <= min(
+            RELATIVE * self.largest, ITS_OWN * self.yardstick
+        )
+
+    def is_near_a_mistake(self) -> bool:
+        """Return whether the entry counts as that of a mistake: among its own kind alone."""
+        return self._is_near_in_digits() or self.difference <= RELATIVE * self.yardstick
+
+    def is_rounded(self) -> bool:
+        """Return whether every digit that was typed is right."""
+        return self._is_half(self.place) or self.difference <= NOISE * self.yardstick
+
+    def _is_near_in_digits(self) -> bool:
+        place = min(self.place, FEWEST)
+        if self.difference > place:
+            return False
+        return self.difference <= COARSEST * self.yardstick or self._is_half(place)
+
+    def _is_half(self, place: Fraction) -> bool:
+        """Return whether the entry is off by half a unit, and no zero hides what matters.
+
+        0.00 is a rounded number, and a bare 0 is none: it may not stand for the largest of its
+        kind, and 0.00 not for the largest of all.
+        """
+        hidden = {Zero.NONE: None, Zero.ROUNDED: self.largest, Zero.BARE: self.yardstick}[self.zero]
+        most = place / 2 if hidden is None else min(place / 2, NOT_ALL * hidden)
+        return self.difference <= most
 
 
 def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
@@ -57,18 +100,19 @@ def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
 
     Examples
     --------
-    >>> moved = ((Fraction(1, 2), Fraction(5000)), (Fraction(1, 4), Fraction(0)))
-    >>> [[float(x) for x in row] for row in yardsticks(moved, is_vector=False)]
-    [[0.5, 5000.0], [0.5, 5000.0]]
+    >>> [[int(x) for x in row] for row in yardsticks(((ONE * 3, ONE * 7, ONE),), is_vector=True)]
+    [[7, 7, 7]]
     """
     if is_vector:
         (row,) = value
         largest = _largest(row[:3], ONE)
         return ((largest,) * 3 + (min(largest, ONE),) * (len(row) - 3),)
-    top, bottom = value[:3], value[3:]
-    every = max(_largest(row, ONE) for row in value)
-    columns = tuple(_largest(column, min(every, ONE)) for column in zip(*top, strict=True))
-    return (columns,) * len(top) + tuple((_largest(row, ONE),) * len(row) for row in bottom)
+    every = min(max(_largest(row, ONE) for row in value), ONE)
+    block = tuple(_largest(column, every) for column in transpose(linear(value)))
+    if len(value) == 3:
+        return (block,) * 3
+    moved, bottom = _largest(translation(value), every), _largest(value[3][:3], every)
+    return (*((*block, moved),) * 3, (bottom, bottom, bottom, max(abs(value[3][3]), every)))
 
 
 def _largest(entries: RationalVector, of_zeros: Fraction) -> Fraction:
