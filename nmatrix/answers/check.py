@@ -9,7 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError
 from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
@@ -40,8 +40,26 @@ def check(question: Question, literal: MatrixLiteral) -> Report:
     >>> check(asked, matrix_literal("1 0 0; 0 0.5 0; 0 0 1")).data["verdict"]
     'correct'
     """
-    asked, answer, found = best_judgement(judges(question), literal)
+    try:
+        asked, answer, found = best_judgement(judges(question), literal)
+    except NoAnswerError as error:
+        return _without_answer(question, error)
     return judged(asked, answer, found)
+
+
+def _without_answer(question: Question, error: NoAnswerError) -> Report:
+    """Return the report on a scene in which there is nothing to be right about."""
+    data: dict[str, Value] = {
+        "verdict": Outcome.UNKNOWN.value,
+        "mistake": None,
+        "also": [],
+        "explanation": f"There is no right answer: {error}",
+        "max_difference": None,
+        "wrong_entries": [],
+    }
+    heading = Heading(f"Check: {_named(question)}")
+    blocks = (heading, Verdict("There is no right answer."), Text(str(error)))
+    return Report("check", data, blocks, failure=error)
 
 
 def judges(question: Question) -> tuple[Judge, ...]:

@@ -31,7 +31,7 @@ class Grade:
     exercise: str
     verdict: str
     mistake: str | None
-    also: str
+    also: tuple[str, ...]
     explanation: str
 
     @property
@@ -42,9 +42,14 @@ class Grade:
             self.exercise,
             self.verdict,
             self.mistake,
-            self.also or None,
+            " ".join(self.also) or None,
             self.explanation,
         )
+
+    @property
+    def data(self) -> dict[str, Value]:
+        """Return the cells by their columns, as JSON has them."""
+        return {**dict(zip(COLUMNS, self.cells, strict=True)), "also": list(self.also)}
 
 
 def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
@@ -64,7 +69,7 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
     counts = Counter(grade.verdict for grade in found)
     summary = {name: counts[name] for name in ("correct", "mistake", "unknown", UNREADABLE)}
     table = Table(COLUMNS, tuple(grade.cells for grade in found))
-    rows: list[Value] = [dict(zip(COLUMNS, grade.cells, strict=True)) for grade in found]
+    rows: list[Value] = [grade.data for grade in found]
     blocks: tuple[Block, ...] = (
         Heading(f"Check: {len(found)} answers"),
         Verdict(f"{_counted(summary)}."),
@@ -86,6 +91,8 @@ def answers_to(question: Question, layout: Layout = Layout.ROW_MAJOR) -> JudgeRe
     """Return what judges the answers of a class to one question; equal answers only once."""
     known: dict[str, Judgement] = {}
     asked = judges(question)
+    for judge in asked:
+        _ = judge.right  # a scene without an answer is the scene's fault, and no row's
 
     def judged(cells: Mapping[str, str]) -> Judgement:
         text = cells["answer"]
@@ -104,13 +111,13 @@ def _grade(record: Record, judge: JudgeRecord) -> Grade:
         found = judge(record.cells)
     except NMatrixError as error:
         sentence = f"line {record.line}: {error}"
-        return Grade(student, exercise, UNREADABLE, None, "", sentence)
+        return Grade(student, exercise, UNREADABLE, None, (), sentence)
     return Grade(
         student,
         exercise,
         found.verdict.value,
         found.mistake,
-        " ".join(found.also),
+        found.also,
         found.explanation,
     )
 

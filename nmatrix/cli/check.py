@@ -17,11 +17,11 @@ from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
+from nmatrix.cli.tables import table
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fraction, numbers
-from nmatrix.reading.records import records
 
 if TYPE_CHECKING:
     from nmatrix.lessons.check.question import Question
@@ -120,7 +120,7 @@ def check(
         from nmatrix.answers.grades import NEEDED, answers_to, grades
 
         judge = answers_to(question, everywhere.input_layout)
-        show(grades(records(batch, NEEDED), judge), everywhere)
+        show(grades(table(batch, NEEDED), judge), everywhere)
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import show
+from nmatrix.cli.tables import table
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.records import records
 
 NAME = "exercise"
 COLUMNS = ("student", "exercise", "answer")
@@ -36,4 +36,4 @@ def check_class(batch: str, of: SheetOptions, everywhere: Everywhere) -> None:
         raise IllegalValueError(
             "--student with --batch", "the students stand in the file", "leave it out"
         )
-    show(grades(records(batch, COLUMNS), exercises_of(of.seed, of.salt_read)), everywhere)
+    show(grades(table(batch, COLUMNS), exercises_of(of.seed, of.salt_read)), everywhere)

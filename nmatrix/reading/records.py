@@ -5,13 +5,14 @@ from __future__ import annotations
 import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from io import StringIO
+from itertools import islice
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.files import decoded, existing_file, file_bytes
+from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
 from nmatrix.reading.quote import quoted
 
-SEPARATORS = ",;\t"
+NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
+SEPARATORS = tuple(NAMES)
 LONGEST_NAME = 60  # characters of the header that a message shows
 
 
@@ -39,7 +40,8 @@ def records(name: str, needed: Sequence[str]) -> list[Record]:
     """
     path = existing_file(name)
     if path is None:
-        raise IllegalValueError(f"file ({quoted(name)})", "there is no such file", "check the path")
+        why = "it is a folder" if is_folder(name) else "there is no such file"
+        raise IllegalValueError(f"file ({quoted(name)})", why, "check the path")
     return list(records_of(decoded(file_bytes(path), str(path)), needed, str(path)))
 
 
@@ -54,33 +56,50 @@ def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record
     """
     head, _, _ = text.partition("\n")
     separator = max(SEPARATORS, key=head.count)
-    rows = csv.reader(StringIO(text.removeprefix("\ufeff")), delimiter=separator, strict=True)
     header: list[str] | None = None
-    while True:
-        began = rows.line_num + 1
-        try:
-            row = next(rows, None)
-        except csv.Error as error:
-            raise IllegalValueError(
-                f"file ({quoted(source)}), line {began}", _told(error), "mend the quotes"
-            ) from None
-        if row is None:
-            break
-        cells = [cell.strip() for cell in row]
-        if not any(cells):
-            continue
+    for line, cells, fault in _rows(text.removeprefix("\ufeff"), separator):
         if header is None:
+            if fault:
+                raise IllegalValueError(f"header of {quoted(source)}", fault, "mend the quotes")
             header = _header(cells, needed, source)
+        elif fault:
+            yield Record(line, _filled(header, cells), fault)
         else:
-            yield _record(rows.line_num, header, cells)
+            yield _record(line, header, cells, separator)
     if header is None:
         raise IllegalValueError(
             f"file ({quoted(source)})", "it is empty", f"give it the header {','.join(needed)}"
         )
 
 
+def _rows(text: str, separator: str) -> Iterator[tuple[int, list[str], str]]:
+    """Give every row with the line that it ends on, and what is wrong with its quotes.
+
+    A row that cannot be read costs only its own line: a quote that is never closed would take all
+    that follow with it.
+    """
+    lines = text.splitlines(keepends=True)
+    passed = 0
+    while passed < len(lines):
+        rows = csv.reader(islice(lines, passed, None), delimiter=separator, strict=True)
+        read = 0
+        try:
+            for row in rows:
+                cells = [cell.strip() for cell in row]
+                read = rows.line_num
+                if any(cells):
+                    yield passed + read, cells, ""
+            return
+        except csv.Error as error:
+            whose = [cell.strip(' "\n') for cell in lines[passed + read].split(separator)]
+            passed += read + 1
+            yield passed, [cell[:LONGEST_NAME] for cell in whose], _told(error)
+
+
 def _told(error: csv.Error) -> str:
-    return "a quote is never closed" if "unexpected end" in str(error) else str(error)
+    if "field limit" in str(error):
+        return "a cell is too long"
+    return "a quote is never closed, or text follows it"
 
 
 def _header(cells: list[str], needed: Sequence[str], source: str) -> list[str]:
@@ -97,9 +116,13 @@ def _header(cells: list[str], needed: Sequence[str], source: str) -> list[str]:
     return header
 
 
-def _record(line: int, header: list[str], cells: list[str]) -> Record:
+def _record(line: int, header: list[str], cells: list[str], separator: str) -> Record:
     fault = ""
     if len(cells) > len(header):
-        fault = f"{len(cells)} cells under {len(header)} columns: quote a cell that holds a comma"
-    filled = cells + [""] * (len(header) - len(cells))
-    return Record(line, dict(zip(header, filled, strict=False)), fault)
+        remedy = f"quote a cell that holds a {NAMES[separator]}"
+        fault = f"{len(cells)} cells under {len(header)} columns: {remedy}"
+    return Record(line, _filled(header, cells), fault)
+
+
+def _filled(header: list[str], cells: list[str]) -> dict[str, str]:
+    return dict(zip(header, cells + [""] * (len(header) - len(cells)), strict=False))

@@ -76,7 +76,7 @@ def test_a_refused_run_leaves_no_folder(nmatrix, wrong: str) -> None:
 def test_a_quote_that_is_never_closed_is_named_by_its_line(nmatrix) -> None:
     code, _, err = nmatrix(roster("Ada", '"Bo', "Cy", "Dee"))
     assert code == 2
-    assert "line 3: a quote is never closed" in err
+    assert "line 3 (Bo): a quote is never closed" in err
 
 
 def test_a_name_that_a_pdf_cannot_print_is_told_before_anything_is_written(nmatrix) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import shlex
 from io import StringIO
+from pathlib import Path
 
 import pytest
 
@@ -75,9 +77,6 @@ def test_the_wrong_entries_are_marked_for_people(nmatrix):
         ("check world", 2, "ANSWER or --batch"),
         ('check world "1 0 0; 0 1 0; 0 0 1" --unit', 2, "length"),
         ('check eye "0 0 0" --normal 1 0 0', 2, "check normal"),
-        ('check normal "1 0 0; 0 1 0; 0 0 1" --scale 1 0 1', 3, "inverse transpose"),
-        ('check eye "0 0 0" --space object --scale 1 0 1', 3, "object space"),
-        ('check normal "0 1 0" --normal 1 0 0 --scale 1 0 1', 3, "silhouette"),
         ('check eye "0 0 0" --tolerance -1', 2, "not negative"),
         ("check world --batch no-such.csv", 2, "no such file"),
         ('check light "1 0 0" --light-position 1 2 3 --unit', 2, "only a direction"),
@@ -90,6 +89,62 @@ def test_what_cannot_be_checked_is_refused_in_one_line(nmatrix, line, code, word
     assert err.startswith("error: ")
     assert err.count("\n") == 1
     assert out == ""
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ('check normal "1 0 0; 0 1 0; 0 0 1" --scale 1 0 1', "inverse transpose"),
+        ('check eye "0 0 0" --space object --scale 1 0 1', "object space"),
+        ('check normal "0 1 0" --normal 1 0 0 --scale 1 0 1', "silhouette"),
+    ],
+)
+def test_a_scene_without_an_answer_is_told_in_full(nmatrix, line, words):
+    code, out, err = nmatrix(f"{line} -f json")
+    assert (code, err.count("\n")) == (3, 1)
+    assert words in err
+    found = json.loads(out)
+    assert (found["verdict"], found["mistake"]) == ("unknown", None)
+    assert words in found["explanation"]
+
+
+CLASS = """student,answer
+Ada,"1 0 0; 0 0.5 0; 0 0 1"
+Bo,"1 0 0; 0 0.5 0; 0 0 1
+Cy,"1 0 0; 0 2 0; 0 0 1"
+Di,"1 0 0; 0 0.5 0; 0 0 1" oh
+Eve,1 0 0; 0 0.5 0; 0 0 1,2
+Flo,LONG
+Gil,"1 0 0; 0 0.5 0; 0 0 1"
+"""
+
+
+def test_a_bad_row_costs_only_itself(nmatrix, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("class.csv").write_text(CLASS.replace("LONG", "1" * 200_000))
+    code, out, _ = nmatrix("check normal --scale 1 2 1 --batch class.csv -f json")
+    assert code == 1
+    rows = json.loads(out)["rows"]
+    assert [(row["student"], row["verdict"]) for row in rows] == [
+        ("Ada", "correct"),
+        ("Bo", "unreadable"),
+        ("Cy", "mistake"),
+        ("Di", "unreadable"),
+        ("Eve", "unreadable"),
+        ("Flo", "unreadable"),
+        ("Gil", "correct"),
+    ]
+    assert rows[2]["also"] == ["used-world-matrix"]
+    for row, words in ((1, "line 3: a quote"), (3, "line 5: a quote"), (5, "line 7: a cell is")):
+        assert words in rows[row]["explanation"]
+
+
+def test_a_class_may_come_from_standard_input(nmatrix, monkeypatch):
+    text = io.TextIOWrapper(io.BytesIO(b"student;answer\nAda;0,0,5\n"), encoding="utf-8")
+    monkeypatch.setattr("sys.stdin", text)
+    code, out, _ = nmatrix("check eye --batch - -f json")
+    assert code == 0
+    assert json.loads(out)["summary"]["correct"] == 1
 
 
 def test_a_tolerance_takes_the_place_of_the_digits(nmatrix):

@@ -345,6 +345,29 @@ def test_the_course_rule_under_a_plain_scale_keeps_its_own_name():
     assert verdict(question, (0.3, 0.225, 0.2)).mistake == "course-light-rule"
 
 
+def test_the_matrix_itself_is_named_for_lights_whatever_its_symmetry():
+    for turn in (0, 30):
+        world = World(scale=(4, 1, 2), rotate_degrees=(0, 0, turn))
+        shot = Shot(world, View(eye=(0, 3, 6), target=(2, 2, 4)), light=LightSource((1, -2, 0)))
+        question = asked(Subject.LIGHT, shot, space=Space.CAMERA)
+        moved = at(block(rotation((0, 0, turn)), (4, 1, 2), (0, 0, 0)), (1, -2, 0))
+        assert verdict(question, moved).mistake == "used-world-matrix"
+
+
+def test_angles_of_the_light_matter_in_its_own_space():
+    light = LightSource(angles_degrees=(40, 50), position=(2, 5, -1))
+    shot = Shot(World(rotate_degrees=(0, 0, 30), scale=(1, 2, 1)), light=light)
+    question = asked(Subject.NORMAL, shot, space=Space.LIGHT)
+    named = [
+        one.value
+        for one in single_mistakes(question)
+        if one.mistakes == (MistakeId.DEGREES_AS_RADIANS,)
+    ]
+    assert len(set(named) - {right_answer(question)}) == 3, (
+        "the world's angles, the light's, and both"
+    )
+
+
 def test_swapped_planes_from_zero_to_one_are_the_other_depth_range():
     for depth, swapped in (("vulkan", "reversed"), ("reversed", "vulkan")):
         kind = {"vulkan": DepthRange.ZERO_TO_ONE, "reversed": DepthRange.REVERSED}[depth]

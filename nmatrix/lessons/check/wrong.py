@@ -184,7 +184,7 @@ def _what_matters(question: Question) -> tuple[object, ...]:
     return (
         shot.world if subject is not Subject.VIEW else None,
         shot.view if sees else None,
-        shot.light if subject is Subject.LIGHT else None,
+        shot.light if subject is Subject.LIGHT or question.space is Space.LIGHT else None,
     )
 
 

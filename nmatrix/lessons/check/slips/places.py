@@ -25,9 +25,11 @@ LIGHTING = (Subject.LIGHT, Subject.EYE)
 
 
 def used_world_matrix(question: Question, right: Setting) -> Setting | None:
-    """Move a light or the eye by M; a direction by a symmetric M is the course's Mᵀ l instead."""
+    """Move a light or the eye by M; into object space a symmetric M is the course's own rule."""
+    if question.subject not in LIGHTING:
+        return None
     A = linear(right.world_from_object)
-    if question.subject not in LIGHTING or (question.is_direction and transpose(A) == A):
+    if question.is_direction and question.space is Space.OBJECT and transpose(A) == A:
         return None
     return replace(right, space_from_world=right.world_from_object)
 
@@ -57,7 +59,7 @@ def view_not_inverted(question: Question, right: Setting) -> Setting | None:
 
 
 def transposed_layout(question: Question, right: Setting) -> Setting | None:
-    """Multiply a row by the matrix in place of a column; as a matrix, see `writing`."""
+    """Multiply a row by the matrix in place of a column; a matrix is transposed by its `Flow`."""
     if question.subject not in LIGHTING:
         return None
     return replace(right, space_from_world=transpose(right.space_from_world))
