@@ -36,6 +36,8 @@ nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv
 Is this answer right, and if not, which mistake is it? Exit 0 if it is, 1 if not.""",
 }
 
+LEAVE_OUT = "leave it out"
+
 
 @dataclass(frozen=True)
 class CheckOptions:
@@ -97,18 +99,23 @@ def check(
     ] = None,
 ) -> None:
     """Check an answer."""
-    if what == EXERCISE and batch is not None and answer is None:
-        check_class(batch, of, everywhere)
-        return
+    groups = Groups(world, view, lens, light, space, scene=scene)
     if what == EXERCISE:
-        check_exercise(answer, to_exercise, of, everywhere)
+        _refuse_scene(groups, options)
+        if batch is None:
+            check_exercise(answer, to_exercise, of, everywhere)
+        elif answer is None:
+            check_class(batch, of, everywhere)
+        else:
+            raise IllegalValueError(
+                f"argument ({answer[:30]}) with --batch", "the answers stand in the file", LEAVE_OUT
+            )
         return
     of.refuse(what)
     if to_exercise is not None:
         typed, why = to_exercise[:30], f"check {what} takes one ANSWER"
         raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
     sources = Sources(everywhere.input_layout)
-    groups = Groups(world, view, lens, light, space, scene=scene)
     question = _question(what, groups, options, sources)
     if (answer is None) is (batch is None):
         raise IllegalValueError(
@@ -125,6 +132,21 @@ def check(
         from nmatrix.answers.check import check as answer_of
 
         show(answer_of(question, sources.literal(answer)), everywhere)
+
+
+def _refuse_scene(groups: Groups, options: CheckOptions) -> None:
+    """Refuse what an exercise decides by itself: its numbers, and how they are compared."""
+    given = {
+        "--unit": options.unit,
+        "--tolerance": options.tolerance is not None,
+        "--normal": options.normal is not None,
+        "a scene": groups.is_given,
+    }
+    for name, is_given in given.items():
+        if is_given:
+            raise IllegalValueError(
+                f"{name} with check {EXERCISE}", "the exercise has numbers of its own", LEAVE_OUT
+            )
 
 
 def _question(what: str, groups: Groups, options: CheckOptions, sources: Sources) -> Question:

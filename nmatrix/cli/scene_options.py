@@ -136,6 +136,11 @@ class Groups:
     tolerance: ToleranceOption = field(default_factory=ToleranceOption)
     scene: SceneOptions = field(default_factory=SceneOptions)
 
+    @property
+    def is_given(self) -> bool:
+        """Return whether any option of any group was given."""
+        return self != Groups()
+
     def shot(self, everywhere: Everywhere, aspect: float | None = None) -> Shot:
         """Return what the command line describes; `aspect` is that of a picture, if it has one."""
         sources = Sources(everywhere.input_layout)

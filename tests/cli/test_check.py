@@ -79,6 +79,11 @@ def test_the_wrong_entries_are_marked_for_people(nmatrix):
         ('check eye "0 0 0" --normal 1 0 0', 2, "check normal"),
         ('check eye "0 0 0" --tolerance -1', 2, "not negative"),
         ("check world --batch no-such.csv", 2, "no such file"),
+        ("check world --batch .", 2, "it is a folder"),
+        ("check exercise 3 c --scale 1 2 1", 2, "numbers of its own"),
+        ("check exercise 3 c --unit", 2, "numbers of its own"),
+        ("check exercise 3 c --tolerance x", 2, "numbers of its own"),
+        ("check exercise 3 c --batch answers.csv", 2, "in the file"),
         ('check light "1 0 0" --light-position 1 2 3 --unit', 2, "only a direction"),
     ],
 )
@@ -108,7 +113,7 @@ def test_a_scene_without_an_answer_is_told_in_full(nmatrix, line, words):
     assert words in found["explanation"]
 
 
-CLASS = """student,answer
+DAMAGED = """student,answer
 Ada,"1 0 0; 0 0.5 0; 0 0 1"
 Bo,"1 0 0; 0 0.5 0; 0 0 1
 Cy,"1 0 0; 0 2 0; 0 0 1"
@@ -121,7 +126,7 @@ Gil,"1 0 0; 0 0.5 0; 0 0 1"
 
 def test_a_bad_row_costs_only_itself(nmatrix, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    Path("class.csv").write_text(CLASS.replace("LONG", "1" * 200_000))
+    Path("class.csv").write_text(DAMAGED.replace("LONG", "1" * 200_000))
     code, out, _ = nmatrix("check normal --scale 1 2 1 --batch class.csv -f json")
     assert code == 1
     rows = json.loads(out)["rows"]
