@@ -6,14 +6,18 @@ import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from nmatrix.classroom.topics import Part, Topic, part
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
 from nmatrix.output.pages.document import Document, PageFormat, Paper
-from nmatrix.output.pages.write import write
+from nmatrix.output.pages.write import WITH_PICTURES_BESIDE, write
 from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
 from nmatrix.scene.shot import Shot
 from nmatrix.version import __version__
+
+if TYPE_CHECKING:
+    from nmatrix.lessons.exercises.exercise import Exercise
 
 TITLE = "Normals, spaces and lights"
 
@@ -38,22 +42,33 @@ class Plan:
 
 @dataclass(frozen=True)
 class Written:
-    """The files of one student: the sheet, its pictures, and the key if it was asked for."""
+    """The files of one student: the sheet, and the key if it was asked for."""
 
     sheet: bytes
     key: bytes | None
-    pictures: tuple[tuple[str, bytes], ...]
 
 
 def written(plan: Plan, sheet: Sheet) -> Written:
     """Return the files of one student."""
     document = handout(plan, sheet)
     key = write(key_of(plan, sheet), plan.kind) if plan.with_key else None
-    return Written(write(document, plan.kind), key, tuple(document.pictures.items()))
+    return Written(write(document, plan.kind), key)
+
+
+def pictures_beside(plan: Plan) -> dict[str, bytes]:
+    """Return the pictures that lie beside every sheet, by name; HTML and PDF hold theirs."""
+    return dict(_theory(plan)[1]) if plan.kind in WITH_PICTURES_BESIDE else {}
 
 
 def handout(plan: Plan, sheet: Sheet) -> Document:
     """Return the sheet of one student."""
+    theory, pictures = _theory(plan)
+    blocks = (*theory, *_asked(plan, sheet))
+    return Document(TITLE, blocks, _whose(plan, sheet), pictures, plan.note, plan.paper)
+
+
+def _theory(plan: Plan) -> tuple[list[Block], dict[str, bytes]]:
+    """Return what all sheets of a run have in common, and its pictures."""
     blocks: list[Block] = []
     pictures: dict[str, bytes] = {}
     for topic in plan.topics:
@@ -61,19 +76,23 @@ def handout(plan: Plan, sheet: Sheet) -> Document:
             found = _common(topic, plan.shot)
             blocks += [_beside(one, plan.prefix) for one in found.blocks]
             pictures |= {plan.prefix + name: one for name, one in found.pictures.items()}
-    blocks += _asked(plan, sheet)
-    return Document(TITLE, tuple(blocks), _whose(plan, sheet), pictures, plan.note, plan.paper)
+    return blocks, pictures
 
 
 def key_of(plan: Plan, sheet: Sheet) -> Document:
     """Return the worked answers to a student's exercises."""
-    from nmatrix.lessons.exercises.sheet import exercises
-
     blocks: list[Block] = []
-    for one in exercises(plan.exercises, sheet):
+    for one in _exercises(plan.exercises, sheet):
         blocks += [Heading(one.title), *one.key]
     title = f"{TITLE}: the key"
     return Document(title, tuple(blocks), _whose(plan, sheet), {}, plan.note, plan.paper)
+
+
+@lru_cache(maxsize=1)  # a sheet and its key have the same ones
+def _exercises(count: int, sheet: Sheet) -> tuple[Exercise, ...]:
+    from nmatrix.lessons.exercises.sheet import exercises  # a sheet without any starts sooner
+
+    return exercises(count, sheet)
 
 
 @lru_cache(maxsize=32)  # a class shares its theory and its pictures
@@ -87,9 +106,7 @@ def _beside(block: Block, prefix: str) -> Block:
 
 def _asked(plan: Plan, sheet: Sheet) -> Iterator[Block]:
     if Topic.EXERCISES in plan.topics:
-        from nmatrix.lessons.exercises.sheet import exercises
-
-        for one in exercises(plan.exercises, sheet):
+        for one in _exercises(plan.exercises, sheet):
             yield Heading(one.title)
             yield from one.task
             yield Blank(*one.cells)

@@ -132,20 +132,20 @@ def handout(
 
 def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
     """Write one sheet, its pictures where they stand beside it, and its key."""
-    from nmatrix.classroom.handout import written
+    from nmatrix.classroom.handout import pictures_beside, written
     from nmatrix.output.pages.write import WITH_PICTURES_BESIDE
 
     path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")
     key = path.with_name(f"{path.stem}-key{path.suffix}")
     refuse_existing([path, key] if plan.with_key else [path], force=options.force)
     has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
-    found = written(replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else ""), of.sheet)
+    plan = replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else "")
+    found = written(plan, of.sheet)
     contents = [(path, found.sheet)]
     if found.key is not None:
         contents.append((key, found.key))
-    if has_pictures_beside:
-        beside = [(path.with_name(name), content) for name, content in found.pictures]
-        contents += [(one, content) for one, content in beside if not _is_there(one, content)]
+    beside = [(path.with_name(name), one) for name, one in pictures_beside(plan).items()]
+    contents += [(place, one) for place, one in beside if not _is_there(place, one)]
     refuse_existing([target for target, _ in contents], force=options.force)
     for target, content in contents:
         write_file(target, content, force=options.force)

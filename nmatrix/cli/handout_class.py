@@ -27,9 +27,10 @@ def write_class(
 
     Return all of its files, and how many were written.
     """
+    from nmatrix.classroom.handout import pictures_beside
     from nmatrix.classroom.manifest import manifest
     from nmatrix.classroom.roster import COLUMN, students
-    from nmatrix.classroom.run import Job, all_of
+    from nmatrix.classroom.run import Job, finished
 
     if of.student is not None:
         raise IllegalValueError(
@@ -45,13 +46,12 @@ def write_class(
     jobs = [Job(plan, one, of.seed, salt) for one in everyone]
     with workers.executor() as executor:  # refused before anything is written
         missing = _begun(folder, wanted, jobs, force=force)
-        for job, found in progress(all_of(missing, executor), len(missing), "writing sheets"):
+        for name, content in pictures_beside(plan).items():
+            write_file(folder / name, content, force=True)
+        for job, found in progress(finished(missing, executor), len(missing), "writing sheets"):
             contents = (found.sheet,) if found.key is None else (found.sheet, found.key)
             for name, content in zip(job.files, contents, strict=True):
                 write_file(folder / name, content, force=True)
-            for name, content in found.pictures:
-                if plan.kind not in (PageFormat.HTML, PageFormat.PDF):
-                    write_file(folder / name, content, force=True)
     made = sum(len(job.files) for job in missing)
     return [folder / name for job in jobs for name in job.files], made
 

@@ -91,7 +91,9 @@ def nonuniform() -> tuple[list[Step], str]:
             "a diagonal matrix is its own transpose, and its inverse divides",
             proved=equal(S.T * inverse, sp.eye(3)),
         ),
-        *_on_one_normal(sp.diag(1, 2, 1), sp.Matrix([1, 1, 0]), sp.Matrix([1, -1, 0])),
+        *_on_one_normal(
+            sp.diag(1, 2, 1), sp.Matrix([1, 1, 0]), sp.Matrix([1, -1, 0]), sp.Rational(3, 4)
+        ),
         *_on_tangents_and_lengths(),
     ]
     return steps, (
@@ -152,18 +154,18 @@ def shear() -> tuple[list[Step], str]:
             "its inverse transpose shears y along x, and with the other sign",
             proved=equal(H.T * K, sp.eye(3)),
         ),
-        *_on_one_normal(H.subs(h, 1), sp.Matrix([1, 0, 0]), sp.Matrix([0, 1, 0])),
+        *_on_one_normal(H.subs(h, 1), sp.Matrix([1, 0, 0]), sp.Matrix([0, 1, 0]), sp.Integer(1)),
     ]
     return steps, "det A = 1 proves nothing: only AᵀA = s² I lets A itself carry normals."
 
 
-def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> list[Step]:
-    """Carry one normal both ways and measure both against the moved tangent."""
+def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix, tangent: sp.Expr) -> list[Step]:
+    """Carry one normal both ways, measure both against the moved tangent, then each other."""
     wrong, right = A_ * n, cofactors(A_) * n / determinant(A_)
     return [
         _chosen(A_, n, t),
         *_against_tangent(A_ * t, wrong, right),
-        _angle_between(wrong, right),
+        _angle_between(wrong, right, tangent),
     ]
 
 
@@ -208,14 +210,12 @@ def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> 
     ]
 
 
-def _angle_between(wrong: sp.Matrix, right: sp.Matrix) -> Step:
-    """Prove tan θ by Lagrange's identity: |a × b|² = a² b² − (a · b)²."""
-    along = wrong.dot(right)
-    tangent = wrong.cross(right).norm() / along
+def _angle_between(wrong: sp.Matrix, right: sp.Matrix, tangent: sp.Expr) -> Step:
+    """Prove tan θ = |a × b| / (a · b) to be the number that is claimed."""
     return step(
         formula(words("tan θ", r"\tan\theta"), EQUALS, tangent),
         "θ is the angle between the two",
-        proved=equal(tangent**2 * along**2, wrong.dot(wrong) * right.dot(right) - along**2),
+        proved=equal(wrong.cross(right).norm() / wrong.dot(right), tangent),
     )
 
 

@@ -17,7 +17,7 @@ from nmatrix.lessons.symbols import (
     generic_vector,
     polynomials,
 )
-from nmatrix.linear.rational import adjugate, apply, cofactor, dot
+from nmatrix.linear.rational import adjugate, apply, cofactor, dot, product, transpose
 from nmatrix.report import Step
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def lightdirection() -> tuple[list[Step], str]:
 def _the_rule() -> list[Step]:
     M, _, light, n, _, _ = polynomials()
     world, moved = apply(cofactor(M), n), apply(adjugate(M), light)  # both times det A
-    top, lengths = dot(world, light), dot(world, world) * dot(light, light)
+    measured = apply(adjugate(product(transpose(M), M)), n)  # (AᵀA)⁻¹ n, times det A twice
     return [
         step(
             formula(
@@ -46,7 +46,7 @@ def _the_rule() -> list[Step]:
             ),
             "the product of a normal and a direction is the same in both spaces, if the normal "
             "moves by the inverse transpose and the direction by the inverse",
-            proved=top == dot(n, moved),
+            proved=dot(world, light) == dot(n, moved),
         ),
         step(
             formula(
@@ -57,8 +57,9 @@ def _the_rule() -> list[Step]:
                     r"\frac{n \cdot (A^{-1} l)}{|A^{-\mathsf T} n|\,|l|}",
                 ),
             ),
-            "so the exact cosine needs one more length, that of A⁻ᵀ n: the metric",
-            proved=top**2 * lengths == dot(n, moved) ** 2 * lengths,
+            "so the exact cosine needs one more length, that of A⁻ᵀ n, whose square is "
+            "nᵀ (AᵀA)⁻¹ n: the metric",
+            proved=dot(world, world) == dot(n, measured),
         ),
     ]
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from nmatrix.lessons.notation import EQUALS, formula, words
 from nmatrix.lessons.steps import equal, step
-from nmatrix.lessons.symbols import generic_vector
+from nmatrix.lessons.symbols import generic_matrix, generic_vector
 from nmatrix.report import Step
 
 
@@ -91,11 +91,10 @@ def _gate() -> Step:
 
 
 def _towards_the_eye() -> Step:
-    import sympy as sp
-
-    p = generic_vector("p")
+    R, e, x = generic_matrix("r"), generic_vector("e"), generic_vector("x")
+    p = R * x - R * e  # V = R · T(−e) takes x to p, and the eye e to the origin
     return step(
         formula(words("v = −p / |p|", r"v = -\frac{p}{|p|}")),
         "in camera space the eye is the origin, so the vector to it is minus the position",
-        proved=equal(sp.zeros(3, 1) - p, -p),
+        proved=equal(R * (e - x), -p),
     )

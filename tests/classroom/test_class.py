@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import threading
 from pathlib import Path
 
 import pytest
 
+from nmatrix.classroom import run as running
 from nmatrix.classroom.handout import Plan, handout, written
 from nmatrix.classroom.manifest import files_of
 from nmatrix.classroom.topics import Topic
@@ -132,3 +134,29 @@ def test_a_pipe_is_written_to_and_not_replaced(tmp_path: Path) -> None:
     reader.join(timeout=10)
     assert read == [b"content"]
     assert pipe.is_fifo()
+
+
+def test_a_lost_picture_comes_back(nmatrix) -> None:
+    line = f"{roster('Ada')} --topics proofs,exercises --to md"
+    assert nmatrix(line)[0] == 0
+    pictures = sorted(Path("out").glob("*.png"))
+    assert pictures
+    pictures[0].unlink()
+    assert nmatrix(line)[0] == 0
+    assert sorted(Path("out").glob("*.png")) == pictures
+
+
+def test_a_killed_process_is_told_and_the_next_run_goes_on(nmatrix, monkeypatch) -> None:
+    original = running.run
+    monkeypatch.setattr(running, "run", _dies)
+    code, _, err = nmatrix(f"{roster('Ada', 'Bo', 'Cy')} --workers 2")
+    assert code == 2
+    assert "killed" in err
+    assert err.count("\n") == 1
+    monkeypatch.setattr(running, "run", original)
+    assert nmatrix(roster("Ada", "Bo", "Cy"))[0] == 0
+    assert len(sheets()) == 3
+
+
+def _dies(job: object) -> None:
+    os.kill(os.getpid(), signal.SIGKILL)

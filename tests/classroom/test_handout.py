@@ -314,7 +314,7 @@ def test_a_cluster_loses_a_worker_and_no_sheet(nmatrix, monkeypatch) -> None:
             with distributed.Client(address) as client:
                 client.wait_for_workers(2, timeout=60)
             arrived: list[str] = []
-            original = running.all_of
+            original = running.finished
 
             def watched(jobs, executor):
                 for i, found in enumerate(original(jobs, executor)):
@@ -323,7 +323,7 @@ def test_a_cluster_loses_a_worker_and_no_sheet(nmatrix, monkeypatch) -> None:
                     arrived.append(found[0].student.name)
                     yield found
 
-            monkeypatch.setattr(running, "all_of", watched)
+            monkeypatch.setattr(running, "finished", watched)
             line = f"handout --roster class.csv --exercises 10 --dask {address} -o out"
             assert nmatrix(line)[0] == 0
         finally:

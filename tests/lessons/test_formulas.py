@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from nmatrix.lessons import bound, lighting, reflecting, steps
+from nmatrix.lessons import bound, examples, lighting, reflecting, steps
 from nmatrix.lessons.cases import TITLES, chosen
 from nmatrix.lessons.derive import LESSONS, derive
 from nmatrix.lessons.formulas.mathml import mathml
@@ -88,6 +88,9 @@ def unproved(lesson) -> int:
 
 MUTANTS = {
     "light by another rule": (lighting, "adjugate", lambda A: A, lighting.lightdirection),
+    "a length by another metric": (
+        lighting, "product", lambda A, B: B, lighting.lightdirection,
+    ),
     "the eye by other cofactors": (
         lighting, "cofactors", lambda A: A.T, lighting.eye,
     ),
@@ -105,6 +108,15 @@ def test_a_broken_link_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch)
     assert unproved(lesson) == 0
     monkeypatch.setattr(module, attribute, mutant)
     assert unproved(lesson) > 0
+
+
+def test_another_angle_is_not_proved() -> None:
+    import sympy as sp
+
+    wrong, right = sp.Matrix([1, 2, 0]), sp.Matrix([2, 1, 0])
+    assert examples._angle_between(wrong, right, sp.Rational(3, 4)).verified
+    assert not examples._angle_between(wrong, right, sp.Rational(2, 3)).verified
+    assert not examples._angle_between(sp.Matrix([5, 7, 1]), right, sp.Rational(3, 4)).verified
 
 
 def test_the_bound_is_not_proved_for_another_power() -> None:
