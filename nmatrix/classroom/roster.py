@@ -24,7 +24,7 @@ class Student:
 
 
 def students(records: Iterable[Record], source: str) -> tuple[Student, ...]:
-    """Return the students of a list; two of the same name get the same exercises, and say so.
+    """Return the students of a list, in its order.
 
     Raises
     ------

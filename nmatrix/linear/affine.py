@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from operator import mul
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError, NoAnswerError
@@ -16,7 +17,6 @@ from nmatrix.linear.rational import (
     ZERO,
     RationalMatrix,
     affine,
-    diagonal,
     identity,
     product,
     rational_vector,
@@ -139,7 +139,10 @@ def compose(
     >>> to_floats(compose(identity(3), scale=(1, 2, 1), translate=(5, 0, 0)))[0:2]
     ((1.0, 0.0, 0.0, 5.0), (0.0, 2.0, 0.0, 0.0))
     """
-    block = product(turned, diagonal(rational_vector(scale)), shear_matrix(shear))
+    stretch = rational_vector(scale)
+    block = tuple(tuple(map(mul, row, stretch)) for row in turned)  # R · diag(scale)
+    if any(shear):
+        block = product(block, shear_matrix(shear))
     return affine(block, rational_vector(translate))
 
 

@@ -87,6 +87,8 @@ def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
     as it is.
     """
     pairs = [(x, y) for x, y in zip(a, b, strict=True) if x and y]
+    if len(pairs) < 2:  # most rows of most matrices here are nearly empty
+        return pairs[0][0] * pairs[0][1] if pairs else ZERO
     try:
         terms = [(x.numerator * y.numerator, x.denominator * y.denominator) for x, y in pairs]
     except AttributeError:

@@ -96,7 +96,12 @@ class Exercise:
 class Computed:
     """An answer of numbers, judged against the scene."""
 
-    question: Question
+    by: Judge
+
+    @property
+    def question(self) -> Question:
+        """Return what is asked for."""
+        return self.by.question
 
     def answer(self, text: str) -> Answer:
         """Return the numbers."""
@@ -104,7 +109,7 @@ class Computed:
 
     def judge(self, text: str) -> Judgement:
         """Return the judgement of numbers."""
-        return Judge(self.question).judge(self.answer(text))
+        return self.by.judge(self.answer(text))
 
 
 LETTERS = "abcdefgh"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 
 from nmatrix.enums import Space
@@ -21,7 +21,7 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
 )
-from nmatrix.report import Block, Formula, Text
+from nmatrix.report import Block, Formula, Number, Text
 from nmatrix.scene.camera import View
 from nmatrix.scene.shot import LightSource, Shot
 from nmatrix.scene.world import World
@@ -180,8 +180,8 @@ def _quarter_turn(draws: Draws) -> Vector:
     return tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
 
 
-def _listed(values: object) -> str:
-    return f"({', '.join(written(Fraction(value)) for value in values)})"  # type: ignore[attr-defined]  # a sequence of numbers
+def _listed(values: Iterable[Number]) -> str:
+    return f"({', '.join(written(Fraction(value)) for value in values)})"
 
 
 def _computed(
@@ -208,7 +208,7 @@ def _computed(
         cells,
         (*steps, answer_formula(right, is_vector=question.is_vector)),
         typed(right),
-        Computed(question),
+        Computed(judge),
         wrong,
     )
 
@@ -217,21 +217,21 @@ def _shown_mistakes(judge: Judge, planned: tuple[MistakeId, ...]) -> tuple[Plann
     """Return the first answer of each planned mistake, if all of them show and differ."""
     found: list[Planned] = []
     for mistake in planned:
-        values = [one.value for one in judge.singles if one.mistakes == (mistake,)]
-        texts = [typed((value[0][:3],) if judge.question.is_vector else value) for value in values]
-        named = [text for text in texts if _is_named(judge, mistake, text)]
-        if not named or named[0] in (one.text for one in found):
+        values = (one.value for one in judge.singles if one.mistakes == (mistake,))
+        texts = (typed((value[0][:3],) if judge.question.is_vector else value) for value in values)
+        named = next((text for text in texts if _is_named(judge, mistake, text)), None)
+        if named is None or named in (one.text for one in found):
             return None
-        found.append(Planned(mistake, named[0]))
+        found.append(Planned(mistake, named))
     return tuple(found)
 
 
 def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
-    found = Computed(judge.question).answer(text)
+    found = Computed(judge).answer(text)
     judged = judge.judge(found)
     return judged.verdict is Outcome.MISTAKE and judged.mistakes == (mistake,)
 
 
 def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
-    """Return the right answer for the key; a decimal stands beside what is no short fraction."""
+    """Return the right answer for the key."""
     return equation("answer = ", column(right[0]) if is_vector else right)

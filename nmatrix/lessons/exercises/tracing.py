@@ -54,7 +54,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
         (3, 1),
         _key(shot, point, right),
         typed((right[:3],)),
-        _Divided(judge.question, judge),
+        _Divided(judge),
         tuple(Planned(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
     )
 
@@ -76,8 +76,6 @@ class _Known(Judge):
 @dataclass(frozen=True)
 class _Divided(Computed):
     """Numbers that must have been divided by w: of four, the last one is 1."""
-
-    by: Judge
 
     def judge(self, text: str) -> Judgement:
         """Return the judgement of numbers."""
