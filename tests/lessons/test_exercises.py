@@ -8,12 +8,12 @@ from fractions import Fraction
 import pytest
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.lessons.check.judge import Outcome
+from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.exercises import scheme
 from nmatrix.lessons.exercises import sheet as sheets
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind
+from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Kind
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
 from nmatrix.lessons.exercises.tracing import UNDIVIDED
@@ -141,7 +141,9 @@ def test_a_planned_mistake_is_found_by_its_rule_and_not_by_its_text(monkeypatch)
     one = exercise(2, Sheet("1", "x"))
     planned = {each.mistake: each.text for each in one.planned}
     monkeypatch.delitem(wrong.RULES[Subject.NORMAL], MistakeId.NOT_TRANSPOSED)
-    assert one.judge(planned[MistakeId.NOT_TRANSPOSED]).mistake != "not-transposed"
+    assert isinstance(one.grader, Computed)
+    afresh = Computed(Judge(one.grader.question))
+    assert afresh.judge(planned[MistakeId.NOT_TRANSPOSED]).mistake != "not-transposed"
 
 
 def test_choices_take_a_letter_the_words_or_the_id() -> None:
