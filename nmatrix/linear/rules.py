@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees
 
 from nmatrix.enums import NormalMethod, NormalRule, NormalStatus
 from nmatrix.linear.exact import LinearMap, Normal
@@ -23,7 +22,7 @@ from nmatrix.linear.rational import (
     to_floats,
     transpose,
 )
-from nmatrix.linear.rounding import angle, integers, unit
+from nmatrix.linear.rounding import integers, unit
 
 
 @dataclass(frozen=True)
@@ -63,19 +62,17 @@ def normal_rule(method: NormalMethod, linear_map: LinearMap) -> RationalMatrix |
 def carried_by(
     matrix: RationalMatrix | None, linear_map: LinearMap, normal_object: Sequence[float | Fraction]
 ) -> Normal:
-    """Return what a rule's matrix makes of a normal, at length one."""
+    """Return what a rule's matrix makes of a normal, at length one.
+
+    How far off A itself is does not depend on the rule: it is measured against the right normal.
+    """
     n = [Fraction(component) for component in normal_object]
     carried = [] if matrix is None else integers(apply(matrix, n))[0]
     if not any(carried):
         reason = "this rule has no answer here" if matrix is None else "this rule gives length 0"
         return Normal(None, NormalStatus.UNDEFINED, reason, None)
-    moved = integers(apply(_entries(linear_map), n))[0]
-    return Normal(
-        unit(carried),
-        NormalStatus.OK,
-        "",
-        degrees(angle(moved, carried)) if any(moved) else None,
-    )
+    without = linear_map.normal(n).angle_without_deg
+    return Normal(unit(carried), NormalStatus.OK, "", without)
 
 
 @dataclass(frozen=True)
