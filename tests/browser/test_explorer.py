@@ -165,6 +165,25 @@ def test_its_pictures_are_the_rasterizers(opened, file, space, rule, more) -> No
         assert (ours != 237).mean() > 0.05, "something is drawn"
 
 
+def test_what_is_flattened_has_one_shade(opened, file) -> None:
+    """Both sides lie in one place; the one that is turned to the eye is seen, and no other."""
+    found = opened(file, "#sy=0")
+    drawn = picture(found, "right").reshape(-1, 3)
+    drawn = drawn[(drawn != 237).any(axis=1)]
+    _, counts = np.unique(drawn, axis=0, return_counts=True)
+    assert len(drawn) > 0.02 * SIZE**2
+    assert counts.max() > 0.95 * len(drawn)
+    assert "does not exist" in found.locator("#right-name").inner_text()
+
+
+def test_the_shader_in_use_can_be_read(opened, file) -> None:
+    found = opened(file, "#space=camera")
+    pair = page_data(SHOT)["shaders"]["camera"]
+    text = found.locator("#shader").text_content()
+    assert text.startswith(pair["vertex"])
+    assert text.endswith(pair["fragment"])
+
+
 def test_two_wrong_pictures_would_not_pass(opened, file) -> None:
     found = opened(file)
     off = np.abs(picture(found, "wrong") - picture(found, "right")).max(axis=2)

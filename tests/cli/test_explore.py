@@ -79,3 +79,9 @@ def test_nothing_is_overwritten_or_put_nowhere(nmatrix, line: str, words: str) -
     assert code == 2
     assert words in err
     assert Path("explore.html").read_text() == "mine"
+
+
+def test_without_a_scene_the_page_starts_where_there_is_something_to_see(nmatrix) -> None:
+    assert nmatrix("explore")[0] == 0
+    found = start("explore.html")
+    assert [found[key] for key in ("sx", "sy", "sz", "lx", "ly", "lz")] == [1, 2, 1, -1, -1, -1]

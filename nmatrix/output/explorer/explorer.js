@@ -151,10 +151,13 @@ class View {
     this.buffers[name] ??= gl.createBuffer();
     gl.bindBuffer(kind, this.buffers[name]); gl.bufferData(kind, values, gl.DYNAMIC_DRAW);
   }
-  draw(mesh, uniforms, space) {
+  // What is flattened has both sides in one place: only those that are turned to the eye are drawn.
+  draw(mesh, uniforms, space, isFlattened) {
     const gl = this.gl, program = this.program(space);
     gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
-    gl.clearColor(...data.background, 1); gl.enable(gl.DEPTH_TEST); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.clearColor(...data.background, 1); gl.enable(gl.DEPTH_TEST);
+    (isFlattened ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     if (!uniforms) return;
     gl.useProgram(program);
     for (const [place, name] of [[0, "positions"], [1, "normals"]]) {
@@ -220,6 +223,8 @@ function update() {
   const W = ruleMatrix(state.rule, found.A), size = W ? angles(mesh, found.A, W) : { largest: 0, mean: 0 };
   byId("verdict").textContent = verdict(found, size, W);
   byId("wrong-name").textContent = data.rules[state.rule];
+  byId("right-name").textContent = found.N ? "the inverse transpose" : "the cofactors, since A⁻ᵀ does not exist";
+  byId("shader").textContent = glsl();
   byId("numbers").innerHTML = matrixTable("A", found.A) + matrixTable("A⁻ᵀ", found.N) + matrixTable("cofactors", found.C) + `<div class="matrix">det A = ${shown(found.det)}</div>`;
   byId("command").textContent = command(found);
   for (const side of ["wrong", "right"]) {
@@ -236,7 +241,7 @@ function update() {
         if (state.space === "static") drawn = baked(mesh, found.M, ruleMatrix(rule, found.A));
       }
     }
-    view.draw(drawn, uniforms, state.space);
+    view.draw(drawn, uniforms, state.space, found.det === 0);
   }
   byId("state").textContent = JSON.stringify({ A: found.A, N: found.N, C: found.C, det: found.det, ...size, errors: Object.values(views).flatMap((view) => view.errors) });
 }
