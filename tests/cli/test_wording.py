@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shlex
 
 import pytest
@@ -34,3 +35,14 @@ def test_the_sentence_says_what_it_is(
 def test_only_a_rotation_is_called_one(capsys: pytest.CaptureFixture[str], sign: int) -> None:
     run(["world", "--scale", str(sign), "1", "1", "--rotate", "10", "20", "30"])
     assert ("is a rotation" in capsys.readouterr().out) == (sign > 0)
+
+
+@pytest.mark.parametrize("method", ["exact", "cofactor", "inverse"])
+def test_how_far_a_itself_is_off_does_not_depend_on_the_method(
+    capsys: pytest.CaptureFixture[str], method: str
+) -> None:
+    for scale, off in (("-1 1 1", 0.0), ("-1 2 1", 36.86989764584402)):
+        line = f"normal --scale {scale} --normal 1 1 0 --method {method} -f json"
+        run(shlex.split(line))
+        found = json.loads(capsys.readouterr().out)["normals"][0]
+        assert found["without_deg"] == pytest.approx(off, abs=1e-12)

@@ -216,7 +216,7 @@ def _proof(
 
 
 def _title(subject: str, found: Classification) -> str:
-    kind = found.kind.value.replace("-", " ")
+    kind = found.kind.value.replace("-scale", " scale")
     if found.condition is None:
         return f"{subject}: {kind}, rank {found.rank}"
     bound = found.worst_angle_deg or 0.0
