@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.answers.wording import transform_blocks, transform_data, transform_remarks
 from nmatrix.enums import NormalMethod, NormalStatus, Space
 from nmatrix.errors import NoAnswerError
+from nmatrix.lessons.kinds import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import LinearMap, Normal
 from nmatrix.linear.rational import RationalMatrix

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from nmatrix.answers.wording import transform_remarks
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError
+from nmatrix.lessons.kinds import transform_remarks
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.classify import Classification, classify

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.answers.wording import transform_blocks, transform_data, transform_remarks
 from nmatrix.enums import NormalMethod
+from nmatrix.lessons.kinds import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import classify
 from nmatrix.linear.decompose import Parts, parts
 from nmatrix.linear.rules import normal_rule

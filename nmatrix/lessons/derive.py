@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
-from nmatrix.answers.wording import transform_remarks, verdict
 from nmatrix.lessons import derivations, examples, lighting, reflecting, sides
 from nmatrix.lessons.cases import TITLES, chosen
+from nmatrix.lessons.kinds import transform_remarks, verdict
 from nmatrix.lessons.own import own_matrix
 from nmatrix.linear.classify import classify
 from nmatrix.report import Block, Heading, Report, Step, Value, Verdict
