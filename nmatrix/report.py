@@ -93,11 +93,21 @@ class Code:
 
 @dataclass(frozen=True)
 class Figure:
-    """A picture file with the sentence that replaces it for those who cannot see it."""
+    """A picture file with the sentence that replaces it for those who cannot see it.
+
+    Raises
+    ------
+    ValueError
+        If there is no such sentence.
+    """
 
     path: str
     alternative: str
     caption: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.alternative.strip():
+            raise ValueError(f"the picture {self.path} needs words for those who cannot see it")
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,6 @@ nmatrix handout --roster class.csv --seed 7 --to pdf --key -o sheets
 A printable sheet: theory, numbers, pictures, exercises; or one for everybody in a class.""",
 }
 
-MOST_EXERCISES = 100
 USUAL_EXERCISES = 10
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 
@@ -83,12 +82,12 @@ class HandoutOptions:
 
     def count(self) -> int:
         """Return how many exercises there are."""
+        from nmatrix.lessons.exercises.sheet import MOST
+
         typed = str(USUAL_EXERCISES) if self.exercises is None else self.exercises
-        if typed.isascii() and typed.isdigit() and 1 <= int(typed[:9]) <= MOST_EXERCISES:
+        if typed.isascii() and typed.isdigit() and len(typed) < 9 and 1 <= int(typed) <= MOST:
             return int(typed)
-        raise IllegalValueError(
-            f"--exercises ({typed[:20]})", f"a sheet has 1 to {MOST_EXERCISES}", "try 10"
-        )
+        raise IllegalValueError(f"--exercises ({typed[:20]})", f"a sheet has 1 to {MOST}", "try 10")
 
 
 def handout(

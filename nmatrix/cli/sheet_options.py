@@ -64,13 +64,9 @@ class SheetOptions:
     @property
     def sheet(self) -> Sheet:
         """Return whose sheet it is."""
-        return self.sheet_of(self.student or "")
-
-    def sheet_of(self, student: str) -> Sheet:
-        """Return a student's sheet."""
         from nmatrix.lessons.exercises.scheme import Sheet
 
-        return Sheet(self.seed, student, self.salt_read)
+        return Sheet(self.seed, self.student or "", self.salt_read)
 
     def refuse(self, what: str) -> None:
         """Refuse these options where there are no exercises."""

@@ -15,7 +15,6 @@ from nmatrix.classroom.handout import Plan, handout, key_of, written
 from nmatrix.classroom.roster import slug, students
 from nmatrix.classroom.topics import Topic
 from nmatrix.cli.app import run
-from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.pitfalls import PITFALLS
 from nmatrix.output.pages.document import Document, PageFormat, Paper
@@ -173,14 +172,20 @@ def test_pdflatex_accepts_a_whole_sheet_and_fills_no_line_too_far(tmp_path) -> N
         assert all(float(width) < 8 for width in widest), widest
 
 
-def test_a_picture_without_words_is_refused() -> None:
+def test_a_picture_without_words_is_refused_in_every_format() -> None:
+    for words in ("", " "):
+        with pytest.raises(ValueError, match="needs words"):
+            Figure("a.png", words)
+
+
+def test_a_pdf_refuses_a_picture_without_words_by_itself(monkeypatch) -> None:
     typst_or_skip()
     import typst
 
-    with pytest.raises(typst.TypstError):
-        write(
-            Document("t", (Figure("a.png", ""),), pictures={"a.png": b"no picture"}), PageFormat.PDF
-        )
+    figure = Figure("a.png", "words")
+    object.__setattr__(figure, "alternative", "")
+    with pytest.raises(typst.TypstError, match="alt"):
+        write(Document("t", (figure,), pictures={"a.png": a_picture()}), PageFormat.PDF)
 
 
 def test_the_key_is_another_document_and_not_on_the_sheet() -> None:
@@ -404,8 +409,3 @@ def test_students_of_one_class_have_different_sheets() -> None:
     plan = Plan((Topic.EXERCISES,), Shot(), 10)
     found = {written(plan, Sheet("1", f"s{i}")).sheet for i in range(12)}
     assert len(found) == 12
-
-
-def test_an_unknown_refusal_is_ours() -> None:
-    with pytest.raises(IllegalValueError):
-        students([], "x")

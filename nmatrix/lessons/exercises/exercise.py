@@ -38,10 +38,6 @@ class Grader(Protocol):
         """Return the judgement of a typed answer."""
         ...
 
-    def answer(self, text: str) -> Answer:
-        """Return the answer as it was understood."""
-        ...
-
 
 @dataclass(frozen=True)
 class Planned:
@@ -147,10 +143,6 @@ class Choice:
     def letter(self) -> str:
         """Return the letter of the right one."""
         return LETTERS[self.right]
-
-    def answer(self, text: str) -> Answer:
-        """Return the place of the option that was chosen, counted from 1."""
-        return Answer(((Fraction(self._chosen(text) + 1),),), ((None,),))
 
     def judge(self, text: str) -> Judgement:
         """Return the judgement of a choice."""
