@@ -5,6 +5,7 @@ The lines are built as styled spans and become characters at the very end.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from textwrap import wrap
@@ -34,6 +35,7 @@ from nmatrix.report import (
 
 INDENT = Span("  ")
 BLANK = 6  # characters of a cell to fill in
+_PLACE_IN_A_LIST = re.compile(r"^.*\.\d+\.")  # of a key such as spaces.0.space_from_world
 LABEL = 30  # the widest label that others are lined up with
 BULLETS = {Charset.UNICODE: "•", Charset.ASCII: "*"}
 RULES = {Charset.UNICODE: "─", Charset.ASCII: "-"}
@@ -146,7 +148,8 @@ class _Writer:
             return self._labelled([block])
         title = "" if block.title == block.key else block.title
         about = [part for part in (title, block.unit and f"in {block.unit}") if part]
-        head = [Span(self._spelled(block.key), Style.TITLE)]
+        name = _PLACE_IN_A_LIST.sub("", block.key)
+        head = [Span(self._spelled(name), Style.TITLE)]
         if about:
             head.append(Span(self._spelled(": " + ", ".join(about))))
         lines = draw_matrix(block.value, self.options)

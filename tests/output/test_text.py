@@ -116,7 +116,7 @@ def test_prose_tables_and_steps_keep_the_width(words: str, rows: list) -> None:
         Table(("what", "a long name for a column of numbers"), tuple(rows), words),
         Step(formula, words, verified=True),
         Verdict(words),
-        Figure("a.png", words, "caption"),
+        Figure("a.png", f"seen: {words}", "caption"),
         remarks=(words,),
     )
     assert max(map(len, found.splitlines())) <= 80
