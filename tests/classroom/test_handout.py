@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from nmatrix.classroom import run as running
-from nmatrix.classroom.handout import Plan, handout, key_of, written
+from nmatrix.classroom.handout import Plan, handout, key_of, pictures_beside, written
 from nmatrix.classroom.roster import slug, students
 from nmatrix.classroom.topics import Topic
 from nmatrix.cli.app import run
@@ -160,7 +160,8 @@ def test_pdflatex_accepts_a_whole_sheet_and_fills_no_line_too_far(tmp_path) -> N
         pytest.skip("pdflatex is not installed")
     plan = Plan(tuple(Topic), Shot(World(scale=(1, 2, 1))), 10, PageFormat.TEX, with_key=True)
     found = written(plan, Sheet("1", f"Łucja {EVIL}"))
-    for name, content in (("sheet.tex", found.sheet), ("key.tex", found.key), *found.pictures):
+    beside = pictures_beside(plan).items()
+    for name, content in (("sheet.tex", found.sheet), ("key.tex", found.key), *beside):
         (tmp_path / name).write_bytes(content)
     for name in ("sheet.tex", "key.tex"):
         done = subprocess.run(
