@@ -110,6 +110,7 @@ def test_every_printed_page_says_whose_it_is() -> None:
         ("Ada", " --student Ada"),
         ("Lovelace, Ada", ' --student "Lovelace, Ada"'),
         ('O"x', " --student 'O\"x'"),
+        ("x" * 60, ' --student "YOUR NAME, AS IT STANDS ABOVE"'),
     ],
 )
 def test_a_sheet_says_how_to_check_it(student: str, words: str) -> None:
