@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
+from nmatrix.cli.check_exercise import GRADING, check_class, check_exercise
 from nmatrix.cli.check_exercise import NAME as EXERCISE
-from nmatrix.cli.check_exercise import check_class, check_exercise
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.sheet_options import SheetOptions
-from nmatrix.cli.show import show
+from nmatrix.cli.show import progress, show
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.tables import table
 from nmatrix.cli.world_options import LightOptions, WorldOptions
@@ -127,7 +127,8 @@ def check(
         from nmatrix.answers.grades import NEEDED, answers_to, grades
 
         judge = answers_to(question, everywhere.input_layout)
-        show(grades(table(batch, NEEDED), judge), everywhere)
+        rows = table(batch, NEEDED)
+        show(grades(progress(rows, len(rows), GRADING), judge), everywhere)
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.sheet_options import SheetOptions
-from nmatrix.cli.show import show
+from nmatrix.cli.show import progress, show
 from nmatrix.cli.tables import table
 from nmatrix.errors import IllegalValueError
 
 NAME = "exercise"
+GRADING = "grading answers"
 COLUMNS = ("student", "exercise", "answer")
 
 
@@ -36,4 +37,5 @@ def check_class(batch: str, of: SheetOptions, everywhere: Everywhere) -> None:
         raise IllegalValueError(
             "--student with --batch", "the students stand in the file", "leave it out"
         )
-    show(grades(table(batch, COLUMNS), exercises_of(of.seed, of.salt_read)), everywhere)
+    rows, judge = table(batch, COLUMNS), exercises_of(of.seed, of.salt_read)
+    show(grades(progress(rows, len(rows), GRADING), judge), everywhere)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from nmatrix.cli.everywhere import ColorWhen, Everywhere
@@ -67,7 +67,7 @@ def show_picture(image: Array, everywhere: Everywhere) -> None:
     put(preview(image, _width(), in_colour=in_colour))
 
 
-def progress(items: Iterator[Item], total: int, what: str) -> Iterator[Item]:
+def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
     """Return the items, with a bar on stderr while they come, if that is a terminal."""
     if total == 1 or not sys.stderr.isatty():
         yield from items
