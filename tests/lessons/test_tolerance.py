@@ -123,6 +123,13 @@ def test_a_nearly_symmetric_matrix_is_not_called_transposed(number) -> None:
     assert found.verdict is Outcome.UNKNOWN
 
 
+def test_zeros_with_decimals_tell_a_matrix_from_its_transpose_as_well() -> None:
+    shot = Shot(view=View(eye=(0.0001, 0.0001, -0.0003), target=(2.0001, -0.9999, -0.0003)))
+    rows = "0.0 0.0 1.0 0.0003; 0.4472 0.8944 0.0 -0.0001; -0.8944 0.4472 0.0 0.0000"
+    found = judged(Question(Subject.VIEW, shot), f"{rows}; 0.0 0.0 0.0 1.0")
+    assert "transposed-layout" not in (found.mistake or "")
+
+
 def test_a_rightly_rounded_direction_is_right_at_some_length() -> None:
     world = World(translate=(0, 0.25, 1), rotate_degrees=(17, 0, 0), scale=(0.0001, 1, 1))
     shot = Shot(world, View(eye=(3, -2, 0), target=(2, -3, 3)))

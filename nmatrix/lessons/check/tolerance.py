@@ -71,7 +71,13 @@ class Off:
         )
 
     def is_near_a_mistake(self) -> bool:
-        """Return whether the entry counts as that of a mistake: among its own kind alone."""
+        """Return whether the entry counts as that of a mistake: among its own kind alone.
+
+        A zero, however it was typed, does not stand for the largest of its kind there: exact zeros
+        are what tells a matrix from its transpose.
+        """
+        if self.zero is not Zero.NONE and self.difference > NOT_ALL * self.yardstick:
+            return False
         return self._is_near_in_digits() or self.difference <= RELATIVE * self.yardstick
 
     def is_rounded(self) -> bool:
