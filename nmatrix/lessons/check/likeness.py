@@ -20,6 +20,8 @@ from nmatrix.lessons.check.tolerance import (
 )
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
+BOTTOM = 3  # of a 4×4 matrix
+
 Place = tuple[int, int]
 
 
@@ -97,13 +99,13 @@ class Likeness:
         largest = max(abs(entry) for row in self.wanted for entry in row)
         coarsest = A_TWENTIETH * largest if self.question.any_length else ONE
         rows = zip(self.given, self.wanted, self.last_places, rulers, strict=True)
-        return {
-            (i, j): Off(
-                abs(given - wanted), min(place, coarsest), yardstick, largest, _zero(given, place)
-            )
-            for i, row in enumerate(rows)
-            for j, (given, wanted, place, yardstick) in enumerate(zip(*row, strict=True))
-        }
+        found: dict[Place, Off] = {}
+        for i, row in enumerate(rows):
+            for j, (given, wanted, place, yardstick) in enumerate(zip(*row, strict=True)):
+                zero = _zero(given, place, i)
+                off, counted = abs(given - wanted), min(place, coarsest)
+                found[i, j] = Off(off, counted, yardstick, largest, zero)
+        return found
 
     def _numbers(self) -> Iterator[tuple[Fraction, Fraction, Off]]:
         for (i, j), off in self._entries.items():
@@ -113,10 +115,10 @@ class Likeness:
         return tuple(place for place, off in self._entries.items() if off.difference and said(off))
 
 
-def _zero(given: Fraction, place: Fraction) -> Zero:
+def _zero(given: Fraction, place: Fraction, row: int) -> Zero:
     if given:
         return Zero.NONE
-    return Zero.BARE if place >= 1 else Zero.ROUNDED
+    return Zero.BARE if place >= 1 or row == BOTTOM else Zero.ROUNDED
 
 
 def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Likeness:

@@ -31,7 +31,10 @@ NOISE = Fraction(1, 10**9)  # of the yardstick: what float64 leaves of a careful
 
 
 class Zero(Enum):
-    """Whether a zero was typed, and with how many decimals: some, or none."""
+    """Whether a zero was typed, and with how many decimals: some, or none.
+
+    In the bottom row every zero is a bare one: it tells a matrix from its transpose.
+    """
 
     NONE = 0
     ROUNDED = 1
@@ -71,13 +74,7 @@ class Off:
         )
 
     def is_near_a_mistake(self) -> bool:
-        """Return whether the entry counts as that of a mistake: among its own kind alone.
-
-        A zero, however it was typed, does not stand for the largest of its kind there: exact zeros
-        are what tells a matrix from its transpose.
-        """
-        if self.zero is not Zero.NONE and self.difference > NOT_ALL * self.yardstick:
-            return False
+        """Return whether the entry counts as that of a mistake: among its own kind alone."""
         return self._is_near_in_digits() or self.difference <= RELATIVE * self.yardstick
 
     def is_rounded(self) -> bool:
