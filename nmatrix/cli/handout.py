@@ -112,9 +112,9 @@ def handout(
     if options.key and not has_exercises:
         raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
     if options.to is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_names
+        from nmatrix.output.pages.pdf import check_typst
 
-        check_names([of.student or ""])
+        check_typst()
     shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
     count = options.count() if has_exercises else 0
     plan = Plan(topics, shot, count, options.to, options.paper, options.key)
@@ -132,6 +132,11 @@ def handout(
 def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
     """Write one sheet, its pictures where they stand beside it, and its key."""
     from nmatrix.classroom.handout import pictures_beside, written
+
+    if plan.kind is PageFormat.PDF:
+        from nmatrix.output.pages.pdf import check_names
+
+        check_names([of.student or ""])
     from nmatrix.output.pages.write import WITH_PICTURES_BESIDE
 
     path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,14 +38,12 @@ def write_class(
             "--student with --roster", "the students stand in the file", "leave it out"
         )
     everyone = students(records(roster, (COLUMN,)), roster)
-    if plan.kind is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_names
-
-        check_names([one.name for one in everyone])
     salt = of.salt_read
     wanted = manifest(plan, of.seed, salt, everyone)
     jobs = [Job(plan, one, of.seed, salt) for one in everyone]
     with workers.executor() as executor:  # refused before anything is written
+        if plan.kind is PageFormat.PDF:
+            _check_names([one.name for one in everyone], executor)
         missing = _begun(folder, wanted, jobs, force=force)
         for name, content in pictures_beside(plan).items():
             write_file(folder / name, content, force=True)
@@ -54,6 +53,19 @@ def write_class(
                 write_file(folder / name, content, force=True)
     made = sum(len(job.files) for job in missing)
     return [folder / name for job in jobs for name in job.files], made
+
+
+def _check_names(names: Sequence[str], executor: Executor | None) -> None:
+    """Refuse names that a PDF cannot print, where its fonts are: at the workers, if there are any.
+
+    A process that has used Typst must not be forked: its threads would be missing in the copies.
+    """
+    from nmatrix.output.pages.pdf import check_names
+
+    if executor is None:
+        check_names(names)
+    else:
+        executor.submit(check_names, names).result()
 
 
 def _begun(folder: Path, wanted: Manifest, jobs: Sequence[Job], *, force: bool) -> list[Job]:

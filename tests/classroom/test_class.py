@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import re
 import signal
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -161,3 +163,17 @@ def test_a_killed_process_is_told_and_the_next_run_goes_on(nmatrix, monkeypatch)
 
 def _dies(job: object) -> None:
     os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_two_processes_print_a_class(tmp_path: Path) -> None:
+    """In a shell of its own: a process that has used Typst cannot be forked, and must not be."""
+    pytest.importorskip("typst", reason="typst is not installed")
+    (tmp_path / "class.csv").write_text("student\nAda\nBo\nCy\n")
+    words = ["handout", "--roster", "class.csv", "--exercises", "1", "--to", "pdf"]
+    done = subprocess.run(
+        [sys.executable, "-m", "nmatrix", *words, "--workers", "2", "-o", "out"],
+        cwd=tmp_path, capture_output=True, check=False, timeout=120,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert len(list((tmp_path / "out").glob("*.pdf"))) == 3
