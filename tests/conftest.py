@@ -1,11 +1,14 @@
-"""Where the reference data lies, if it is there at all."""
+"""What many tests share: the command line, and where the reference data lies, if it is there."""
 
 from __future__ import annotations
 
 import os
+import shlex
 from pathlib import Path
 
 import pytest
+
+from nmatrix.cli.app import run
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
@@ -23,3 +26,16 @@ def data() -> Path:
     if found is None:
         pytest.skip("the reference data is not here: set NMATRIX_DATA to its folder")
     return found
+
+
+@pytest.fixture
+def nmatrix(capsys):
+    """Return what runs a line of words: its exit code, its stdout and its stderr."""
+
+    def call(line: str) -> tuple[int, str, str]:
+        capsys.readouterr()
+        code = run(shlex.split(line))
+        captured = capsys.readouterr()
+        return code, captured.out, captured.err
+
+    return call

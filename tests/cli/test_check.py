@@ -5,27 +5,14 @@ from __future__ import annotations
 import csv
 import io
 import json
-import shlex
 from io import StringIO
 from pathlib import Path
 
 import pytest
 
-from nmatrix.cli.app import run
 from nmatrix.lessons.check.mistakes import MISTAKES
 
 KEYS = ["verdict", "mistake", "also", "explanation", "max_difference", "wrong_entries"]
-
-
-@pytest.fixture
-def nmatrix(capsys):
-    def call(line: str) -> tuple[int, str, str]:
-        capsys.readouterr()
-        code = run(shlex.split(line))
-        captured = capsys.readouterr()
-        return code, captured.out, captured.err
-
-    return call
 
 
 @pytest.mark.parametrize(

@@ -3,22 +3,8 @@
 from __future__ import annotations
 
 import json
-import shlex
 
 import pytest
-
-from nmatrix.cli.app import run
-
-
-@pytest.fixture
-def nmatrix(capsys):
-    def call(line: str) -> tuple[int, str, str]:
-        capsys.readouterr()
-        code = run(shlex.split(line))
-        captured = capsys.readouterr()
-        return code, captured.out, captured.err
-
-    return call
 
 
 def test_an_exercise_is_graded_for_its_student(nmatrix):

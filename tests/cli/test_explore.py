@@ -4,27 +4,17 @@ from __future__ import annotations
 
 import json
 import re
-import shlex
 from base64 import b64encode
 from hashlib import sha256
 from pathlib import Path
 
 import pytest
 
-from nmatrix.cli.app import run
-
 
 @pytest.fixture
-def nmatrix(capsys, tmp_path, monkeypatch):
+def nmatrix(nmatrix, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-
-    def call(line: str) -> tuple[int, str, str]:
-        capsys.readouterr()
-        code = run(shlex.split(line))
-        captured = capsys.readouterr()
-        return code, captured.out, captured.err
-
-    return call
+    return nmatrix
 
 
 def start(name: str) -> dict:
