@@ -104,12 +104,8 @@ def check(
         _refuse_scene(groups, options)
         if batch is None:
             check_exercise(answer, to_exercise, of, everywhere)
-        elif answer is None:
-            check_class(batch, of, everywhere)
         else:
-            raise IllegalValueError(
-                f"argument ({answer[:30]}) with --batch", "the answers stand in the file", LEAVE_OUT
-            )
+            check_class(batch, answer, of, everywhere)
         return
     of.refuse(what)
     if to_exercise is not None:
@@ -117,6 +113,17 @@ def check(
         raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
     sources = Sources(everywhere.input_layout)
     question = _question(what, groups, options, sources)
+    _check_scene(question, sources, answer, batch, everywhere)
+
+
+def _check_scene(
+    question: Question,
+    sources: Sources,
+    answer: str | None,
+    batch: str | None,
+    everywhere: Everywhere,
+) -> None:
+    """Check one answer to a question about a scene, or a class's."""
     if (answer is None) is (batch is None):
         raise IllegalValueError(
             f"check {question.subject}",

@@ -28,11 +28,17 @@ def check_exercise(
     show(exercise.check_exercise(exercise.whole_number(number), of.sheet, answer), everywhere)
 
 
-def check_class(batch: str, of: SheetOptions, everywhere: Everywhere) -> None:
+def check_class(batch: str, answer: str | None, of: SheetOptions, everywhere: Everywhere) -> None:
     """Check the answers of a class, each with its student and exercise."""
     from nmatrix.answers.exercise import exercises_of
     from nmatrix.answers.grades import grades
 
+    if answer is not None:
+        raise IllegalValueError(
+            f"argument ({answer[:30]}) with --batch",
+            "the answers stand in the file",
+            "leave it out",
+        )
     if of.student is not None:
         raise IllegalValueError(
             "--student with --batch", "the students stand in the file", "leave it out"

@@ -51,10 +51,7 @@ def derive(case: str, world: World | None = None) -> Report:
     >>> all(step["verified"] for step in found.data["cases"][0]["steps"])
     True
     """
-    first, *others = (_lesson(name) for name in chosen(case))
-    if world is not None:
-        first = _with_own(first, world)
-    lessons = (first, *others)
+    lessons = [_lesson(name, world if i == 0 else None) for i, name in enumerate(chosen(case))]
     return Report(
         "derive",
         {"cases": [one.data for one in lessons]},
@@ -63,24 +60,20 @@ def derive(case: str, world: World | None = None) -> Report:
     )
 
 
-def _lesson(name: str) -> Report:
+def _lesson(name: str, world: World | None) -> Report:
+    """Return a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
     steps, conclusion = LESSONS[name]()
     blocks: tuple[Block, ...] = (Heading(TITLES[name]), *steps, Verdict(conclusion))
     data = {"case": name, "title": TITLES[name], "steps": _data(steps), "conclusion": conclusion}
-    return Report("derive", data, blocks)
-
-
-def _with_own(lesson: Report, world: World) -> Report:
-    """Return a lesson and, after its conclusion, the user's own matrix with one of its own."""
-    steps = own_matrix(world)
+    if world is None:
+        return Report("derive", data, blocks)
+    own = own_matrix(world)
     kind = replace(classify(world.exact, SYMBOLIC), kind_exact=True)
     told = verdict(kind)
-    earlier = lesson.data["steps"]
-    assert isinstance(earlier, list)
     return Report(
         "derive",
-        {**lesson.data, "steps": [*earlier, *_data(steps)], "own_conclusion": told},
-        (*lesson.blocks, Heading("Your matrix"), *steps, Verdict(told)),
+        {**data, "steps": _data([*steps, *own]), "own_conclusion": told},
+        (*blocks, Heading("Your matrix"), *own, Verdict(told)),
         (*world.remarks, *transform_remarks(kind)),
     )
 

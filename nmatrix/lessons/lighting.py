@@ -195,15 +195,18 @@ def _by_product(A_: sp.Matrix, e: sp.Matrix, t: sp.Matrix) -> sp.Matrix:
 
 def metric() -> tuple[list[Step], str]:
     """Show how lengths and angles are measured in a space that is not rigid."""
-    import sympy as sp
+    return [*_measured(), *_read_off()], (
+        "Apply the metric by its factors, |v| = |B⁻¹ v| and |n| = |Bᵀ n|: then every space shades "
+        "alike. In object space B⁻¹ is A, so AᵀA measures vectors. Formed, it would square κ."
+    )
 
+
+def _measured() -> list[Step]:
+    """Show what measures vectors, and what measures normals."""
     B = generic_matrix("b")
     u, v, n = (generic_vector(name) for name in "uvn")
     K, det = cofactors(B), determinant(B)
-    half = sp.diag(1, 2, 1)
-    a, b = sp.Matrix([1, -1, 0]), sp.Matrix([1, 1, 0])
-    moved_a, moved_b = half * a, half * b
-    steps = [
+    return [
         step(
             formula(
                 words("u · v", r"u \cdot v"),
@@ -218,6 +221,17 @@ def metric() -> tuple[list[Step], str]:
             "normals moved by B⁻ᵀ keep theirs if B Bᵀ does: apply Bᵀ and take the length",
             proved=equal((B.T * (K * n)).dot(B.T * (K * n)), det**2 * n.dot(n)),
         ),
+    ]
+
+
+def _read_off() -> list[Step]:
+    """Show in numbers what coordinates alone say."""
+    import sympy as sp
+
+    half = sp.diag(1, 2, 1)
+    a, b = sp.Matrix([1, -1, 0]), sp.Matrix([1, 1, 0])
+    moved_a, moved_b = half * a, half * b
+    return [
         step(
             formula(words("B = "), half, words(",  a = "), a, words(",  b = "), b),
             "take a stretch by two, and two vectors that are perpendicular",
@@ -234,7 +248,3 @@ def metric() -> tuple[list[Step], str]:
             proved=moved_b.dot(moved_b) == 5 and b.dot(b) == 2,
         ),
     ]
-    return steps, (
-        "Apply the metric by its factors, |v| = |B⁻¹ v| and |n| = |Bᵀ n|: then every space shades "
-        "alike. In object space B⁻¹ is A, so AᵀA measures vectors. Formed, it would square κ."
-    )

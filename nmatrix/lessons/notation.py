@@ -9,8 +9,9 @@ from html import escape
 from typing import TYPE_CHECKING, TypeAlias
 
 from nmatrix.lessons.formulas import beside
-from nmatrix.lessons.formulas.mathml import MATH, mathml
-from nmatrix.lessons.formulas.parse import parse
+from nmatrix.lessons.formulas.mathml import LOWERED, MATH, mathml
+from nmatrix.lessons.formulas.parse import APART as SET_APART
+from nmatrix.lessons.formulas.parse import RAISED, parse
 from nmatrix.lessons.formulas.spoken import spoken
 from nmatrix.lessons.formulas.tree import Grid, Node, Row
 from nmatrix.lessons.formulas.typst import typst
@@ -41,7 +42,7 @@ C = Words("C", "C")
 N = Words("N", "N")
 DET = Words("det A", r"\det A")
 IDENTITY = Words("I", "I")
-APART = Words(",  ", r",\; ")  # between two statements
+APART = Words(SET_APART, r",\; ")  # between two statements
 
 
 def words(text: str, latex: str | None = None) -> Words:
@@ -109,8 +110,8 @@ def _text(part: Part) -> list[str]:
 _ROOT = re.compile(r"sqrt\((\d+)\)")
 _INDEX = re.compile(r"_(\d)")
 _ZEROS = re.compile(r"(/|(?<!\d))(\d*?[1-9])(0{15,})(?!\d)")
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+_LOWERED = str.maketrans("0123456789", LOWERED)
+_RAISED = str.maketrans("0123456789", RAISED[:10])
 
 
 def _plain(expression: sp.Expr) -> str:

@@ -32,7 +32,8 @@ def own_matrix(world: World) -> list[Step]:
     """Put a world's 3×3 block into the rule, in exact numbers."""
     import sympy as sp
 
-    A_ = exact_block(world)
+    M = exact_matrix(world)
+    A_ = M[:3, :3]
     K, det = cofactors(A_).applyfunc(tidy), tidy(determinant(A_))
     named = Named(A_)
     steps = [
@@ -62,7 +63,7 @@ def own_matrix(world: World) -> list[Step]:
             "your normal matrix: the cofactors over the determinant",
             proved=equal(A_.T * normal_matrix, sp.eye(3)),
         ),
-        *_translation(world, normal_matrix, named),
+        *_translation(M, normal_matrix, named),
     ]
 
 
@@ -115,11 +116,10 @@ def _typed(degrees: sp.Rational) -> str:
     return short if Fraction(short) == exact else str(exact)
 
 
-def _translation(world: World, normal_matrix: sp.Matrix, named: Named) -> list[Step]:
+def _translation(M: sp.Matrix, normal_matrix: sp.Matrix, named: Named) -> list[Step]:
     """Show where the translation goes, if there is one: to the last row of M⁻ᵀ."""
     import sympy as sp
 
-    M = _exact(world)
     A_, t = M[:3, :3], M[:3, 3]
     if not any(t):
         return []
@@ -134,12 +134,8 @@ def _translation(world: World, normal_matrix: sp.Matrix, named: Named) -> list[S
     ]
 
 
-def exact_block(world: World) -> sp.Matrix:
-    """Return the 3×3 block of a world with SymPy's own sines and cosines."""
-    return _exact(world)[:3, :3]
-
-
-def _exact(world: World) -> sp.Matrix:
+def exact_matrix(world: World) -> sp.Matrix:
+    """Return the 4×4 matrix of a world with SymPy's own sines and cosines."""
     import sympy as sp
 
     rows = world.exact_by(_turn)

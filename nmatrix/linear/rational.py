@@ -80,19 +80,15 @@ def transpose(A: RationalMatrix) -> RationalMatrix:
 
 
 def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
-    """Return a · b.
-
-    Fractions are added over one denominator and reduced once, which is three times as fast as
-    reducing every product and sum. What is no fraction, as the polynomials of a proof, is added
-    as it is.
-    """
+    """Return a · b."""
     pairs = [(x, y) for x, y in zip(a, b, strict=True) if x and y]
     if len(pairs) < 2:  # most rows of most matrices here are nearly empty
         return pairs[0][0] * pairs[0][1] if pairs else ZERO
     try:
         terms = [(x.numerator * y.numerator, x.denominator * y.denominator) for x, y in pairs]
-    except AttributeError:
+    except AttributeError:  # no fractions but the polynomials of a proof
         return sum((x * y for x, y in pairs), ZERO)
+    # One denominator, reduced once: a third of the time of reducing every product and sum.
     common = lcm(*(bottom for _, bottom in terms))
     return Fraction(sum(top * (common // bottom) for top, bottom in terms), common)
 
