@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from hashlib import blake2b
 
 from nmatrix.classroom.handout import Plan
-from nmatrix.classroom.roster import Student, stem_of
+from nmatrix.classroom.roster import Student, file_names, stem_of
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.exercises.scheme import SCHEME
 from nmatrix.output.pages.document import PageFormat
@@ -68,7 +68,8 @@ def check_same(wanted: Manifest, found: bytes, folder: str) -> None:
         there = json.loads(found)
         differs = [key for key, value in asdict(wanted).items() if there.get(key) != _plain(value)]
         before = there.get("students")
-        if differs == ["students"] and before == list(wanted.students[: len(before)]):
+        came_later = isinstance(before, list) and before == [*wanted.students][: len(before)]
+        if differs == ["students"] and came_later:
             return
         why = f"it holds another run: {', '.join(differs) or 'its manifest'} differ"
     except (ValueError, AttributeError):
@@ -86,10 +87,9 @@ def files_of(found: bytes) -> frozenset[str]:
     try:
         there = json.loads(found)
         kind, names = PageFormat(there["kind"]), there["students"]
-        endings = [f".{kind}", f"-key.{kind}"] if there["with_key"] else [f".{kind}"]
-        return frozenset(
-            stem_of(i, str(name)) + ending for i, name in enumerate(names) for ending in endings
-        )
+        stems = [stem_of(i, str(name)) for i, name in enumerate(names)]
+        each = (file_names(stem, kind, with_key=bool(there["with_key"])) for stem in stems)
+        return frozenset(name for names in each for name in names)
     except (ValueError, KeyError, TypeError):
         return frozenset()
 

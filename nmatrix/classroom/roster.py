@@ -53,6 +53,12 @@ def stem_of(place: int, name: str) -> str:
     return f"{place + 1:04}-{slug(name)}"
 
 
+def file_names(stem: str, ending: str, *, with_key: bool) -> tuple[str, ...]:
+    """Return the names of a student's files: the sheet, then the key."""
+    sheet = f"{stem}.{ending}"
+    return (sheet, f"{stem}-key.{ending}") if with_key else (sheet,)
+
+
 def slug(name: str) -> str:
     """Return a name in the plain letters that every file system knows.
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from itertools import islice
 
 from nmatrix.classroom.handout import Plan, Written, written
-from nmatrix.classroom.roster import Student
+from nmatrix.classroom.roster import Student, file_names
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.exercises.scheme import Sheet
 
@@ -33,9 +33,7 @@ class Job:
     @property
     def files(self) -> tuple[str, ...]:
         """Return the names of the files that it makes: the sheet, then the key."""
-        ending = self.plan.kind.value
-        sheet = f"{self.student.stem}.{ending}"
-        return (sheet, f"{self.student.stem}-key.{ending}") if self.plan.with_key else (sheet,)
+        return file_names(self.student.stem, self.plan.kind.value, with_key=self.plan.with_key)
 
 
 def run(job: Job) -> tuple[Job, Written]:

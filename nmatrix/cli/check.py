@@ -36,8 +36,6 @@ nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv
 Is this answer right, and if not, which mistake is it? Exit 0 if it is, 1 if not.""",
 }
 
-LEAVE_OUT = "leave it out"
-
 
 @dataclass(frozen=True)
 class CheckOptions:
@@ -153,7 +151,9 @@ def _refuse_scene(groups: Groups, options: CheckOptions) -> None:
     for name, is_given in given.items():
         if is_given:
             raise IllegalValueError(
-                f"{name} with check {EXERCISE}", "the exercise has numbers of its own", LEAVE_OUT
+                f"{name} with check {EXERCISE}",
+                "the exercise has numbers of its own",
+                "leave it out",
             )
 
 

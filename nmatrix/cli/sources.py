@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-import sys
 from dataclasses import dataclass, field
 
+from nmatrix.cli.stdin import NAME as STDIN
+from nmatrix.cli.stdin import standard_input
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
@@ -14,8 +15,6 @@ from nmatrix.reading.files import decoded, existing_file
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.shapes import as_affine, as_projection
 from nmatrix.reading.source import matrix_source
-
-MOST_STDIN = 16_000_000  # bytes; a report with its shaders has some ten thousand
 
 # What only a text report has: a ruled heading, or a bracket of several lines.
 _FOR_PEOPLE = re.compile(r"^(?:─{4,}|-{4,})$|[⎡⎢⎣]", re.MULTILINE)
@@ -71,14 +70,10 @@ class Sources:
                 "- (standard input)", "it can be read only once", "put one matrix in a file"
             )
         self._stdin_used = True
-        content = sys.stdin.buffer.read(MOST_STDIN + 1)
-        if len(content) > MOST_STDIN:
-            raise IllegalValueError(
-                "standard input", f"it is longer than {MOST_STDIN} bytes", "pass one matrix"
-            )
+        content = standard_input("pass one matrix")
         if not content.strip():
             raise IllegalValueError(
-                "standard input", "it is empty", "pipe a matrix in, or write it as an argument"
+                STDIN, "it is empty", "pipe a matrix in, or write it as an argument"
             )
-        self._from_stdin = decoded(content, "standard input")
+        self._from_stdin = decoded(content, STDIN)
         return self._from_stdin

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 
-from nmatrix.reading.files import LARGEST, decoded
+from nmatrix.cli.stdin import NAME as STDIN
+from nmatrix.cli.stdin import standard_input
+from nmatrix.reading.files import decoded
 from nmatrix.reading.records import Record, records, records_of
-
-STDIN = "standard input"
 
 
 def table(name: str, needed: Sequence[str]) -> list[Record]:
@@ -17,8 +16,8 @@ def table(name: str, needed: Sequence[str]) -> list[Record]:
     Raises
     ------
     IllegalValueError
-        If there is no such file, it is not text, or its header lacks a column.
+        If there is no such file, it is too long, it is not text, or its header lacks a column.
     """
     if name != "-":
         return records(name, needed)
-    return list(records_of(decoded(sys.stdin.buffer.read(LARGEST), STDIN), needed, STDIN))
+    return list(records_of(decoded(standard_input("cut it down"), STDIN), needed, STDIN))

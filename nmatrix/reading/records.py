@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from itertools import islice
 
 from nmatrix.errors import IllegalValueError
@@ -78,7 +79,7 @@ def _rows(text: str, separator: str) -> Iterator[tuple[int, list[str], str]]:
     A row that cannot be read costs only its own line: a quote that is never closed would take all
     that follow with it.
     """
-    lines = text.splitlines(keepends=True)
+    lines = list(StringIO(text))  # at line feeds alone, as csv does
     passed = 0
     while passed < len(lines):
         rows = csv.reader(islice(lines, passed, None), delimiter=separator, strict=True)

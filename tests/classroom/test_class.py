@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import signal
@@ -58,6 +59,17 @@ def test_a_manifest_that_is_none_names_no_files() -> None:
         assert files_of(text) == frozenset()
     named = files_of(b'{"kind": "html", "students": ["../../x"], "with_key": true}')
     assert named == {"0001-x.html", "0001-x-key.html"}
+
+
+def test_a_damaged_manifest_is_refused_in_one_line(nmatrix) -> None:
+    line = roster("Ada")
+    assert nmatrix(line)[0] == 0
+    manifest = Path("out/manifest.json")
+    there = json.loads(manifest.read_bytes())
+    for students in (3, None, "Ada", {}):
+        manifest.write_text(json.dumps({**there, "students": students}))
+        code, _, err = nmatrix(line)
+        assert (code, err.count("\n")) == (2, 1)
 
 
 def test_an_emptied_sheet_is_written_again(nmatrix) -> None:

@@ -260,3 +260,10 @@ def test_neither_numpy_nor_sympy_is_loaded():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stderr.endswith("[]\n")
+
+
+def test_only_line_feeds_end_a_row(nmatrix, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("class.csv").write_text("student,answer\nA\u2028B\x0bC,0 0 5\n", encoding="utf-8")
+    code, out, _ = nmatrix("check eye --batch class.csv -f json")
+    assert (code, json.loads(out)["summary"]["correct"]) == (0, 1)
