@@ -5,17 +5,17 @@ from __future__ import annotations
 from nmatrix.enums import Reflection, Space
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 
-SUN = Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1.5), intensity=0.6)
-BULB = Lamp(
+SUN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1.5), intensity=0.6)
+BULB = SceneLight(
     "bulb",
-    LampKind.POINT,
+    LightKind.POINT,
     position=(2, 3, 2),
     intensity=0.6,
     attenuation=(1, 0.05, 0.02),
@@ -37,12 +37,12 @@ BALL = ShapeGeometry(Shape.SPHERE, (24, 48))
 def single(
     world: World = HERE,
     material: Material = LAMBERT,
-    lamps: tuple[Lamp, ...] = (SUN,),
+    lights: tuple[SceneLight, ...] = (SUN,),
     shape: ShapeGeometry = BALL,
     view: View = VIEW,
     **settings: object,
 ) -> Scene:
-    """One object under some lamps."""
+    """One object under some lights."""
     shown = SceneObject("thing", shape, world.world_from_object, material)
     chosen = {"size": (96, 96), "samples": 1, "space": Space.WORLD, **settings}
-    return Scene((shown,), lamps, view, LENS, Settings(**chosen))  # type: ignore[arg-type]
+    return Scene((shown,), lights, view, LENS, Settings(**chosen))  # type: ignore[arg-type]

@@ -17,7 +17,7 @@ from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.rounding import in_short
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 SHOWN_DIGITS = 6
 NO_WORLD = "M is the identity here: no --translate, --rotate, --scale, --shear or matrix was given."
@@ -34,9 +34,9 @@ def check(question: Question, literal: MatrixLiteral) -> Report:
     Examples
     --------
     >>> from nmatrix.reading.matrix import matrix_literal
-    >>> from nmatrix.scene.shot import Shot
+    >>> from nmatrix.scene.setup import Setup
     >>> from nmatrix.scene.world import World
-    >>> asked = Question(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
+    >>> asked = Question(Subject.NORMAL, Setup(World(scale=(1, 2, 1))))
     >>> check(asked, matrix_literal("1 0 0; 0 0.5 0; 0 0 1")).data["verdict"]
     'correct'
     """
@@ -82,7 +82,7 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
     """Return the question, or for a light one question for each part that the light has."""
     if question.subject is not Subject.LIGHT:
         return (question,)
-    light = question.shot.stage.light
+    light = question.setup.maps.light
     has = {LightPart.DIRECTION: light.direction, LightPart.POSITION: light.position}
     parts = [part for part in LightPart if has[part] is not None]
     if question.unit:
@@ -113,13 +113,13 @@ def _taken_for_granted(question: Question, found: Judgement) -> tuple[str, ...]:
     """Say of a wrong answer what it was compared with, where the scene was not told."""
     if found.verdict is Outcome.CORRECT:
         return ()
-    shot, usual = question.shot, Shot()
+    setup, usual = question.setup, Setup()
     of_objects = question.subject in (Subject.WORLD, Subject.NORMAL)
-    if (of_objects or question.space is Space.OBJECT) and shot.world == usual.world:
+    if (of_objects or question.space is Space.OBJECT) and setup.world == usual.world:
         return (NO_WORLD,)
-    if question.subject is Subject.VIEW and shot.view == usual.view:
+    if question.subject is Subject.VIEW and setup.view == usual.view:
         return (NO_VIEW,)
-    if question.subject is Subject.PROJECTION and shot.lens == usual.lens:
+    if question.subject is Subject.PROJECTION and setup.lens == usual.lens:
         return (NO_LENS,)
     return ()
 

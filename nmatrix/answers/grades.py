@@ -58,10 +58,10 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
     Examples
     --------
     >>> from nmatrix.lessons.check.question import Subject
-    >>> from nmatrix.scene.shot import Shot
+    >>> from nmatrix.scene.setup import Setup
     >>> rows = [Record(2, {"student": "Ada", "answer": "0 0 5"}),
     ...         Record(3, {"student": "Bo", "answer": "five"})]
-    >>> found = grades(rows, answers_to(Question(Subject.EYE, Shot())))
+    >>> found = grades(rows, answers_to(Question(Subject.EYE, Setup())))
     >>> [row["verdict"] for row in found.data["rows"]]
     ['correct', 'unreadable']
     """

@@ -8,56 +8,58 @@ from typing import TypeVar
 from nmatrix.enums import Space
 from nmatrix.linear.rational import identity
 from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Verdict
-from nmatrix.scene.shot import Shot
-from nmatrix.spaces.seen import EyeSeen, LightSeen, eye_in, light_in
-from nmatrix.spaces.stage import Stage
+from nmatrix.scene.setup import Setup
+from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.light_and_eye import EyeSeen, LightInSpace, eye_in, light_in
 
-Seen = TypeVar("Seen", LightSeen, EyeSeen)
+Seen = TypeVar("Seen", LightInSpace, EyeSeen)
 
 USUAL = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
 
 
-def light(shot: Shot, space: Space | None) -> Report:
+def light(setup: Setup, space: Space | None) -> Report:
     """Answer with the light in one space, or in the four usual ones.
 
     Examples
     --------
-    >>> light(Shot(), Space.WORLD).data["rules_differ_deg"]
+    >>> light(Setup(), Space.WORLD).data["rules_differ_deg"]
     0.0
     """
     if space is not None:
-        seen = light_in(shot.stage, space)
-        return Report("light", _light_data(seen), _light_blocks(seen), _light_remarks(shot, seen))
-    entries = _in_each(shot, light_in)
+        seen = light_in(setup.maps, space)
+        return Report("light", _light_data(seen), _light_blocks(seen), _light_remarks(setup, seen))
+    entries = _in_each(setup, light_in)
     blocks = [block for i, one in enumerate(entries) for block in _one_of_four(one, i)]
-    remarks = list(shot.remarks)
+    remarks = list(setup.remarks)
     for one in entries:
         if one is None:
             remarks.append(_NO_OBJECT_SPACE)
         else:
-            remarks += [text for text in _light_remarks(shot, one) if text not in remarks]
+            remarks += [text for text in _light_remarks(setup, one) if text not in remarks]
     data: dict[str, Value] = {
         "spaces": [None if one is None else _light_data(one) for one in entries]
     }
     return Report("light", data, tuple(blocks), tuple(remarks))
 
 
-def eye(shot: Shot, space: Space | None) -> Report:
+def eye(setup: Setup, space: Space | None) -> Report:
     """Answer with the eye in one space, or in the four usual ones.
 
     Examples
     --------
-    >>> [float(x) for x in eye(Shot(), Space.CAMERA).data["eye"]]
+    >>> [float(x) for x in eye(Setup(), Space.CAMERA).data["eye"]]
     [0.0, 0.0, 0.0]
     """
     if space is not None:
-        seen = eye_in(shot.stage, space)
-        return Report("eye", _eye_data(seen), tuple(_eye_blocks(seen)), _eye_remarks(shot, (seen,)))
-    entries = _in_each(shot, eye_in)
+        seen = eye_in(setup.maps, space)
+        return Report(
+            "eye", _eye_data(seen), tuple(_eye_blocks(seen)), _eye_remarks(setup, (seen,))
+        )
+    entries = _in_each(setup, eye_in)
     blocks: list[Block] = []
     for i, one in enumerate(entries):
         blocks += _eye_blocks(one, f"spaces.{i}.") if one else [Text(_NO_OBJECT_SPACE)]
-    remarks = _eye_remarks(shot, tuple(one for one in entries if one))
+    remarks = _eye_remarks(setup, tuple(one for one in entries if one))
     if None in entries:
         remarks = (*remarks, _NO_OBJECT_SPACE)
     data: dict[str, Value] = {
@@ -71,15 +73,15 @@ _NO_OBJECT_SPACE = (
 )
 
 
-def _in_each(shot: Shot, see: Callable[[Stage, Space], Seen]) -> list[Seen | None]:
+def _in_each(setup: Setup, see: Callable[[ExactMaps, Space], Seen]) -> list[Seen | None]:
     """Return what each usual space sees; object space of a singular world is missing."""
-    singular = shot.placed_world.linear_map.rank < 3
+    singular = setup.placed_world.linear_map.rank < 3
     return [
-        None if singular and space is Space.OBJECT else see(shot.stage, space) for space in USUAL
+        None if singular and space is Space.OBJECT else see(setup.maps, space) for space in USUAL
     ]
 
 
-def _light_data(seen: LightSeen) -> dict[str, Value]:
+def _light_data(seen: LightInSpace) -> dict[str, Value]:
     return {
         "space": seen.space.value,
         "space_from_world": seen.space_from_world,
@@ -91,13 +93,13 @@ def _light_data(seen: LightSeen) -> dict[str, Value]:
     }
 
 
-def _one_of_four(seen: LightSeen | None, index: int) -> tuple[Block, ...]:
+def _one_of_four(seen: LightInSpace | None, index: int) -> tuple[Block, ...]:
     if seen is None:
         return (Text(_NO_OBJECT_SPACE),)
     return _light_blocks(seen, f"spaces.{index}.")
 
 
-def _light_blocks(seen: LightSeen, prefix: str = "") -> tuple[Block, ...]:
+def _light_blocks(seen: LightInSpace, prefix: str = "") -> tuple[Block, ...]:
     blocks: list[Block] = [
         Heading(f"Light in {seen.space} space"),
         Quantity(f"{prefix}space_from_world", seen.space_from_world, f"{seen.space} from world"),
@@ -123,7 +125,7 @@ def _light_blocks(seen: LightSeen, prefix: str = "") -> tuple[Block, ...]:
     return tuple(blocks)
 
 
-def _light_verdict(seen: LightSeen) -> str:
+def _light_verdict(seen: LightInSpace) -> str:
     if seen.rules_differ_deg is None:
         return "A position is a point: it moves by the whole 4×4 matrix, w = 1."
     if seen.rules_differ_deg < 1e-6:
@@ -134,17 +136,17 @@ def _light_verdict(seen: LightSeen) -> str:
     )
 
 
-def _light_remarks(shot: Shot, seen: LightSeen) -> tuple[str, ...]:
-    remarks = list(shot.remarks)
+def _light_remarks(setup: Setup, seen: LightInSpace) -> tuple[str, ...]:
+    remarks = list(setup.remarks)
     if seen.space is Space.CAMERA:
         remarks.append("A lamp fixed in the world moves by V only, never by V·M.")
-    if seen.direction is not None and not shot.stage.is_rigid(seen.space):
+    if seen.direction is not None and not setup.maps.is_rigid(seen.space):
         remarks.append(
             f"{seen.space} space is not rigid here: the unit direction alone gives a wrong shade; "
             "Lambert's cosine is n·l / (|Bᵀn| · |B⁻¹l|), the metric of `nmatrix space "
             f"{seen.space}`."
         )
-    if seen.space is Space.STATIC and shot.placed_world.exact != identity(4):
+    if seen.space is Space.STATIC and setup.placed_world.exact != identity(4):
         remarks.append("Static space: the mesh is baked into the world once, by M.")
     return tuple(remarks)
 
@@ -171,12 +173,12 @@ def _eye_blocks(seen: EyeSeen, prefix: str = "") -> list[Block]:
     ]
 
 
-def _eye_remarks(shot: Shot, entries: tuple[EyeSeen, ...]) -> tuple[str, ...]:
+def _eye_remarks(setup: Setup, entries: tuple[EyeSeen, ...]) -> tuple[str, ...]:
     worst = max((one.relative_difference or 0.0 for one in entries), default=0.0)
     if worst < 1e-9:
-        return shot.remarks
+        return setup.remarks
     return (
-        *shot.remarks,
+        *setup.remarks,
         f"The course's formula is {worst:.2g} off (relative): it adds and takes away a large "
         "translation. Subtract first, then solve A x = eye − t.",
     )

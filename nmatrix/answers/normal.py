@@ -8,13 +8,13 @@ from fractions import Fraction
 
 from nmatrix.enums import NormalMethod, NormalStatus, Space
 from nmatrix.errors import NoAnswerError
-from nmatrix.lessons.kinds import transform_blocks, transform_data, transform_remarks
+from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import LinearMap, Normal
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rules import RULES, carried_by, normal_rule
 from nmatrix.report import Heading, Quantity, Report, Table, Text, Value, Vector
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 
 @dataclass(frozen=True)
@@ -26,18 +26,18 @@ class NormalRequest:
     method: NormalMethod = NormalMethod.EXACT
 
 
-def normal(shot: Shot, request: NormalRequest) -> Report:
+def normal(setup: Setup, request: NormalRequest) -> Report:
     """Answer with the normal matrix of `linear(space_from_world @ M)` and the normals through it.
 
     Examples
     --------
     >>> from nmatrix.scene.world import World
-    >>> flat = normal(Shot(World(scale=(1, 0, 1))), NormalRequest(((0, 1, 0), (1, 0, 0))))
+    >>> flat = normal(Setup(World(scale=(1, 0, 1))), NormalRequest(((0, 1, 0), (1, 0, 0))))
     >>> [found["status"] for found in flat.data["normals"]], flat.failure.exit_code
     (['two-sided', 'undefined'], 3)
     """
-    S = shot.stage.space_from_object(request.space).exact
-    found = classify(S, shot.tolerance)
+    S = setup.maps.space_from_object(request.space).exact
+    found = classify(S, setup.tolerance)
     linear_map = found.linear_map
     matrix = normal_rule(request.method, linear_map)
     results = [_carried(linear_map, request.method, matrix, n) for n in request.normals]
@@ -58,7 +58,7 @@ def normal(shot: Shot, request: NormalRequest) -> Report:
         "normal",
         data,
         blocks,
-        (*shot.remarks, *transform_remarks(found), *_method_remarks(request.method, found)),
+        (*setup.remarks, *transform_remarks(found), *_method_remarks(request.method, found)),
         _failure(found, request.normals, results),
     )
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from nmatrix.enums import Effect
-from nmatrix.raster.decision import Decision
-from nmatrix.raster.effects import RECIPES
-from nmatrix.raster.plan import BUDGET, BodyPlan, Plan
+from nmatrix.raster.planning.decision import Decision
+from nmatrix.raster.planning.effects import RECIPES
+from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan
 from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
 
 PASSES = "main"
@@ -17,7 +17,7 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
     rows = [_row(effect, found) for effect in Effect]
-    rows += [_lamp_row(i, found) for i in range(len(found.studio.lamps))]
+    rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
     on = [effect for effect in Effect if effect in found.effects]
     data: dict[str, Value] = {
         "effects": rows,
@@ -30,7 +30,8 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
     }
     blocks: tuple[Block, ...] = (
         Heading(
-            f"{_counted(len(found.bodies), 'object')}, {_counted(len(found.studio.lamps), 'light')}"
+            f"{_counted(len(found.bodies), 'object')}, "
+            f"{_counted(len(found.loaded.lights), 'light')}"
         ),
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
@@ -39,7 +40,7 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
         Code("glsl", shaders[0], "vertex shader"),
         Code("glsl", shaders[1], "fragment shader"),
     )
-    return Report("plan", data, blocks, found.studio.remarks)
+    return Report("plan", data, blocks, found.loaded.remarks)
 
 
 def _counted(count: int, what: str) -> str:
@@ -70,11 +71,11 @@ def _decisions(effect: Effect, found: Plan) -> list[Decision]:
     return [one.decisions[effect] for one in found.bodies]
 
 
-def _lamp_row(i: int, found: Plan) -> dict[str, Value]:
-    """Return whether a lamp lights anything."""
-    placed = found.studio.lamps[i]
+def _light_row(i: int, found: Plan) -> dict[str, Value]:
+    """Return whether a light lights anything."""
+    placed = found.loaded.lights[i]
     decisions = [
-        one for body in found.bodies for one in body.lamp_decisions if one.placed is placed
+        one for body in found.bodies for one in body.light_decisions if one.placed is placed
     ]
     on = [one for one in decisions if one.on]
     because = f"it can reach {len(on)} of {len(decisions)} objects"
@@ -83,7 +84,7 @@ def _lamp_row(i: int, found: Plan) -> dict[str, Value]:
     elif not on:
         because = f"it {decisions[0].because}"
     return {
-        "name": f"light {placed.lamp.name}",
+        "name": f"light {placed.light.name}",
         "on": bool(on) or not decisions,
         "because": because,
         "kind": "exact",
@@ -107,7 +108,7 @@ def _body(one: BodyPlan) -> dict[str, Value]:
     return {
         "name": one.body.name,
         "effects": [effect.value for effect in Effect if effect in one.effects],
-        "lights": [placed.lamp.name for placed in one.lamps],
+        "lights": [placed.light.name for placed in one.lights],
         "bound": one.bound,
     }
 

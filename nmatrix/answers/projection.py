@@ -9,7 +9,7 @@ from nmatrix.linear.depthstep import DepthStep, orthographic_steps, perspective_
 from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value, Verdict
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 _WHERE = {
     DepthRange.MINUS_ONE_TO_ONE: "depth −1 at near, 1 at far (OpenGL)",
@@ -18,15 +18,15 @@ _WHERE = {
 }
 
 
-def projection(shot: Shot) -> Report:
+def projection(setup: Setup) -> Report:
     """Answer with the projection matrix of a scene.
 
     Examples
     --------
-    >>> projection(Shot()).data["depth_range"]
+    >>> projection(Setup()).data["depth_range"]
     'minus-one-to-one'
     """
-    lens = shot.lens
+    lens = setup.lens
     P = lens.clip_from_camera
     steps = _steps(lens)
     data: dict[str, Value] = {

@@ -20,29 +20,29 @@ from nmatrix.report import (
     Vector,
     Verdict,
 )
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.spaces.cost import Cost, cost
+from nmatrix.spaces.light_and_eye import light_in
 from nmatrix.spaces.metric import metric
-from nmatrix.spaces.seen import light_in
 from nmatrix.spaces.shaders import shader_pair
-from nmatrix.spaces.sheet import LESSONS, Row, table
+from nmatrix.spaces.teaching_table import LESSONS, Row, table
 from nmatrix.spaces.uniforms import Request, Uniform, uniforms
 
 
-def space(shot: Shot, request: Request) -> Report:
+def space(setup: Setup, request: Request) -> Report:
     """Answer with what a shading space needs, by what, where, and at what price.
 
     Examples
     --------
-    >>> found = space(Shot(), Request(Space.CAMERA))
+    >>> found = space(Setup(), Request(Space.CAMERA))
     >>> [float(x) for x in found.data["eye"]], found.data["metric"]
     ([0.0, 0.0, 0.0], None)
     """
-    stage, chosen = shot.stage, request.space
-    listed = uniforms(stage, request)
-    shaders = shader_pair(stage, request)
-    quantities = _quantities(shot, chosen)
-    rows, counted, lesson = table(chosen), cost(stage, request), LESSONS[chosen]
+    maps, chosen = setup.maps, request.space
+    listed = uniforms(maps, request)
+    shaders = shader_pair(maps, request)
+    quantities = _quantities(setup, chosen)
+    rows, counted, lesson = table(chosen), cost(maps, request), LESSONS[chosen]
     data: dict[str, Value] = {
         "space": chosen.value,
         **quantities,
@@ -65,25 +65,25 @@ def space(shot: Shot, request: Request) -> Report:
         *_uniform_blocks(listed),
         Code("glsl", shaders[0], "vertex shader"),
         Code("glsl", shaders[1], "fragment shader"),
-        Verdict(_verdict(chosen, rigid=stage.is_rigid(chosen))),
+        Verdict(_verdict(chosen, rigid=maps.is_rigid(chosen))),
     )
-    return Report("space", data, blocks, (*shot.remarks, *_remarks(shot, chosen)))
+    return Report("space", data, blocks, (*setup.remarks, *_remarks(setup, chosen)))
 
 
-def _quantities(shot: Shot, chosen: Space) -> dict[str, Vector | Matrix | None]:
+def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None]:
     """Return every matrix and vector of the sheet, under its key."""
-    stage = shot.stage
-    seen = light_in(stage, chosen)
-    moved = stage.space_from_object(chosen)
+    maps = setup.maps
+    seen = light_in(maps, chosen)
+    moved = maps.space_from_object(chosen)
     return {
-        "space_from_world": stage.space_from_world(chosen).exact,
+        "space_from_world": maps.space_from_world(chosen).exact,
         "space_from_object": moved.exact,
         "normal_matrix": normal_rule(NormalMethod.EXACT, moved.linear_map),
-        "clip_from_object": stage.clip_from_object,
+        "clip_from_object": maps.clip_from_object,
         "light_direction": seen.direction,
         "light_position": seen.position,
-        "eye": stage.eye_in(chosen),
-        "metric": metric(stage, chosen),
+        "eye": maps.eye_in(chosen),
+        "metric": metric(maps, chosen),
     }
 
 
@@ -148,9 +148,9 @@ def _verdict(chosen: Space, *, rigid: bool) -> str:
     )
 
 
-def _remarks(shot: Shot, chosen: Space) -> tuple[str, ...]:
+def _remarks(setup: Setup, chosen: Space) -> tuple[str, ...]:
     remarks = []
-    moved = shot.stage.world_from_object.exact != rational.identity(4)
+    moved = setup.maps.world_from_object.exact != rational.identity(4)
     if chosen is Space.STATIC and moved:
         remarks.append(
             "Static space stands still: the world matrix given here is baked into the mesh once, "
@@ -158,7 +158,7 @@ def _remarks(shot: Shot, chosen: Space) -> tuple[str, ...]:
         )
     if chosen is Space.CAMERA:
         remarks.append("The vector to the eye is −p normalised: from the point to the origin.")
-    if chosen is Space.OBJECT and not shot.stage.is_rigid(chosen):
+    if chosen is Space.OBJECT and not setup.maps.is_rigid(chosen):
         remarks.append(
             "The usual cost argument for object space leaves the metric out: two 3×3 matrices per "
             "object and work per fragment."

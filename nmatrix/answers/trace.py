@@ -7,25 +7,25 @@ from fractions import Fraction
 from nmatrix.linear.exact import Normal
 from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Heading, Quantity, Report, Value, Vector, Verdict
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.spaces.trace import Trace, Viewport
 from nmatrix.spaces.trace import trace as follow
 
 
-def trace(shot: Shot, point: Vector, normal: Vector | None, viewport: Viewport) -> Report:
+def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport) -> Report:
     """Answer with a vertex in every frame from object to window.
 
     Examples
     --------
-    >>> found = trace(Shot(), (0, 0, 0), None, Viewport(512, 512))
+    >>> found = trace(Setup(), (0, 0, 0), None, Viewport(512, 512))
     >>> found.data["inside"], float(found.data["window"][0])
     (True, 256.0)
     """
     found = follow(
-        shot.stage,
+        setup.maps,
         [float(component) for component in point],
         None if normal is None else [float(component) for component in normal],
-        shot.lens.clip,
+        setup.lens.clip,
         viewport,
     )
     data: dict[str, Value] = {
@@ -40,7 +40,7 @@ def trace(shot: Shot, point: Vector, normal: Vector | None, viewport: Viewport) 
         "outside_planes": list(found.outside_planes),
         "normal": _normal_data(found),
     }
-    return Report("trace", data, tuple(_blocks(found)), (*shot.remarks, *_remarks(found)))
+    return Report("trace", data, tuple(_blocks(found)), (*setup.remarks, *_remarks(found)))
 
 
 def _normal_data(found: Trace) -> dict[str, Value] | None:

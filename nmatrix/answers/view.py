@@ -6,30 +6,30 @@ from collections.abc import Mapping
 
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError
-from nmatrix.lessons.kinds import transform_remarks
+from nmatrix.lessons.map_sentences import transform_remarks
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.report import Block, Heading, Matrix, Quantity, Report, Vector, Verdict
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 
-def view(shot: Shot) -> Report:
+def view(setup: Setup) -> Report:
     """Answer with the view matrix of a scene, also as R · T.
 
     Examples
     --------
-    >>> [float(x) for x in view(Shot()).data["forward"]]
+    >>> [float(x) for x in view(Setup()).data["forward"]]
     [0.0, 0.0, -1.0]
     """
-    placed = shot.camera
+    placed = setup.camera
     V = placed.camera_from_world
     R = rational.affine(rational.linear(V))
     T = translation_matrix(tuple(-component for component in placed.eye))
-    found = classify(V, shot.tolerance)
-    right, up, forward = camera_axes(V, found, shot.view.handed)
+    found = classify(V, setup.tolerance)
+    right, up, forward = camera_axes(V, found, setup.view.handed)
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
     normal_matrix = found.linear_map.inverse_transpose

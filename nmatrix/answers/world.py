@@ -5,28 +5,28 @@ from __future__ import annotations
 from dataclasses import asdict
 
 from nmatrix.enums import NormalMethod
-from nmatrix.lessons.kinds import transform_blocks, transform_data, transform_remarks
+from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import classify
 from nmatrix.linear.decompose import Parts, parts
 from nmatrix.linear.rules import normal_rule
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 
-def world(shot: Shot) -> Report:
+def world(setup: Setup) -> Report:
     """Answer with the world matrix of a scene.
 
     Examples
     --------
     >>> from nmatrix.scene.world import World
-    >>> world(Shot(World(scale=(1, 2, 1)))).data["transform"]
+    >>> world(Setup(World(scale=(1, 2, 1)))).data["transform"]
     'non-uniform-scale'
     """
-    M = shot.world.world_from_object
-    found = classify(M, shot.tolerance)
+    M = setup.world.world_from_object
+    found = classify(M, setup.tolerance)
     linear_map = found.linear_map
     normal_matrix = normal_rule(NormalMethod.EXACT, linear_map)
-    taken_apart = parts(M, shot.world.order)
+    taken_apart = parts(M, setup.world.order)
     cofactors = linear_map.cofactor_matrix
     data = {
         "world_from_object": M,
@@ -47,7 +47,7 @@ def world(shot: Shot) -> Report:
     ]
     if taken_apart is not None:
         blocks += [Heading("Parts"), parts_table(taken_apart)]
-    return Report("world", data, tuple(blocks), (*shot.world.remarks, *transform_remarks(found)))
+    return Report("world", data, tuple(blocks), (*setup.world.remarks, *transform_remarks(found)))
 
 
 def parts_table(taken_apart: Parts) -> Table:

@@ -13,7 +13,7 @@ from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
 from nmatrix.output.pages.document import Document, PageFormat, Paper
 from nmatrix.output.pages.write import WITH_PICTURES_BESIDE, write
 from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class Plan:
     """What every sheet of a run has in common."""
 
     topics: tuple[Topic, ...]
-    shot: Shot
+    setup: Setup
     exercises: int = 0
     kind: PageFormat = PageFormat.HTML
     paper: Paper = Paper.A4
@@ -74,7 +74,7 @@ def _theory(plan: Plan) -> tuple[list[Block], dict[str, bytes]]:
     pictures: dict[str, bytes] = {}
     for topic in plan.topics:
         if topic is not Topic.EXERCISES:
-            found = _common(topic, plan.shot)
+            found = _common(topic, plan.setup)
             blocks += [_beside(one, plan.prefix) for one in found.blocks]
             pictures |= {plan.prefix + name: one for name, one in found.pictures.items()}
     return blocks, pictures
@@ -97,8 +97,8 @@ def _exercises(count: int, sheet: Sheet) -> tuple[Exercise, ...]:
 
 
 @lru_cache(maxsize=32)  # a class shares its theory and its pictures
-def _common(topic: Topic, shot: Shot) -> Part:
-    return part(topic, shot)
+def _common(topic: Topic, setup: Setup) -> Part:
+    return part(topic, setup)
 
 
 def _beside(block: Block, prefix: str) -> Block:

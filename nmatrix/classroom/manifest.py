@@ -44,7 +44,7 @@ def manifest(plan: Plan, seed: str, salt: bytes, students: tuple[Student, ...]) 
         __version__,
         seed,
         _digest(salt) if salt else "",
-        _digest(repr(plan.shot).encode()),
+        _digest(repr(plan.setup).encode()),
         tuple(topic.value for topic in plan.topics),
         plan.exercises,
         plan.kind.value,

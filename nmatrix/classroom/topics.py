@@ -10,7 +10,7 @@ from fractions import Fraction
 from nmatrix.enums import Space
 from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Figure, Heading, Quantity, Table, Text, Verdict
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 
 class Topic(StrEnum):
@@ -38,42 +38,42 @@ class Part:
     pictures: Mapping[str, bytes] = field(default_factory=dict)
 
 
-def part(topic: Topic, shot: Shot) -> Part:
+def part(topic: Topic, setup: Setup) -> Part:
     """Return a topic for a scene; exercises belong to a student and are not made here."""
-    return PARTS[topic](shot)
+    return PARTS[topic](setup)
 
 
-def _rule(shot: Shot) -> Part:
-    from nmatrix.lessons.derive import derive
+def _rule(setup: Setup) -> Part:
+    from nmatrix.lessons.derive.lesson import derive
 
     return Part(derive("rule").blocks)
 
 
-def _worked(shot: Shot) -> Part:
+def _worked(setup: Setup) -> Part:
     """Return the matrices of the given scene, and its light and eye in each space."""
     from nmatrix.answers.view import view
     from nmatrix.answers.world import world
 
-    placed = world(shot).blocks
+    placed = world(setup).blocks
     matrices = [one for one in placed if _is(one, "world_from_object") or _is(one, "normal_matrix")]
-    matrices += [one for one in view(shot).blocks if _is(one, "camera_from_world")]
+    matrices += [one for one in view(setup).blocks if _is(one, "camera_from_world")]
     verdicts = [one for one in placed if isinstance(one, Verdict)]
-    return Part((Heading("In numbers"), *matrices, *verdicts, _seen(shot)))
+    return Part((Heading("In numbers"), *matrices, *verdicts, _seen(setup)))
 
 
 def _is(block: Block, key: str) -> bool:
     return isinstance(block, Quantity) and block.key == key
 
 
-def _seen(shot: Shot) -> Table:
+def _seen(setup: Setup) -> Table:
     """Return the light and the eye in each space that there is."""
     from nmatrix.errors import NoAnswerError
-    from nmatrix.spaces.seen import light_in
+    from nmatrix.spaces.light_and_eye import light_in
 
     rows = []
     for space in FOUR_SPACES[:3]:
         try:
-            light, eye = light_in(shot.stage, space), shot.stage.eye_in(space)
+            light, eye = light_in(setup.maps, space), setup.maps.eye_in(space)
         except NoAnswerError:  # a flattened world has no object space
             continue
         rows.append((space.value, _short(light.direction), _short(light.position), _short(eye)))
@@ -88,9 +88,9 @@ def _short(vector: Sequence[float | Fraction] | None) -> str:
     return f"({', '.join(numbers)})"
 
 
-def _spaces(shot: Shot) -> Part:
+def _spaces(setup: Setup) -> Part:
     """Return the table of each space: what must be moved, by what."""
-    from nmatrix.spaces.sheet import LESSONS, UNMOVED, table
+    from nmatrix.spaces.teaching_table import LESSONS, UNMOVED, table
 
     blocks: list[Block] = [Heading("What each shading space moves")]
     for space in FOUR_SPACES:
@@ -103,7 +103,7 @@ def _spaces(shot: Shot) -> Part:
     return Part(tuple(blocks))
 
 
-def _proofs(shot: Shot) -> Part:
+def _proofs(setup: Setup) -> Part:
     """Return two proof images with their numbers in the alternative text."""
     from dataclasses import replace
 
@@ -129,8 +129,8 @@ TOLD = {
 }
 
 
-def _pitfalls(shot: Shot) -> Part:
-    from nmatrix.lessons.pitfalls import PITFALLS
+def _pitfalls(setup: Setup) -> Part:
+    from nmatrix.classroom.pitfalls import PITFALLS
 
     rows = tuple((one.id, one.claim, one.verdict) for one in PITFALLS)
     return Part(
@@ -138,7 +138,7 @@ def _pitfalls(shot: Shot) -> Part:
     )
 
 
-def _cost(shot: Shot) -> Part:
+def _cost(setup: Setup) -> Part:
     """Return counted work; a time would be another one tomorrow."""
     from nmatrix.errors import NoAnswerError
     from nmatrix.spaces.cost import cost
@@ -147,7 +147,7 @@ def _cost(shot: Shot) -> Part:
     rows = []
     for space in FOUR_SPACES:
         try:
-            found = cost(shot.stage, Request(space))
+            found = cost(setup.maps, Request(space))
         except NoAnswerError:  # a flattened world has no object space
             continue
         rows.append(
@@ -174,7 +174,7 @@ def _cost(shot: Shot) -> Part:
     )
 
 
-PARTS: dict[Topic, Callable[[Shot], Part]] = {
+PARTS: dict[Topic, Callable[[Setup], Part]] = {
     Topic.RULE: _rule,
     Topic.WORKED: _worked,
     Topic.SPACES: _spaces,

@@ -65,16 +65,16 @@ def calc(
 def _scene_names(groups: Groups, sources: Sources, expression: str) -> dict[str, Value]:
     from nmatrix.calculator.values import Value
 
-    shot = groups.shot_from(sources)
+    setup = groups.setup_from(sources)
     piped = (groups.world.world_matrix or "").partition("#")[0] == "-"
-    typed = shot.world if piped else groups.typed_world(sources, shot)  # stdin is read once
+    typed = setup.world if piped else groups.typed_world(sources, setup)  # stdin is read once
     exact = _is_rational(typed)
-    world = typed.exact if exact else shot.world.world_from_object
+    world = typed.exact if exact else setup.world.world_from_object
     names = {"M": Value(world, exact=exact)}
     if "V" in expression:
-        names["V"] = Value(shot.camera.camera_from_world)
+        names["V"] = Value(setup.camera.camera_from_world)
     if "P" in expression:
-        names["P"] = Value(shot.lens.clip_from_camera)
+        names["P"] = Value(setup.lens.clip_from_camera)
     return names
 
 

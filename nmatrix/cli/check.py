@@ -171,7 +171,7 @@ def _question(what: str, groups: Groups, options: CheckOptions, sources: Sources
         )
     return Question(
         subject,
-        groups.shot_from(sources),
+        groups.setup_from(sources),
         groups.space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
         unit=options.unit,
         tolerance=options.limit,

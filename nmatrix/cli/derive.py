@@ -10,7 +10,7 @@ from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.lessons.cases import ALL, TITLES, chosen
+from nmatrix.lessons.derive.cases import ALL, TITLES, chosen
 
 HELP = {
     "derive": f"""nmatrix derive
@@ -38,6 +38,6 @@ def derive(
     """Show a derivation."""
     chosen(case)
     own = world.build_exact(Sources(everywhere.input_layout)) if world.is_given else None
-    from nmatrix.lessons.derive import derive as answer
+    from nmatrix.lessons.derive.lesson import derive as answer
 
     show(answer(case, own), everywhere)

@@ -16,11 +16,11 @@ from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.report import Report, Text, Verdict
-from nmatrix.scene.shot import LightSource
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
 FROM_ABOVE = (1.5, 1.75, 3.25)  # a torus seen from its side shows no hole
-SHORT_LIGHT = LightSource((-1, -1, -1))  # the usual light, in numbers that fit their boxes
+SHORT_LIGHT = Light((-1, -1, -1))  # the usual light, in numbers that fit their boxes
 STRETCHED = World(scale=(1, 2, 1))  # without a stretch every rule is right, and nothing is seen
 
 HELP = {
@@ -51,13 +51,13 @@ def explore(
 
     path = Path(output)
     refuse_existing([path], force=force)
-    shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
+    setup = Groups(world, view, lens, light, space, scene=scene).setup(everywhere)
     if not view.is_given and scene.scene is None:
-        shot = replace(shot, view=replace(shot.view, eye=FROM_ABOVE))
+        setup = replace(setup, view=replace(setup.view, eye=FROM_ABOVE))
     if not light.is_given and scene.scene is None:
-        shot = replace(shot, light=SHORT_LIGHT)
+        setup = replace(setup, light=SHORT_LIGHT)
     if not world.is_given and scene.scene is None:
-        shot = replace(shot, world=STRETCHED)
-    write_file(path, page(shot), force=force)
+        setup = replace(setup, world=STRETCHED)
+    write_file(path, page(setup), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), everywhere)

@@ -115,9 +115,9 @@ def handout(
         from nmatrix.output.pages.pdf import check_typst
 
         check_typst()
-    shot = Groups(world, view, lens, light, space, scene=scene).shot(everywhere)
+    setup = Groups(world, view, lens, light, space, scene=scene).setup(everywhere)
     count = options.count() if has_exercises else 0
-    plan = Plan(topics, shot, count, options.to, options.paper, options.key)
+    plan = Plan(topics, setup, count, options.to, options.paper, options.key)
     if options.roster is None:
         files = _one(plan, options, of)
         made = len(files)

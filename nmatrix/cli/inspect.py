@@ -35,7 +35,7 @@ def inspect(
     ] = None,
 ) -> None:
     """Show the nodes of a file."""
-    from nmatrix.scene.inspection import FAILURES, inspect_file, report
+    from nmatrix.answers.inspect import FAILURES, inspect_file, report
 
     words = tuple(word.strip() for word in fail_on.split(",")) if fail_on else ()
     for word in words:

@@ -39,18 +39,18 @@ def world(
     from nmatrix.answers.world import world as answer
 
     groups = Groups(world=world, tolerance=tolerance, scene=scene)
-    show(answer(groups.shot(everywhere)), everywhere)
+    show(answer(groups.setup(everywhere)), everywhere)
 
 
 def view(view: ViewOptions, scene: SceneOptions, everywhere: Everywhere) -> None:
     """Show the view matrix."""
     from nmatrix.answers.view import view as answer
 
-    show(answer(Groups(view=view, scene=scene).shot(everywhere)), everywhere)
+    show(answer(Groups(view=view, scene=scene).setup(everywhere)), everywhere)
 
 
 def projection(lens: LensOptions, scene: SceneOptions, everywhere: Everywhere) -> None:
     """Show the projection matrix."""
     from nmatrix.answers.projection import projection as answer
 
-    show(answer(Groups(lens=lens, scene=scene).shot(everywhere)), everywhere)
+    show(answer(Groups(lens=lens, scene=scene).setup(everywhere)), everywhere)

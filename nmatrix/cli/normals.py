@@ -60,7 +60,7 @@ def normal(
         space=space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
         method=method,
     )
-    show(answer(groups.shot(everywhere), request), everywhere)
+    show(answer(groups.setup(everywhere), request), everywhere)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:

@@ -19,7 +19,7 @@ from nmatrix.report import Number
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.scene import SceneObject
-from nmatrix.scene.shot import LightSource
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
 
@@ -28,7 +28,7 @@ def world_over(one: SceneObject, options: WorldOptions, typed: World) -> World:
 
     Examples
     --------
-    >>> from nmatrix.scene.kinds import Shape
+    >>> from nmatrix.scene.words import Shape
     >>> from nmatrix.scene.geometry import ShapeGeometry
     >>> place = World(translate=(1, 0, 0), scale=(2, 2, 2))
     >>> one = SceneObject("a", ShapeGeometry(Shape.BOX), place.world_from_object, place=place)
@@ -44,7 +44,7 @@ def world_over(one: SceneObject, options: WorldOptions, typed: World) -> World:
         own = _place_over(own, options, typed)
     if one.world_from_parent is None:
         return own
-    from nmatrix.scene.scene_objects import world_under
+    from nmatrix.scene.toml.objects import world_under
 
     under = world_under(one.world_from_parent, own)
     return replace(under, matrix=under.world_from_object)
@@ -139,11 +139,11 @@ def _clip_over(scene: ClipSpace, options: LensOptions) -> ClipSpace:
     return ClipSpace(options.depth or depth, options.handed or handed, options.clip_y or clip_y)
 
 
-def light_over(scene: LightSource, typed: LightSource) -> LightSource:
+def light_over(scene: Light, typed: Light) -> Light:
     """Return the scene's light with what was typed in place of its own."""
     has_direction = typed.direction is not None or typed.angles_degrees is not None
     direction = typed if has_direction else scene
-    return LightSource(
+    return Light(
         direction.direction,
         direction.angles_degrees,
         scene.position if typed.position is None else typed.position,

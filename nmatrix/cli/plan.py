@@ -37,17 +37,17 @@ def plan(
 ) -> None:
     """Show the plan of a scene."""
     if schema:
-        from nmatrix.scene.schema import schema as scene_schema
+        from nmatrix.scene.toml.schema import schema as scene_schema
 
         put(scene_schema())
         return
     if scene is None:
         raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
     from nmatrix.answers.plan import plan as answer
-    from nmatrix.raster.emit import shaders
-    from nmatrix.raster.plan import planned
-    from nmatrix.raster.studio import studio
+    from nmatrix.raster.loaded_scene import loaded
+    from nmatrix.raster.planning.emit import shaders
+    from nmatrix.raster.planning.plan import planned
     from nmatrix.scene.open import scene_of
 
-    found = planned(studio(scene_of(Path(scene))))
+    found = planned(loaded(scene_of(Path(scene))))
     show(answer(found, shaders(found, found.bodies[0])), everywhere)

@@ -20,16 +20,16 @@ from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.proofs.catalogue import PROOFS, entry
-from nmatrix.scene.kinds import LampKind
+from nmatrix.scene.words import LightKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from nmatrix.raster.proofs.brief import Brief, Proof
     from nmatrix.raster.proofs.frames import Job
-    from nmatrix.scene.lamp import Lamp
+    from nmatrix.scene.light import SceneLight
     from nmatrix.scene.scene import Scene, Settings
-    from nmatrix.scene.shot import Shot
+    from nmatrix.scene.setup import Setup
 
 HELP = {
     "render": """nmatrix render normals --scale 1 2 1
@@ -122,11 +122,11 @@ def _brief(
 ) -> Brief:
     """Return a proof's brief: a scene lends its object, its camera and its light."""
     from nmatrix.raster.proofs.brief import Brief
-    from nmatrix.scene.meshfile import read_mesh
+    from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.scene import Settings
 
     size = picture.checked_size(PANEL)
-    shot = groups.shot(everywhere, aspect=size[0] / size[1])
+    setup = groups.setup(everywhere, aspect=size[0] / size[1])
     lent = groups.scene.scene
     has_camera = groups.view.is_given or (lent is not None and lent.has_camera)
     loaded = None if mesh is None else read_mesh(Path(mesh))
@@ -135,11 +135,11 @@ def _brief(
     return Brief(
         name if mesh is None else Path(mesh).stem,
         loaded,
-        shot.world if groups.world.is_given or lent is not None else None,
-        shot.view if has_camera else None,
-        shot.lens,
-        _lamps(shot),
-        _settings(Settings(size=size), groups, picture, shot),
+        setup.world if groups.world.is_given or lent is not None else None,
+        setup.view if has_camera else None,
+        setup.lens,
+        _lights(setup),
+        _settings(Settings(size=size), groups, picture, setup),
         picture.reflection or Reflection.LAMBERT,
         time.perf_counter,
     )
@@ -154,10 +154,10 @@ def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Ever
     read, chosen = groups.scene.scene, groups.scene.chosen_object
     assert read is not None  # a file was named
     found = read.sized(*picture.checked_size(read.settings.size))
-    shot = groups.shot(everywhere, aspect=found.lens.aspect)
+    setup = groups.setup(everywhere, aspect=found.lens.aspect)
     objects = found.objects
     if groups.world.is_given:
-        moved = shot.world.world_from_object
+        moved = setup.world.world_from_object
         objects = tuple(
             replace(one, world_from_object=moved) if one is chosen else one for one in objects
         )
@@ -169,20 +169,22 @@ def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Ever
     return replace(
         found,
         objects=objects,
-        lamps=_lamps(shot) if groups.light.is_given or not found.lamps else found.lamps,
-        view=shot.view,
-        lens=shot.lens,
-        settings=_settings(found.settings, groups, picture, shot),
+        lights=_lights(setup) if groups.light.is_given or not found.lights else found.lights,
+        view=setup.view,
+        lens=setup.lens,
+        settings=_settings(found.settings, groups, picture, setup),
         has_camera=found.has_camera or groups.view.is_given,
     )
 
 
-def _settings(settings: Settings, groups: Groups, picture: PictureOptions, shot: Shot) -> Settings:
+def _settings(
+    settings: Settings, groups: Groups, picture: PictureOptions, setup: Setup
+) -> Settings:
     chosen = groups.space.chosen(None, settings.space)
     return replace(
         settings,
         space=chosen or Space.WORLD,
-        space_matrix=shot.space_matrix or settings.space_matrix,
+        space_matrix=setup.space_matrix or settings.space_matrix,
         shading=picture.shading or settings.shading,
         samples=picture.checked_samples(settings.samples, settings.size),
         normals=picture.normals or settings.normals,
@@ -190,17 +192,17 @@ def _settings(settings: Settings, groups: Groups, picture: PictureOptions, shot:
     )
 
 
-def _lamps(shot: Shot) -> tuple[Lamp, ...]:
-    """Return the light of the command line as lamps: one for its direction, one for its place."""
-    from nmatrix.scene.lamp import Lamp
+def _lights(setup: Setup) -> tuple[SceneLight, ...]:
+    """Return the light of the command line as lights: one for its direction, one for its place."""
+    from nmatrix.scene.light import SceneLight
 
-    light = shot.light.placed()
-    lamps = []
+    light = setup.light.placed()
+    lights = []
     if light.direction is not None:
-        lamps.append(Lamp("sun", LampKind.DIRECTIONAL, direction=light.direction))
+        lights.append(SceneLight("sun", LightKind.DIRECTIONAL, direction=light.direction))
     if light.position is not None:
-        lamps.append(Lamp("bulb", LampKind.POINT, position=light.position))
-    return tuple(lamps)
+        lights.append(SceneLight("bulb", LightKind.POINT, position=light.position))
+    return tuple(lights)
 
 
 def _draw(job: Job, frames: FrameOptions) -> list[Proof]:

@@ -17,9 +17,9 @@ from nmatrix.errors import IllegalValueError
 if TYPE_CHECKING:
     from nmatrix.linear.rational import RationalMatrix
     from nmatrix.scene.camera import View
-    from nmatrix.scene.lamp import Lamp
+    from nmatrix.scene.light import SceneLight
     from nmatrix.scene.scene import Scene, SceneObject
-    from nmatrix.scene.shot import LightSource
+    from nmatrix.scene.setup import Light
     from nmatrix.scene.world import World
 
 SCENE = "Scene"
@@ -74,17 +74,17 @@ class SceneOptions:
         raise self._unknown("--object", self.object_name, [one.name for one in self.scene.objects])
 
     @cached_property
-    def chosen_lamp(self) -> Lamp | None:
+    def chosen_light(self) -> SceneLight | None:
         """Return the light that was named, or the first that is anywhere."""
         if self.scene is None:
             return None
-        placed = [one for one in self.scene.lamps if one.has_position or one.has_direction]
+        placed = [one for one in self.scene.lights if one.has_position or one.has_direction]
         if self.light_name is None:
             return placed[0] if placed else None
         for one in placed:
             if one.name == self.light_name:
                 return one
-        if self.light_name in [one.name for one in self.scene.lamps]:
+        if self.light_name in [one.name for one in self.scene.lights]:
             raise IllegalValueError(
                 f"--light ({self.light_name[:40]})",
                 "ambient light has neither a direction nor a position",
@@ -93,7 +93,7 @@ class SceneOptions:
         raise self._unknown("--light", self.light_name, [one.name for one in placed])
 
     def _unknown(self, option: str, name: str, names: list[str]) -> IllegalValueError:
-        from nmatrix.scene.scene_faults import suggestion
+        from nmatrix.scene.toml.faults import suggestion
 
         what = option.removeprefix("--")
         listed = f"there are {', '.join(names[:8])}{', …' if len(names) > 8 else ''}"
@@ -104,31 +104,31 @@ class SceneOptions:
             listed if near.startswith("there are") else f"{near} {listed}",
         )
 
-    def light_source(self, view: View, world: World) -> LightSource | None:
+    def light_source(self, view: View, world: World) -> Light | None:
         """Return the chosen light in world space, whatever it is fixed to."""
-        from nmatrix.scene.lamp import EYE, WORLD
-        from nmatrix.scene.shot import LightSource
+        from nmatrix.scene.light import EYE, WORLD
+        from nmatrix.scene.setup import Light
 
-        lamp = self.chosen_lamp
-        if self.scene is None or self.chosen_object is None or lamp is None:
+        light = self.chosen_light
+        if self.scene is None or self.chosen_object is None or light is None:
             return None
-        source = LightSource(
-            lamp.direction if lamp.has_direction else None,
-            position=lamp.position if lamp.has_position else None,
+        source = Light(
+            light.direction if light.has_direction else None,
+            position=light.position if light.has_position else None,
         )
-        if lamp.fixed_to == WORLD:
+        if light.fixed_to == WORLD:
             return source
         from nmatrix.linear.rational import inverse
 
-        if lamp.fixed_to == EYE:
+        if light.fixed_to == EYE:
             return _carried(source, inverse(view.placed().camera_from_world))
-        if lamp.fixed_to == self.chosen_object.name:
+        if light.fixed_to == self.chosen_object.name:
             return _carried(source, world.world_from_object)
         homes = {one.name: one.world_from_object for one in self.scene.objects}
-        return _carried(source, homes[lamp.fixed_to])
+        return _carried(source, homes[light.fixed_to])
 
 
-def _carried(source: LightSource, world_from_home: RationalMatrix) -> LightSource:
+def _carried(source: Light, world_from_home: RationalMatrix) -> Light:
     """Return a light in world space, exactly."""
     from nmatrix.linear.rational import ONE, ZERO, apply, rational_vector
 

@@ -17,7 +17,7 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import number
 from nmatrix.scene.camera import View
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 
 if TYPE_CHECKING:
     from nmatrix.scene.scene import Scene
@@ -141,16 +141,16 @@ class Groups:
         """Return whether any option of any group was given."""
         return self != Groups()
 
-    def shot(self, everywhere: Everywhere, aspect: float | None = None) -> Shot:
+    def setup(self, everywhere: Everywhere, aspect: float | None = None) -> Setup:
         """Return what the command line describes; `aspect` is that of a picture, if it has one."""
         sources = Sources(everywhere.input_layout)
-        return self.shot_from(sources, aspect)
+        return self.setup_from(sources, aspect)
 
-    def shot_from(self, sources: Sources, aspect: float | None = None) -> Shot:
+    def setup_from(self, sources: Sources, aspect: float | None = None) -> Setup:
         """Return the same, reading matrices from these sources."""
         if self.scene.scene is not None:
-            return self._shot_of_scene(self.scene.scene, sources, aspect)
-        return Shot(
+            return self._setup_of_scene(self.scene.scene, sources, aspect)
+        return Setup(
             world=self.world.build(sources),
             view=self._handed(self.view.build(sources)),
             lens=self.lens.build(sources, aspect or 1.0),
@@ -159,7 +159,7 @@ class Groups:
             tolerance=self.tolerance.value(sources),
         )
 
-    def _shot_of_scene(self, scene: Scene, sources: Sources, aspect: float | None) -> Shot:
+    def _setup_of_scene(self, scene: Scene, sources: Sources, aspect: float | None) -> Setup:
         from nmatrix.cli.overlay import lens_over, light_over, view_over, world_over
 
         chosen = self.scene.chosen_object
@@ -170,9 +170,9 @@ class Groups:
         view = self._handed(view_over(scene.view, self.view, self.view.build(sources)))
         free = aspect is not None and not scene.has_aspect
         lens = replace(scene.lens, aspect=aspect) if free and aspect else scene.lens
-        light = self.scene.light_source(view, world) or LightSource()
+        light = self.scene.light_source(view, world) or Light()
         space_matrix = self.space.matrix(sources)
-        return Shot(
+        return Setup(
             world=world,
             view=view,
             lens=lens_over(lens, self.lens, self.lens.build(sources)),
@@ -181,14 +181,14 @@ class Groups:
             tolerance=self.tolerance.value(sources),
         )
 
-    def typed_world(self, sources: Sources, shot: Shot) -> World:
+    def typed_world(self, sources: Sources, setup: Setup) -> World:
         """Return the world with every number as it was typed, where it was typed in parts."""
         typed = self.world.build_exact(sources)
         chosen = self.scene.chosen_object
         if chosen is None or self.world.world_matrix is not None:
             return typed
         if chosen.world_from_parent is not None or chosen.place is None:
-            return shot.world
+            return setup.world
         from nmatrix.cli.overlay import as_typed, world_over
 
         return world_over(replace(chosen, place=as_typed(chosen.place)), self.world, typed)

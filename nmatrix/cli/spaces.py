@@ -60,8 +60,8 @@ def light(
     """Show the light in a space."""
     from nmatrix.answers.light import light as answer
 
-    shot = Groups(world, view, light=light, space=space, scene=scene).shot(everywhere)
-    show(answer(shot, space.chosen(where, None)), everywhere)
+    setup = Groups(world, view, light=light, space=space, scene=scene).setup(everywhere)
+    show(answer(setup, space.chosen(where, None)), everywhere)
 
 
 def eye(
@@ -76,8 +76,8 @@ def eye(
     """Show the eye in a space."""
     from nmatrix.answers.light import eye as answer
 
-    shot = Groups(world, view, space=space, scene=scene).shot(everywhere)
-    show(answer(shot, space.chosen(where, None)), everywhere)
+    setup = Groups(world, view, space=space, scene=scene).setup(everywhere)
+    show(answer(setup, space.chosen(where, None)), everywhere)
 
 
 def space(
@@ -109,8 +109,8 @@ def space(
         )
     groups = Groups(world, view, lens, light, space, scene=scene)
     chosen = space.chosen(where, groups.usual_space(Space.WORLD)) or Space.WORLD
-    shot = groups.shot(everywhere)
-    show(answer(shot, Request(chosen, shading, reflection)), everywhere)
+    setup = groups.setup(everywhere)
+    show(answer(setup, Request(chosen, shading, reflection)), everywhere)
 
 
 def trace(
@@ -133,9 +133,9 @@ def trace(
 
     window = _window(viewport, scene)
     aspect = None if viewport is None else window.width / window.height
-    shot = Groups(world, view, lens, scene=scene).shot(everywhere, aspect=aspect)
+    setup = Groups(world, view, lens, scene=scene).setup(everywhere, aspect=aspect)
     n = None if normal is None else numbers(normal, 3, "--normal")
-    show(answer(shot, numbers(point, 3, "--point"), n, window), everywhere)
+    show(answer(setup, numbers(point, 3, "--point"), n, window), everywhere)
 
 
 def _window(viewport: str | None, scene: SceneOptions) -> Viewport:

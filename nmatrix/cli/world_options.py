@@ -13,7 +13,7 @@ from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fractions, numbers
-from nmatrix.scene.shot import LightSource
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
 
@@ -135,7 +135,7 @@ class LightOptions:
         given = (self.light_direction, self.light_angles, self.light_position)
         return any(value is not None for value in given)
 
-    def build(self) -> LightSource:
+    def build(self) -> Light:
         """Return the light that was described."""
         if self.light_direction is not None and self.light_angles is not None:
             raise IllegalValueError(
@@ -145,7 +145,7 @@ class LightOptions:
         if self.light_angles is not None:
             alpha, beta = numbers(self.light_angles, 2, "--light-angles")
             angles = (alpha, beta)
-        return LightSource(
+        return Light(
             direction=None
             if self.light_direction is None
             else numbers(self.light_direction, 3, "--light-direction"),

@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, NormalRule
-from nmatrix.raster.effects import per_sample, per_vertex
-from nmatrix.raster.lighting import Lighting, SpaceLamp, colour
-from nmatrix.raster.picture import Drawable, Drawing, Picture
-from nmatrix.raster.plan import BodyPlan, Plan
-from nmatrix.raster.shading_space import ShadingSpace, as_array
-from nmatrix.raster.shadow import Occluded, ShadowMap, shadow_maps
-from nmatrix.raster.studio import PlacedLamp, Studio
-from nmatrix.raster.surface import Look, Surface
-from nmatrix.raster.texture import to_srgb
-from nmatrix.raster.vertices import front_sign, project
-from nmatrix.scene.kinds import LampKind
+from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
+from nmatrix.raster.planning.effects import per_sample, per_vertex
+from nmatrix.raster.planning.plan import BodyPlan, Plan
+from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
+from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_maps
+from nmatrix.raster.shading.space import ShadingSpace, as_array
+from nmatrix.raster.shading.surface import Look, Surface
+from nmatrix.raster.shading.texture import to_srgb
+from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
+from nmatrix.raster.triangles.vertices import front_sign, project
+from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 Change = Callable[[Surface], Surface]
@@ -59,7 +59,7 @@ def _as_it_is(surface: Surface) -> Surface:
 def render(
     plan: Plan, finish: Callable[[Array], Array] = np.asarray, change: Change = _as_it_is
 ) -> Rendered:
-    """Draw a plan's studio; `finish` turns rows of levels into what is kept of them.
+    """Draw a plan's loaded scene; `finish` turns rows of levels into what is kept of them.
 
     `change` exchanges surfaces on their way, for pictures that show what a mistake looks like.
 
@@ -70,37 +70,37 @@ def render(
     NoAnswerError
         For a shading space that a body does not have.
     """
-    studio = plan.studio
+    loaded = plan.loaded
     maps = _shadow_maps(plan)
     drawables = [_drawable(plan, body, maps, change) for body in plan.bodies]
-    background = np.array(studio.settings.background[: plan.channels])
-    drawing = Drawing(drawables, studio.canvas, background, studio.settings.depth)
+    background = np.array(loaded.settings.background[: plan.channels])
+    drawing = Drawing(drawables, loaded.canvas, background, loaded.settings.depth)
     has_gamma = plan.picture[Effect.GAMMA].on
     picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))
     return Rendered(picture.image, _work(plan, picture, sum(map(len, maps.values()))))
 
 
 def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
-    """Return the maps of every lamp whose shadows some body asks for."""
+    """Return the maps of every light whose shadows some body asks for."""
     asked = {
-        placed.lamp.name: placed
+        placed.light.name: placed
         for body in plan.bodies
         if Effect.SHADOWS in body.effects
-        for placed in body.lamps
-        if placed.lamp.shadows
+        for placed in body.lights
+        if placed.light.shadows
     }
-    size, bodies = plan.studio.settings.shadow_map, plan.studio.bodies
+    size, bodies = plan.loaded.settings.shadow_map, plan.loaded.bodies
     return {name: shadow_maps(placed, bodies, size) for name, placed in asked.items()}
 
 
 def _drawable(
     plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], change: Change
 ) -> Drawable:
-    studio = plan.studio
-    exact = studio.clip_from_object(body.body)
-    front = front_sign(exact, studio.clip)
+    loaded = plan.loaded
+    exact = loaded.clip_from_object(body.body)
+    front = front_sign(exact, loaded.clip)
     culled = 0 if Effect.BACK_FACES in body.effects else -front
-    projected = project(body.body.mesh, as_array(exact), studio.canvas, studio.clip, culled)
+    projected = project(body.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
     surface = change(surface_of(plan, body, maps, front))
     return Drawable(
         projected, surface.reads(projected), surface.colours, body.body.material.opacity
@@ -109,15 +109,15 @@ def _drawable(
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:
     """Return how one body looks under its plan."""
-    settings = plan.studio.settings
+    settings = plan.loaded.settings
     space = ShadingSpace(
-        plan.studio, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
+        plan.loaded, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
     )
     lighting = Lighting(
         body.body.material,
-        tuple(_seen(one, space, body, maps, plan.channels) for one in body.lamps),
-        colour(ambient_light(plan.studio), plan.channels),
-        space.point(plan.studio.eye),
+        tuple(_seen(one, space, body, maps, plan.channels) for one in body.lights),
+        colour(ambient_light(plan.loaded), plan.channels),
+        space.point(plan.loaded.eye),
         space.measure,
         body.effects,
     )
@@ -131,45 +131,45 @@ def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], fro
     return Surface(space, lighting, look, body.effects, front)
 
 
-def ambient_light(studio: Studio) -> tuple[float, ...]:
-    """Return the light that comes from everywhere: the ambient lamps' sum, white if there is none.
+def ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
+    """Return the light that comes from everywhere: the ambient lights' sum, white if there is none.
 
     Materials say how much of it they send back.
     """
-    found = [one.colour for one in studio.lamps if one.lamp.kind is LampKind.AMBIENT]
+    found = [one.colour for one in loaded.lights if one.light.kind is LightKind.AMBIENT]
     return tuple(map(sum, zip(*found, strict=True))) if found else (1.0, 1.0, 1.0)
 
 
 def _rule(plan: Plan, body: BodyPlan) -> NormalRule:
     """Return how normals are carried: by the matrix itself where that is right."""
-    wanted = plan.studio.settings.normals
+    wanted = plan.loaded.settings.normals
     if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in body.effects:
         return NormalRule.NONE
     return wanted
 
 
 def _seen(
-    placed: PlacedLamp,
+    placed: PlacedLight,
     space: ShadingSpace,
     body: BodyPlan,
     maps: dict[str, list[ShadowMap]],
     channels: int,
-) -> SpaceLamp:
-    """Return a lamp as the body's shading space sees it."""
-    lamp = placed.lamp
-    looks = maps.get(lamp.name) if Effect.SHADOWS in body.effects else None
+) -> ShadingLight:
+    """Return a light as the body's shading space sees it."""
+    light = placed.light
+    looks = maps.get(light.name) if Effect.SHADOWS in body.effects else None
     axis = None if placed.direction is None else space.direction(placed.direction)
-    return SpaceLamp(
+    return ShadingLight(
         colour(placed.colour, channels),
         to_light=None if axis is None or placed.position is not None else -axis,
         position=None if placed.position is None else space.point(placed.position),
         axis=axis,
-        attenuation=lamp.attenuation,
-        range=lamp.range,
-        cone=tuple(cos(radians(angle)) for angle in lamp.cone_degrees)  # type: ignore[arg-type]  # two
-        if lamp.kind is LampKind.SPOT
+        attenuation=light.attenuation,
+        range=light.range,
+        cone=tuple(cos(radians(angle)) for angle in light.cone_degrees)  # type: ignore[arg-type]  # two
+        if light.kind is LightKind.SPOT
         else None,
-        occlusion=Occluded(looks, space) if looks and lamp.shadows else None,
+        occlusion=Occluded(looks, space) if looks and light.shadows else None,
     )
 
 
@@ -179,7 +179,7 @@ def _work(plan: Plan, picture: Picture, shadow_passes: int) -> Work:
     layered = any(Effect.TRANSPARENCY in one.effects for one in bodies)
     at_vertices = sum(n * per_vertex(one.effects) for n, one in zip(vertices, bodies, strict=True))
     at_samples = sum(
-        n * per_sample(one.effects, len(one.lamps))
+        n * per_sample(one.effects, len(one.lights))
         for n, one in zip(picture.shaded, bodies, strict=True)
     )
     return Work(

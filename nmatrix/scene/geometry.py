@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nmatrix.scene.kinds import Shape
+from nmatrix.scene.words import Shape
 
 if TYPE_CHECKING:
-    from nmatrix.scene.gltf import GltfScene
-    from nmatrix.scene.mesh import Mesh
+    from nmatrix.scene.gltf.nodes import GltfScene
+    from nmatrix.scene.meshes.mesh import Mesh
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class ShapeGeometry:
 
     def mesh(self) -> Mesh:
         """Build the triangles."""
-        from nmatrix.scene import shapes
+        from nmatrix.scene.meshes import shapes
 
         build: dict[Shape, Callable[..., Mesh]] = {
             Shape.SPHERE: shapes.sphere,
@@ -49,7 +49,7 @@ class FileGeometry:
 
     def mesh(self) -> Mesh:
         """Read the triangles."""
-        from nmatrix.scene.meshfile import read_mesh
+        from nmatrix.scene.meshes.file import read_mesh
 
         return read_mesh(self.path)
 
@@ -64,7 +64,7 @@ class GltfGeometry:
 
     def mesh(self) -> Mesh:
         """Read the triangles."""
-        from nmatrix.scene.accessors import primitive_mesh
+        from nmatrix.scene.gltf.accessors import primitive_mesh
 
         return primitive_mesh(self.scene, self.mesh_index, self.primitive)
 
@@ -77,7 +77,7 @@ class TangentGeometry:
 
     def mesh(self) -> Mesh:
         """Build or read the triangles; without texture coordinates they stay as they are."""
-        from nmatrix.scene.tangents import with_tangents
+        from nmatrix.scene.meshes.tangents import with_tangents
 
         return with_tangents(self.plain.mesh())
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nmatrix.enums import Reflection
-from nmatrix.scene.kinds import Sides
+from nmatrix.scene.words import Sides
 
 Colour = tuple[float, float, float]
 

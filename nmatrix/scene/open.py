@@ -8,8 +8,8 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import FileGeometry
 from nmatrix.scene.scene import Scene, SceneObject
-from nmatrix.scene.scene_lights import DAYLIGHT
-from nmatrix.scene.scene_objects import MESHES
+from nmatrix.scene.toml.lights import DAYLIGHT
+from nmatrix.scene.toml.objects import MESHES
 from nmatrix.scene.world import World
 
 SUFFIXES = (".toml", ".gltf", ".glb", *MESHES)
@@ -25,11 +25,11 @@ def scene_of(path: Path) -> Scene:
     """
     suffix = path.suffix.lower()
     if suffix == ".toml":
-        from nmatrix.scene.scenefile import read_scene
+        from nmatrix.scene.toml.file import read_scene
 
         return read_scene(path)
     if suffix in (".gltf", ".glb"):
-        from nmatrix.scene.gltf_scene import gltf_scene
+        from nmatrix.scene.gltf.scene import gltf_scene
 
         return gltf_scene(path)
     if suffix not in MESHES:

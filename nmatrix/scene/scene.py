@@ -9,10 +9,10 @@ from nmatrix.enums import Effort, NormalRule, Shading, Space
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
-from nmatrix.scene.kinds import DepthBuffer
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material
+from nmatrix.scene.words import DepthBuffer
 from nmatrix.scene.world import World
 
 
@@ -74,7 +74,7 @@ class Scene:
     """
 
     objects: tuple[SceneObject, ...]
-    lamps: tuple[Lamp, ...] = ()
+    lights: tuple[SceneLight, ...] = ()
     view: View = field(default_factory=View)
     lens: Lens = field(default_factory=Lens)
     settings: Settings = field(default_factory=Settings)

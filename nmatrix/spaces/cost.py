@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nmatrix.enums import Reflection, Shading, Space
-from nmatrix.spaces.stage import Stage
+from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.uniforms import Needs, Request, needs, uniforms
 
 MAT4_VEC4, MAT3_VEC3, DOT, NORMALISE = 16, 9, 3, 6
@@ -28,7 +28,7 @@ class Cost:
     uniform_bytes: int
 
 
-def cost(stage: Stage, request: Request) -> Cost:
+def cost(maps: ExactMaps, request: Request) -> Cost:
     """Count what one frame costs in this space.
 
     Examples
@@ -38,7 +38,7 @@ def cost(stage: Stage, request: Request) -> Cost:
     >>> world.per_vertex_multiplications  # clip position, position, normal and its length
     47
     """
-    found = needs(stage, request)
+    found = needs(maps, request)
     lighting = _lighting(found, request)
     at_vertex = request.shading is Shading.GOURAUD
     return Cost(
@@ -46,7 +46,7 @@ def cost(stage: Stage, request: Request) -> Cost:
         per_vertex_multiplications=_per_vertex(found) + (lighting if at_vertex else 0),
         per_object_multiplications=_per_object(found, request),
         per_scene_multiplications=_per_scene(found, request),
-        uniform_bytes=sum(uniform.bytes for uniform in uniforms(stage, request)),
+        uniform_bytes=sum(uniform.bytes for uniform in uniforms(maps, request)),
     )
 
 

@@ -10,23 +10,23 @@ from __future__ import annotations
 from nmatrix.enums import Space
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.spaces.stage import Stage
+from nmatrix.spaces.exact_maps import ExactMaps
 
 
-def vector_world_from_space(stage: Stage, space: Space) -> RationalMatrix:
+def vector_world_from_space(maps: ExactMaps, space: Space) -> RationalMatrix:
     """Return B⁻¹, which takes vectors of the space back to world lengths and angles."""
     if space is Space.OBJECT:
-        stage.space_from_world(space)
-        return rational.linear(stage.world_from_object.exact)
-    return rational.inverse(rational.linear(stage.space_from_world(space).exact))
+        maps.space_from_world(space)
+        return rational.linear(maps.world_from_object.exact)
+    return rational.inverse(rational.linear(maps.space_from_world(space).exact))
 
 
-def normal_world_from_space(stage: Stage, space: Space) -> RationalMatrix:
+def normal_world_from_space(maps: ExactMaps, space: Space) -> RationalMatrix:
     """Return Bᵀ, which takes normals of the space back to world lengths and angles."""
-    return rational.transpose(rational.linear(stage.space_from_world(space).exact))
+    return rational.transpose(rational.linear(maps.space_from_world(space).exact))
 
 
-def metric(stage: Stage, space: Space) -> RationalMatrix | None:
+def metric(maps: ExactMaps, space: Space) -> RationalMatrix | None:
     """Return B⁻ᵀB⁻¹ for teaching, or None where the space is rigid and the metric is 1.
 
     Examples
@@ -35,7 +35,7 @@ def metric(stage: Stage, space: Space) -> RationalMatrix | None:
     >>> rational.to_floats(metric(tall_object(), Space.OBJECT))
     ((1.0, 0.0, 0.0), (0.0, 4.0, 0.0), (0.0, 0.0, 1.0))
     """
-    if stage.is_rigid(space):
+    if maps.is_rigid(space):
         return None
-    back = vector_world_from_space(stage, space)
+    back = vector_world_from_space(maps, space)
     return rational.product(rational.transpose(back), back)

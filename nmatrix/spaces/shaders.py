@@ -10,19 +10,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nmatrix.enums import Reflection, Shading, Space
-from nmatrix.spaces.stage import Stage
+from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.uniforms import Needs, Request, Uniform, needs, uniforms
 
 VERTEX_UNIFORMS = ("clip_from_object", "space_from_object", "normal_matrix")
 
 
-def shader_pair(stage: Stage, request: Request) -> tuple[str, str]:
+def shader_pair(maps: ExactMaps, request: Request) -> tuple[str, str]:
     """Return the vertex and the fragment shader as `#version 300 es` text.
 
     Per vertex (`gouraud`) or per fragment (`phong`), in the space asked for, with just the terms
     that the light and the reflection model call for.
     """
-    found, listed = needs(stage, request), uniforms(stage, request)
+    found, listed = needs(maps, request), uniforms(maps, request)
     at_vertex = request.shading is Shading.GOURAUD
     lighting = _lighting(found, request)
     if at_vertex:

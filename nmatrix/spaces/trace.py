@@ -13,7 +13,7 @@ from nmatrix.enums import ClipY, DepthRange
 from nmatrix.linear.exact import Normal
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalVector, apply, rational_vector
-from nmatrix.spaces.stage import Stage
+from nmatrix.spaces.exact_maps import ExactMaps
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Trace:
 
 
 def trace(
-    stage: Stage,
+    maps: ExactMaps,
     point: Sequence[float],
     normal: Sequence[float] | None,
     clip: ClipSpace,
@@ -73,9 +73,9 @@ def trace(
     ([0.0, 0.0, 3.0, 5.0], [256.0, 256.0, 0.8])
     """
     point_object = rational_vector(point)
-    point_world = stage.world_from_object.exact_point(point_object)
-    point_camera = stage.camera_from_world.exact_point(point_world)
-    clip_point = apply(stage.clip_from_camera, (*point_camera, Fraction(1)))
+    point_world = maps.world_from_object.exact_point(point_object)
+    point_camera = maps.camera_from_world.exact_point(point_world)
+    clip_point = apply(maps.clip_from_camera, (*point_camera, Fraction(1)))
     w = clip_point[3]
     ndc = tuple(component / w for component in clip_point[:3]) if w > 0 else None
     return Trace(
@@ -87,7 +87,7 @@ def trace(
         window=None if ndc is None else _window(ndc, clip, viewport),
         reciprocal_w=1 / w if w else None,
         outside_planes=outside_planes(clip_point, clip),
-        normal=None if normal is None else _traced_normal(stage, normal),
+        normal=None if normal is None else _traced_normal(maps, normal),
     )
 
 
@@ -123,10 +123,10 @@ def _window(ndc: RationalVector, clip: ClipSpace, viewport: Viewport) -> Rationa
     return (x + 1) / 2 * width, (y + 1) / 2 * height, depth
 
 
-def _traced_normal(stage: Stage, normal: Sequence[float]) -> TracedNormal:
-    world = stage.world_from_object
+def _traced_normal(maps: ExactMaps, normal: Sequence[float]) -> TracedNormal:
+    world = maps.world_from_object
     return TracedNormal(
         object=rational_vector(normal),
         world=world.linear_map.normal(normal),
-        camera=(stage.camera_from_world @ world).linear_map.normal(normal),
+        camera=(maps.camera_from_world @ world).linear_map.normal(normal),
     )

@@ -14,7 +14,7 @@ from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.spaces import metric
-from nmatrix.spaces.stage import Stage
+from nmatrix.spaces.exact_maps import ExactMaps
 
 UniformValue = Fraction | RationalVector | RationalMatrix
 
@@ -68,65 +68,65 @@ class Uniform:
         return BYTES[self.kind]
 
 
-def needs(stage: Stage, request: Request) -> Needs:
+def needs(maps: ExactMaps, request: Request) -> Needs:
     """Return what the scene calls for in this space."""
-    point_light = stage.light.position is not None
+    point_light = maps.light.position is not None
     position = point_light or request.is_specular
     stays = request.space in (Space.OBJECT, Space.STATIC)
     return Needs(
         position=position,
         moves_positions=position and not stays,
         moves_normals=not stays,
-        metric=not stage.is_rigid(request.space),
-        directional=stage.light.direction is not None,
+        metric=not maps.is_rigid(request.space),
+        directional=maps.light.direction is not None,
         point_light=point_light,
         specular=request.is_specular,
     )
 
 
-def normal_space_from_object(stage: Stage, space: Space) -> RationalMatrix:
+def normal_space_from_object(maps: ExactMaps, space: Space) -> RationalMatrix:
     """Return the inverse transpose of `space_from_object`, or its cofactors if it is singular.
 
     The cofactors still give the normal of the plane that a map of rank 2 leaves.
     """
-    linear_map = stage.space_from_object(space).linear_map
+    linear_map = maps.space_from_object(space).linear_map
     if linear_map.integer_determinant:
         return linear_map.inverse_transpose
     return linear_map.cofactor_matrix
 
 
-def uniforms(stage: Stage, request: Request) -> tuple[Uniform, ...]:
+def uniforms(maps: ExactMaps, request: Request) -> tuple[Uniform, ...]:
     """Return every uniform that the shader pair of this space reads, with its value."""
-    found = needs(stage, request)
+    found = needs(maps, request)
     return tuple(
-        Uniform(kind, name, value(stage, request))
+        Uniform(kind, name, value(maps, request))
         for kind, name, wanted, value in _UNIFORMS
         if wanted(found)
     )
 
 
 Wanted = Callable[[Needs], bool]
-Valued = Callable[[Stage, Request], UniformValue]
+Valued = Callable[[ExactMaps, Request], UniformValue]
 
 
-def _light_direction(stage: Stage, request: Request) -> UniformValue:
-    direction = stage.light.direction
+def _light_direction(maps: ExactMaps, request: Request) -> UniformValue:
+    direction = maps.light.direction
     assert direction is not None  # needs() asked for it
-    moved = stage.space_from_world(request.space).exact_vector(direction)
+    moved = maps.space_from_world(request.space).exact_vector(direction)
     return rational.rational_vector(unit(integers(moved)[0]))
 
 
-def _light_position(stage: Stage, request: Request) -> UniformValue:
-    position = stage.light.position
+def _light_position(maps: ExactMaps, request: Request) -> UniformValue:
+    position = maps.light.position
     assert position is not None  # needs() asked for it
-    return stage.space_from_world(request.space).exact_point(position)
+    return maps.space_from_world(request.space).exact_point(position)
 
 
-def _clip_from_vertex(stage: Stage, request: Request) -> UniformValue:
+def _clip_from_vertex(maps: ExactMaps, request: Request) -> UniformValue:
     """Return P·V·M, or P·V where the vertices were baked into world space."""
     if request.space is Space.STATIC:
-        return rational.product(stage.clip_from_camera, stage.camera_from_world.exact)
-    return stage.clip_from_object
+        return rational.product(maps.clip_from_camera, maps.camera_from_world.exact)
+    return maps.clip_from_object
 
 
 _UNIFORMS: tuple[tuple[str, str, Wanted, Valued], ...] = (
@@ -135,28 +135,28 @@ _UNIFORMS: tuple[tuple[str, str, Wanted, Valued], ...] = (
         "mat4",
         "space_from_object",
         lambda n: n.moves_positions,
-        lambda stage, request: stage.space_from_object(request.space).exact,
+        lambda maps, request: maps.space_from_object(request.space).exact,
     ),
     (
         "mat3",
         "normal_matrix",
         lambda n: n.moves_normals,
-        lambda stage, request: normal_space_from_object(stage, request.space),
+        lambda maps, request: normal_space_from_object(maps, request.space),
     ),
     ("vec3", "light_direction", lambda n: n.directional, _light_direction),
     ("vec3", "light_position", lambda n: n.point_light, _light_position),
-    ("vec3", "eye", lambda n: n.specular, lambda stage, request: stage.eye_in(request.space)),
+    ("vec3", "eye", lambda n: n.specular, lambda maps, request: maps.eye_in(request.space)),
     (
         "mat3",
         "vector_world_from_space",
         lambda n: n.metric,
-        lambda stage, request: metric.vector_world_from_space(stage, request.space),
+        lambda maps, request: metric.vector_world_from_space(maps, request.space),
     ),
     (
         "mat3",
         "normal_world_from_space",
         lambda n: n.metric,
-        lambda stage, request: metric.normal_world_from_space(stage, request.space),
+        lambda maps, request: metric.normal_world_from_space(maps, request.space),
     ),
     ("vec3", "light_color", lambda _: True, lambda _, __: WHITE),
     ("vec3", "ambient_color", lambda _: True, lambda _, __: AMBIENT),

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.methods import METHODS, Method, method
 from nmatrix.linear.rounding import angle, integers
 from nmatrix.studies.harness import SEED, Harness
+from nmatrix.studies.methods import METHODS, Method, method
 from nmatrix.studies.rows import Row, Task
 
 Array = NDArray[Any]

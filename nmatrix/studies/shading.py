@@ -16,16 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Effort, Reflection, Shading
-from nmatrix.raster.plan import Plan, plan_for
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.plan import Plan, plan_for
 from nmatrix.raster.render import Change, render
-from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import CHECKER, Material, grey
 from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 from nmatrix.studies.harness import Harness
 from nmatrix.studies.rows import Row, Task
@@ -39,7 +39,7 @@ SHADOW_MAPS = (64, 256, 1024)
 FINEST_MAP = 2048
 SHINY = Material("shiny", specular=grey(0.4), shininess=48, reflection=Reflection.BLINN_PHONG)
 FLOOR = Material("floor", texture=CHECKER)
-SUN = Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1), intensity=0.8, shadows=True)
+SUN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1), intensity=0.8, shadows=True)
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Dial:
     @cached_property
     def plan(self) -> Plan:
         """Return what is drawn."""
-        return plan_for(studio(self.scene))
+        return plan_for(loaded(self.scene))
 
     def image(self) -> Array:
         """Return the picture in levels of 0 to 255, as it is before they are rounded."""

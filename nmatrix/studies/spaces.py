@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalRule, Space
-from nmatrix.raster.shading_space import ShadingSpace
-from nmatrix.raster.studio import Body, Studio, studio
+from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
+from nmatrix.raster.shading.space import ShadingSpace
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
-from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.light import SceneLight
+from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 from nmatrix.spaces.cost import cost
 from nmatrix.spaces.uniforms import Request
@@ -40,14 +40,14 @@ def _row(harness: Harness, count: int, space: Space) -> Row:
     """Return the row of a space; its error is the counted cost."""
     ready = _studio(count)
     (body,) = ready.bodies
-    counted = cost(ready.stage(body), Request(space)).per_vertex_multiplications
+    counted = cost(ready.maps(body), Request(space)).per_vertex_multiplications
     timing = harness.ratio(
         _vertex_stage(ready, body, space), _vertex_stage(ready, body, Space.WORLD)
     )
     return Row(space.value, f"{count} vertices", float(counted), MULTIPLICATIONS, timing)
 
 
-def _vertex_stage(ready: Studio, body: Body, space: Space) -> Run:
+def _vertex_stage(ready: LoadedScene, body: Body, space: Space) -> Run:
     """Return what a space does to every vertex: clip space, and position and normal in the space.
 
     Object space leaves both as they are; static space found both done when the mesh was baked.
@@ -65,11 +65,11 @@ def _vertex_stage(ready: Studio, body: Body, space: Space) -> Run:
     return run
 
 
-def _studio(count: int) -> Studio:
+def _studio(count: int) -> LoadedScene:
     """Return a scene of one mesh with so many vertices."""
     mesh = ShapeGeometry(Shape.SPHERE).mesh()
     which = np.arange(count) % len(mesh.positions)
     repeated = Mesh(mesh.positions[which], mesh.normals[which], mesh.triangles[:1] * 0)
     shown = SceneObject("many", LoadedGeometry(repeated), PLACE.world_from_object)
-    lamps = (Lamp("sun", LampKind.DIRECTIONAL),)
-    return studio(Scene((shown,), lamps, settings=replace(Settings(), size=(64, 64))))
+    lights = (SceneLight("sun", LightKind.DIRECTIONAL),)
+    return loaded(Scene((shown,), lights, settings=replace(Settings(), size=(64, 64))))

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Shading
-from nmatrix.raster.fragments import Fragments, Reads
-from nmatrix.raster.plan import Plan, everything
+from nmatrix.raster.planning.plan import Plan, everything
 from nmatrix.raster.render import Change, render
-from nmatrix.raster.surface import Surface
-from nmatrix.raster.vertices import Projected
+from nmatrix.raster.shading.surface import Surface
+from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.vertices import Projected
 
 Array = NDArray[Any]
 
@@ -71,8 +71,8 @@ def in_float32(surface: Surface) -> Surface:
 
 def normals_seen(plan: Plan, change: Change = as_it_is) -> Array:
     """Return the normals (height, width, 3) that one sample a pixel sees, 0 where nothing is."""
-    settings = replace(plan.studio.settings, samples=1, background=(0.5, 0.5, 0.5))
-    again = everything(replace(plan.studio, settings=settings))
+    settings = replace(plan.loaded.settings, samples=1, background=(0.5, 0.5, 0.5))
+    again = everything(replace(plan.loaded, settings=settings))
     colour = replace(again.picture[Effect.COLOUR], on=True)
     again = replace(again, picture={**again.picture, Effect.COLOUR: colour})
     return np.asarray(render(again, change=lambda one: _showing(change(one))).rgb * 2.0 - 1.0)
@@ -83,7 +83,7 @@ def normal_angles(plan: Plan, change: Change, wanted: Array) -> Array | None:
 
     None where light is not evaluated at fragments: then no normal reaches a pixel.
     """
-    if plan.studio.settings.shading is not Shading.PHONG:
+    if plan.loaded.settings.shading is not Shading.PHONG:
         return None
     found = normals_seen(plan, change)
     both = (np.abs(found).max(axis=2) > 0) & (np.abs(wanted).max(axis=2) > 0)

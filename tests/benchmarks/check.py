@@ -15,7 +15,7 @@ from nmatrix.answers.grades import answers_to, grades
 from nmatrix.lessons.check.judge import Judge
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.reading.records import Record
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 PLACED = "--scale 1 2 1 --rotate 20 35 -50".split()
@@ -54,7 +54,7 @@ def main() -> None:
     for name, words in LINES.items():
         print(f"check, {name:22} {ratio(words):5.2f} x nmatrix world, goal 1.3")
     world = World(scale=(1, 2, 1), rotate_degrees=(30, 60, 20), shear=(1, 0, 0))
-    question = Question(Subject.NORMAL, Shot(world))
+    question = Question(Subject.NORMAL, Setup(world))
     judge, draw = Judge(question), random.Random(2)
     noise = [tuple(tuple(draw.gauss(0, 1) for _ in range(3)) for _ in range(3)) for _ in range(999)]
     pools = {

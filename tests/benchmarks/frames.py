@@ -11,24 +11,24 @@ from pathlib import Path
 import numpy as np
 
 from nmatrix.linear.rational import identity
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.fragments import Fragments, Reads
 from nmatrix.raster.image import levels
-from nmatrix.raster.picture import Drawable, Drawing, Picture
-from nmatrix.raster.plan import Plan, planned
+from nmatrix.raster.loaded_scene import LoadedScene, loaded
+from nmatrix.raster.planning.plan import Plan, planned
 from nmatrix.raster.render import render
-from nmatrix.raster.shading_space import as_array
-from nmatrix.raster.studio import Studio, studio
-from nmatrix.raster.vertices import Projected, front_sign, project
+from nmatrix.raster.shading.space import as_array
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
+from nmatrix.raster.triangles.vertices import Projected, front_sign, project
 from nmatrix.scene.camera import View
-from nmatrix.scene.kinds import LampKind
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material, grey
-from nmatrix.scene.mesh import Mesh
-from nmatrix.scene.meshfile import read_mesh
+from nmatrix.scene.meshes.file import read_mesh
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.meshes.shapes import torus
 from nmatrix.scene.scene import Scene, SceneObject, Settings
-from nmatrix.scene.shapes import torus
+from nmatrix.scene.words import LightKind
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from conftest import CHECKOUT, data_folder
@@ -62,7 +62,7 @@ class Frame:
     others: tuple[Mesh, ...] = field(default=())
 
     @cached_property
-    def studio(self) -> Studio:
+    def loaded(self) -> LoadedScene:
         """Return the frame as a scene."""
         low, high = self.mesh.positions.min(axis=0), self.mesh.positions.max(axis=0)
         centre = (low + high) / 2
@@ -78,22 +78,22 @@ class Frame:
             SceneObject(str(i), Given(one), identity(4), surface)
             for i, one in enumerate((self.mesh, *self.others))
         )
-        sun = Lamp("sun", LampKind.DIRECTIONAL, direction=tuple(-one for one in TO_LIGHT))
+        sun = SceneLight("sun", LightKind.DIRECTIONAL, direction=tuple(-one for one in TO_LIGHT))
         settings = Settings(
             size=(self.size, self.size), samples=self.per_side**2, background=grey(BACKGROUND)
         )
-        return studio(Scene(objects, (sun,), view, lens, settings))
+        return loaded(Scene(objects, (sun,), view, lens, settings))
 
     @cached_property
     def matrix(self) -> Array:
         """Return `clip_from_object`."""
-        return as_array(self.studio.clip_from_object(self.studio.bodies[0]))
+        return as_array(self.loaded.clip_from_object(self.loaded.bodies[0]))
 
     @cached_property
     def front(self) -> int:
         """Return the sign of the area of front faces on the canvas."""
-        exact = self.studio.clip_from_object(self.studio.bodies[0])
-        return front_sign(exact, self.studio.clip)
+        exact = self.loaded.clip_from_object(self.loaded.bodies[0])
+        return front_sign(exact, self.loaded.clip)
 
     @cached_property
     def to_light(self) -> Array:
@@ -103,11 +103,11 @@ class Frame:
     @property
     def canvas(self) -> Canvas:
         """Return the canvas."""
-        return self.studio.canvas
+        return self.loaded.canvas
 
     def projected(self, mesh: Mesh | None = None) -> Projected:
         """Return front faces on the canvas."""
-        return project(mesh or self.mesh, self.matrix, self.canvas, self.studio.clip, -self.front)
+        return project(mesh or self.mesh, self.matrix, self.canvas, self.loaded.clip, -self.front)
 
     def drawing(self) -> Drawing:
         """Return the core's own drawing: positions and normals in, Lambert's cosine per sample."""
@@ -143,7 +143,7 @@ class Frame:
     @cached_property
     def plan(self) -> Plan:
         """Return the plan, made once."""
-        return planned(self.studio)
+        return planned(self.loaded)
 
 
 def core(frame: Frame) -> Callable[[], Array]:

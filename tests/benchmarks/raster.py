@@ -24,10 +24,10 @@ from frames import BACKGROUND, CHECKOUT, Frame, core, frames, scene
 
 import nmatrix
 from nmatrix.raster.image import levels
-from nmatrix.raster.plan import everything, planned
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.render import render
-from nmatrix.raster.studio import studio
-from nmatrix.scene.shapes import torus
+from nmatrix.scene.meshes.shapes import torus
 
 Draw = Callable[[], object]
 Seconds = Mapping[str, float]
@@ -128,7 +128,7 @@ def plans(rounds: int) -> None:
     from nmatrix.scene.open import scene_of
 
     for file in sorted((CHECKOUT / "docs" / "scenes").glob("*.toml")):
-        place = studio(scene_of(file))
+        place = loaded(scene_of(file))
         some, everyone = planned(place), everything(place)
         seconds = medians(
             {"plan": lambda p=some: render(p, levels), "all": lambda p=everyone: render(p, levels)},

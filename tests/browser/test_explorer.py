@@ -18,28 +18,28 @@ from nmatrix.enums import NormalRule, Reflection, Space
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rounding import angle, integers
 from nmatrix.output.explorer.page import BACKGROUND, TESSELLATION, page, page_data
-from nmatrix.raster.plan import everything
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.plan import everything
 from nmatrix.raster.render import render
-from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.scene import Scene, SceneObject, Settings
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 from nmatrix.spaces.uniforms import AMBIENT, DIFFUSE, SHININESS, SPECULAR
 
-SHOT = Shot(World(scale=(1, 2, 1)), View(eye=(1.5, 1.75, 3.25)), light=LightSource((-1, -2, -1)))
+SETUP = Setup(World(scale=(1, 2, 1)), View(eye=(1.5, 1.75, 3.25)), light=Light((-1, -2, -1)))
 SIZE = 480
 
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
     path = tmp_path_factory.mktemp("explorer") / "explore.html"
-    path.write_bytes(page(SHOT))
+    path.write_bytes(page(SETUP))
     return path
 
 
@@ -119,18 +119,18 @@ def rasterized(world: World, space: Space, rule: NormalRule) -> np.ndarray:
         shininess=float(SHININESS),
     )
     shape = ShapeGeometry(Shape.TORUS, TESSELLATION)
-    lamp = Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1))
+    light = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1))
     settings = replace(
         Settings(), size=(SIZE, SIZE), samples=1, space=space, background=BACKGROUND, normals=rule
     )
     scene = Scene(
         (SceneObject("torus", shape, world.world_from_object, material),),
-        (lamp,),
-        SHOT.view,
+        (light,),
+        SETUP.view,
         Lens(),
         settings,
     )
-    image = render(everything(studio(scene))).rgb
+    image = render(everything(loaded(scene))).rgb
     return np.rint(image * 255).astype(int)
 
 
@@ -147,7 +147,7 @@ CASES = [
 
 @pytest.mark.parametrize(("space", "rule", "more"), CASES)
 def test_its_pictures_are_the_rasterizers(opened, file, space, rule, more) -> None:
-    start = {**page_data(SHOT)["start"], **more}
+    start = {**page_data(SETUP)["start"], **more}
     words = "&".join(
         f"{key}={value}" for key, value in {**more, "space": space, "rule": rule}.items()
     )
@@ -178,7 +178,7 @@ def test_what_is_flattened_has_one_shade(opened, file) -> None:
 
 def test_the_shader_in_use_can_be_read(opened, file) -> None:
     found = opened(file, "#space=camera")
-    pair = page_data(SHOT)["shaders"]["camera"]
+    pair = page_data(SETUP)["shaders"]["camera"]
     text = found.locator("#shader").text_content()
     assert text.startswith(pair["vertex"])
     assert text.endswith(pair["fragment"])

@@ -7,7 +7,7 @@ import pytest
 from nmatrix.classroom.handout import Plan, written
 from nmatrix.classroom.topics import Topic
 from nmatrix.lessons.exercises.scheme import Sheet
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 A4_AT_96_DPI = 794 - 2 * 68  # pixels between the margins
@@ -15,7 +15,7 @@ A4_AT_96_DPI = 794 - 2 * 68  # pixels between the margins
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
-    plan = Plan(tuple(Topic), Shot(World(scale=(1, 2, 1))), 10)
+    plan = Plan(tuple(Topic), Setup(World(scale=(1, 2, 1))), 10)
     path = tmp_path_factory.mktemp("handout") / "sheet.html"
     path.write_bytes(written(plan, Sheet("1", "Ada")).sheet)
     return path

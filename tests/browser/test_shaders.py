@@ -9,11 +9,11 @@ import pytest
 
 from nmatrix.enums import Frame, Reflection, Shading, Space
 from nmatrix.linear.rational import rational
-from nmatrix.raster.emit import shaders
-from nmatrix.raster.plan import planned
-from nmatrix.raster.studio import studio
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.emit import shaders
+from nmatrix.raster.planning.plan import planned
 from nmatrix.scene.open import scene_of
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 from nmatrix.spaces.shaders import shader_pair
 from nmatrix.spaces.uniforms import Request
@@ -43,17 +43,17 @@ def blank(browser):
 
 
 def stages():
-    lights = (LightSource((-1, -2, -1)), LightSource(position=(2, 2, 8)),
-              LightSource((0, -1, 0), position=(1, 2, 3)))  # fmt: skip
+    lights = (Light((-1, -2, -1)), Light(position=(2, 2, 8)),
+              Light((0, -1, 0), position=(1, 2, 3)))  # fmt: skip
     stretched = rational([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
     for light, scale in product(lights, ((1, 1, 1), (1, 2, 1))):
-        yield Shot(World(scale=scale), light=light, space_matrix=stretched).stage
+        yield Setup(World(scale=scale), light=light, space_matrix=stretched).maps
 
 
 def test_every_pair_of_every_space_links(blank) -> None:
     pairs = {
-        shader_pair(stage, Request(space, shading, reflection))
-        for stage, space, shading, reflection in product(
+        shader_pair(maps, Request(space, shading, reflection))
+        for maps, space, shading, reflection in product(
             stages(), Space, (Shading.GOURAUD, Shading.PHONG), Reflection
         )
     }
@@ -66,7 +66,7 @@ def test_every_pair_of_every_space_links(blank) -> None:
 def test_the_plans_of_the_example_scenes_link(blank) -> None:
     assert SCENES
     for path in SCENES:
-        plan = planned(studio(scene_of(path)))
+        plan = planned(loaded(scene_of(path)))
         for body in plan.bodies:
             assert blank.evaluate(COMPILE, list(shaders(plan, body))) == [], path.name
 

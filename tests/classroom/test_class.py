@@ -21,10 +21,10 @@ from nmatrix.cli.files import write_file
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.output.pages.document import PageFormat
 from nmatrix.report import Code, Text
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
 LINE = "handout --exercises 1 -o out --roster"
-SHEETS = Plan((Topic.EXERCISES,), Shot(), 1)
+SHEETS = Plan((Topic.EXERCISES,), Setup(), 1)
 
 
 def roster(*names: str) -> str:
@@ -113,7 +113,7 @@ def test_every_printed_page_says_whose_it_is() -> None:
     assert content is not None
     assert re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1]) == f"{name} · seed 7"
     for kind in (PageFormat.TYP, PageFormat.TEX):
-        head = written(Plan((Topic.EXERCISES,), Shot(), 1, kind), Sheet("7", "Zoe")).sheet.decode()
+        head = written(Plan((Topic.EXERCISES,), Setup(), 1, kind), Sheet("7", "Zoe")).sheet.decode()
         assert re.search(r"(footer: context|markright)[^$]*Zoe", head)
 
 

@@ -27,10 +27,10 @@ from nmatrix.linear.rational import to_floats
 from nmatrix.linear.vectors import direction_from_angles
 from nmatrix.linear.view import look_at
 from nmatrix.scene.camera import FirstPerson, View
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
-from nmatrix.spaces.seen import eye_in, light_in
-from nmatrix.spaces.stage import Light, Stage
+from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
+from nmatrix.spaces.light_and_eye import eye_in, light_in
 from nmatrix.spaces.trace import Viewport, trace
 from nmatrix.spaces.transform import Transform
 
@@ -135,14 +135,14 @@ def trs_quat(record: dict[str, Any]) -> Any:
     return to_floats(compose(rotation_from_quaternion(a["q_xyzw"]), a["s"], translate=a["t"]))
 
 
-def stage(W: Any = None, V: Any = None, P: Any = None, **light: Any) -> Stage:
+def maps(W: Any = None, V: Any = None, P: Any = None, **light: Any) -> ExactMaps:
     camera = I4 if V is None else rational.rational(V)
-    return Stage(
+    return ExactMaps(
         Transform(Frame.WORLD, Frame.OBJECT, I4 if W is None else rational.rational(W)),
         Transform(Frame.CAMERA, Frame.WORLD, camera),
         I4 if P is None else rational.rational(P),
         rational.translation(rational.inverse(camera)),
-        Light(light.get("direction"), light.get("position")),
+        WorldLight(light.get("direction"), light.get("position")),
     )
 
 
@@ -150,7 +150,7 @@ def light_direction(space: Space) -> Callable[[dict[str, Any]], Any]:
     def seen(record: dict[str, Any]) -> Any:
         a, variant = record["args"], record.get("variant") or ""
         d = rational.rational_vector(a["d_world"])
-        found = light_in(stage(a.get("W"), a.get("V"), direction=d), space)
+        found = light_in(maps(a.get("W"), a.get("V"), direction=d), space)
         if variant == "W_transpose":
             return found.direction_course_rule
         if "unnormalised" in variant:
@@ -164,7 +164,7 @@ def light_position(space: Space) -> Callable[[dict[str, Any]], Any]:
     def seen(record: dict[str, Any]) -> Any:
         a = record["args"]
         p = rational.rational_vector(a["p_world"])
-        return light_in(stage(a.get("W"), a.get("V"), position=p), space).position
+        return light_in(maps(a.get("W"), a.get("V"), position=p), space).position
 
     return seen
 
@@ -172,7 +172,7 @@ def light_position(space: Space) -> Callable[[dict[str, Any]], Any]:
 def eye(space: Space) -> Callable[[dict[str, Any]], Any]:
     def seen(record: dict[str, Any]) -> Any:
         a = record["args"]
-        return eye_in(stage(a.get("W"), a["V"]), space).eye
+        return eye_in(maps(a.get("W"), a["V"]), space).eye
 
     return seen
 
@@ -181,7 +181,7 @@ def project(record: dict[str, Any]) -> Any:
     a = record["args"]
     P = perspective(Angle.degrees(Fraction(a["fovy_deg"]) / 2), a["aspect"], a["near"], a["far"])
     w, h = a["viewport"][2:]
-    found = trace(stage(a["MV"], None, P), a["p"], None, ClipSpace(), Viewport(w, h))
+    found = trace(maps(a["MV"], None, P), a["p"], None, ClipSpace(), Viewport(w, h))
     return {key: getattr(found, key) for key in record["result"]}
 
 
@@ -197,7 +197,7 @@ def scene(record: dict[str, Any]) -> Any:
     P = rational.rational(perspective(Angle.degrees(Fraction(fov) / 2), aspect, near, far))
     d = rational.rational_vector(direction_from_angles(*map(Angle.degrees, a["light_dir_deg"])))
     p = rational.rational_vector(a["light_pos"])
-    staged = stage(W, V, P, direction=d, position=p)
+    staged = maps(W, V, P, direction=d, position=p)
     WV = rational.product(V, W)
     return {
         "W": W,
@@ -213,7 +213,7 @@ def scene(record: dict[str, Any]) -> Any:
 THREE_SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT)
 
 
-def in_space(staged: Stage, space: Space) -> dict[str, Any]:
+def in_space(staged: ExactMaps, space: Space) -> dict[str, Any]:
     seen = light_in(staged, space)
     moved = staged.space_from_object(space)
     found = {
@@ -340,4 +340,4 @@ def test_difference_is_not_blind_to(value: str) -> None:
 
 
 def test_scene_defaults_are_the_contract() -> None:
-    assert to_floats(Shot().stage.camera_from_world.exact)[2] == (0.0, 0.0, 1.0, -5.0)
+    assert to_floats(Setup().maps.camera_from_world.exact)[2] == (0.0, 0.0, 1.0, -5.0)

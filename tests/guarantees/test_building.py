@@ -19,9 +19,9 @@ from nmatrix.linear.depthstep import perspective_steps
 from nmatrix.linear.projection import ClipSpace, Window, frustum, orthographic, perspective
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
-from nmatrix.spaces.seen import eye_in
+from nmatrix.spaces.light_and_eye import eye_in
 from nmatrix.spaces.transform import Transform
 
 
@@ -29,7 +29,7 @@ from nmatrix.spaces.transform import Transform
 def test_the_eye_in_object_space_survives_any_translation(distance: float) -> None:
     world = World(translate=(distance, distance, -distance), rotate_degrees=(10, 20, 30))
     eye = (distance + 3, distance - 1, -distance + 2)
-    seen = eye_in(Shot(world, View(eye=eye, target=(0, 0, 0))).stage, Space.OBJECT)
+    seen = eye_in(Setup(world, View(eye=eye, target=(0, 0, 0))).maps, Space.OBJECT)
     M = world.world_from_object
     difference = [Fraction(e) - row[3] for e, row in zip(eye, M, strict=False)]
     true = rational.apply(rational.inverse(rational.linear(M)), difference)

@@ -21,7 +21,7 @@ from nmatrix.lessons.check.wrong import pairs, single_mistakes
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
 SPEC_ORDER = (
@@ -90,8 +90,8 @@ def text(value) -> str:
     return "; ".join(" ".join(f"{float(x):.6f}" for x in row) for row in rows)
 
 
-def asked(subject, shot, **more) -> Question:
-    return Question(subject, shot, **more)
+def asked(subject, setup, **more) -> Question:
+    return Question(subject, setup, **more)
 
 
 def verdict(question, value):
@@ -109,7 +109,7 @@ T, DEG, S, H = (1, -2, 3), (20, 35, -50), (2, 1, 0.5), (0.5, -1, 0.25)
 WORLD = World(translate=T, rotate_degrees=DEG, scale=S, shear=H)
 VIEW = View(eye=(3, 1, 2.5), angles=FirstPerson(25, -40, 10))
 DIRECTION, POSITION = (0.3, -0.9, 0.2), (2, 5, -1)
-SHOT = Shot(WORLD, VIEW, Lens(50, 1.5, 0.5, 20), LightSource(DIRECTION, position=POSITION))
+SETUP = Setup(WORLD, VIEW, Lens(50, 1.5, 0.5, 20), Light(DIRECTION, position=POSITION))
 
 
 def rotation(angles=DEG, order="xyz", unit=pi / 180):
@@ -158,8 +158,8 @@ def unit(v):
 n = (1, 2, -1)
 object_from_world = inverse4(M)
 d0, p1, e1 = (*DIRECTION, 0), (*POSITION, 1), (*VIEW.eye, 1)
-light = {"light": LightPart.DIRECTION}
-lamp = {"light": LightPart.POSITION}
+aimed = {"light": LightPart.DIRECTION}
+placed = {"light": LightPart.POSITION}
 
 MADE = [
     # subject, extra, mistake, the wrong answer by the oracle
@@ -207,14 +207,14 @@ MADE = [
     ("projection", {}, "horizontal-fov", projection(F * 1.5, 1.5)),
     ("projection", {}, "near-far-swapped", projection(F, 1.5, near=20.0, far=0.5)),
     ("projection", {}, "transposed-layout", transposed(projection(F, 1.5))),
-    ("light", {"space": Space.CAMERA, **lamp}, "used-model-view", at(MV, p1)[:3]),
-    ("light", {"space": Space.CAMERA, **light}, "used-model-view", at(MV, d0)[:3]),
-    ("light", {"space": Space.CAMERA, **light}, "direction-as-point", at(V, (*DIRECTION, 1))[:3]),
-    ("light", {"space": Space.CAMERA, **lamp}, "view-not-inverted", at(inverse4(V), p1)[:3]),
-    ("light", {"space": Space.OBJECT, **light}, "course-light-rule", at(transposed(A), DIRECTION)),
-    ("light", {"space": Space.OBJECT, **light}, "used-world-matrix", at(A, DIRECTION)),
-    ("light", {"space": Space.OBJECT, **lamp}, "used-world-matrix", at(M, p1)[:3]),
-    ("light", {"space": Space.OBJECT, **light, "unit": True}, "missing-normalise",
+    ("light", {"space": Space.CAMERA, **placed}, "used-model-view", at(MV, p1)[:3]),
+    ("light", {"space": Space.CAMERA, **aimed}, "used-model-view", at(MV, d0)[:3]),
+    ("light", {"space": Space.CAMERA, **aimed}, "direction-as-point", at(V, (*DIRECTION, 1))[:3]),
+    ("light", {"space": Space.CAMERA, **placed}, "view-not-inverted", at(inverse4(V), p1)[:3]),
+    ("light", {"space": Space.OBJECT, **aimed}, "course-light-rule", at(transposed(A), DIRECTION)),
+    ("light", {"space": Space.OBJECT, **aimed}, "used-world-matrix", at(A, DIRECTION)),
+    ("light", {"space": Space.OBJECT, **placed}, "used-world-matrix", at(M, p1)[:3]),
+    ("light", {"space": Space.OBJECT, **aimed, "unit": True}, "missing-normalise",
      at(inverse3(A), DIRECTION)),
     ("eye", {"space": Space.OBJECT}, "used-world-matrix", at(M, e1)[:3]),
     ("eye", {"space": Space.OBJECT}, "used-model-view", at(inverse4(MV), e1)[:3]),
@@ -227,17 +227,17 @@ MADE = [
 
 @pytest.mark.parametrize(("subject", "more", "mistake", "value"), MADE)
 def test_a_mistake_made_on_purpose_is_named(subject, more, mistake, value):
-    found = verdict(asked(Subject(subject), SHOT, **more), value)
+    found = verdict(asked(Subject(subject), SETUP, **more), value)
     assert (found.verdict, found.mistake) == (Outcome.MISTAKE, mistake)
     assert found.explanation.startswith(MISTAKES[MistakeId(mistake)].did)
 
 
 def test_the_cofactors_of_a_mirror_have_the_wrong_sign():
-    mirrored = replace(SHOT, world=replace(WORLD, scale=(-2, 1, 0.5)))
+    mirrored = replace(SETUP, world=replace(WORLD, scale=(-2, 1, 0.5)))
     B = block(rotation(), (-2, 1, 0.5))
     C = [[-x for x in row] for row in transposed(inverse3(B))]  # det < 0, so C points against N
     assert verdict(asked(Subject.NORMAL, mirrored), C).mistake == "cofactor-sign"
-    assert verdict(asked(Subject.NORMAL, SHOT), N).verdict is Outcome.CORRECT
+    assert verdict(asked(Subject.NORMAL, SETUP), N).verdict is Outcome.CORRECT
 
 
 def test_the_ids_and_their_order_are_the_contracts():
@@ -252,9 +252,13 @@ RIGHT = [
     ("normal", {}, N),
     ("normal", {"normal": n}, at(N, n)),
     ("normal", {"normal": n, "unit": True}, unit(at(N, n))),
-    ("light", {"space": Space.CAMERA, **light}, at(V, d0)[:3]),
-    ("light", {"space": Space.CAMERA, **lamp}, at(V, p1)[:3]),
-    ("light", {"space": Space.OBJECT, **light, "unit": True}, unit(at(inverse3(A), DIRECTION))),
+    ("light", {"space": Space.CAMERA, **aimed}, at(V, d0)[:3]),
+    ("light", {"space": Space.CAMERA, **placed}, at(V, p1)[:3]),
+    (
+        "light",
+        {"space": Space.OBJECT, **aimed, "unit": True},
+        unit(at(inverse3(A), DIRECTION)),
+    ),
     ("eye", {"space": Space.OBJECT}, at(object_from_world, e1)[:3]),
     ("eye", {"space": Space.CAMERA}, [0, 0, 0]),
 ]
@@ -263,14 +267,14 @@ RIGHT = [
 @pytest.mark.parametrize(("subject", "more", "value"), RIGHT)
 @pytest.mark.parametrize("decimals", [3, 4, 6, 12])
 def test_the_right_answer_is_right_to_any_number_of_digits(subject, more, value, decimals):
-    question = asked(Subject(subject), SHOT, **more)
+    question = asked(Subject(subject), SETUP, **more)
     rows = value if isinstance(value[0], list) else [value]
     written = "; ".join(" ".join(f"{x:.{decimals}f}" for x in row) for row in rows)
     assert Judge(question).judge(read_answer(written, question)).verdict is Outcome.CORRECT
 
 
 def test_two_and_almost_two_are_right_and_one_and_nine_tenths_is_not():
-    question = asked(Subject.NORMAL, Shot(World(scale=(0.5, 1, 1))))
+    question = asked(Subject.NORMAL, Setup(World(scale=(0.5, 1, 1))))
     for entry, right in (("2", 1), ("2.0", 1), ("1.9998", 1), ("1.9", 0), ("2.05", 0)):
         found = Judge(question).judge(read_answer(f"{entry} 0 0; 0 1 0; 0 0 1", question))
         assert (found.verdict is Outcome.CORRECT) == bool(right), entry
@@ -279,7 +283,7 @@ def test_two_and_almost_two_are_right_and_one_and_nine_tenths_is_not():
 @pytest.mark.parametrize("factor", [0.01, 3, 250])
 def test_a_positive_factor_changes_no_direction_and_a_negative_one_does(factor):
     for more in ({}, {"normal": n}):
-        question = asked(Subject.NORMAL, SHOT, **more)
+        question = asked(Subject.NORMAL, SETUP, **more)
         value = N if not more else [at(N, n)]
         longer = [[x * factor for x in row] for row in value]
         exact = tuple(tuple(Fraction(x) for x in row) for row in longer)
@@ -300,20 +304,20 @@ def test_a_positive_factor_changes_no_direction_and_a_negative_one_does(factor):
     ],
 )
 def test_lenses_at_the_limits_have_fewer_mistakes_and_no_crash(lens):
-    question = asked(Subject.PROJECTION, Shot(lens=lens))
+    question = asked(Subject.PROJECTION, Setup(lens=lens))
     numbers = " ".join(["1"] * 16)
     assert Judge(question).judge(read_answer(numbers, question)).verdict is Outcome.UNKNOWN
 
 
 def test_with_unit_the_inverse_transpose_itself_is_asked_for():
-    question = asked(Subject.NORMAL, Shot(World(scale=(1, 2, 1))), unit=True)
+    question = asked(Subject.NORMAL, Setup(World(scale=(1, 2, 1))), unit=True)
     right, cofactors = ("1 0 0; 0 0.5 0; 0 0 1", "2 0 0; 0 1 0; 0 0 2")
     assert Judge(question).judge(read_answer(right, question)).verdict is Outcome.CORRECT
     assert Judge(question).judge(read_answer(cofactors, question)).mistake == "missing-normalise"
 
 
 def test_zeros_are_never_right_by_rounding():
-    tiny = Shot(World(scale=(1000, 1000, 1000)))
+    tiny = Setup(World(scale=(1000, 1000, 1000)))
     for question in (asked(Subject.NORMAL, tiny), asked(Subject.EYE, tiny, space=Space.OBJECT)):
         zeros = "0 0 0; 0 0 0; 0 0 0" if not question.is_vector else "0 0 0"
         found = Judge(question).judge(read_answer(zeros, question))
@@ -321,43 +325,43 @@ def test_zeros_are_never_right_by_rounding():
 
 
 def test_only_the_wrong_entries_are_marked_whatever_the_length():
-    question = asked(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
+    question = asked(Subject.NORMAL, Setup(World(scale=(1, 2, 1))))
     found = Judge(question).judge(read_answer("3 0 0; 0 7 0; 0 0 3", question))
     assert found.wrong_entries == ((1, 1),)
 
 
 def test_a_symmetric_matrix_cannot_tell_and_also_says_so():
-    question = asked(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
+    question = asked(Subject.NORMAL, Setup(World(scale=(1, 2, 1))))
     found = Judge(question).judge(read_answer("1 0 0; 0 2 0; 0 0 1", question))
     assert (found.mistake, found.also) == ("not-inverted", ("used-world-matrix",))
 
 
 def test_a_plain_inverse_is_never_a_layout():
     for space in (Space.WORLD, Space.CAMERA):
-        question = asked(Subject.NORMAL, SHOT, space=space)
+        question = asked(Subject.NORMAL, SETUP, space=space)
         named = {name for one in single_mistakes(question) for name in one.mistakes}
         assert MistakeId.TRANSPOSED_LAYOUT not in named
 
 
 def test_the_course_rule_under_a_plain_scale_keeps_its_own_name():
-    shot = Shot(World(scale=(1, 0.25, 1)), light=LightSource((0.3, 0.9, 0.2)))
-    question = asked(Subject.LIGHT, shot, space=Space.OBJECT)
+    setup = Setup(World(scale=(1, 0.25, 1)), light=Light((0.3, 0.9, 0.2)))
+    question = asked(Subject.LIGHT, setup, space=Space.OBJECT)
     assert verdict(question, (0.3, 0.225, 0.2)).mistake == "course-light-rule"
 
 
 def test_the_matrix_itself_is_named_for_lights_whatever_its_symmetry():
     for turn in (0, 30):
         world = World(scale=(4, 1, 2), rotate_degrees=(0, 0, turn))
-        shot = Shot(world, View(eye=(0, 3, 6), target=(2, 2, 4)), light=LightSource((1, -2, 0)))
-        question = asked(Subject.LIGHT, shot, space=Space.CAMERA)
+        setup = Setup(world, View(eye=(0, 3, 6), target=(2, 2, 4)), light=Light((1, -2, 0)))
+        question = asked(Subject.LIGHT, setup, space=Space.CAMERA)
         moved = at(block(rotation((0, 0, turn)), (4, 1, 2), (0, 0, 0)), (1, -2, 0))
         assert verdict(question, moved).mistake == "used-world-matrix"
 
 
 def test_angles_of_the_light_matter_in_its_own_space():
-    light = LightSource(angles_degrees=(40, 50), position=(2, 5, -1))
-    shot = Shot(World(rotate_degrees=(0, 0, 30), scale=(1, 2, 1)), light=light)
-    question = asked(Subject.NORMAL, shot, space=Space.LIGHT)
+    light = Light(angles_degrees=(40, 50), position=(2, 5, -1))
+    setup = Setup(World(rotate_degrees=(0, 0, 30), scale=(1, 2, 1)), light=light)
+    question = asked(Subject.NORMAL, setup, space=Space.LIGHT)
     named = [
         one.value
         for one in single_mistakes(question)
@@ -371,8 +375,8 @@ def test_angles_of_the_light_matter_in_its_own_space():
 def test_swapped_planes_from_zero_to_one_are_the_other_depth_range():
     for depth, swapped in (("vulkan", "reversed"), ("reversed", "vulkan")):
         kind = {"vulkan": DepthRange.ZERO_TO_ONE, "reversed": DepthRange.REVERSED}[depth]
-        shot = replace(SHOT, lens=replace(SHOT.lens, clip=ClipSpace(depth=kind)))
-        found = verdict(asked(Subject.PROJECTION, shot), projection(F, 1.5, depth=swapped))
+        setup = replace(SETUP, lens=replace(SETUP.lens, clip=ClipSpace(depth=kind)))
+        found = verdict(asked(Subject.PROJECTION, setup), projection(F, 1.5, depth=swapped))
         assert (found.mistake, found.also) == ("depth-range", ("near-far-swapped",))
 
 
@@ -384,31 +388,31 @@ PAIRS = [
      projection(1 / tan(25), 1.5, depth="vulkan")),
     ("projection", {}, "transposed-layout+aspect-inverted", transposed(projection(F, 1 / 1.5))),
     ("normal", {"normal": n, "unit": True}, "used-world-matrix+missing-normalise", at(A, n)),
-    ("light", {"space": Space.OBJECT, **light}, "course-light-rule+rotation-order",
+    ("light", {"space": Space.OBJECT, **aimed}, "course-light-rule+rotation-order",
      at(transposed(block(rotation(order="zyx"))), DIRECTION)),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("subject", "more", "name", "value"), PAIRS)
 def test_two_mistakes_at_once_are_named_where_only_one_pair_fits(subject, more, name, value):
-    assert verdict(asked(Subject(subject), SHOT, **more), value).mistake == name
+    assert verdict(asked(Subject(subject), SETUP, **more), value).mistake == name
 
 
 def test_a_light_without_the_other_part_cannot_be_asked_for_it():
-    shot = Shot(light=LightSource(position=(1, 2, 3)))
+    setup = Setup(light=Light(position=(1, 2, 3)))
     with pytest.raises(IllegalValueError, match="this light has none"):
-        right_answer(asked(Subject.LIGHT, shot))
+        right_answer(asked(Subject.LIGHT, setup))
 
 
 def test_a_flattened_normal_counts_with_either_sign():
-    question = asked(Subject.NORMAL, Shot(World(scale=(1, 0, 1))), normal=(0, 1, 0))
+    question = asked(Subject.NORMAL, Setup(World(scale=(1, 0, 1))), normal=(0, 1, 0))
     for sign in (1, -1):
         assert verdict(question, (0, sign, 0)).verdict is Outcome.CORRECT
     assert verdict(question, (1, 0, 0)).verdict is Outcome.UNKNOWN
 
 
 def test_questions_without_an_answer_say_so():
-    flat = Shot(World(scale=(1, 0, 1)))
+    flat = Setup(World(scale=(1, 0, 1)))
     for question in (
         asked(Subject.NORMAL, flat),
         asked(Subject.NORMAL, flat, normal=(1, 0, 0)),
@@ -418,7 +422,7 @@ def test_questions_without_an_answer_say_so():
             right_answer(question)
 
 
-def nice_shot(seed: int) -> Shot:
+def nice_shot(seed: int) -> Setup:
     """Return a scene of small numbers; some seeds mirror, shear or use other conventions."""
     draw = random.Random(seed)
     angles = [0, 30, -45, 60, 90, 20, -75]
@@ -435,21 +439,21 @@ def nice_shot(seed: int) -> Shot:
     handed = draw.choice(list(Handedness)) if not seed % 2 else Handedness.RIGHT
     clip = ClipSpace(draw.choice(list(DepthRange)), handed, draw.choice(list(ClipY)))
     lens = Lens(draw.choice([45, 60, 90]), draw.choice([1.5, 2, 0.75]), 0.5, 20, clip=clip)
-    source = LightSource((draw.randint(1, 4), -2, draw.randint(-3, 3)), position=(2, 5, -1))
-    return Shot(world, replace(view, handed=handed), lens, source)
+    source = Light((draw.randint(1, 4), -2, draw.randint(-3, 3)), position=(2, 5, -1))
+    return Setup(world, replace(view, handed=handed), lens, source)
 
 
 def questions(seed: int):
-    shot = nice_shot(seed)
+    setup = nice_shot(seed)
     spaces = [Space.WORLD, Space.CAMERA, Space.OBJECT]
     for subject in (Subject.WORLD, Subject.VIEW, Subject.PROJECTION):
-        yield asked(subject, shot)
+        yield asked(subject, setup)
     for space in spaces[:2]:
-        yield asked(Subject.NORMAL, shot, space=space)
-        yield asked(Subject.NORMAL, shot, space=space, normal=(1, 2, -1), unit=True)
+        yield asked(Subject.NORMAL, setup, space=space)
+        yield asked(Subject.NORMAL, setup, space=space, normal=(1, 2, -1), unit=True)
     for space, part in product(spaces[1:], LightPart):
-        yield asked(Subject.LIGHT, shot, space=space, light=part)
-    yield asked(Subject.EYE, shot, space=Space.OBJECT)
+        yield asked(Subject.LIGHT, setup, space=space, light=part)
+    yield asked(Subject.EYE, setup, space=Space.OBJECT)
 
 
 def every_single_mistake_is_recognised(seed: int) -> int:
@@ -502,7 +506,7 @@ def test_without_its_slip_a_mistake_is_not_recognised(monkeypatch):
     from nmatrix.lessons.check import wrong
 
     monkeypatch.delitem(wrong.RULES[Subject.NORMAL], MistakeId.NOT_TRANSPOSED)
-    assert verdict(asked(Subject.NORMAL, SHOT), inverse3(A)).mistake != "not-transposed"
+    assert verdict(asked(Subject.NORMAL, SETUP), inverse3(A)).mistake != "not-transposed"
 
 
 @pytest.mark.parametrize(
@@ -519,7 +523,7 @@ def test_without_its_slip_a_mistake_is_not_recognised(monkeypatch):
     ],
 )
 def test_what_is_no_answer_is_refused_in_one_line(subject, text):
-    question = asked(Subject(subject), SHOT, space=Space.CAMERA)
+    question = asked(Subject(subject), SETUP, space=Space.CAMERA)
     with pytest.raises(IllegalValueError) as caught:
         read_answer(text, question)
     assert "\n" not in str(caught.value)

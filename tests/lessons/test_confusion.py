@@ -18,14 +18,14 @@ from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
 PAGE = Path(__file__).parents[2] / "docs" / "mistakes.md"
 SCENES = 40
 
 
-def scene(seed: int) -> Shot:
+def scene(seed: int) -> Setup:
     draw = random.Random(seed)
 
     def three(choices):
@@ -43,22 +43,22 @@ def scene(seed: int) -> Shot:
         view = replace(view, angles=FirstPerson(*three((0, 30, -45, 60))))
     clip = ClipSpace(draw.choice(list(DepthRange)), draw.choice(list(Handedness)))
     lens = Lens(draw.choice((45, 60, 90)), draw.choice((1.5, 2, 0.75)), 0.5, 20, clip=clip)
-    light = LightSource(three((1, -2, 3, 4)), position=three(range(-5, 6)))
-    return Shot(world, view, lens, light)
+    light = Light(three((1, -2, 3, 4)), position=three(range(-5, 6)))
+    return Setup(world, view, lens, light)
 
 
-def questions(shot: Shot):
+def questions(setup: Setup):
     n = (1, 2, -1)
     for subject in (Subject.WORLD, Subject.VIEW, Subject.PROJECTION):
-        yield Question(subject, shot)
+        yield Question(subject, setup)
     for space in (Space.WORLD, Space.CAMERA):
-        yield Question(Subject.NORMAL, shot, space)
-        yield Question(Subject.NORMAL, shot, space, normal=n)
-        yield Question(Subject.NORMAL, shot, space, normal=n, unit=True)
+        yield Question(Subject.NORMAL, setup, space)
+        yield Question(Subject.NORMAL, setup, space, normal=n)
+        yield Question(Subject.NORMAL, setup, space, normal=n, unit=True)
     for space in (Space.CAMERA, Space.OBJECT):
-        yield Question(Subject.EYE, shot, space)
+        yield Question(Subject.EYE, setup, space)
         for part in LightPart:
-            yield Question(Subject.LIGHT, shot, space, light=part)
+            yield Question(Subject.LIGHT, setup, space, light=part)
 
 
 def confusion(scenes: range) -> dict[MistakeId, Counter[str]]:

@@ -8,10 +8,10 @@ import pytest
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
-from nmatrix.lessons.cases import TITLES
-from nmatrix.lessons.derive import LESSONS, derive
-from nmatrix.lessons.own import exact_matrix
-from nmatrix.lessons.steps import equal
+from nmatrix.lessons.derive.cases import TITLES
+from nmatrix.lessons.derive.lesson import LESSONS, derive
+from nmatrix.lessons.derive.steps import equal
+from nmatrix.lessons.derive.users_matrix import exact_matrix
 from nmatrix.linear import rational
 from nmatrix.report import Step
 from nmatrix.scene.world import World

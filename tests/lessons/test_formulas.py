@@ -7,9 +7,10 @@ from xml.etree import ElementTree
 
 import pytest
 
-from nmatrix.lessons import bound, examples, lighting, reflecting, steps
-from nmatrix.lessons.cases import TITLES, chosen
-from nmatrix.lessons.derive import LESSONS, derive
+from nmatrix.lessons.derive import examples, lighting, reflecting, steps
+from nmatrix.lessons.derive import worst_angle as bound
+from nmatrix.lessons.derive.cases import TITLES, chosen
+from nmatrix.lessons.derive.lesson import LESSONS, derive
 from nmatrix.lessons.formulas.mathml import mathml
 from nmatrix.lessons.formulas.parse import parse
 from nmatrix.lessons.formulas.spoken import spoken
@@ -153,7 +154,7 @@ def test_lengths_and_powers_are_said_as_they_are_meant(line: str, said: str) -> 
 
 
 def test_latex_has_every_sign_of_the_lessons_and_the_pitfalls() -> None:
-    from nmatrix.lessons.pitfalls import PITFALLS
+    from nmatrix.classroom.pitfalls import PITFALLS
     from nmatrix.output.latex import escaped
 
     prose = [step["because"] for case in derive("all").data["cases"] for step in case["steps"]]

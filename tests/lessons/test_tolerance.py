@@ -15,12 +15,12 @@ from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
-LONG = LightSource((3000, 0, 0))
-FAR = Shot(World(translate=(5000, 3, 0)))
-TINY_TURN = Shot(World(rotate_degrees=(0, 0, -0.01)))
+LONG = Light((3000, 0, 0))
+FAR = Setup(World(translate=(5000, 3, 0)))
+TINY_TURN = Setup(World(rotate_degrees=(0, 0, -0.01)))
 CLOSE = Lens(60, 1, 0.0001, 1000)
 FOCUS = "1.7321 0 0 0; 0 1.7321 0 0; 0 0 -1"
 
@@ -35,17 +35,17 @@ NEAR_BUT_WRONG = [
      "1 0 0 5000; 0 2 0 3; 0 0 1 0; 0 0 0 1", ((1, 1),)),
     ("a translation hides the corner", Question(Subject.WORLD, FAR),
      "1 0 0 5000; 0 1 0 3; 0 0 1 0; 0 0 0 0", ((3, 3),)),
-    ("one scale hides another", Question(Subject.WORLD, Shot(World(scale=(5000, 1, 1)))),
+    ("one scale hides another", Question(Subject.WORLD, Setup(World(scale=(5000, 1, 1)))),
      "5000 0 0; 0 2 0; 0 0 1", ((1, 1),)),
-    ("a small entry is left out", Question(Subject.NORMAL, Shot(World(scale=(1, 1000, 1)))),
+    ("a small entry is left out", Question(Subject.NORMAL, Setup(World(scale=(1, 1000, 1)))),
      "1 0 0; 0 0 0; 0 0 1", ((1, 1),)),
-    ("a long direction hides its w", Question(Subject.LIGHT, Shot(light=LONG)),
+    ("a long direction hides its w", Question(Subject.LIGHT, Setup(light=LONG)),
      "3000 0 0 1", ((0, 3),)),
-    ("a distant eye hides its w", Question(Subject.EYE, Shot(view=View(eye=(0, 0, 5000)))),
+    ("a distant eye hides its w", Question(Subject.EYE, Setup(view=View(eye=(0, 0, 5000)))),
      "0 0 5000 0", ((0, 3),)),
-    ("the focal length hides the depth", Question(Subject.PROJECTION, Shot(lens=CLOSE)),
+    ("the focal length hides the depth", Question(Subject.PROJECTION, Setup(lens=CLOSE)),
      f"{FOCUS} 0; 0 0 -1 0", ((2, 3),)),
-    ("a tiny scale is doubled", Question(Subject.WORLD, Shot(World(scale=(0.01, 0.02, 0.01)))),
+    ("a tiny scale is doubled", Question(Subject.WORLD, Setup(World(scale=(0.01, 0.02, 0.01)))),
      "0.01 0 0; 0 0.01 0; 0 0 0.01", ((1, 1),)),
 ]  # fmt: skip
 
@@ -69,8 +69,8 @@ def test_a_large_entry_excuses_nothing_of_another_kind(question, text, wrong):
     ],
 )
 def test_few_digits_of_a_short_direction_are_no_direction(scale, normal, text):
-    shot = Shot(World(scale=scale, shear=(1 if normal is None else 0, 0, 0)))
-    found = judged(Question(Subject.NORMAL, shot, normal=normal), text)
+    setup = Setup(World(scale=scale, shear=(1 if normal is None else 0, 0, 0)))
+    found = judged(Question(Subject.NORMAL, setup, normal=normal), text)
     assert found.verdict is not Outcome.CORRECT
 
 
@@ -78,9 +78,9 @@ def test_few_digits_of_a_short_direction_are_no_direction(scale, normal, text):
     ("question", "text", "mistake"),
     [
         (Question(Subject.WORLD, TINY_TURN), "1 -0.000175 0; 0.000175 1 0; 0 0 1", "rotation-sign"),
-        (Question(Subject.PROJECTION, Shot(lens=CLOSE)), f"{FOCUS} -0.0001; 0 0 -1 0",
+        (Question(Subject.PROJECTION, Setup(lens=CLOSE)), f"{FOCUS} -0.0001; 0 0 -1 0",
          "depth-range"),
-        (Question(Subject.LIGHT, Shot(light=LONG)), "3000 0 0 1", "direction-as-point"),
+        (Question(Subject.LIGHT, Setup(light=LONG)), "3000 0 0 1", "direction-as-point"),
     ],
 )  # fmt: skip
 def test_a_mistake_that_gives_every_digit_wins_over_what_is_nearly_right(question, text, mistake):
@@ -91,12 +91,12 @@ def test_a_mistake_that_gives_every_digit_wins_over_what_is_nearly_right(questio
 
 
 TURNED = World(rotate_degrees=(0.5, 0, 0), translate=(20, 0, 0))
-ON_THE_WAY = Shot(
+ON_THE_WAY = Setup(
     World(translate=(1, 0, 0)),
     View(eye=(3000, 0, 5), target=(3001, 0, 4)),
-    light=LightSource(position=(2, 3, 4)),
+    light=Light(position=(2, 3, 4)),
 )
-TINY_MOVE = Shot(World(translate=(0.0001, 0, 0)))
+TINY_MOVE = Setup(World(translate=(0.0001, 0, 0)))
 
 
 @pytest.mark.parametrize(
@@ -107,7 +107,7 @@ TINY_MOVE = Shot(World(translate=(0.0001, 0, 0)))
     ],
 )
 def test_a_translation_of_twenty_hides_no_rotation(text) -> None:
-    question = Question(Subject.WORLD, Shot(TURNED))
+    question = Question(Subject.WORLD, Setup(TURNED))
     assert judged(question, text).verdict is not Outcome.CORRECT
 
 
@@ -124,16 +124,16 @@ def test_a_nearly_symmetric_matrix_is_not_called_transposed(number) -> None:
 
 
 def test_zeros_with_decimals_tell_a_matrix_from_its_transpose_as_well() -> None:
-    shot = Shot(view=View(eye=(0.0001, 0.0001, -0.0003), target=(2.0001, -0.9999, -0.0003)))
+    setup = Setup(view=View(eye=(0.0001, 0.0001, -0.0003), target=(2.0001, -0.9999, -0.0003)))
     rows = "0.0 0.0 1.0 0.0003; 0.4472 0.8944 0.0 -0.0001; -0.8944 0.4472 0.0 0.0000"
-    found = judged(Question(Subject.VIEW, shot), f"{rows}; 0.0 0.0 0.0 1.0")
+    found = judged(Question(Subject.VIEW, setup), f"{rows}; 0.0 0.0 0.0 1.0")
     assert "transposed-layout" not in (found.mistake or "")
 
 
 def test_a_rightly_rounded_direction_is_right_at_some_length() -> None:
     world = World(translate=(0, 0.25, 1), rotate_degrees=(17, 0, 0), scale=(0.0001, 1, 1))
-    shot = Shot(world, View(eye=(3, -2, 0), target=(2, -3, 3)))
-    question = Question(Subject.NORMAL, shot, Space.CAMERA, normal=(1, -2, 1))
+    setup = Setup(world, View(eye=(3, -2, 0), target=(2, -3, 3)))
+    question = Question(Subject.NORMAL, setup, Space.CAMERA, normal=(1, -2, 1))
     for text in ("-0.949 -0.0955 0.301", "-0.949 -0.096 0.301", "-0.9487 -0.0955 0.3014"):
         assert judged(question, text).verdict is Outcome.CORRECT
     for text in ("-0.949 0.0955 0.301", "-0.749 -0.0955 0.301"):
@@ -142,12 +142,12 @@ def test_a_rightly_rounded_direction_is_right_at_some_length() -> None:
 
 def test_too_few_digits_are_said_to_be_too_few() -> None:
     lens = Lens(90, 2, 0.1, 100, clip=ClipSpace(depth=DepthRange.REVERSED))
-    question = Question(Subject.PROJECTION, Shot(lens=lens))
+    question = Question(Subject.PROJECTION, Setup(lens=lens))
     found = judged(question, "0.5 0 0 0; 0 1 0 0; 0 0 0.00 0.1; 0 0 -1 0")
     assert (found.verdict, found.wrong_entries) == (Outcome.CORRECT, ())
     for text in ("0.5 0 0 0; 0 1 0 0; 0 0 0 0.1; 0 0 -1 0", "0 0 0 0; 0 0 0 0; 0 0 0 0; 0 0 -1 0"):
         assert judged(question, text).verdict is not Outcome.CORRECT
-    found = judged(Question(Subject.PROJECTION, Shot(lens=CLOSE)), f"{FOCUS} 0; 0 0 -1 0")
+    found = judged(Question(Subject.PROJECTION, Setup(lens=CLOSE)), f"{FOCUS} 0; 0 0 -1 0")
     assert (found.verdict, found.explanation) == (Outcome.UNKNOWN, TOO_FEW_DIGITS)
 
 
@@ -169,7 +169,7 @@ def wide_question(draw: random.Random) -> Question:
     def three(low, high):
         return tuple(draw.choice([1, -1]) * 10 ** draw.uniform(low, high) for _ in range(3))
 
-    shot = Shot(
+    setup = Setup(
         World(
             translate=three(-1, 4),
             rotate_degrees=tuple(draw.uniform(-180, 180) for _ in range(3)),
@@ -177,13 +177,13 @@ def wide_question(draw: random.Random) -> Question:
         ),
         View(eye=three(-1, 4), target=three(-1, 1)),
         Lens(draw.uniform(5, 120), 10 ** draw.uniform(-0.5, 0.5), 10 ** draw.uniform(-4, 0), 2000),
-        LightSource(three(-1, 4), position=three(-1, 4)),
+        Light(three(-1, 4), position=three(-1, 4)),
     )
     subject = draw.choice(list(Subject))
     space = draw.choice([Space.WORLD, Space.CAMERA, Space.OBJECT])
     if subject is Subject.NORMAL and space is Space.OBJECT:
         space = Space.CAMERA
-    return Question(subject, shot, space, light=draw.choice(list(LightPart)))
+    return Question(subject, setup, space, light=draw.choice(list(LightPart)))
 
 
 def printed(value, decimals: int) -> list[list[str]]:

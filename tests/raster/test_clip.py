@@ -9,13 +9,13 @@ import pytest
 
 from nmatrix.enums import DepthRange
 from nmatrix.linear.projection import ClipSpace
-from nmatrix.raster import clip as clip_module
-from nmatrix.raster import vertices
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.clip import GUARD, clip, whole
-from nmatrix.raster.spans import SUBPIXELS, spans
-from nmatrix.raster.vertices import Projected, project
-from nmatrix.scene.mesh import Mesh
+from nmatrix.raster.triangles import clip as clip_module
+from nmatrix.raster.triangles import vertices
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.clip import GUARD, clip, whole
+from nmatrix.raster.triangles.spans import SUBPIXELS, spans
+from nmatrix.raster.triangles.vertices import Projected, project
+from nmatrix.scene.meshes.mesh import Mesh
 
 CANVAS = Canvas(32, 32)
 ONE = np.zeros(1, np.intp)

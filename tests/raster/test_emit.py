@@ -11,19 +11,19 @@ import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Effect, Shading, Space
-from nmatrix.raster.emit import shaders
-from nmatrix.raster.plan import everything, planned
+from nmatrix.raster.loaded_scene import LoadedScene, loaded
+from nmatrix.raster.planning.emit import shaders
+from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.showpiece import showpiece
-from nmatrix.raster.studio import Studio, studio
 from nmatrix.scene.scene import Settings
 from nmatrix.scene.world import World
 
 
-def studios() -> list[Studio]:
+def studios() -> list[LoadedScene]:
     found = [
-        studio(
+        loaded(
             single(
-                World(scale=(1, 2, 1)), material, lamps=(SUN, BULB), space=space, shading=shading
+                World(scale=(1, 2, 1)), material, lights=(SUN, BULB), space=space, shading=shading
             )
         )
         for material in (LAMBERT, PHONG, BLINN, TOON)
@@ -31,7 +31,7 @@ def studios() -> list[Studio]:
         for shading in Shading
     ]
     settings = [Settings(size=(32, 32), shading=shading) for shading in Shading]
-    return [*found, *(studio(showpiece(one)) for one in settings)]
+    return [*found, *(loaded(showpiece(one)) for one in settings)]
 
 
 def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
@@ -51,7 +51,7 @@ def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
 
 
 def fragment(**scene: object) -> str:
-    plan = planned(studio(single(**scene)))  # type: ignore[arg-type]
+    plan = planned(loaded(single(**scene)))  # type: ignore[arg-type]
     return shaders(plan, plan.bodies[0])[1]
 
 
@@ -72,15 +72,15 @@ def test_a_matt_body_under_the_sun_has_a_short_shader() -> None:
 
 def test_each_effect_brings_its_own_lines() -> None:
     assert "pow(highlight, shininess)" in fragment(material=PHONG)
-    assert "attenuation_0" in fragment(lamps=(BULB,))
+    assert "attenuation_0" in fragment(lights=(BULB,))
     assert "vector_world_from_space" in fragment(
         world=World(scale=(1, 2, 1)), material=PHONG, space=Space.OBJECT
     )
     assert "ceil(" in fragment(material=TOON)
-    assert "shadow_map_0" in fragment(lamps=(replace(SUN, shadows=True),))
+    assert "shadow_map_0" in fragment(lights=(replace(SUN, shadows=True),))
 
 
-def test_a_lamp_that_cannot_reach_has_no_line() -> None:
+def test_a_light_that_cannot_reach_has_no_line() -> None:
     far = replace(BULB, position=(100, 0, 0), range=5)
-    assert "light_color_1" not in fragment(lamps=(SUN, far))
-    assert "light_color_1" in fragment(lamps=(SUN, BULB))
+    assert "light_color_1" not in fragment(lights=(SUN, far))
+    assert "light_color_1" in fragment(lights=(SUN, BULB))

@@ -10,19 +10,19 @@ import pytest
 
 from nmatrix.enums import Effect
 from nmatrix.linear.rational import identity
-from nmatrix.raster import fragments as fragments_module
-from nmatrix.raster.fragments import Fragments, Reads, Weighing, interpolate
-from nmatrix.raster.plan import planned
-from nmatrix.raster.runs import Runs
-from nmatrix.raster.spans import SUBPIXELS, spans
-from nmatrix.raster.studio import studio
-from nmatrix.raster.vertices import Projected
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.plan import planned
+from nmatrix.raster.triangles import fragments as fragments_module
+from nmatrix.raster.triangles.fragments import Fragments, Reads, Weighing, interpolate
+from nmatrix.raster.triangles.runs import Runs
+from nmatrix.raster.triangles.spans import SUBPIXELS, spans
+from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind, Shape
 
 U = 2.0**-53
 SIZE = 24
@@ -198,12 +198,12 @@ def weighs_exactly(gap: float) -> bool:
     """Return what the plan decides for a floor of one cell, seen from a gap before its edge."""
     scene = Scene(
         (SceneObject("floor", ShapeGeometry(Shape.PLANE, (1,)), identity(4)),),
-        (Lamp("bulb", LampKind.POINT, position=(0, 1, 0)),),
+        (SceneLight("bulb", LightKind.POINT, position=(0, 1, 0)),),
         View(eye=(0.0, 1.0, 1.0 + gap), target=(0.0, 1.0, 0.0)),
         Lens(fov_degrees=90, near=gap / 2, far=10.0),
         Settings(size=(16, 16)),
     )
-    (body,) = planned(studio(scene)).bodies
+    (body,) = planned(loaded(scene)).bodies
     ratio = (2 + gap) / gap
     assert f"up to {ratio:.3g}" in body.decisions[Effect.EXACT_WEIGHTS].because
     return Effect.EXACT_WEIGHTS in body.effects

@@ -9,15 +9,15 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.fragments import Fragments, Reads
-from nmatrix.raster.picture import Drawable, Drawing
-from nmatrix.raster.vertices import Projected
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.picture import Drawable, Drawing
+from nmatrix.raster.triangles.vertices import Projected
 
 MESH = """
 import resource
 import numpy as np
-from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.meshes.mesh import Mesh
 
 cells, size, per_side = {cells}, {size}, {per_side}
 side = cells + 1
@@ -35,11 +35,11 @@ mesh = Mesh(positions.reshape(-1, 3), normals.reshape(-1, 3), triangles.reshape(
 
 DRAWING = """
 from nmatrix.linear.projection import ClipSpace
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.fragments import Reads
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.fragments import Reads
 from nmatrix.raster.image import levels
-from nmatrix.raster.picture import Drawable, Drawing
-from nmatrix.raster.vertices import project
+from nmatrix.raster.triangles.picture import Drawable, Drawing
+from nmatrix.raster.triangles.vertices import project
 
 matrix = np.diag([0.9, 0.9, 0.5, 1.0])
 matrix[3, 1] = 0.2
@@ -57,9 +57,9 @@ assert picture.fragments > 0.5 * (size * per_side) ** 2 or cells > 1000, picture
 
 SCENE = """
 from nmatrix.linear.rational import identity
-from nmatrix.raster.plan import planned
+from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.render import render
-from nmatrix.raster.studio import studio
+from nmatrix.raster.loaded_scene import studio
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 

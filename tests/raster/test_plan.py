@@ -10,20 +10,20 @@ import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 
 from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
-from nmatrix.raster import decisions as decisions_module
-from nmatrix.raster import plan as plan_module
-from nmatrix.raster import shortcuts
-from nmatrix.raster.plan import BUDGET, everything, planned
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning import judges as decisions_module
+from nmatrix.raster.planning import judges_by_geometry as shortcuts
+from nmatrix.raster.planning import plan as plan_module
+from nmatrix.raster.planning.plan import BUDGET, everything, planned
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import render
-from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import DepthBuffer, LampKind, Shape
-from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene, Settings
+from nmatrix.scene.words import DepthBuffer, LightKind, Shape
 from nmatrix.scene.world import World
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "docs" / "scenes"
@@ -35,9 +35,9 @@ SCENES = {
     "scaled": single(World(scale=(1, 2, 1))),
     "almost rigid": single(TINY_SHEAR),
     "fine": single(shape=FINE),
-    "shiny": single(material=PHONG, lamps=(SUN, BULB)),
+    "shiny": single(material=PHONG, lights=(SUN, BULB)),
     "fine and shiny": single(material=BLINN, shape=FINE),
-    "gouraud": single(material=PHONG, lamps=(BULB,), shading=Shading.GOURAUD),
+    "gouraud": single(material=PHONG, lights=(BULB,), shading=Shading.GOURAUD),
     "flat": single(material=PHONG, shading=Shading.FLAT),
     "object space": single(World(scale=(1, 2, 1)), material=PHONG, space=Space.OBJECT),
     "open": single(World(rotate_degrees=(70, 0, 0)), shape=ShapeGeometry(Shape.PLANE)),
@@ -49,7 +49,7 @@ SCENES = {
 
 
 def both(scene: Scene) -> tuple[np.ndarray, np.ndarray, float]:
-    ready = studio(scene)
+    ready = loaded(scene)
     plan = planned(ready)
     return (
         render(plan).rgb,
@@ -60,7 +60,7 @@ def both(scene: Scene) -> tuple[np.ndarray, np.ndarray, float]:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_the_plan_changes_no_channel_by_more_than_it_says(name: str) -> None:
-    ready = studio(SCENES[name])
+    ready = loaded(SCENES[name])
     plan = planned(ready)
     found, full = render(plan), render(everything(ready))
     bound = max(body.bound for body in plan.bodies)
@@ -73,7 +73,7 @@ def test_the_plan_changes_no_channel_by_more_than_it_says(name: str) -> None:
 def test_the_plan_changes_no_example_scene(name: str) -> None:
     scene = scene_of(EXAMPLES / f"{name}.toml")
     settings = replace(scene.settings, size=(160, 120), samples=min(scene.settings.samples, 4))
-    ready = studio(replace(scene, settings=settings))
+    ready = loaded(replace(scene, settings=settings))
     plan = planned(ready)
     found, full = render(plan), render(everything(ready))
     bound = max(body.bound for body in plan.bodies)
@@ -83,7 +83,7 @@ def test_the_plan_changes_no_example_scene(name: str) -> None:
 
 def test_the_classroom_calls_for_few_effects_and_everything_for_nearly_all() -> None:
     few, many = (
-        planned(studio(scene_of(EXAMPLES / f"{name}.toml"))).effects
+        planned(loaded(scene_of(EXAMPLES / f"{name}.toml"))).effects
         for name in ("classroom", "everything")
     )
     assert len(few) <= 6
@@ -93,7 +93,7 @@ def test_the_classroom_calls_for_few_effects_and_everything_for_nearly_all() -> 
 
 
 def test_where_only_exact_shortcuts_are_taken_no_bit_changes() -> None:
-    ready = studio(single(material=PHONG, lamps=(SUN, BULB)))
+    ready = loaded(single(material=PHONG, lights=(SUN, BULB)))
     plan = planned(ready)
     full = everything(ready)
     (body,), (all_on,) = plan.bodies, full.bodies
@@ -118,7 +118,7 @@ def test_a_bound_that_is_too_small_would_be_seen(monkeypatch: pytest.MonkeyPatch
 
 
 def decision(scene: Scene, effect: Effect) -> plan_module.Decision:
-    return planned(studio(scene)).bodies[0].decisions[effect]
+    return planned(loaded(scene)).bodies[0].decisions[effect]
 
 
 def test_a_scale_calls_for_the_inverse_transpose_and_says_why() -> None:
@@ -168,7 +168,7 @@ TRAPS = {
     "flat, light per face": single(World(scale=(1, 1, 0)), PHONG, shading=Shading.FLAT),
     "lit from behind through glass": single(
         material=replace(LAMBERT, opacity=0.4),
-        lamps=(Lamp("back", LampKind.DIRECTIONAL, direction=(1, 1, 4)),),
+        lights=(SceneLight("back", LightKind.DIRECTIONAL, direction=(1, 1, 4)),),
     ),
 }
 
@@ -179,27 +179,27 @@ def test_traps_for_a_plan_are_no_traps(name: str) -> None:
     assert np.abs(found - full).max() <= bound + 1e-12
 
 
-def test_lamps_that_cannot_reach_are_named() -> None:
+def test_lights_that_cannot_reach_are_named() -> None:
     far = replace(BULB, name="far", position=(100, 0, 0), range=5)
-    black = Lamp("black", LampKind.DIRECTIONAL, intensity=0)
-    (body,) = planned(studio(single(lamps=(SUN, far, black)))).bodies
-    assert [one.on for one in body.lamp_decisions] == [True, False, False]
-    assert "ends at 5" in body.lamp_decisions[1].because
-    assert "black" in body.lamp_decisions[2].because
+    black = SceneLight("black", LightKind.DIRECTIONAL, intensity=0)
+    (body,) = planned(loaded(single(lights=(SUN, far, black)))).bodies
+    assert [one.on for one in body.light_decisions] == [True, False, False]
+    assert "ends at 5" in body.light_decisions[1].because
+    assert "black" in body.light_decisions[2].because
 
 
-def test_a_lamp_behind_every_face_is_left_out() -> None:
-    below = Lamp("below", LampKind.DIRECTIONAL, direction=(0, 1, 0))
+def test_a_light_behind_every_face_is_left_out() -> None:
+    below = SceneLight("below", LightKind.DIRECTIONAL, direction=(0, 1, 0))
     lid = ShapeGeometry(Shape.BOX)
-    (body,) = planned(studio(single(lamps=(below,), shape=lid))).bodies
-    assert body.lamp_decisions[0].on, "a box has a face for every light"
+    (body,) = planned(loaded(single(lights=(below,), shape=lid))).bodies
+    assert body.light_decisions[0].on, "a box has a face for every light"
 
 
 def test_shadows_are_left_out_where_nothing_stands_in_the_way() -> None:
     casting = replace(SUN, shadows=True)
-    alone = single(lamps=(casting,), shape=ShapeGeometry(Shape.PLANE))
+    alone = single(lights=(casting,), shape=ShapeGeometry(Shape.PLANE))
     assert not decision(alone, Effect.SHADOWS).on
-    assert decision(single(lamps=(casting,)), Effect.SHADOWS).on
+    assert decision(single(lights=(casting,)), Effect.SHADOWS).on
 
 
 def test_steep_ratios_of_w_call_for_exact_weights() -> None:
@@ -214,6 +214,6 @@ def test_steep_ratios_of_w_call_for_exact_weights() -> None:
 
 
 def test_grey_scenes_have_one_channel() -> None:
-    assert planned(studio(single())).channels == 1
+    assert planned(loaded(single())).channels == 1
     tinted = single(material=replace(LAMBERT, diffuse=(0.8, 0.2, 0.2)))
-    assert planned(studio(tinted)).channels == 3
+    assert planned(loaded(tinted)).channels == 3

@@ -13,16 +13,16 @@ from PIL import Image
 from nmatrix.enums import NormalRule
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
-from nmatrix.raster.heat import Scale
+from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.proofs import rules
 from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.brief import Brief, Proof
 from nmatrix.raster.proofs.catalogue import PROOFS, entry
 from nmatrix.raster.proofs.frames import Job, gif, turns
-from nmatrix.raster.studio import studio
-from nmatrix.scene.mesh import Mesh
+from nmatrix.raster.proofs.heat import Scale
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.meshes.shapes import sphere, torus
 from nmatrix.scene.scene import Settings
-from nmatrix.scene.shapes import sphere, torus
 from nmatrix.scene.world import World
 
 SMALL = Settings(size=(96, 96), samples=4)
@@ -169,7 +169,7 @@ def test_the_order_of_triangles_does_not_matter() -> None:
 
 def test_a_flattened_sphere_is_one_plane_that_faces_the_eye() -> None:
     scene = Brief("flat", sphere(16, 32), settings=SMALL).scene(World(scale=(1, 0, 1)))
-    ready = studio(scene)
+    ready = loaded(scene)
     normals = normals_by(ready, ready.bodies[0], NormalRule.EXACT)
     assert len(np.unique(normals + 0.0, axis=1).T) == 1
     found = proof("normals", mesh=sphere(16, 32), world=World(scale=(1, 0, 1)))

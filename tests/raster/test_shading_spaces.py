@@ -8,15 +8,15 @@ from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Space
 from nmatrix.linear.rational import rational
-from nmatrix.raster import plan as plan_module
-from nmatrix.raster.decision import Decision
-from nmatrix.raster.plan import planned
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning import plan as plan_module
+from nmatrix.raster.planning.decision import Decision
+from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.render import render
-from nmatrix.raster.shading_space import Measure
-from nmatrix.raster.studio import studio
-from nmatrix.scene.kinds import LampKind
-from nmatrix.scene.lamp import Lamp
+from nmatrix.raster.shading.space import Measure
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
+from nmatrix.scene.words import LightKind
 from nmatrix.scene.world import World
 
 WORLDS = {
@@ -25,15 +25,15 @@ WORLDS = {
     "mirror": World(scale=(-1, 1.5, 1), rotate_degrees=(0, 40, 10)),
     "hard": World(scale=(1, 0.02, 1), rotate_degrees=(40, 0, 30), shear=(0.5, 0, 0)),
 }
-SPOT = Lamp(
-    "spot", LampKind.SPOT, position=(2, 3, 2), direction=(-2, -3, -2), cone_degrees=(10, 25)
+SPOT = SceneLight(
+    "spot", LightKind.SPOT, position=(2, 3, 2), direction=(-2, -3, -2), cone_degrees=(10, 25)
 )
 SKEWED = rational([[1, 0.5, 0, 1], [0, 2, 0, 0], [0.25, 0, 1, -3], [0, 0, 0, 1]])
 OTHERS = (Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT, Space.CUSTOM)
 
 
 def image(scene: Scene) -> np.ndarray:
-    return render(planned(studio(scene))).rgb
+    return render(planned(loaded(scene))).rgb
 
 
 def differences(world: World, **scene: object) -> dict[Space, float]:
@@ -49,15 +49,15 @@ def differences(world: World, **scene: object) -> dict[Space, float]:
 
 
 @pytest.mark.parametrize("name", WORLDS)
-@pytest.mark.parametrize("lamps", [(SUN,), (BULB,), (SUN, BULB, SPOT)])
+@pytest.mark.parametrize("lights", [(SUN,), (BULB,), (SUN, BULB, SPOT)])
 @pytest.mark.parametrize("material", [LAMBERT, PHONG, BLINN])
-def test_six_spaces_give_one_picture(name: str, lamps: tuple, material: object) -> None:
-    found = differences(WORLDS[name], lamps=lamps, material=material)
+def test_six_spaces_give_one_picture(name: str, lights: tuple, material: object) -> None:
+    found = differences(WORLDS[name], lights=lights, material=material)
     assert max(found.values()) <= 1e-12, found
 
 
 def test_the_pictures_are_not_empty() -> None:
-    shown = image(single(WORLDS["shear"], lamps=(SUN, BULB), material=PHONG))
+    shown = image(single(WORLDS["shear"], lights=(SUN, BULB), material=PHONG))
     assert len(np.unique(np.rint(shown * 255))) > 60
 
 
@@ -82,7 +82,7 @@ def test_without_the_metric_the_pictures_part(
 
 def test_a_direction_moved_as_a_covector_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     from nmatrix.linear import rational as exact
-    from nmatrix.raster.shading_space import ShadingSpace
+    from nmatrix.raster.shading.space import ShadingSpace
 
     right = ShadingSpace.direction
 
@@ -98,6 +98,6 @@ def test_a_direction_moved_as_a_covector_would_be_seen(monkeypatch: pytest.Monke
 
 def test_rigid_spaces_do_without_the_metric() -> None:
     for space in (Space.WORLD, Space.CAMERA, Space.LIGHT):
-        (body,) = planned(studio(single(WORLDS["scale"], space=space))).bodies
+        (body,) = planned(loaded(single(WORLDS["scale"], space=space))).bodies
         assert "metric" not in body.effects
     assert isinstance(body.decisions[plan_module.Effect.METRIC], Decision)

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from strategies import half_pixel_grids
 
-from nmatrix.raster import spans as spans_module
-from nmatrix.raster.spans import SUBPIXELS, Spans, spans
+from nmatrix.raster.triangles import spans as spans_module
+from nmatrix.raster.triangles.spans import SUBPIXELS, Spans, spans
 
 Array = np.ndarray
 Triangles = tuple[Array, Array]  # x and y, (3, N) whole numbers of 1/256 sample

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster import picture as picture_module
-from nmatrix.raster import visibility as visibility_module
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.fragments import Fragments, Reads
-from nmatrix.raster.picture import Drawable, Drawing, Picture
-from nmatrix.raster.spans import SUBPIXELS
-from nmatrix.raster.vertices import Projected
-from nmatrix.raster.visibility import EMPTY, TRIANGLE_MASK, Tile, depth_code
-from nmatrix.scene.kinds import DepthBuffer
+from nmatrix.raster.triangles import picture as picture_module
+from nmatrix.raster.triangles import visibility as visibility_module
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
+from nmatrix.raster.triangles.spans import SUBPIXELS
+from nmatrix.raster.triangles.vertices import Projected
+from nmatrix.raster.triangles.visibility import EMPTY, TRIANGLE_MASK, Tile, depth_code
+from nmatrix.scene.words import DepthBuffer
 
 SIZE = 48
 CANVAS = Canvas(SIZE, SIZE)

@@ -14,16 +14,16 @@ import pytest
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity, product, to_floats
-from nmatrix.raster.plan import planned
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.render import render
-from nmatrix.raster.studio import studio
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import FileGeometry
-from nmatrix.scene.gltf_scene import gltf_scene
-from nmatrix.scene.kinds import LampKind, Sides
+from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene
+from nmatrix.scene.words import LightKind, Sides
 
 TRIANGLE = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 
@@ -148,18 +148,18 @@ def test_an_infinite_camera(tmp_path: Path) -> None:
     assert scene.lens.far == float("inf")
 
 
-def test_lights_of_the_lamp(data: Path) -> None:
+def test_lights_of_the_light(data: Path) -> None:
     path = data / "gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf"
     scene, raw = gltf_scene(path), json.loads(path.read_text())
     stored = raw["extensions"]["KHR_lights_punctual"]["lights"]
-    assert len(scene.lamps) == len(stored) == 5
+    assert len(scene.lights) == len(stored) == 5
     brightest = max(one["intensity"] for one in stored)
     by_name = {one["name"]: one for one in stored}
-    for lamp in scene.lamps:
-        assert lamp.kind is LampKind.POINT
-        assert lamp.intensity == by_name[lamp.name]["intensity"] / brightest
-        assert lamp.color == tuple(by_name[lamp.name].get("color", (1, 1, 1)))
-    assert max(lamp.intensity for lamp in scene.lamps) == 1
+    for light in scene.lights:
+        assert light.kind is LightKind.POINT
+        assert light.intensity == by_name[light.name]["intensity"] / brightest
+        assert light.color == tuple(by_name[light.name].get("color", (1, 1, 1)))
+    assert max(light.intensity for light in scene.lights) == 1
     assert "Intensities of light are relative: the brightest light is 1." in scene.remarks
 
 
@@ -174,15 +174,15 @@ def test_light_travels_along_minus_z_of_its_node(tmp_path: Path) -> None:
             **down,
         ),
     )
-    sun, lamp = scene.lamps
+    sun, light = scene.lights
     assert sun.direction == pytest.approx((0, -1, 0), abs=1e-15)
     assert (sun.intensity, sun.attenuation) == (0.5, (1, 0, 0))
-    assert lamp.direction == pytest.approx((0, -1, 0), abs=1e-15)
-    assert lamp.position == (0, 4, 0)
-    assert lamp.cone_degrees == pytest.approx((22.5, 45))
-    assert (lamp.range, lamp.color) == (7, (1, 0.5, 0))
+    assert light.direction == pytest.approx((0, -1, 0), abs=1e-15)
+    assert light.position == (0, 4, 0)
+    assert light.cone_degrees == pytest.approx((22.5, 45))
+    assert (light.range, light.color) == (7, (1, 0.5, 0))
     # half the diagonal of the triangle's box is 1/√2, so q = 1/r² = 2
-    assert lamp.attenuation == pytest.approx((1, 0, 2))
+    assert light.attenuation == pytest.approx((1, 0, 2))
 
 
 def test_materials(tmp_path: Path) -> None:
@@ -402,7 +402,7 @@ def test_the_negative_scale_sample_passes_its_own_test(data: Path) -> None:
     scene = replace(
         scene_of(file), view=View(eye=(0, 0, 9)), has_camera=True, lens=Lens(near=1, far=30)
     )
-    image = render(planned(studio(scene.sized(320, 320)))).rgb
+    image = render(planned(loaded(scene.sized(320, 320)))).rgb
     red, green = image[:, :, 0] - image[:, :, 1], image[:, :, 1] - image[:, :, 0]
     assert (green > 0.4).sum() > 300
     assert (red > 0.4).sum() == 0

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from nmatrix.answers.inspect import inspect_file, report
 from nmatrix.enums import Kind
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.linear.classify import classify
 from nmatrix.linear.rational import Rows, to_floats
-from nmatrix.scene.gltf import read_gltf
-from nmatrix.scene.inspection import inspect_file, report
-from nmatrix.scene.meshfile import read_mesh
+from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.scene.meshes.file import read_mesh
 
 # three.js does not normalise quaternions; these files hold some that are slightly off.
 UNNORMALISED = ("Cameras", "TextureEncodingTest")

@@ -16,9 +16,9 @@ from nmatrix.linear.rational import inverse_transpose, linear, product, to_float
 from nmatrix.linear.vectors import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
-from nmatrix.scene.kinds import DepthBuffer, LampKind, Shape
 from nmatrix.scene.scene import Fog, Scene
-from nmatrix.scene.scenefile import read_scene
+from nmatrix.scene.toml.file import read_scene
+from nmatrix.scene.words import DepthBuffer, LightKind, Shape
 from nmatrix.scene.world import World
 
 SCENES = Path(__file__).parents[2] / "docs" / "scenes"
@@ -45,8 +45,8 @@ def test_one_shape_is_a_scene_with_daylight_and_without_a_camera(tmp_path: Path)
     (ball,) = scene.objects
     assert ball.geometry == ShapeGeometry(Shape.SPHERE)
     assert not scene.has_camera
-    (light,) = scene.lamps
-    assert light.kind is LampKind.DIRECTIONAL
+    (light,) = scene.lights
+    assert light.kind is LightKind.DIRECTIONAL
     assert light.direction == normalize((-1, -1, -1))
 
 
@@ -196,7 +196,7 @@ def test_lights_of_every_kind(tmp_path: Path) -> None:
         '[[light]]\nkind="spot"\nfixed_to="eye"\ncone=[0,90]\nshadows=true\n'
         '[[light]]\nkind="point"\nfixed_to="ball"\nrange=4\n'
     )
-    ambient, sun, point, spot, carried = read(tmp_path, text).lamps
+    ambient, sun, point, spot, carried = read(tmp_path, text).lights
     assert ambient.color == (0.2, 0.2, 0.2)
     assert sun.direction == (0, -1, 0)
     assert (point.position, point.range, point.fades) == ((1, 2, 3), inf, True)
@@ -373,7 +373,7 @@ def test_the_robots_hand_is_sheared_by_its_forearm() -> None:
 
 def test_reading_needs_no_numpy() -> None:
     code = (
-        "import sys; from pathlib import Path; from nmatrix.scene.scenefile import read_scene\n"
+        "import sys; from pathlib import Path; from nmatrix.scene.toml.file import read_scene\n"
         f"read_scene(Path({str(SCENES / 'everything.toml')!r}))\n"
         "sys.exit('numpy' in sys.modules)"
     )

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from nmatrix.scene import scene_records
-from nmatrix.scene.schema import schema
+from nmatrix.scene.toml import records as scene_records
+from nmatrix.scene.toml.schema import schema
 
 SCENES = Path(__file__).parents[2] / "docs" / "scenes"
 WHOLE = json.loads(schema())

@@ -7,8 +7,8 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from nmatrix.scene.mesh import Mesh
-from nmatrix.scene.shapes import box, cone, plane, sphere, torus
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.meshes.shapes import box, cone, plane, sphere, torus
 
 CLOSED = {
     "sphere": sphere(12, 24),

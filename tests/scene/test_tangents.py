@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from nmatrix.scene.mesh import Mesh
-from nmatrix.scene.shapes import box, cone, plane, sphere, torus
-from nmatrix.scene.tangents import with_tangents
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.meshes.shapes import box, cone, plane, sphere, torus
+from nmatrix.scene.meshes.tangents import with_tangents
 
 SHAPES = {
     "sphere": sphere(16, 32),

@@ -7,9 +7,9 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from nmatrix.scene import watertight
-from nmatrix.scene.shapes import box, sphere, torus
-from nmatrix.scene.watertight import is_watertight
+from nmatrix.scene.meshes import watertight
+from nmatrix.scene.meshes.shapes import box, sphere, torus
+from nmatrix.scene.meshes.watertight import is_watertight
 
 
 def counted(positions: np.ndarray, triangles: np.ndarray) -> bool:

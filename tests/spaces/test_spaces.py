@@ -15,10 +15,10 @@ from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
+from nmatrix.spaces.light_and_eye import light_in
 from nmatrix.spaces.metric import normal_world_from_space, vector_world_from_space
-from nmatrix.spaces.seen import light_in
 from nmatrix.spaces.shaders import shader_pair
 from nmatrix.spaces.uniforms import Request, uniforms
 
@@ -31,8 +31,8 @@ SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.LIGHT, Space.CUSTOM)
 SKEWED = rational.rational([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
 
 
-def scene(world: World, light: LightSource) -> Shot:
-    return Shot(world, light=light, space_matrix=SKEWED)
+def scene(world: World, light: Light) -> Setup:
+    return Setup(world, light=light, space_matrix=SKEWED)
 
 
 def length(matrix: RationalMatrix, v: RationalVector) -> float:
@@ -40,39 +40,39 @@ def length(matrix: RationalMatrix, v: RationalVector) -> float:
     return sqrt(float(rational.dot(moved, moved)))
 
 
-def lambert(scene: Shot, space: Space, point: RationalVector, normal: RationalVector) -> float:
+def lambert(scene: Setup, space: Space, point: RationalVector, normal: RationalVector) -> float:
     """n·l over lengths measured by the metric's factors, in the coordinates of a space."""
-    stage = scene.stage
-    moved = stage.space_from_object(space)
+    maps = scene.maps
+    moved = maps.space_from_object(space)
     n = rational.apply(rational.inverse_transpose(rational.linear(moved.exact)), normal)
-    position = light_in(stage, space).position
+    position = light_in(maps, space).position
     assert position is not None
     p = moved.exact_point(point)
     l_ = tuple(a - b for a, b in zip(position, p, strict=True))
-    lengths = length(normal_world_from_space(stage, space), n) * length(
-        vector_world_from_space(stage, space), l_
+    lengths = length(normal_world_from_space(maps, space), n) * length(
+        vector_world_from_space(maps, space), l_
     )
     return float(rational.dot(n, l_)) / lengths
 
 
 @pytest.mark.parametrize("name", WORLDS)
 def test_a_point_lights_cosine_is_the_same_in_every_space(name: str) -> None:
-    staged = scene(WORLDS[name], LightSource(position=(3, 4, 5)))
+    staged = scene(WORLDS[name], Light(position=(3, 4, 5)))
     point, normal = rational.rational_vector((1, 0, 2)), rational.rational_vector((1, 1, 1))
     found = [lambert(staged, space, point, normal) for space in SPACES]
     assert all(isclose(one, found[0], rel_tol=1e-12) for one in found), found
 
 
 def test_without_the_metric_object_space_is_wrong() -> None:
-    staged = scene(WORLDS["scale"], LightSource(position=(3, 4, 5))).stage
+    staged = scene(WORLDS["scale"], Light(position=(3, 4, 5))).maps
     back = vector_world_from_space(staged, Space.OBJECT)
     v = rational.rational_vector((1, 1, 1))
     assert abs(length(back, v) - sqrt(3)) > 0.1
 
 
 def test_the_counter_example_of_the_courses_light_rule() -> None:
-    light = LightSource(direction=(Fraction(3, 10), Fraction(9, 10), Fraction(1, 5)))
-    staged = scene(World(scale=(1, Fraction(1, 4), 1)), light).stage
+    light = Light(direction=(Fraction(3, 10), Fraction(9, 10), Fraction(1, 5)))
+    staged = scene(World(scale=(1, Fraction(1, 4), 1)), light).maps
     seen = light_in(staged, Space.OBJECT)
     n = (sqrt(0.5), sqrt(0.5), 0.0)
     assert seen.direction_course_rule is not None
@@ -85,7 +85,7 @@ def test_the_counter_example_of_the_courses_light_rule() -> None:
 
 def test_object_space_of_a_singular_world_has_no_answer() -> None:
     with pytest.raises(NoAnswerError):
-        scene(World(scale=(1, 0, 1)), LightSource()).stage.space_from_world(Space.OBJECT)
+        scene(World(scale=(1, 0, 1)), Light()).maps.space_from_world(Space.OBJECT)
 
 
 REQUESTS = [
@@ -95,21 +95,21 @@ REQUESTS = [
     )
 ]
 LIGHTS = (
-    LightSource(direction=(1, -1, 0)),
-    LightSource(position=(1, 2, 3)),
-    LightSource(direction=(1, -1, 0), position=(1, 2, 3)),
+    Light(direction=(1, -1, 0)),
+    Light(position=(1, 2, 3)),
+    Light(direction=(1, -1, 0), position=(1, 2, 3)),
 )
 
 
 def test_shaders_read_exactly_the_uniforms_that_are_listed() -> None:
     for request, light in product(REQUESTS, LIGHTS):
-        stage = scene(WORLDS["scale"], light).stage
-        text = "".join(shader_pair(stage, request))
-        for uniform in uniforms(stage, request):
+        maps = scene(WORLDS["scale"], light).maps
+        text = "".join(shader_pair(maps, request))
+        for uniform in uniforms(maps, request):
             declared = f"uniform {uniform.kind} {uniform.name};"
             assert declared in text, (request, uniform.name)
             assert text.replace(declared, "").count(uniform.name), (request, uniform.name)
-        assert text.count("uniform ") == len(uniforms(stage, request))
+        assert text.count("uniform ") == len(uniforms(maps, request))
 
 
 def test_a_compiler_accepts_every_shader(tmp_path: Path) -> None:
@@ -118,7 +118,7 @@ def test_a_compiler_accepts_every_shader(tmp_path: Path) -> None:
         pytest.skip("glslangValidator is not installed (Debian: glslang-tools)")
     files = []
     for i, (request, light) in enumerate(product(REQUESTS, LIGHTS)):
-        pair = shader_pair(scene(WORLDS["scale"], light).stage, request)
+        pair = shader_pair(scene(WORLDS["scale"], light).maps, request)
         for stage_name, text in zip(("vert", "frag"), pair, strict=True):
             file = tmp_path / f"{i}.{stage_name}"
             file.write_text(text)

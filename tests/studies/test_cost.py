@@ -10,9 +10,9 @@ import pytest
 
 from nmatrix.cli.app import run
 from nmatrix.enums import Shading
-from nmatrix.linear.methods import METHODS, method
 from nmatrix.studies import chart, normals, shading, spaces
 from nmatrix.studies.harness import SEED, Harness, Ratio
+from nmatrix.studies.methods import METHODS, method
 from nmatrix.studies.report import Wish, report
 from nmatrix.studies.rows import Row, cheapest, with_fronts
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from nmatrix.cli.app import run
-from nmatrix.linear import methods
-from nmatrix.linear.methods import Method
+from nmatrix.studies import methods
 from nmatrix.studies.hardcases import normals
 from nmatrix.studies.hardcases.case import Case, Contestant, Verdict, exactly, spelled
 from nmatrix.studies.hardcases.families import NAMES, random_cases
 from nmatrix.studies.hardcases.oracle import determinant, true_normal
+from nmatrix.studies.methods import Method
 from nmatrix.studies.stress import CATALOGUE, case_named, stress
 
 ROWS = [

@@ -64,8 +64,8 @@ def read_answer(text: str, question: Question, layout: Layout = Layout.ROW_MAJOR
 
     Examples
     --------
-    >>> from nmatrix.scene.shot import Shot
-    >>> [int(x) for x in read_answer("0, 0, -5", Question(Subject.EYE, Shot())).rows[0]]
+    >>> from nmatrix.scene.setup import Setup
+    >>> [int(x) for x in read_answer("0, 0, -5", Question(Subject.EYE, Setup())).rows[0]]
     [0, 0, -5]
     """
     return shaped(matrix_literal(text, layout), question)

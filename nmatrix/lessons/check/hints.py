@@ -40,8 +40,8 @@ def hints(question: Question) -> Iterator[Hint]:
     Examples
     --------
     >>> from nmatrix.scene.camera import View
-    >>> from nmatrix.scene.shot import Shot
-    >>> eye = Question(Subject.EYE, Shot(view=View(eye=(0, 0, 5))), Space.OBJECT)
+    >>> from nmatrix.scene.setup import Setup
+    >>> eye = Question(Subject.EYE, Setup(view=View(eye=(0, 0, 5))), Space.OBJECT)
     >>> next(hints(eye)).sentence
     'These are the numbers in world space: nothing was moved.'
     """
@@ -66,7 +66,7 @@ def _of_vectors(question: Question) -> Iterator[Hint]:
 def _not_moved(question: Question) -> tuple[RationalVector, Space]:
     """Return what is to be moved, with its w, and the space that it comes in."""
     if question.subject is Subject.EYE:
-        return (*rational_vector(question.shot.camera.eye), ONE), Space.WORLD
+        return (*rational_vector(question.setup.camera.eye), ONE), Space.WORLD
     if question.subject is Subject.LIGHT:
         return light_vector(question), Space.WORLD
     assert question.normal is not None
@@ -74,7 +74,7 @@ def _not_moved(question: Question) -> tuple[RationalVector, Space]:
 
 
 def _of_worlds(question: Question) -> Iterator[Hint]:
-    world = question.shot.world
+    world = question.setup.world
     yield Hint(affine(linear(world.world_from_object)), NO_TRANSLATION)
     if world.matrix is None and not any(world.shear):
         turned = linear(replace(world, scale=(1, 1, 1)).world_from_object)

@@ -111,9 +111,9 @@ class Judge:
         Examples
         --------
         >>> from nmatrix.lessons.check.answer import read_answer
-        >>> from nmatrix.scene.shot import Shot
+        >>> from nmatrix.scene.setup import Setup
         >>> from nmatrix.scene.world import World
-        >>> asked = Question(Subject.NORMAL, Shot(World(scale=(1, 2, 1))))
+        >>> asked = Question(Subject.NORMAL, Setup(World(scale=(1, 2, 1))))
         >>> Judge(asked).judge(read_answer("1 0 0; 0 2 0; 0 0 1", asked)).mistake
         'not-inverted'
         """
@@ -146,7 +146,7 @@ class Judge:
         question = self.question
         if question.subject is not Subject.NORMAL or question.normal is None:
             return False
-        S = question.shot.stage.space_from_object(question.space).exact
+        S = question.setup.maps.space_from_object(question.space).exact
         if LinearMap.of(linear(S)).integer_determinant:
             return False
         return is_alike(answer, scaled(self.right, Fraction(-1)), question)

@@ -130,8 +130,8 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     Examples
     --------
     >>> from nmatrix.lessons.check.question import Subject
-    >>> from nmatrix.scene.shot import Shot
-    >>> free = Question(Subject.NORMAL, Shot(), normal=(0, 0, 1))
+    >>> from nmatrix.scene.setup import Setup
+    >>> free = Question(Subject.NORMAL, Setup(), normal=(0, 0, 1))
     >>> seven = Answer(((ZERO, ZERO, Fraction(7)),), ((0, 0, 0),))
     >>> likeness(seven, ((ZERO, ZERO, ONE, ZERO),), free).factor
     Fraction(7, 1)

@@ -29,7 +29,7 @@ from nmatrix.linear.rational import (
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 
@@ -57,7 +57,7 @@ class Question:
 
     Parameters
     ----------
-    subject, shot, space
+    subject, setup, space
         What is asked for, of which scene, in which space.
     unit
         Whether a unit vector is asked for, or the inverse transpose itself and no multiple of it.
@@ -70,7 +70,7 @@ class Question:
     """
 
     subject: Subject
-    shot: Shot
+    setup: Setup
     space: Space = Space.WORLD
     unit: bool = False
     tolerance: Fraction | None = None
@@ -125,8 +125,8 @@ def setting(question: Question) -> Setting:
     NoAnswerError
         Where the space does not exist, as object space of a singular world matrix.
     """
-    M = _world_from_object(question.shot.world)
-    V = _camera_from_world(question.shot.view)
+    M = _world_from_object(question.setup.world)
+    V = _camera_from_world(question.setup.view)
     return Setting(M, V, _space_from_world(question, M, V))
 
 
@@ -149,7 +149,7 @@ def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) 
         return V
     if space is Space.OBJECT and LinearMap.of(linear(M)).integer_determinant:
         return inverse(M)
-    return question.shot.stage.space_from_world(space).exact
+    return question.setup.maps.space_from_world(space).exact
 
 
 def right_answer(question: Question) -> RationalMatrix:
@@ -163,12 +163,12 @@ def right_answer(question: Question) -> RationalMatrix:
     Examples
     --------
     >>> from nmatrix.scene.world import World
-    >>> tall = Shot(World(scale=(1, 2, 1)))
+    >>> tall = Setup(World(scale=(1, 2, 1)))
     >>> right_answer(Question(Subject.NORMAL, tall))[1][1]
     Fraction(1, 2)
     """
     if question.subject is Subject.EYE:
-        return ((*question.shot.stage.eye_in(question.space), ONE),)
+        return ((*question.setup.maps.eye_in(question.space), ONE),)
     return finished(question, raw_answer(question, setting(question)))
 
 
@@ -180,9 +180,9 @@ def raw_answer(question: Question, by: Setting) -> RationalMatrix:
     if question.subject is Subject.VIEW:
         return by.camera_from_world
     if question.subject is Subject.PROJECTION:
-        return question.shot.lens.clip_from_camera
+        return question.setup.lens.clip_from_camera
     if question.subject is Subject.EYE:
-        return (apply(S, (*question.shot.camera.eye, ONE)),)
+        return (apply(S, (*question.setup.camera.eye, ONE)),)
     if question.subject is Subject.LIGHT:
         return (apply(S, light_vector(question)),)
     return _normal(question, LinearMap.of(linear(by.space_from_object)))
@@ -196,7 +196,7 @@ def light_vector(question: Question) -> RationalVector:
     IllegalValueError
         If the light has no such part.
     """
-    light = question.shot.light.placed()
+    light = question.setup.light.placed()
     part = light.direction if question.light is LightPart.DIRECTION else light.position
     if part is None:
         raise IllegalValueError(

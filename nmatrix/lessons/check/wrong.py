@@ -26,9 +26,9 @@ from nmatrix.lessons.check.question import (
 )
 from nmatrix.lessons.check.slips import angles, camera, lens, places, rules
 from nmatrix.linear.rational import RationalMatrix, Rows, to_floats, transpose
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 
-Describe = Callable[[Shot], Iterator[Shot]]
+Describe = Callable[[Setup], Iterator[Setup]]
 Place = Callable[[Question, Setting], Setting | None]
 Rule = Callable[[Question, Setting], RationalMatrix | None]
 
@@ -149,8 +149,8 @@ class Drafts:
 
     def _made(self, describe: tuple[Describe, ...]) -> Iterator[tuple[Question, Setting]]:
         seen = set()
-        for shot in _readable(_misread(self.question.shot, describe)):
-            asked = replace(self.question, shot=shot)
+        for setup in _readable(_misread(self.question.setup, describe)):
+            asked = replace(self.question, setup=setup)
             what_matters = _what_matters(asked)
             if what_matters in seen:
                 continue
@@ -161,30 +161,30 @@ class Drafts:
                 continue
 
 
-def _readable(shots: Iterator[Shot]) -> Iterator[Shot]:
+def _readable(setups: Iterator[Setup]) -> Iterator[Setup]:
     """Give scenes up to one that floats cannot hold, such as the inverse of a tiny aspect."""
     with suppress(*NO_ANSWER):
-        yield from shots
+        yield from setups
 
 
-def _misread(shot: Shot, describe: tuple[Describe, ...]) -> Iterator[Shot]:
+def _misread(setup: Setup, describe: tuple[Describe, ...]) -> Iterator[Setup]:
     if not describe:
-        yield shot
+        yield setup
         return
-    for changed in describe[0](shot):
+    for changed in describe[0](setup):
         yield from _misread(changed, describe[1:])
 
 
 def _what_matters(question: Question) -> tuple[object, ...]:
     """Return the parts of a scene that the answer depends on."""
-    shot, subject = question.shot, question.subject
+    setup, subject = question.setup, question.subject
     if subject is Subject.PROJECTION:
-        return (shot.lens,)
+        return (setup.lens,)
     sees = subject is Subject.VIEW or question.space is Space.CAMERA
     return (
-        shot.world if subject is not Subject.VIEW else None,
-        shot.view if sees else None,
-        shot.light if subject is Subject.LIGHT or question.space is Space.LIGHT else None,
+        setup.world if subject is not Subject.VIEW else None,
+        setup.view if sees else None,
+        setup.light if subject is Subject.LIGHT or question.space is Space.LIGHT else None,
     )
 
 
@@ -206,11 +206,11 @@ def flow(mistake: MistakeId, question: Question) -> Flow | None:
 
 
 def _projection_flow(mistake: MistakeId, question: Question) -> Flow | None:
-    if mistake not in OF_THE_LENS or question.shot.lens.matrix is not None:
+    if mistake not in OF_THE_LENS or question.setup.lens.matrix is not None:
         return None
-    if mistake in NEEDS_AN_ANGLE and not lens.by_angle(question.shot.lens):
+    if mistake in NEEDS_AN_ANGLE and not lens.by_angle(question.setup.lens):
         return None
-    if mistake is MistakeId.NEAR_FAR_SWAPPED and question.shot.lens.frustum is not None:
+    if mistake is MistakeId.NEAR_FAR_SWAPPED and question.setup.lens.frustum is not None:
         return Flow(describe=(lens.near_far_swapped_in_frustum,))
     return Flow(describe=(OF_THE_LENS[mistake],))
 

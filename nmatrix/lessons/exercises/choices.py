@@ -16,7 +16,7 @@ from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, diagonal, product, transpose
 from nmatrix.report import Block, Code, Text
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 LETTER = Text("Answer with a letter.")
@@ -84,7 +84,7 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     angles = tuple(Fraction(quarter if i == 2 else 0) for i in range(3))
     world = World(translate=move, rotate_degrees=angles, scale=scale)
     subject = draws.choice((Subject.WORLD, Subject.NORMAL))
-    judge = Judge(Question(subject, Shot(world)))
+    judge = Judge(Question(subject, Setup(world)))
     by_mistake = {one.mistakes[0]: one.value for one in reversed(judge.singles)}
     near = [one for one in by_mistake if one not in NOT_ASKED]
     if len(near) < CHOICES:

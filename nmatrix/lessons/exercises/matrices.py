@@ -23,7 +23,7 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.report import Block, Formula, Number, Text
 from nmatrix.scene.camera import View
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
 Vector = tuple[Fraction, ...]
@@ -39,7 +39,7 @@ CONVENTION = "Column vectors; M = T · R · S; angles by the right-hand rule."
 def world_matrix(draws: Draws, number: int) -> Exercise | None:
     """Ask for a world matrix made of a translation, a quarter turn and a scale."""
     world, told = _placed(draws)
-    question = Question(Subject.WORLD, Shot(world))
+    question = Question(Subject.WORLD, Setup(world))
     task = (
         Text(f"An object {told}. Write its world matrix M. {CONVENTION}"),
         Text("Four rows of four numbers."),
@@ -65,7 +65,7 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     shear = [Fraction(0)] * 3
     shear[draws.below(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
     world = World(scale=scale, shear=tuple(shear))
-    question = Question(Subject.NORMAL, Shot(world))
+    question = Question(Subject.NORMAL, Setup(world))
     A = linear(world.world_from_object)
     task = (
         equation("A = ", A),
@@ -87,22 +87,23 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
 
 
 def light_in_camera(draws: Draws, number: int) -> Exercise | None:
-    """Ask for a lamp's position in camera space, beside an object that must not matter."""
+    """Ask for a light's position in camera space, beside an object that must not matter."""
     world, told = _placed(draws)
     axis, side = draws.below(2), draws.choice((-1, 1))
     eye = [Fraction(0)] * 3
     eye[(0, 2)[axis]] = side * Fraction(3 + draws.below(4))
-    lamp = tuple(draws.choice(MOVES) for _ in range(3))
-    shot = Shot(world, View(eye=tuple(eye)), light=LightSource(position=lamp))
-    question = Question(Subject.LIGHT, shot, Space.CAMERA, light=LightPart.POSITION)
+    light = tuple(draws.choice(MOVES) for _ in range(3))
+    setup = Setup(world, View(eye=tuple(eye)), light=Light(position=light))
+    question = Question(Subject.LIGHT, setup, Space.CAMERA, light=LightPart.POSITION)
     task = (
         Text(
             f"The camera stands at {_listed(eye)}, looks at the origin, and y is up. A lamp hangs "
-            f"in the world at {_listed(lamp)}. An object {told}. Where is the lamp in camera space?"
+            f"in the world at {_listed(light)}. An object {told}. "
+            "Where is the lamp in camera space?"
         ),
         Text("The camera looks down −z. Three numbers."),
     )
-    V = shot.camera.camera_from_world
+    V = setup.camera.camera_from_world
     steps = (
         equation("V = ", V),
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
@@ -115,8 +116,8 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
     """Ask for the eye in object space."""
     world, told = _placed(draws)
     eye = tuple(draws.choice(MOVES) * 2 for _ in range(3))
-    shot = Shot(world, View(eye=eye))
-    question = Question(Subject.EYE, shot, Space.OBJECT)
+    setup = Setup(world, View(eye=eye))
+    question = Question(Subject.EYE, setup, Space.OBJECT)
     task = (
         Text(
             f"An object {told}, and the eye is at {_listed(eye)} in the world. Where is the eye in "
@@ -142,7 +143,7 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
     scale[place] = Fraction(0) if is_flat else -scale[place]
     n = [draws.choice(MOVES) for _ in range(3)]
     world = World(rotate_degrees=_quarter_turn(draws), scale=tuple(scale))
-    question = Question(Subject.NORMAL, Shot(world), normal=tuple(n))
+    question = Question(Subject.NORMAL, Setup(world), normal=tuple(n))
     A = linear(world.world_from_object)
     task = (
         equation("A = ", A, ", n = ", column([Fraction(x) for x in n])),

@@ -20,7 +20,7 @@ from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector, apply
 from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 UNDIVIDED = "These are clip coordinates: divide x, y and z by the fourth number, w."
@@ -34,25 +34,25 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     move = tuple(draws.choice(MOVES[1:5]) for _ in range(2))
     world = World(translate=(*move, 0), scale=(scale, scale, scale))
     lens = Lens(90.0, 2.0, 1.0, float(draws.choice((9, 17))))
-    shot = Shot(world, View(eye=(0, 0, 5 + further)), lens)
-    right = _ndc(shot, point)
+    setup = Setup(world, View(eye=(0, 0, 5 + further)), lens)
+    right = _ndc(setup, point)
     wrong = [
         WrongAnswer((mistake,), (_ndc(one, point),))
         for mistake in PLANNED
-        for one in _slipped(mistake, shot)
+        for one in _slipped(mistake, setup)
     ]
     if any(abs(x) > 1 for x in right[:3]):
         return None  # the vertex should be seen
     if len({right, *(one.value[0] for one in wrong)}) <= len(wrong):
         return None
-    undivided = Hint((_clip(shot, point),), UNDIVIDED)
-    judge = _Known(Question(Subject.EYE, shot), right, tuple(wrong), undivided)
+    undivided = Hint((_clip(setup, point),), UNDIVIDED)
+    judge = _Known(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
     return Exercise(
         number,
         Kind.TRACE,
-        _task(shot, point),
+        _task(setup, point),
         (3, 1),
-        _key(shot, point, right),
+        _key(setup, point, right),
         typed((right[:3],)),
         _Divided(judge),
         tuple(Planned(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
@@ -93,44 +93,44 @@ class _Divided(Computed):
         )
 
 
-def _clip(shot: Shot, point: RationalVector) -> RationalVector:
-    return apply(shot.stage.clip_from_object, (*point, ONE))
+def _clip(setup: Setup, point: RationalVector) -> RationalVector:
+    return apply(setup.maps.clip_from_object, (*point, ONE))
 
 
-def _ndc(shot: Shot, point: RationalVector) -> RationalVector:
-    clip = _clip(shot, point)
+def _ndc(setup: Setup, point: RationalVector) -> RationalVector:
+    clip = _clip(setup, point)
     return (*(x / clip[3] for x in clip[:3]), ONE)
 
 
-def _slipped(mistake: MistakeId, shot: Shot) -> Iterator[Shot]:
+def _slipped(mistake: MistakeId, setup: Setup) -> Iterator[Setup]:
     slip = {
         MistakeId.ASPECT_INVERTED: lens_slips.aspect_inverted,
         MistakeId.HORIZONTAL_FOV: lens_slips.horizontal_fov,
     }[mistake]
-    for one in slip(shot):
-        yield replace(shot, lens=one.lens)
+    for one in slip(setup):
+        yield replace(setup, lens=one.lens)
 
 
-def _task(shot: Shot, point: RationalVector) -> tuple[Text, ...]:
-    world, lens = shot.world, shot.lens
+def _task(setup: Setup, point: RationalVector) -> tuple[Text, ...]:
+    world, lens = setup.world, setup.lens
     moved = ", ".join(written(Fraction(x)) for x in world.translate)
     return (
         Text(
             f"An object is scaled by {written(Fraction(world.scale[0]))} and moved by ({moved}). "
-            f"The camera stands at (0, 0, {shot.view.eye[2]}), looks at the origin, and y is up; a "
-            f"vertical field of view of 90°, width over height 2, near 1, far {lens.far:g}, depth "
-            "from −1 to 1. Where is the vertex "
+            f"The camera stands at (0, 0, {setup.view.eye[2]}), looks at the origin, and y is up; "
+            f"a vertical field of view of 90°, width over height 2, near 1, far {lens.far:g}, "
+            "depth from −1 to 1. Where is the vertex "
             f"({', '.join(map(written, point))}) in normalised device coordinates?"
         ),
         Text("Three numbers."),
     )
 
 
-def _key(shot: Shot, point: RationalVector, right: RationalVector) -> tuple[Block, ...]:
-    stage = shot.stage
-    world = apply(stage.world_from_object.exact, (*point, ONE))
-    camera = apply(stage.camera_from_world.exact, world)
-    P: RationalMatrix = stage.clip_from_camera
+def _key(setup: Setup, point: RationalVector, right: RationalVector) -> tuple[Block, ...]:
+    maps = setup.maps
+    world = apply(maps.world_from_object.exact, (*point, ONE))
+    camera = apply(maps.camera_from_world.exact, world)
+    P: RationalMatrix = maps.clip_from_camera
     clip = apply(P, camera)
     return (
         equation("world = ", column(world[:3]), ", camera = ", column(camera[:3])),

@@ -22,7 +22,7 @@ from nmatrix.linear.rational import RationalMatrix, to_floats
 from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.shot import Shot
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 from nmatrix.spaces.shaders import shader_pair
 from nmatrix.spaces.uniforms import AMBIENT, DIFFUSE, SHININESS, SPECULAR, WHITE, Request, uniforms
@@ -41,7 +41,7 @@ DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a directio
 STRETCHED = World(scale=(1, 2, 1))  # calls for everything that a shader may need
 
 
-def page(shot: Shot) -> bytes:
+def page(setup: Setup) -> bytes:
     """Return the page for a scene.
 
     Raises
@@ -53,7 +53,7 @@ def page(shot: Shot) -> bytes:
     script = folder.joinpath("explorer.js").read_text(encoding="utf-8")
     style = folder.joinpath("explorer.css").read_text(encoding="utf-8")
     text = folder.joinpath("page.html").read_text(encoding="utf-8")
-    data = json.dumps(page_data(shot), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    data = json.dumps(page_data(setup), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     for name, value in (
         ("SCRIPT_HASH", _hash(script)),
         ("STYLE_HASH", _hash(style)),
@@ -65,20 +65,20 @@ def page(shot: Shot) -> bytes:
     return text.encode()
 
 
-def page_data(shot: Shot) -> dict[str, Any]:
+def page_data(setup: Setup) -> dict[str, Any]:
     """Return what the script works with."""
-    stage = shot.stage
-    light = stage.light
+    maps = setup.maps
+    light = maps.light
     return {
-        "start": _start(shot),
-        "translate": _floats(row[3] for row in stage.world_from_object.exact[:3]),
-        "camera_from_world": to_floats(stage.camera_from_world.exact),
-        "clip_from_camera": to_floats(stage.clip_from_camera),
-        "eye": _floats(stage.eye),
-        "up": _floats(stage.up),
+        "start": _start(setup),
+        "translate": _floats(row[3] for row in maps.world_from_object.exact[:3]),
+        "camera_from_world": to_floats(maps.camera_from_world.exact),
+        "clip_from_camera": to_floats(maps.clip_from_camera),
+        "eye": _floats(maps.eye),
+        "up": _floats(maps.up),
         "has_direction": light.direction is not None,
         "light_position": None if light.position is None else _floats(light.position),
-        "shaders": _shaders(shot),
+        "shaders": _shaders(setup),
         "rules": {rule.value: text for rule, text in WRONG_RULES.items()},
         "constants": {
             "light_color": _floats(WHITE),
@@ -89,23 +89,23 @@ def page_data(shot: Shot) -> dict[str, Any]:
         },
         "background": BACKGROUND,
         "tessellation": TESSELLATION,
-        "options": _options(shot),
+        "options": _options(setup),
     }
 
 
-def _start(shot: Shot) -> dict[str, float | str]:
+def _start(setup: Setup) -> dict[str, float | str]:
     """Return where the sliders stand."""
-    scale, rotate, shear = _sliders(shot)
-    direction = _float3(shot.stage.light.direction or DOWNWARDS)
+    scale, rotate, shear = _sliders(setup)
+    direction = _float3(setup.maps.light.direction or DOWNWARDS)
     start: dict[str, float | str] = {"rule": "none", "space": "world", "shape": "torus"}
     for axis, s, r, d in zip("xyz", scale, rotate, direction, strict=True):
         start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"l{axis}": d}
     return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
 
 
-def _sliders(shot: Shot) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
+def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
     """Return scale, angles about x, y, z and shear of the world."""
-    world = shot.world
+    world = setup.world
     plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
     if world == plain:
         return _float3(world.scale), _float3(world.rotate_degrees), _float3(world.shear)
@@ -123,27 +123,27 @@ def _float3(values: Iterable[Number]) -> tuple[float, ...]:
     return tuple(map(float, values))
 
 
-def _shaders(shot: Shot) -> dict[str, dict[str, Any]]:
-    stage = replace(shot, world=STRETCHED).stage
+def _shaders(setup: Setup) -> dict[str, dict[str, Any]]:
+    maps = replace(setup, world=STRETCHED).maps
     found = {}
     for space in SPACES:
         request = Request(space)
-        vertex, fragment = shader_pair(stage, request)
-        listed = [(one.name, one.kind) for one in uniforms(stage, request)]
+        vertex, fragment = shader_pair(maps, request)
+        listed = [(one.name, one.kind) for one in uniforms(maps, request)]
         found[space.value] = {"vertex": vertex, "fragment": fragment, "uniforms": listed}
     return found
 
 
-def _options(shot: Shot) -> list[str]:
+def _options(setup: Setup) -> list[str]:
     """Return the rest of a command that shows the same scene."""
-    view, lens, light = shot.view, shot.lens, shot.stage.light
+    view, lens, light = setup.view, setup.lens, setup.maps.light
     found = []
     if view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT:
         usual = View()
         given = [one for one in PLACED if getattr(view, one) != getattr(usual, one)]
         found += [f"--{one} {_spaced(getattr(view, one))}" for one in given]
     else:
-        found.append(f"--view-matrix {_literal(shot.stage.camera_from_world.exact)}")
+        found.append(f"--view-matrix {_literal(setup.maps.camera_from_world.exact)}")
     if lens != Lens():
         found.append(f"--projection-matrix {_literal(lens.clip_from_camera)}")
     if light.position is not None:

@@ -16,11 +16,11 @@ from nmatrix.linear.affine import rotation
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import affine, linear, product, rational, to_floats
 from nmatrix.raster.image import Panel, compose
-from nmatrix.raster.normals import unit
 from nmatrix.raster.proofs.angles import angle_map, normals_by
 from nmatrix.raster.proofs.brief import TORUS, Brief, Proof, Shown, level_difference, shown
 from nmatrix.raster.proofs.redraw import as_levels, redrawn
-from nmatrix.raster.surface import Surface
+from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.geometry import Geometry, LoadedGeometry
 from nmatrix.scene.world import World
 
@@ -43,8 +43,8 @@ def accuracy(brief: Brief) -> Proof:
     """Draw a mesh under a hard map with cofactors in float16, float32, float64 and exactly."""
     scene = brief.scene(brief.placed(hard_world()), brief.geometry(_squashed_back(brief)))
     exact = shown(scene)
-    (body,) = exact.studio.bodies
-    true = normals_by(exact.studio, body, NormalRule.EXACT)
+    (body,) = exact.loaded.bodies
+    true = normals_by(exact.loaded, body, NormalRule.EXACT)
     panels: list[Panel] = []
     numbers: dict[str, float | None] = {}
     images = []
@@ -54,7 +54,7 @@ def accuracy(brief: Brief) -> Proof:
         found = _normals_in(precision, exact)
         numbers[f"milliseconds_{name}"] = (brief.clock() - started) * 1000
         images.append(as_levels(redrawn(exact, partial(_with_normals, normals=found))))
-        worst = angle_map(exact.studio, found, true).worst_deg
+        worst = angle_map(exact.loaded, found, true).worst_deg
         numbers[f"worst_deg_{name}"] = worst
         told = "no normal is left" if worst is None else f"worst {worst:.3g}°"
         panels.append(
@@ -75,7 +75,7 @@ def accuracy(brief: Brief) -> Proof:
         numbers,
         max_angle_error_deg=numbers["worst_deg_float32"],
         max_level_difference=max(level_difference(one, exact.levels) for one in images),
-        remarks=exact.studio.remarks,
+        remarks=exact.loaded.remarks,
     )
 
 
@@ -97,7 +97,7 @@ def _normals_in(precision: type, exact: Shown) -> Array:
 
     The rows of the cofactor matrix are cross products of the rows of A.
     """
-    (body,) = exact.studio.bodies
+    (body,) = exact.loaded.bodies
     A: Array = np.array(to_floats(linear(body.world_from_object.exact)), precision)
     with np.errstate(all="ignore"):
         C = np.stack([np.cross(A[1], A[2]), np.cross(A[2], A[0]), np.cross(A[0], A[1])])

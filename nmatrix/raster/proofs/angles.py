@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalRule, Space
-from nmatrix.raster.fragments import Fragments, Reads
-from nmatrix.raster.normals import angles_deg, turned_towards, unit
-from nmatrix.raster.picture import Drawable, Drawing
-from nmatrix.raster.shading_space import ShadingSpace, as_array
-from nmatrix.raster.studio import Body, Studio
-from nmatrix.raster.vertices import front_sign, project
+from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
+from nmatrix.raster.shading.space import ShadingSpace, as_array
+from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.picture import Drawable, Drawing
+from nmatrix.raster.triangles.vertices import front_sign, project
 
 Array = NDArray[Any]
 
@@ -35,16 +35,16 @@ class AngleMap:
     mean_deg: float | None
 
 
-def angle_map(studio: Studio, wrong: Array, right: Array) -> AngleMap:
-    """Measure the angle between normals (3, V) of the studio's only body, in world space.
+def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
+    """Measure the angle between normals (3, V) of the loaded scene's only body, in world space.
 
     The two sides of a flattened body are alike: there normals count up to their sign.
     """
-    (body,) = studio.bodies
-    exact = studio.clip_from_object(body)
-    front = front_sign(exact, studio.clip)
+    (body,) = loaded.bodies
+    exact = loaded.clip_from_object(body)
+    front = front_sign(exact, loaded.clip)
     culled = -front if body.mesh.is_closed else 0
-    projected = project(body.mesh, as_array(exact), studio.canvas, studio.clip, culled)
+    projected = project(body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
     of_samples: list[Array] = []
 
     def colours(found: Fragments) -> Array:
@@ -59,7 +59,7 @@ def angle_map(studio: Studio, wrong: Array, right: Array) -> AngleMap:
     reads = Reads(
         points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
     )
-    drawing = Drawing([Drawable(projected, reads, colours)], studio.canvas, np.zeros(3))
+    drawing = Drawing([Drawable(projected, reads, colours)], loaded.canvas, np.zeros(3))
     total, compared, covered = np.moveaxis(drawing.picture().image, 2, 0)
     angles = np.concatenate([np.zeros(0), *of_samples])
     return AngleMap(
@@ -71,10 +71,10 @@ def angle_map(studio: Studio, wrong: Array, right: Array) -> AngleMap:
     )
 
 
-def normals_by(studio: Studio, body: Body, rule: NormalRule) -> Array:
+def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
     """Return a body's normals (3, V) in the world by a rule, turned to the eye if it is flat."""
-    normals = ShadingSpace(studio, body, Space.WORLD, uses_metric=False).normals(rule)
+    normals = ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
     if body.linear_map.rank == 3 or rule is not NormalRule.EXACT:
         return normals
-    eye = np.array([[float(one)] for one in studio.eye])
+    eye = np.array([[float(one)] for one in loaded.eye])
     return turned_towards(normals, eye - body.positions_world.T)

@@ -11,25 +11,25 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.image import levels, png
-from nmatrix.raster.plan import Plan, plan_for
+from nmatrix.raster.loaded_scene import LoadedScene, loaded
+from nmatrix.raster.planning.plan import Plan, plan_for
 from nmatrix.raster.render import Rendered, Work, render
-from nmatrix.raster.studio import Studio, studio
 from nmatrix.report import Value
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, LoadedGeometry, ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material
-from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 
 Array = NDArray[Any]
 
 SPHERE = ShapeGeometry(Shape.SPHERE)
 TORUS = ShapeGeometry(Shape.TORUS)
-SUN = Lamp("sun", LampKind.DIRECTIONAL)
+SUN = SceneLight("sun", LightKind.DIRECTIONAL)
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Brief:
     world: World | None = None
     view: View | None = None
     lens: Lens = field(default_factory=Lens)
-    lamps: tuple[Lamp, ...] = (SUN,)
+    lights: tuple[SceneLight, ...] = (SUN,)
     settings: Settings = field(default_factory=Settings)
     reflection: Reflection = Reflection.LAMBERT
     clock: Callable[[], float] = float
@@ -70,7 +70,7 @@ class Brief:
         """Return a scene with these objects, under settings that differ from the brief's."""
         return Scene(
             objects,
-            self.lamps,
+            self.lights,
             self.view or View(),
             self.lens,
             replace(self.settings, **settings),
@@ -109,9 +109,9 @@ class Proof:
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """A scene that was drawn: its studio, its plan, its levels."""
+    """A scene that was drawn: its loaded scene, its plan, its levels."""
 
-    studio: Studio
+    loaded: LoadedScene
     plan: Plan
     rendered: Rendered
 
@@ -133,7 +133,7 @@ def named(plan: Plan) -> tuple[str, ...]:
 
 def shown(scene: Scene) -> Shown:
     """Draw a scene by its plan."""
-    ready = studio(scene)
+    ready = loaded(scene)
     plan = plan_for(ready)
     return Shown(ready, plan, render(plan))
 

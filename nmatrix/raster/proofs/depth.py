@@ -11,10 +11,10 @@ from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.brief import Brief, Proof, Shown, shown, together
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import DepthBuffer, Shape
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.scene import Scene, SceneObject
+from nmatrix.scene.words import DepthBuffer, Shape
 from nmatrix.scene.world import World
 
 HEIGHT, GAP, NEAR, FAR = 30.0, 0.05, 0.01, 3000.0

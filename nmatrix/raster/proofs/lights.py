@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from nmatrix.enums import NormalRule, Space
 from nmatrix.linear.rational import linear, to_floats
 from nmatrix.raster.image import Panel, compose
-from nmatrix.raster.lighting import SpaceLamp
 from nmatrix.raster.proofs.brief import (
     TORUS,
     Brief,
@@ -24,26 +23,27 @@ from nmatrix.raster.proofs.brief import (
 from nmatrix.raster.proofs.redraw import as_levels, redrawn
 from nmatrix.raster.proofs.rules import by_rule
 from nmatrix.raster.render import surface_of
-from nmatrix.raster.shading_space import Measure
-from nmatrix.raster.surface import Surface
+from nmatrix.raster.shading.lighting import ShadingLight
+from nmatrix.raster.shading.space import Measure
+from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.camera import View
-from nmatrix.scene.kinds import LampKind
-from nmatrix.scene.lamp import EYE, Lamp
+from nmatrix.scene.light import EYE, SceneLight
 from nmatrix.scene.scene import Scene
+from nmatrix.scene.words import LightKind
 from nmatrix.scene.world import World
 
 Array = NDArray[Any]
 
 SQUEEZED = World(scale=(1, 0.25, 1))
 # Light along (0.3, 0.9, 0.2), as the worked numbers of docs/course.md have it.
-FROM_ABOVE = Lamp("sun", LampKind.DIRECTIONAL, direction=(-0.3, -0.9, -0.2))
+FROM_ABOVE = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.3, -0.9, -0.2))
 UPRIGHT = World(rotate_degrees=(40, 0, 0))
 FLIPPED = World(rotate_degrees=(220, 0, 0))  # the same outline, seen from its other side
 
 
 def object_rule(brief: Brief) -> Proof:
     """Draw object-space lighting with Mᵀl, with M⁻¹l, and exactly; count where they part."""
-    lit = replace(brief, lamps=(FROM_ABOVE,))
+    lit = replace(brief, lights=(FROM_ABOVE,))
     scene = lit.scene(brief.placed(SQUEEZED), space=Space.OBJECT)
     exact = shown(scene)
     naive = shown(
@@ -77,7 +77,7 @@ def object_rule(brief: Brief) -> Proof:
         exact.effects,
         {**parted, "levels_transposed": off[0], "levels_inverted": off[1]},
         max_level_difference=max(off),
-        remarks=exact.studio.remarks,
+        remarks=exact.loaded.remarks,
     )
 
 
@@ -97,16 +97,16 @@ def light_by_rule(to_light_world: Array, M: Array, rule: str) -> Array:
 
 
 def _with_light(exact: Shown, rule: str) -> Array:
-    """Draw the studio's body in object space, by a light that a rule moved, without the metric."""
+    """Draw the body in object space, by a light that a rule moved, without the metric."""
     (plan,) = exact.plan.bodies
-    (lamp,) = plan.lamps
-    assert lamp.direction is not None  # the proof's own light
-    travel = np.array([[float(one)] for one in lamp.direction])
+    (light,) = plan.lights
+    assert light.direction is not None  # the proof's own light
+    travel = np.array([[float(one)] for one in light.direction])
     M = np.array(to_floats(linear(plan.body.world_from_object.exact)))
-    moved = SpaceLamp(np.array([[1.0]]), to_light=light_by_rule(-travel, M, rule))
+    moved = ShadingLight(np.array([[1.0]]), to_light=light_by_rule(-travel, M, rule))
 
     def without_metric(surface: Surface) -> Surface:
-        lighting = replace(surface.lighting, lamps=(moved,), measure=Measure())
+        lighting = replace(surface.lighting, lights=(moved,), measure=Measure())
         return replace(surface, space=replace(surface.space, uses_metric=False), lighting=lighting)
 
     return redrawn(exact, without_metric)
@@ -114,20 +114,20 @@ def _with_light(exact: Shown, rule: str) -> Array:
 
 def _unlit(exact: Shown, image: Array) -> Array:
     """Return the pixels that get ambient light alone."""
-    ambient = exact.studio.bodies[0].material.ambient[0]
+    ambient = exact.loaded.bodies[0].material.ambient[0]
     return np.asarray(np.abs(image[:, :, 0] - ambient) < 1e-12)
 
 
 def stuck_light(brief: Brief) -> Proof:
     """Turn a torus under a light in model space, and under one in eye space."""
-    (light,) = brief.lamps[:1]
+    (light,) = brief.lights[:1]
     stuck = replace(light, fixed_to=brief.subject)
     geometry = brief.geometry(TORUS)
     before = shown(brief.scene(UPRIGHT, geometry))
     turned = brief.placed(FLIPPED)
-    sticks = shown(replace(brief, lamps=(stuck,)).scene(turned, geometry))
+    sticks = shown(replace(brief, lights=(stuck,)).scene(turned, geometry))
     stays = shown(brief.scene(turned, geometry))
-    carried = _shade(shown(replace(brief, lamps=(stuck,)).scene(UPRIGHT, geometry)))
+    carried = _shade(shown(replace(brief, lights=(stuck,)).scene(UPRIGHT, geometry)))
     sticking = float(np.abs(carried - _shade(sticks)).max())
     staying = float(np.abs(_shade(before) - _shade(stays)).max())
     panels = (
@@ -144,7 +144,7 @@ def stuck_light(brief: Brief) -> Proof:
         stays.effects,
         {"vertex_change_model_space": sticking, "vertex_change_eye_space": staying},
         max_level_difference=level_difference(sticks.levels, stays.levels),
-        remarks=stays.studio.remarks,
+        remarks=stays.loaded.remarks,
     )
 
 
@@ -157,12 +157,12 @@ def _shade(found: Shown) -> Array:
 
 def flashlight(brief: Brief) -> Proof:
     """Walk around an object with a light in the world, and with one fixed to the eye."""
-    torch = Lamp("torch", LampKind.DIRECTIONAL, direction=(0, 0, -1), fixed_to=EYE)
+    torch = SceneLight("torch", LightKind.DIRECTIONAL, direction=(0, 0, -1), fixed_to=EYE)
     fixed = replace(torch, fixed_to="world")
     world = brief.placed(World())
     drawn = [
-        shown(_seen_from(replace(brief, lamps=(lamp,)).scene(world), angle))
-        for lamp in (fixed, torch)
+        shown(_seen_from(replace(brief, lights=(light,)).scene(world), angle))
+        for light in (fixed, torch)
         for angle in (0, 120)
     ]
     middle = [_middle(one) for one in drawn]
@@ -182,7 +182,7 @@ def flashlight(brief: Brief) -> Proof:
         drawn[-1].effects,
         {"middle_change_world": changed[0], "middle_change_eye": changed[1]},
         max_level_difference=max(changed),
-        remarks=drawn[0].studio.remarks,
+        remarks=drawn[0].loaded.remarks,
     )
 
 

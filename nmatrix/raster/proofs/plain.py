@@ -35,17 +35,17 @@ def picture(scene: Scene, subject: str) -> Proof:
         max_angle_error_deg=worst,
         mean_angle_error_deg=mean,
         max_level_difference=difference,
-        remarks=drawn.studio.remarks,
+        remarks=drawn.loaded.remarks,
     )
 
 
 def _angles(drawn: Shown, rule: NormalRule) -> tuple[float | None, float | None]:
     """Return the worst and the mean angle between a rule and the right one, for one object."""
-    if len(drawn.studio.bodies) != 1:
+    if len(drawn.loaded.bodies) != 1:
         return None, None
-    (body,) = drawn.studio.bodies
-    by_both = (normals_by(drawn.studio, body, one) for one in (rule, NormalRule.EXACT))
-    found = angle_map(drawn.studio, *by_both)
+    (body,) = drawn.loaded.bodies
+    by_both = (normals_by(drawn.loaded, body, one) for one in (rule, NormalRule.EXACT))
+    found = angle_map(drawn.loaded, *by_both)
     return found.worst_deg, found.mean_deg
 
 
@@ -53,7 +53,7 @@ def _verdict(drawn: Shown, worst: float | None, rule: NormalRule) -> str:
     if not drawn.rendered.work.fragments:
         return "Nothing covers a sample: move the camera or make the picture larger."
     if worst is None:
-        return f"{len(drawn.studio.bodies)} objects, drawn."
+        return f"{len(drawn.loaded.bodies)} objects, drawn."
     if worst < INVISIBLE:
         return "Drawn; here A itself carries the normals just as well."
     if rule is NormalRule.EXACT:

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear.classify import Classification
-from nmatrix.raster.heat import ROUNDING_DEG, UNDEFINED, Scale
 from nmatrix.raster.image import Panel, compose, levels
 from nmatrix.raster.proofs.angles import AngleMap, angle_map, normals_by
 from nmatrix.raster.proofs.brief import (
@@ -22,6 +21,7 @@ from nmatrix.raster.proofs.brief import (
     shown,
     together,
 )
+from nmatrix.raster.proofs.heat import ROUNDING_DEG, UNDEFINED, Scale
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.world import World
@@ -46,7 +46,7 @@ def normals(brief: Brief) -> Proof:
     wrong, right = _both(scene)
     found = _measured(right, NormalRule.NONE)
     scale = Scale.reaching(found.worst_deg)
-    kind = right.studio.bodies[0].kind
+    kind = right.loaded.bodies[0].kind
     panels = (
         Panel(wrong.levels, "Wrong: A n", "the matrix itself carries the normals"),
         Panel(right.levels, *RIGHT_RULE.get(kind.rank, NO_RULE)),
@@ -114,7 +114,7 @@ def translation(brief: Brief) -> Proof:
     per_vertex = replace(scene, settings=replace(scene.settings, shading=Shading.GOURAUD))
     short = shown(by_rule(per_vertex, NormalRule.FOUR_COMPONENT))
     found = _measured(right, NormalRule.TRANSLATED)
-    shrunk = normals_by(right.studio, right.studio.bodies[0], NormalRule.FOUR_COMPONENT)
+    shrunk = normals_by(right.loaded, right.loaded.bodies[0], NormalRule.FOUR_COMPONENT)
     shortest = float(np.sqrt((shrunk * shrunk).sum(axis=0)).min())
     panels = (
         Panel(moved.levels, "w = 1 with M", _angle_caption(found)),
@@ -141,7 +141,7 @@ def flatten(brief: Brief) -> Proof:
     without = shown(by_rule(scene, NormalRule.INVERSE))
     found = _measured(right, NormalRule.INVERSE)
     covered = angle_map(
-        right.studio, *(normals_by(right.studio, right.studio.bodies[0], NormalRule.EXACT),) * 2
+        right.loaded, *(normals_by(right.loaded, right.loaded.bodies[0], NormalRule.EXACT),) * 2
     )
     missing = np.repeat((covered.covered * UNDEFINED)[:, :, None], 3, axis=2)
     missing += _paper(right, covered)
@@ -159,7 +159,7 @@ def flatten(brief: Brief) -> Proof:
         found,
     )
     return replace(
-        proof, max_level_difference=lost, numbers={"rank": right.studio.bodies[0].kind.rank}
+        proof, max_level_difference=lost, numbers={"rank": right.loaded.bodies[0].kind.rank}
     )
 
 
@@ -176,7 +176,7 @@ def heat(found: AngleMap, scale: Scale, on: Shown) -> Array:
 
 
 def _paper(on: Shown, found: AngleMap) -> Array:
-    background = np.array(on.studio.settings.background)
+    background = np.array(on.loaded.settings.background)
     return np.asarray((1 - found.covered[:, :, None]) * background)
 
 
@@ -186,9 +186,9 @@ def _both(scene: Scene) -> tuple[Shown, Shown]:
 
 
 def _measured(right: Shown, wrong: NormalRule) -> AngleMap:
-    body = right.studio.bodies[0]
-    by_both = (normals_by(right.studio, body, rule) for rule in (wrong, NormalRule.EXACT))
-    return angle_map(right.studio, *by_both)
+    body = right.loaded.bodies[0]
+    by_both = (normals_by(right.loaded, body, rule) for rule in (wrong, NormalRule.EXACT))
+    return angle_map(right.loaded, *by_both)
 
 
 def _other_winding(scene: Scene) -> Scene:
@@ -211,7 +211,7 @@ def _proof(
         max_angle_error_deg=found.worst_deg,
         mean_angle_error_deg=found.mean_deg,
         max_level_difference=level_difference(drawn[0].levels, drawn[1].levels),
-        remarks=drawn[-1].studio.remarks,
+        remarks=drawn[-1].loaded.remarks,
     )
 
 

@@ -7,11 +7,11 @@ from dataclasses import replace
 from nmatrix.enums import Reflection
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import LampKind, Shape
-from nmatrix.scene.lamp import Lamp
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import CHECKER, Material, grey
 from nmatrix.scene.scene import Fog, Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 
 FLOOR = Material("floor", diffuse=grey(0.8), texture=CHECKER)
@@ -46,20 +46,20 @@ GLASS = Material(
     opacity=0.35,
 )
 
-LAMPS = (
-    Lamp("sun", LampKind.DIRECTIONAL, direction=(-1, -2, -1.5), intensity=0.6, shadows=True),
-    Lamp(
+LIGHTS = (
+    SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1.5), intensity=0.6, shadows=True),
+    SceneLight(
         "bulb",
-        LampKind.POINT,
+        LightKind.POINT,
         position=(-2, 3, 2),
         color=(1, 0.9, 0.7),
         intensity=0.6,
         attenuation=(1, 0.05, 0.02),
         range=12,
     ),
-    Lamp(
+    SceneLight(
         "torch",
-        LampKind.SPOT,
+        LightKind.SPOT,
         position=(0.3, -0.2, 0),
         direction=(0, 0, -1),
         intensity=0.5,
@@ -97,7 +97,7 @@ def showpiece(settings: Settings) -> Scene:
                 "glass", Shape.SPHERE, World(translate=(0.2, 0.1, 1.9), scale=(0.6,) * 3), GLASS
             ),
         ),
-        lamps=LAMPS,
+        lights=LIGHTS,
         view=View(eye=(1, 2.5, 6.5), target=(0, 0, 0)),
         lens=Lens(fov_degrees=45, aspect=width / height, near=0.5, far=40),
         settings=replace(settings, fog=Fog((0.8, 0.85, 0.9), 6, 16), gamma=True),

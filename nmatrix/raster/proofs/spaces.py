@@ -9,7 +9,8 @@ import numpy as np
 from nmatrix.enums import NormalRule, Reflection, Space
 from nmatrix.linear.rational import identity
 from nmatrix.raster.image import Panel, compose, levels
-from nmatrix.raster.plan import everything, planned
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.brief import (
     TORUS,
@@ -23,22 +24,23 @@ from nmatrix.raster.proofs.brief import (
 )
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import render
-from nmatrix.raster.studio import studio
 from nmatrix.report import Value
 from nmatrix.scene.geometry import LoadedGeometry
-from nmatrix.scene.kinds import LampKind
-from nmatrix.scene.lamp import Lamp
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
+from nmatrix.scene.words import LightKind
 from nmatrix.scene.world import World
 
 SKEWED = World(scale=(1, 1.6, 0.7), rotate_degrees=(50, 20, 10), shear=(0.4, 0, 0))
-BULB = Lamp("bulb", LampKind.POINT, position=(2, 3, 3), intensity=0.5, attenuation=(1, 0.05, 0.01))
+BULB = SceneLight(
+    "bulb", LightKind.POINT, position=(2, 3, 3), intensity=0.5, attenuation=(1, 0.05, 0.01)
+)
 AMPLIFIED = 50  # a difference in levels is drawn so many times brighter
 
 
 def spaces(brief: Brief) -> Proof:
     """Draw one scene in five shading spaces; the differences are rounding."""
-    lit = replace(brief, lamps=(replace(brief.lamps[0], intensity=0.45), BULB))
+    lit = replace(brief, lights=(replace(brief.lights[0], intensity=0.45), BULB))
     if brief.reflection is Reflection.LAMBERT:
         lit = replace(lit, reflection=Reflection.BLINN_PHONG)
     scene = lit.scene(brief.placed(SKEWED), brief.geometry(TORUS))
@@ -72,7 +74,7 @@ def spaces(brief: Brief) -> Proof:
         max_level_difference=max(
             level_difference(one.levels, drawn[Space.WORLD].levels) for one in drawn.values()
         ),
-        remarks=drawn[Space.WORLD].studio.remarks,
+        remarks=drawn[Space.WORLD].loaded.remarks,
     )
 
 
@@ -82,11 +84,11 @@ def _in_space(scene: Scene, space: Space) -> Scene:
 
 def _baked(scene: Scene, world: Shown) -> Scene:
     """Return the scene with its object's vertices moved to the world once and for all: M = I."""
-    (one,), (body,) = scene.objects, world.studio.bodies
+    (one,), (body,) = scene.objects, world.loaded.bodies
     mesh = replace(
         body.mesh,
         positions=body.positions_world,
-        normals=np.ascontiguousarray(normals_by(world.studio, body, NormalRule.EXACT).T),
+        normals=np.ascontiguousarray(normals_by(world.loaded, body, NormalRule.EXACT).T),
     )
     if body.linear_map.determinant_sign < 0:
         mesh = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
@@ -96,7 +98,7 @@ def _baked(scene: Scene, world: Shown) -> Scene:
 
 def effects(brief: Brief) -> Proof:
     """Draw a scene with everything on and by its plan: the same picture for less work."""
-    ready = studio(showpiece(brief.settings))
+    ready = loaded(showpiece(brief.settings))
     started = brief.clock()
     full = render(everything(ready))
     between = brief.clock()

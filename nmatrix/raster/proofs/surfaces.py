@@ -15,12 +15,12 @@ from nmatrix.raster.proofs.angles import angle_map
 from nmatrix.raster.proofs.brief import Brief, Proof, level_difference, shown, together
 from nmatrix.raster.proofs.redraw import as_levels, redrawn
 from nmatrix.raster.render import surface_of
-from nmatrix.raster.surface import Surface
+from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
-from nmatrix.scene.kinds import Shape
 from nmatrix.scene.material import CHECKER, Material
 from nmatrix.scene.scene import Scene, SceneObject
+from nmatrix.scene.words import Shape
 from nmatrix.scene.world import World
 
 Array = NDArray[Any]
@@ -68,7 +68,7 @@ def shading(brief: Brief) -> Proof:
         found["Phong reflection"].effects,
         apart,
         max_level_difference=apart["flat_against_phong"],
-        remarks=found["Toon"].studio.remarks,
+        remarks=found["Toon"].loaded.remarks,
     )
 
 
@@ -89,7 +89,7 @@ def interpolation(brief: Brief) -> Proof:
     )
     surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
     bent = angle_map(
-        right.studio,
+        right.loaded,
         *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
     )
     floor = shown(_checkered(brief))
@@ -117,7 +117,7 @@ def interpolation(brief: Brief) -> Proof:
         max_angle_error_deg=bent.worst_deg,
         mean_angle_error_deg=bent.mean_deg,
         max_level_difference=level_difference(never, both),
-        remarks=right.studio.remarks,
+        remarks=right.loaded.remarks,
     )
 
 

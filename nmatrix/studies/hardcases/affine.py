@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from nmatrix.enums import NormalRule
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.compensated import cofactors
-from nmatrix.linear.methods import method
 from nmatrix.linear.projection import perspective
 from nmatrix.linear.rational import rational
 from nmatrix.linear.rules import carrier
@@ -20,6 +19,7 @@ from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.shapes import as_affine
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own, spelled
 from nmatrix.studies.hardcases.normals import contestant, ours
+from nmatrix.studies.methods import method
 
 Array = NDArray[Any]
 X: tuple[float, ...] = (1.0, 0.0, 0.0)

@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.spans import SUBPIXELS
-from nmatrix.raster.vertices import project
-from nmatrix.raster.visibility import EMPTY, Tile
-from nmatrix.scene.kinds import DepthBuffer
-from nmatrix.scene.mesh import Mesh
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.spans import SUBPIXELS
+from nmatrix.raster.triangles.vertices import project
+from nmatrix.raster.triangles.visibility import EMPTY, Tile
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.words import DepthBuffer
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 
 Array = NDArray[Any]

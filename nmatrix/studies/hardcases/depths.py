@@ -15,12 +15,12 @@ from nmatrix.linear.affine import compose, rotation, translation_matrix
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
 from nmatrix.linear.rational import RationalMatrix, rational, rational_vector, to_floats
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.vertices import project
-from nmatrix.raster.visibility import TRIANGLE_MASK, Tile
-from nmatrix.scene.kinds import DepthBuffer
-from nmatrix.scene.mesh import Mesh
-from nmatrix.spaces.stage import Light, Stage
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.vertices import project
+from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.words import DepthBuffer
+from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 
@@ -128,12 +128,12 @@ def _concatenated() -> Case:
     V = translation_matrix((-far, 0, far - 5))
     P = rational(perspective(Angle.degrees(30), 1.0, NEAR, inf))
     point = (0.25, 0.5, -0.125)
-    stage = Stage(
+    maps = ExactMaps(
         Transform(Frame.WORLD, Frame.OBJECT, M),
         Transform(Frame.CAMERA, Frame.WORLD, V),
         P,
         rational_vector((far, 0, 5 - far)),
-        Light(rational_vector((0, -1, 0)), None),
+        WorldLight(rational_vector((0, -1, 0)), None),
     )
 
     def by(matrix: Array) -> list[float]:
@@ -151,7 +151,7 @@ def _concatenated() -> Case:
         _one_after_the_other((M, V, P), point),
         "the two translations cancel, if they were not rounded before",
         (
-            own("exact product", lambda: by(np.array(to_floats(stage.clip_from_object)))),
+            own("exact product", lambda: by(np.array(to_floats(maps.clip_from_object)))),
             Contestant("float32 product", float32),
         ),
     )

@@ -36,7 +36,7 @@ def _rule_case(id_: str, title: str, rule: NormalRule, M: Array, reason: str) ->
     )
 
 
-def _lamp_case() -> Case:
+def _light_case() -> Case:
     V = rational(look_at((0, 0, 5), (0, 0, 0), (0, 1, 0), Handedness.RIGHT).camera_from_world)
     M = np.array([[1.0, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
     floats = np.array([[float(x) for x in row] for row in V])
@@ -82,7 +82,7 @@ CASES: tuple[Case, ...] = (
         MOVED,
         "a normal has no place to be moved from",
     ),
-    _lamp_case(),
+    _light_case(),
     _rule_case(
         "M5",
         "cofactors of a mirror, unsigned",

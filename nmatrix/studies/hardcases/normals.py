@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from nmatrix.linear.affine import compose, rotation
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.methods import METHODS, Method
 from nmatrix.linear.rational import linear, product, to_floats
 from nmatrix.studies.hardcases.case import Case, Contestant, spelled
 from nmatrix.studies.hardcases.oracle import exact_rows, true_normal
+from nmatrix.studies.methods import METHODS, Method
 
 Array = NDArray[Any]
 Matrix = tuple[tuple[float, ...], ...]

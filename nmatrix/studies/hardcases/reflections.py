@@ -11,16 +11,16 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Reflection
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
-from nmatrix.raster.canvas import Canvas
-from nmatrix.raster.fragments import exact_weights
-from nmatrix.raster.lighting import Lighting, SpaceLamp
-from nmatrix.raster.shading_space import Measure
-from nmatrix.raster.spread import Spread
-from nmatrix.raster.vertices import project
-from nmatrix.raster.visibility import STEPS, TRIANGLE_BITS, Tile
-from nmatrix.scene.kinds import DepthBuffer
+from nmatrix.raster.shading.lighting import Lighting, ShadingLight
+from nmatrix.raster.shading.space import Measure
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.fragments import exact_weights
+from nmatrix.raster.triangles.run_expansion import Spread
+from nmatrix.raster.triangles.vertices import project
+from nmatrix.raster.triangles.visibility import STEPS, TRIANGLE_BITS, Tile
 from nmatrix.scene.material import Material, grey
-from nmatrix.scene.mesh import Mesh
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.words import DepthBuffer
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 from nmatrix.studies.hardcases.coverage import SIZE, VIEW
 from nmatrix.studies.hardcases.oracle import exact_rows, root, solve
@@ -75,8 +75,8 @@ def _gloss(shininess: float, to_light: Array, eye: Array) -> list[float]:
     """Return the highlight at the origin of a face that looks along z."""
     material = Material(reflection=Reflection.PHONG, shininess=shininess, specular=grey(1.0))
     on = frozenset({Effect.SPECULAR, Effect.EYE, Effect.POSITION})
-    lamp = SpaceLamp(np.ones((1, 1)), to_light=to_light)
-    lighting = Lighting(material, (lamp,), np.zeros((1, 1)), eye, Measure(), on)
+    light = ShadingLight(np.ones((1, 1)), to_light=to_light)
+    lighting = Lighting(material, (light,), np.zeros((1, 1)), eye, Measure(), on)
     lit = lighting.light(UP, np.zeros((3, 1)))
     return [float(lit.gloss[0, 0])] if lit.gloss is not None else [0.0]
 
@@ -107,11 +107,11 @@ def _lit_in_object_space() -> list[float]:
     """Return n·l where the picture computes it: in object space, measured by its metric."""
     metric = Measure(SQUEEZED, np.linalg.inv(SQUEEZED).T)
     n = NORMAL[:, None] / metric.normal_length(NORMAL[:, None])
-    light = np.linalg.solve(SQUEEZED, TO_LIGHT)[:, None]
-    lamp = SpaceLamp(np.ones((1, 1)), to_light=light / metric.vector_length(light))
+    to_light = np.linalg.solve(SQUEEZED, TO_LIGHT)[:, None]
+    light = ShadingLight(np.ones((1, 1)), to_light=to_light / metric.vector_length(to_light))
     on = frozenset({Effect.DIFFUSE})
     white = Material(diffuse=grey(1.0))
-    lighting = Lighting(white, (lamp,), np.zeros((1, 1)), UP, metric, on)
+    lighting = Lighting(white, (light,), np.zeros((1, 1)), UP, metric, on)
     return [float(lighting.light(n, None).matte[0, 0])]
 
 

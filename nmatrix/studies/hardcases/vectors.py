@@ -9,7 +9,7 @@ from math import acos, atan2, sqrt
 import numpy as np
 
 from nmatrix.linear.vectors import angle_between, normalize
-from nmatrix.raster.normals import unit
+from nmatrix.raster.shading.normals import unit
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 from nmatrix.studies.hardcases.oracle import root
 

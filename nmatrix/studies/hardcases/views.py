@@ -13,7 +13,7 @@ from nmatrix.linear.affine import compose, rotation
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import rational_vector, to_floats
 from nmatrix.linear.view import first_person, look_at
-from nmatrix.spaces.stage import Light, Stage
+from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 from nmatrix.studies.hardcases.oracle import solve
@@ -97,18 +97,18 @@ def _eye_case(id_: str, far: float) -> Case:
         look_at(eye, (far, far, far), UPRIGHT, Handedness.RIGHT).camera_from_world
     )
     camera = Transform(Frame.CAMERA, Frame.WORLD, V)
-    stage = Stage(
+    maps = ExactMaps(
         place,
         camera,
         rational.identity(4),
         rational_vector(eye),
-        Light(rational_vector((0, -1, 0)), None),
+        WorldLight(rational_vector((0, -1, 0)), None),
     )
     away = [Fraction(e) - Fraction(far) for e in eye]
     true = solve(turn, away)
 
     def by_inverse() -> list[float]:
-        return list(map(float, stage.eye_in(Space.OBJECT)))
+        return list(map(float, maps.eye_in(Space.OBJECT)))
 
     def course() -> list[float]:
         product = np.array(camera.matrix) @ np.array(place.matrix)

@@ -17,57 +17,57 @@ from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import affine, apply, rational
 from nmatrix.report import Number, Vector
 from nmatrix.scene.camera import FirstPerson, View
-from nmatrix.scene.shot import LightSource, Shot
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
 
-def degrees_as_radians(shot: Shot) -> Iterator[Shot]:
+def degrees_as_radians(setup: Setup) -> Iterator[Setup]:
     """Give the scene whose angles are the same numbers in radians, group by group and at once."""
-    world, view, light = _radians_world(shot.world), _radians_view(shot.view), shot.light
+    world, view, light = _radians_world(setup.world), _radians_view(setup.view), setup.light
     if light.angles_degrees is not None:
         light = _radians_light(light)
-        yield replace(shot, light=light)
-    yield replace(shot, world=world)
-    yield replace(shot, view=view)
-    yield replace(shot, world=world, view=view, light=light)
+        yield replace(setup, light=light)
+    yield replace(setup, world=world)
+    yield replace(setup, view=view)
+    yield replace(setup, world=world, view=view, light=light)
 
 
-def rotation_order(shot: Shot) -> Iterator[Shot]:
+def rotation_order(setup: Setup) -> Iterator[Setup]:
     """Give the scenes whose rotations are multiplied in every other order."""
-    world = _standard(shot.world)
+    world = _standard(setup.world)
     if world is not None:
         for order in permutations(AXES):
-            yield replace(shot, world=replace(world, order="".join(order)))
-    if shot.view.angles is not None:
-        for view in _reordered_views(shot.view, shot.view.angles):
-            yield replace(shot, view=view)
+            yield replace(setup, world=replace(world, order="".join(order)))
+    if setup.view.angles is not None:
+        for view in _reordered_views(setup.view, setup.view.angles):
+            yield replace(setup, view=view)
 
 
-def rotation_sign(shot: Shot) -> Iterator[Shot]:
+def rotation_sign(setup: Setup) -> Iterator[Setup]:
     """Give the scenes in which some of the angles turn the other way."""
-    world, angles = shot.world, shot.view.angles
+    world, angles = setup.world, setup.view.angles
     if world.matrix is None and world.quaternion is not None:
         x, y, z, w = world.quaternion
-        yield replace(shot, world=replace(world, quaternion=(-x, -y, -z, w)))
+        yield replace(setup, world=replace(world, quaternion=(-x, -y, -z, w)))
     elif world.matrix is None:
         for turned in _signs(world.rotate_degrees):
-            yield replace(shot, world=replace(world, rotate_degrees=turned))
+            yield replace(setup, world=replace(world, rotate_degrees=turned))
     if angles is not None:
         for turned in _signs((angles.elevation, angles.angle, angles.roll)):
-            yield replace(shot, view=replace(shot.view, angles=_first_person(turned)))
+            yield replace(setup, view=replace(setup.view, angles=_first_person(turned)))
 
 
-def polimi_angles_swapped(shot: Shot) -> Iterator[Shot]:
+def polimi_angles_swapped(setup: Setup) -> Iterator[Setup]:
     """Give the scenes whose angles are taken by another convention than the one asked for."""
-    world, view = shot.world, shot.view
+    world, view = setup.world, setup.view
     if world.matrix is None and world.quaternion is None:
         for convention in Convention:
-            yield replace(shot, world=replace(world, convention=convention, order="XYZ"))
+            yield replace(setup, world=replace(world, convention=convention, order="XYZ"))
     if view.angles is not None:
         up, sideways, roll = view.angles.elevation, view.angles.angle, view.angles.roll
         for convention in Convention:
             for angles in (view.angles, FirstPerson(sideways, up, roll)):
-                yield replace(shot, view=replace(view, convention=convention, angles=angles))
+                yield replace(setup, view=replace(view, convention=convention, angles=angles))
 
 
 def _radians_world(world: World) -> World:
@@ -83,7 +83,7 @@ def _radians_view(view: View) -> View:
     return replace(view, angles=_first_person(_radians(angles)))
 
 
-def _radians_light(light: LightSource) -> LightSource:
+def _radians_light(light: Light) -> Light:
     assert light.angles_degrees is not None
     alpha, beta = light.angles_degrees
     return replace(light, angles_degrees=(degrees(alpha), degrees(beta)))

@@ -1,0 +1,192 @@
+"""`inspect`: which nodes of an asset need the inverse transpose, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from nmatrix.enums import Kind
+from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.linear.classify import FROM_FILE, Classification, classify
+from nmatrix.linear.rational import RationalMatrix, identity
+from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
+from nmatrix.scene.gltf.nodes import read_gltf
+
+GLTF_SUFFIXES = (".gltf", ".glb")
+SHOWN = 40  # nodes in the table for people; JSON has them all
+# What a pipeline may refuse, and how a sentence says that a node is so.
+FAILURES = {"mirrored": "mirrored", "shear": "sheared", "degenerate": "with degenerate normals"}
+
+
+@dataclass(frozen=True)
+class InspectedNode:
+    """One node: its world matrix, what kind of map that is, and its mesh's normals."""
+
+    name: str
+    world_from_object: RationalMatrix
+    found: Classification
+    sheared_by_ancestors: bool
+    degenerate_normals: int
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """A whole file."""
+
+    path: Path
+    nodes: tuple[InspectedNode, ...]
+    remarks: tuple[str, ...]
+
+    def having(self, word: str) -> tuple[InspectedNode, ...]:
+        """Return the nodes that are mirrored, sheared or degenerate."""
+        if word == "mirrored":
+            return tuple(node for node in self.nodes if node.found.mirrored)
+        if word == "shear":
+            return tuple(node for node in self.nodes if node.found.kind is Kind.SHEAR)
+        return tuple(node for node in self.nodes if node.degenerate_normals)
+
+    @property
+    def needing(self) -> tuple[InspectedNode, ...]:
+        """Return the nodes whose world matrix would bend normals."""
+        return tuple(node for node in self.nodes if node.found.needs_inverse_transpose)
+
+
+def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
+    """Inspect every node of a glTF scene; a mesh file is one node that stands still.
+
+    Raises
+    ------
+    IllegalValueError
+        For a file that cannot be read or is damaged.
+    """
+    if path.suffix.lower() not in GLTF_SUFFIXES:
+        from nmatrix.scene.meshes.file import read_mesh
+
+        mesh = read_mesh(path)
+        still = identity(4)
+        node = InspectedNode(
+            path.stem,
+            still,
+            classify(still, tolerance),
+            sheared_by_ancestors=False,
+            degenerate_normals=mesh.degenerate_normals,
+        )
+        return Inspection(path, (node,), ())
+    return _inspect_gltf(path, tolerance)
+
+
+def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
+    scene = read_gltf(path)
+    if not scene.nodes:
+        raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
+    degenerate: dict[int, int] = {}
+    for node in scene.nodes:
+        if node.mesh is not None and node.mesh not in degenerate:
+            from nmatrix.scene.gltf.accessors import gltf_mesh
+
+            mesh = gltf_mesh(scene, node.mesh)
+            degenerate[node.mesh] = 0 if mesh is None else mesh.degenerate_normals
+    nodes = []
+    for node in scene.nodes:
+        found = classify(node.world_from_object, tolerance)
+        own = classify(node.local, tolerance).kind
+        sheared = found.kind is Kind.SHEAR and own is not Kind.SHEAR
+        count = 0 if node.mesh is None else degenerate[node.mesh]
+        nodes.append(InspectedNode(node.name, node.world_from_object, found, sheared, count))
+    return Inspection(path, tuple(nodes), scene.remarks)
+
+
+def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:
+    """Return the nodes as a report; it ends in a failure where `fail_on` finds something."""
+    data: dict[str, Value] = {
+        "nodes": [_node_data(node) for node in inspection.nodes],
+        "summary": _summary(inspection),
+    }
+    blocks: list[Block] = [Heading(f"{inspection.path.name}"), _table(inspection)]
+    blocks.append(Verdict(_sentence(inspection)))
+    return Report(
+        "inspect", data, tuple(blocks), _remarks(inspection), _failure(inspection, fail_on)
+    )
+
+
+def _node_data(node: InspectedNode) -> dict[str, Value]:
+    found = node.found
+    return {
+        "name": node.name,
+        "world_from_object": node.world_from_object,
+        "transform": found.kind.value,
+        "transform_exact": found.kind_exact,
+        "mirrored": found.mirrored,
+        "needs_inverse_transpose": found.needs_inverse_transpose,
+        "determinant_sign": found.determinant_sign,
+        "worst_angle_without_deg": found.worst_angle_deg,
+        "degenerate_normals": node.degenerate_normals,
+        "sheared_by_ancestors": node.sheared_by_ancestors,
+    }
+
+
+def _summary(inspection: Inspection) -> dict[str, Value]:
+    return {
+        "nodes": len(inspection.nodes),
+        "needs_inverse_transpose": len(inspection.needing),
+        "mirrored": len(inspection.having("mirrored")),
+        "sheared_by_ancestors": sum(node.sheared_by_ancestors for node in inspection.nodes),
+        "degenerate": len(inspection.having("degenerate")),
+        "sentence": _sentence(inspection),
+    }
+
+
+def _sentence(inspection: Inspection) -> str:
+    total, needing = len(inspection.nodes), len(inspection.needing)
+    mirrored = len(inspection.having("mirrored"))
+    nodes = "node needs" if needing == 1 else "nodes need"
+    are = "is" if mirrored == 1 else "are"
+    return f"{needing} of {total} {nodes} the inverse transpose; {mirrored} {are} mirrored."
+
+
+def _table(inspection: Inspection) -> Table:
+    rows = tuple(
+        (
+            node.name[:24],
+            node.found.kind.value,
+            "yes" if node.found.mirrored else "no",
+            "yes" if node.found.needs_inverse_transpose else "no",
+            node.found.worst_angle_deg if node.found.needs_inverse_transpose else 0,
+        )
+        for node in inspection.nodes[:SHOWN]
+    )
+    more = len(inspection.nodes) - SHOWN
+    title = f"The first {SHOWN} nodes; {more} more with -f json" if more > 0 else ""
+    return Table(("node", "world matrix", "mirrored", "needs it", "worst °"), rows, title)
+
+
+def _remarks(inspection: Inspection) -> tuple[str, ...]:
+    remarks = list(inspection.remarks)
+    sheared = [node.name for node in inspection.nodes if node.sheared_by_ancestors]
+    if sheared:
+        remarks.append(
+            f"Sheared by their ancestors ({', '.join(sheared[:5])}): a rotation under a "
+            "non-uniform scale is a shear that no translate-rotate-scale can hold."
+        )
+    if inspection.having("mirrored"):
+        remarks.append("Mirrored nodes flip triangle winding; their normals stay outward.")
+    if inspection.needing:
+        remarks.append("For the others the 3×3 block of the world matrix carries normals itself.")
+    return tuple(remarks)
+
+
+def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError | None:
+    """Return the failure that names every condition which some node meets, with its nodes."""
+    found = {word: inspection.having(word) for word in fail_on}
+    told = [
+        f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[word]}"
+        f" ({', '.join(node.name for node in nodes[:5])}{', …' if len(nodes) > 5 else ''})"
+        for word, nodes in found.items()
+        if nodes
+    ]
+    if not told:
+        return None
+    return CheckFailedError(
+        f"--fail-on {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
+    )

@@ -1,0 +1,1 @@
+"""Derivations, each step proved by SymPy: the only room that imports it."""

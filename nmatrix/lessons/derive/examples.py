@@ -1,0 +1,224 @@
+"""The lessons on kinds of maps: rotation, uniform and non-uniform scale, shear."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nmatrix.lessons.derive.notation import (
+    A_INVERSE_T,
+    DET,
+    EQUALS,
+    IDENTITY,
+    NOT_EQUAL,
+    A,
+    Words,
+    formula,
+    words,
+)
+from nmatrix.lessons.derive.steps import equal, step
+from nmatrix.lessons.derive.symbols import cofactors, determinant
+from nmatrix.report import Step
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+
+def rotation() -> tuple[list[Step], str]:
+    """Show that a rotation is its own inverse transpose."""
+    import sympy as sp
+
+    c, s = sp.symbols("c s", real=True)
+    R = sp.Matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    circle = (c, s)
+    steps = [
+        step(
+            formula(words("R"), EQUALS, R, words(",  c² + s² = 1", r",\; c^2 + s^2 = 1")),
+            "a rotation by θ about z, with c = cos θ and s = sin θ",
+            proved=equal(determinant(R), sp.Integer(1), circle),
+        ),
+        step(
+            formula(words("Rᵀ R", r"R^{\mathsf T} R"), EQUALS, IDENTITY),
+            "its columns have length one and are perpendicular",
+            proved=equal(R.T * R, sp.eye(3), circle),
+        ),
+        step(
+            formula(
+                words("R⁻ᵀ", r"R^{-\mathsf T}"),
+                EQUALS,
+                words("(Rᵀ)ᵀ", r"(R^{\mathsf T})^{\mathsf T}"),
+                EQUALS,
+                words("R"),
+            ),
+            "so the inverse is the transpose, and transposing twice changes nothing",
+            proved=equal(cofactors(R), R, circle),
+        ),
+    ]
+    return steps, (
+        "R itself carries normals. A test on rotated objects can therefore never tell A from "
+        "A⁻ᵀ: the hidden bias."
+    )
+
+
+def uniform() -> tuple[list[Step], str]:
+    """Show that a uniform scale changes lengths only."""
+    import sympy as sp
+
+    k = sp.Symbol("k", nonzero=True)
+    A_ = k * sp.eye(3)
+    return [
+        step(
+            formula(A, EQUALS, A_, words(",  "), A_INVERSE_T, EQUALS, sp.eye(3) / k),
+            "the inverse transpose divides where A multiplies",
+            proved=equal(A_.T * (sp.eye(3) / k), sp.eye(3)),
+        ),
+        step(
+            formula(A, EQUALS, words("k² · ", r"k^2 \,"), A_INVERSE_T),
+            "both are multiples of the identity: the direction is the same, normalise the length",
+            proved=equal(A_, k**2 * (sp.eye(3) / k)),
+        ),
+    ], "A uniform scale needs no inverse transpose, only a normalisation."
+
+
+def nonuniform() -> tuple[list[Step], str]:
+    """Show how a non-uniform scale bends normals, with numbers."""
+    import sympy as sp
+
+    a, b, c = sp.symbols("a b c", nonzero=True)
+    S, inverse = sp.diag(a, b, c), sp.diag(1 / a, 1 / b, 1 / c)
+    steps = [
+        step(
+            formula(A, EQUALS, S, words(",  "), A_INVERSE_T, EQUALS, inverse),
+            "a diagonal matrix is its own transpose, and its inverse divides",
+            proved=equal(S.T * inverse, sp.eye(3)),
+        ),
+        *_on_one_normal(
+            sp.diag(1, 2, 1), sp.Matrix([1, 1, 0]), sp.Matrix([1, -1, 0]), sp.Rational(3, 4)
+        ),
+        *_on_tangents_and_lengths(),
+    ]
+    return steps, (
+        "Stretching y by 2 makes the slope steeper, so its normal leans away from y: the inverse "
+        "transpose divides by 2 where A multiplies. A itself is 36.87° off in this example."
+    )
+
+
+def _on_tangents_and_lengths() -> list[Step]:
+    """Show that tangents do not move with normals, and that lengths bend what lies between."""
+    import sympy as sp
+
+    stretched = sp.diag(1, sp.Rational(1, 2), 1)  # the inverse transpose of a stretch by 2
+    t, n = sp.Matrix([1, -1, 0]), sp.Matrix([1, 1, 0])
+    wrong = (stretched * t).dot(stretched * n)
+    long, short = sp.Matrix([2, 0, 0]), sp.Matrix([0, 1, 0])
+    between = (long + short) / 2
+    return [
+        step(
+            formula(
+                _dot("A⁻ᵀ n", r"A^{-\mathsf T} n", of="A⁻ᵀ t"), EQUALS, wrong, NOT_EQUAL, words("0")
+            ),
+            "tangents and bitangents are vectors and move by A: by the normals' rule they are no "
+            "longer perpendicular to them",
+            proved=wrong != 0,
+        ),
+        step(
+            formula(
+                words("1/2 · ", r"\tfrac12"),
+                long,
+                words(" + 1/2 · ", r" + \tfrac12"),
+                short,
+                EQUALS,
+                between,
+            ),
+            "half way between normals of lengths 2 and 1 lies a vector that leans to the longer "
+            "one: normalise before and after interpolation",
+            proved=equal(between, long / 2 + short / 2) and between[0] != between[1],
+        ),
+    ]
+
+
+def shear() -> tuple[list[Step], str]:
+    """Show that a shear needs the inverse transpose although its determinant is 1."""
+    import sympy as sp
+
+    h = sp.Symbol("h")
+    H = sp.Matrix([[1, h, 0], [0, 1, 0], [0, 0, 1]])
+    K = cofactors(H)
+    steps = [
+        step(
+            formula(A, EQUALS, H, words(",  "), DET, EQUALS, words("1")),
+            "a shear keeps volume",
+            proved=equal(determinant(H), sp.Integer(1)),
+        ),
+        step(
+            formula(A_INVERSE_T, EQUALS, K),
+            "its inverse transpose shears y along x, and with the other sign",
+            proved=equal(H.T * K, sp.eye(3)),
+        ),
+        *_on_one_normal(H.subs(h, 1), sp.Matrix([1, 0, 0]), sp.Matrix([0, 1, 0]), sp.Integer(1)),
+    ]
+    return steps, "det A = 1 proves nothing: only AᵀA = s² I lets A itself carry normals."
+
+
+def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix, tangent: sp.Expr) -> list[Step]:
+    """Carry one normal both ways, measure both against the moved tangent, then each other."""
+    wrong, right = A_ * n, cofactors(A_) * n / determinant(A_)
+    return [
+        _chosen(A_, n, t),
+        *_against_tangent(A_ * t, wrong, right),
+        _angle_between(wrong, right, tangent),
+    ]
+
+
+def _chosen(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> Step:
+    return step(
+        formula(
+            A,
+            EQUALS,
+            A_,
+            words(",  n = ", r",\; n = "),
+            n,
+            words(",  t = ", r",\; t = "),
+            t,
+            words(",  t · n = 0", r",\; t \cdot n = 0"),
+        ),
+        "take one such matrix, a normal, and a tangent perpendicular to it",
+        proved=t.dot(n) == 0,
+    )
+
+
+def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> list[Step]:
+    """Measure A n and A⁻ᵀ n against the moved tangent."""
+    wrong_dot, right_dot = moved_t.dot(wrong), moved_t.dot(right)
+    return [
+        step(
+            formula(_dot("A n"), EQUALS, wrong_dot, NOT_EQUAL, words("0")),
+            "moved by A the normal is no longer perpendicular to the moved tangent",
+            proved=wrong_dot != 0,
+        ),
+        step(
+            formula(
+                words("A⁻ᵀ n = ", r"A^{-\mathsf T} n = "),
+                right,
+                words(",  "),
+                _dot("A⁻ᵀ n", r"A^{-\mathsf T} n"),
+                EQUALS,
+                right_dot,
+            ),
+            "moved by the inverse transpose it is",
+            proved=right_dot == 0,
+        ),
+    ]
+
+
+def _angle_between(wrong: sp.Matrix, right: sp.Matrix, tangent: sp.Expr) -> Step:
+    """Prove tan θ = |a × b| / (a · b) to be the number that is claimed."""
+    return step(
+        formula(words("tan θ", r"\tan\theta"), EQUALS, tangent),
+        "θ is the angle between the two",
+        proved=equal(wrong.cross(right).norm() / wrong.dot(right), tangent),
+    )
+
+
+def _dot(text: str, latex: str | None = None, of: str = "A t") -> Words:
+    left = of.replace("⁻ᵀ", r"^{-\mathsf T}")
+    return words(f"({of}) · ({text})", rf"({left}) \cdot ({latex or text})")

@@ -1,0 +1,160 @@
+"""The user's own matrix in the rule, in exact numbers: fractions stay fractions, 30° gives √3/2."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from nmatrix.lessons.derive.notation import (
+    A_INVERSE_T,
+    APART,
+    DET,
+    EQUALS,
+    A,
+    C,
+    Part,
+    formula,
+    words,
+)
+from nmatrix.lessons.derive.steps import equal, is_zero, normal_form, step
+from nmatrix.lessons.derive.symbols import cofactors, determinant
+from nmatrix.linear.angle import Angle
+from nmatrix.report import Number, Step
+from nmatrix.scene.world import World
+
+if TYPE_CHECKING:
+    import sympy as sp
+TYPED = "your matrix, exactly as it was typed"
+OF_UNIT_LENGTH = "your matrix, exactly; the quaternion was brought to length one"
+
+
+def own_matrix(world: World) -> list[Step]:
+    """Put a world's 3×3 block into the rule, in exact numbers."""
+    import sympy as sp
+
+    M = exact_matrix(world)
+    A_ = M[:3, :3]
+    K, det = cofactors(A_).applyfunc(tidy), tidy(determinant(A_))
+    named = Named(A_)
+    steps = [
+        step(
+            formula(A, EQUALS, named(A_), APART, DET, EQUALS, named(det)),
+            TYPED if world.quaternion is None else OF_UNIT_LENGTH,
+            proved=equal(determinant(A_), det),
+        ),
+        *named.steps(),
+        step(
+            formula(C, EQUALS, named(K)),
+            "its cofactors",
+            proved=equal(A_.T * K, det * sp.eye(3)),
+        ),
+    ]
+    if det == 0:
+        rank = A_.rank(iszerofunc=is_zero)
+        left = "C is what is left" if rank == 2 else "C is zero as well"
+        because = f"det A = 0 and the rank is {rank}: no inverse transpose; {left}"
+        proved = rank < 3 and K.is_zero_matrix is (rank < 2)
+        return [*steps, step(formula(DET, EQUALS, det), because, proved=proved)]
+    normal_matrix = (K / det).applyfunc(tidy)
+    return [
+        *steps,
+        step(
+            formula(A_INVERSE_T, EQUALS, named(normal_matrix)),
+            "your normal matrix: the cofactors over the determinant",
+            proved=equal(A_.T * normal_matrix, sp.eye(3)),
+        ),
+        *_translation(M, normal_matrix, named),
+    ]
+
+
+class Named:
+    """Cosines and sines that are no surds, written as c₁ and s₁: a matrix of them stays a page."""
+
+    def __init__(self, A_: sp.Matrix) -> None:
+        import sympy as sp
+
+        self.angles = sorted({atom.args[0] for atom in A_.atoms(sp.sin, sp.cos)}, key=float)
+        self.names = {
+            function(angle): sp.Symbol(f"{letter}_{i}")
+            for i, angle in enumerate(self.angles, start=1)
+            for letter, function in (("c", sp.cos), ("s", sp.sin))
+        }
+
+    def __call__(self, expression: sp.Basic) -> sp.Basic:
+        """Return an expression with the names in it."""
+        return expression.xreplace(self.names)
+
+    def steps(self) -> list[Step]:
+        """Say which angle each pair of names belongs to."""
+        import sympy as sp
+
+        return [self._pair(sp.cos(angle), sp.sin(angle)) for angle in self.angles]
+
+    def _pair(self, cosine: sp.Expr, sine: sp.Expr) -> Step:
+        c, s = self.names[cosine], self.names[sine]
+        back = {c: cosine, s: sine}
+        return step(
+            formula(*_equation(c, cosine), APART, *_equation(s, sine)),
+            "no short roots: they keep a name",
+            proved=bool((c**2 + s**2).xreplace(back).simplify() == 1),
+        )
+
+
+def _equation(name: sp.Symbol, value: sp.Expr) -> tuple[Part, ...]:
+    """Return `c₁ = cos(20°)`."""
+    import sympy as sp
+
+    degrees = _typed(sp.Rational(value.args[0] * 180 / sp.pi))
+    called = value.func.__name__
+    return name, EQUALS, words(f"{called}({degrees}°)", rf"\{called}({degrees}^\circ)")
+
+
+def _typed(degrees: sp.Rational) -> str:
+    """Return degrees as a short decimal, if they are one."""
+    short = f"{float(degrees):g}"
+    exact = Fraction(int(degrees.p), int(degrees.q))
+    return short if Fraction(short) == exact else str(exact)
+
+
+def _translation(M: sp.Matrix, normal_matrix: sp.Matrix, named: Named) -> list[Step]:
+    """Show where the translation goes, if there is one: to the last row of M⁻ᵀ."""
+    import sympy as sp
+
+    A_, t = M[:3, :3], M[:3, 3]
+    if not any(t):
+        return []
+    row = (-(normal_matrix.T * t)).applyfunc(tidy).T
+    return [
+        step(
+            formula(words("−(A⁻¹ t)ᵀ", r"-(A^{-1} t)^{\mathsf T}"), EQUALS, named(row)),
+            "your translation: the first three numbers of the last row of M⁻ᵀ, where normals "
+            "never meet it",
+            proved=equal(A_ * row.T + t, sp.zeros(3, 1)),
+        )
+    ]
+
+
+def exact_matrix(world: World) -> sp.Matrix:
+    """Return the 4×4 matrix of a world with SymPy's own sines and cosines."""
+    import sympy as sp
+
+    rows = world.exact_by(_turn)
+    return sp.Matrix([[tidy(sp.sympify(entry)) for entry in row] for row in rows])
+
+
+def _turn(degrees: Number) -> Angle:
+    import sympy as sp
+
+    radians = sp.pi * sp.Rational(*Fraction(degrees).as_integer_ratio()) / 180
+    # An Angle is a sine and a cosine; the builders only multiply and add them.
+    return Angle(sp.sin(radians), sp.cos(radians))
+
+
+def tidy(expression: sp.Expr) -> sp.Expr:
+    """Return an expression without needless roots, sines and products."""
+    import sympy as sp
+
+    if not expression.has(sp.sin, sp.cos):
+        return sp.radsimp(sp.expand(expression))
+    top, bottom = sp.fraction(expression)
+    return normal_form(top) / normal_form(bottom)

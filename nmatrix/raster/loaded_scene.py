@@ -1,0 +1,238 @@
+"""The loaded scene: a scene with its triangles loaded and its lights in place, ready for a picture.
+
+Nothing is decided here; what must be computed is the plan's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Frame
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear import rational
+from nmatrix.linear.affine import rotation_about, translation_matrix
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.classify import FROM_FILE, Classification, classify
+from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.products import in_parts, moved
+from nmatrix.scene.fitting import Ball, enclosing, fitted
+from nmatrix.scene.light import EYE, WORLD, SceneLight
+from nmatrix.scene.material import Material
+from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
+from nmatrix.spaces.transform import Transform
+
+Array = NDArray[Any]
+
+FARTHEST = 1e100  # squares of longer lengths leave float64
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """One object, its triangles in object space."""
+
+    name: str
+    mesh: Mesh
+    world_from_object: Transform
+    material: Material
+
+    @cached_property
+    def linear_map(self) -> LinearMap:
+        """Return the 3×3 block of `world_from_object` at the exact level."""
+        return self.world_from_object.linear_map
+
+    @cached_property
+    def kind(self) -> Classification:
+        """Return what kind of map places the body; files hold float32 numbers."""
+        return classify(self.world_from_object.exact, FROM_FILE)
+
+    def parts_world(self) -> Iterator[Array]:
+        """Give the vertices in the world, some at a time (3, n), so that memory is bounded."""
+        M = np.array(to_floats(self.world_from_object.exact))[:3]
+        for part in in_parts(self.mesh.positions.T):
+            with np.errstate(over="ignore", invalid="ignore"):
+                yield moved(M, part)
+
+    @property
+    def positions_world(self) -> Array:
+        """Return the vertices (V, 3) in the world."""
+        return np.concatenate([part.T for part in self.parts_world()])
+
+    @cached_property
+    def box(self) -> tuple[Array, Array]:
+        """Return the lowest and the highest coordinates in the world.
+
+        Raises
+        ------
+        NoAnswerError
+            If they are so far or so small that squares of their lengths leave float64.
+        """
+        boxes = [(part.min(axis=1), part.max(axis=1)) for part in self.parts_world()]
+        low = np.min([one for one, _ in boxes], axis=0)
+        high = np.max([one for _, one in boxes], axis=0)
+        reach = float(np.abs([low, high]).max())
+        if not reach <= FARTHEST or 0 < reach < 1 / FARTHEST:
+            raise NoAnswerError(
+                f"{self.name} (it reaches {reach:.3g} in the world)",
+                "a picture can be computed between 1e-100 and 1e+100",
+                "scale the scene",
+            )
+        return low, high
+
+    @cached_property
+    def centre(self) -> Array:
+        """Return the middle of the box around the body in the world."""
+        low, high = self.box
+        return np.asarray((low + high) / 2)
+
+    @cached_property
+    def radius(self) -> float:
+        """Return the radius of a ball around the centre that holds the body."""
+        middle = self.centre[:, None]
+        return float(np.sqrt(max(((p - middle) ** 2).sum(0).max() for p in self.parts_world())))
+
+
+@dataclass(frozen=True)
+class PlacedLight:
+    """A light in the world: where it is, and the unit direction in which its light travels."""
+
+    light: SceneLight
+    position: RationalVector | None
+    direction: RationalVector | None
+
+    @property
+    def colour(self) -> tuple[float, ...]:
+        """Return what it sends: colour times intensity."""
+        return tuple(channel * self.light.intensity for channel in self.light.color)
+
+
+@dataclass(frozen=True, eq=False)
+class LoadedScene:
+    """Bodies, lights, one camera and the canvas."""
+
+    bodies: tuple[Body, ...]
+    lights: tuple[PlacedLight, ...]
+    camera_from_world: Transform
+    eye: RationalVector
+    clip_from_camera: RationalMatrix
+    clip: ClipSpace
+    settings: Settings
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def canvas(self) -> Canvas:
+        """Return the canvas."""
+        width, height = self.settings.size
+        return Canvas(width, height, round(self.settings.samples**0.5))
+
+    @cached_property
+    def clip_from_world(self) -> RationalMatrix:
+        """Return P · V exactly."""
+        return rational.product(self.clip_from_camera, self.camera_from_world.exact)
+
+    def clip_from_object(self, body: Body) -> RationalMatrix:
+        """Return P · V · M exactly."""
+        return rational.product(self.clip_from_world, body.world_from_object.exact)
+
+    def maps(self, body: Body) -> ExactMaps:
+        """Return the exact maps of one body, from which every shading space follows."""
+        custom = self.settings.space_matrix
+        return ExactMaps(
+            world_from_object=body.world_from_object,
+            camera_from_world=self.camera_from_world,
+            clip_from_camera=self.clip_from_camera,
+            eye=self.eye,
+            light=self._leading_light(),
+            custom_from_world=None
+            if custom is None
+            else Transform(Frame.CUSTOM, Frame.WORLD, custom),
+        )
+
+    def _leading_light(self) -> WorldLight:
+        """Return the light that light space belongs to: the first that is anywhere."""
+        for one in self.lights:
+            if one.position is not None or one.direction is not None:
+                return WorldLight(one.direction, one.position)
+        return WorldLight(rational_vector((0, -1, 0)), None)
+
+
+def loaded(scene: Scene) -> LoadedScene:
+    """Load a scene's triangles and put its lights in place.
+
+    Raises
+    ------
+    IllegalValueError
+        For files that cannot be read, or nothing to draw.
+    NoAnswerError
+        For a singular object that a light is fixed to, or coordinates beyond 1e+100.
+    """
+    meshes: dict[object, Mesh] = {}
+    bodies = tuple(_body(one, meshes) for one in scene.objects)
+    remarks = scene.remarks
+    if not scene.has_camera:
+        scene = fitted(scene, [(body.centre, body.radius) for body in bodies])
+        remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")
+    camera = scene.view.placed()
+    turn = _turn(scene.settings.turn_degrees, [(body.centre, body.radius) for body in bodies])
+    camera_from_world = Transform(
+        Frame.CAMERA, Frame.WORLD, rational.product(camera.camera_from_world, turn)
+    )
+    eye = Transform(Frame.WORLD, Frame.WORLD, rational.inverse(turn)).exact_point(camera.eye)
+    placed = {body.name: body.world_from_object for body in reversed(bodies)}
+    placed[WORLD] = Transform(Frame.WORLD, Frame.WORLD, rational.identity(4))
+    if any(light.fixed_to == EYE for light in scene.lights):
+        placed[EYE] = camera_from_world.inverse()
+    return LoadedScene(
+        bodies,
+        tuple(_placed(light, placed[light.fixed_to]) for light in scene.lights),
+        camera_from_world,
+        eye,
+        scene.lens.clip_from_camera,
+        scene.lens.clip,
+        scene.settings,
+        (*remarks, *camera.remarks),
+    )
+
+
+def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
+    """Return the map that turns the world before a camera that stays: the camera walks around."""
+    if not degrees:
+        return rational.identity(4)
+    middle, _ = enclosing(balls)
+    back = translation_matrix((-middle).tolist())
+    turned = rational.affine(rotation_about("Y", Angle.degrees(-degrees)))
+    return rational.product(translation_matrix(middle.tolist()), turned, back)
+
+
+def _body(one: SceneObject, meshes: dict[object, Mesh]) -> Body:
+    """Return an object with its triangles; instances share one mesh."""
+    key = id(one.geometry)
+    if key not in meshes:
+        meshes[key] = one.geometry.mesh()
+    place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
+    return Body(one.name, meshes[key], place, one.material)
+
+
+def _placed(light: SceneLight, world_from_home: Transform) -> PlacedLight:
+    position = direction = None
+    if light.has_position:
+        position = world_from_home.exact_point(rational_vector(light.position))
+    if light.has_direction:
+        direction = world_from_home.exact_vector(rational_vector(light.direction))
+        if not any(direction):
+            raise NoAnswerError(
+                f"light {light.name}",
+                f"{light.fixed_to} flattens its direction to nothing",
+                "fix it to the world",
+            )
+    return PlacedLight(light, position, direction)

@@ -1,0 +1,1 @@
+"""Which effects a scene calls for, why, and what the others are worth."""

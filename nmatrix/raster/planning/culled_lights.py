@@ -1,0 +1,65 @@
+"""Which lights a body need not ask: black ones, those out of range, those behind all its faces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Space
+from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.shading.space import ShadingSpace, dot, length
+from nmatrix.raster.triangles.products import in_parts
+from nmatrix.scene.words import LightKind, Sides
+
+Array = NDArray[Any]
+
+EDGE_ON = 1e-9  # cosines nearer to 0 than this are left to the picture
+
+
+def why_dark(loaded: LoadedScene, body: Body, placed: PlacedLight) -> str | None:
+    """Return why a light cannot change a sample of a body, or None if it may.
+
+    Each reason is exact: what is left out would add zero.
+    """
+    if not any(placed.colour):
+        return "is black"
+    if placed.position is not None:
+        place = np.array([float(one) for one in placed.position])
+        gap = float(np.sqrt(((body.centre - place) ** 2).sum())) - body.radius
+        if gap > placed.light.range * (1 + 1e-9):
+            return f"ends at {placed.light.range:g}, and the body begins at {gap:.4g}"
+    return "is behind every face" if _is_behind(loaded, body, placed) else None
+
+
+def _is_behind(loaded: LoadedScene, body: Body, placed: PlacedLight) -> bool:
+    """Return whether n·l ≤ 0 for every normal and every place that interpolation can make.
+
+    Both are mixtures of a triangle's corners, so it is enough to ask each normal with each corner.
+    Only a body that is seen from one side is asked: the back of a face turns to the light. What
+    faces the light edge-on counts as lit: there rounding decides.
+    """
+    if placed.light.kind is LightKind.AMBIENT or body.linear_map.rank < 3:
+        return False
+    one_sided = body.material.sides is Sides.FRONT
+    if body.material.sides is Sides.AS_NEEDED:
+        one_sided = body.mesh.is_closed and body.material.opacity == 1.0
+    if not one_sided or body.material.normal_map is not None:
+        return False
+    normals = ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(
+        loaded.settings.normals
+    )
+    if placed.position is None:
+        assert placed.direction is not None  # a light is somewhere or comes from somewhere
+        travel = np.array([[float(one)] for one in placed.direction])
+        return bool((dot(normals, travel) >= EDGE_ON * length(travel)).all())
+    place = np.array([[float(one)] for one in placed.position])
+    way = place - body.positions_world.T
+    margin = -EDGE_ON * float(length(way).max())
+    return all(
+        bool((dot(normals[:, corners[i]], way[:, corners[j]]) <= margin).all())
+        for corners in in_parts(body.mesh.triangles.T)
+        for i in range(3)
+        for j in range(3)
+    )

@@ -1,0 +1,1 @@
+"""From samples to colours: shading spaces, lights, surfaces, shadows, textures."""

@@ -1,0 +1,163 @@
+"""Shadow maps: how far a light's light gets, seen from the light, by the same rasterizer.
+
+A map holds distances along the light's axis. A point is in shadow where the map ends before it, by
+more than what one texel of a slanted surface spans.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import radians, tan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import DepthRange, Handedness
+from nmatrix.linear import rational
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.projection import ClipSpace, Window, orthographic, perspective
+from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
+from nmatrix.linear.view import looking_along
+from nmatrix.raster.loaded_scene import Body, PlacedLight
+from nmatrix.raster.shading.space import ShadingSpace, as_array
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.products import moved
+from nmatrix.raster.triangles.vertices import project
+from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
+from nmatrix.scene.words import DepthBuffer
+
+Array = NDArray[Any]
+
+CLIP = ClipSpace(DepthRange.ZERO_TO_ONE, Handedness.RIGHT)
+UP: RationalVector = rational_vector((0, 1, 0))
+NEAREST = 1e-3  # of the farthest distance: what stands closer to a light casts no shadow
+STEEPEST = 8.0  # texels of depth that a slanted surface may span
+SIX_WAYS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+
+
+@dataclass(frozen=True, eq=False)
+class ShadowMap:
+    """One look from a light: its clip space, distances (size, size), and the range of them.
+
+    `texel` is a texel's width, at distance 1 where the view is a perspective.
+    """
+
+    light_from_world: RationalMatrix
+    distance: Array
+    near: float
+    far: float
+    texel: float
+    is_perspective: bool
+
+    def arrives(self, in_clip: Array, cosine: Array) -> tuple[Array, Array]:
+        """Return for points (4, m) in the light's clip space whether it sees them, and the light.
+
+        `cosine` is that of the angle at which light falls in: the flatter, the more depth a texel
+        spans.
+        """
+        w = np.where(in_clip[3] > 0, in_clip[3], np.inf)
+        x, y, z = in_clip[:3] / w
+        inside = (in_clip[3] > 0) & (np.abs(x) < 1) & (np.abs(y) < 1)
+        size = len(self.distance)
+        column = np.clip((x + 1) / 2 * size, 0, size - 1).astype(np.intp)
+        row = np.clip((1 - y) / 2 * size, 0, size - 1).astype(np.intp)
+        here = self._along(z)
+        slope = np.sqrt(np.maximum(1 - cosine * cosine, 0.0)) / np.maximum(np.abs(cosine), 1e-9)
+        texel = self.texel * (here if self.is_perspective else 1.0)
+        slack = texel * (1.0 + np.minimum(slope, STEEPEST))
+        return inside, here - slack <= self.distance[row, column]
+
+    def _along(self, depth: Array) -> Array:
+        """Return distances along the axis for depths from 0 to 1."""
+        if not self.is_perspective:
+            return np.asarray(self.near + depth * (self.far - self.near))
+        return self.near * self.far / (self.far - depth * (self.far - self.near))
+
+
+@dataclass(frozen=True, eq=False)
+class Occluded:
+    """What keeps a light's light off one body: its maps, reached from the body's shading space."""
+
+    maps: Sequence[ShadowMap]
+    space: ShadingSpace
+
+    def __call__(self, positions: Array, cosine: Array) -> Array:
+        """Return 1 where light arrives at positions (3, m), else 0."""
+        found = np.ones(positions.shape[1], bool)
+        for one in self.maps:
+            matrix = self.space.light_from_space(one.light_from_world)
+            inside, arrives = one.arrives(moved(matrix, positions), cosine)
+            found &= arrives | ~inside
+        return found.astype(np.float64)
+
+
+def shadow_maps(placed: PlacedLight, bodies: Sequence[Body], size: int) -> list[ShadowMap]:
+    """Return what a light sees: one look for a direction or a cone, six for a point."""
+    casters = [one for one in bodies if one.material.opacity == 1.0]
+    balls = [(one.centre, one.radius) for one in bodies]
+    if placed.position is None:
+        assert placed.direction is not None  # a light is somewhere or comes from somewhere
+        return [_parallel(placed.direction, casters, balls, size)]
+    place = np.array([float(one) for one in placed.position])
+    far = max(float(np.sqrt(((c - place) ** 2).sum())) + r for c, r in balls)
+    if placed.direction is not None:
+        half = min(placed.light.cone_degrees[1] + 1.0, 89.0)
+        return [_look(placed.position, placed.direction, half, casters, (far, size))]
+    return [
+        _look(placed.position, rational_vector(way), 45.0, casters, (far, size)) for way in SIX_WAYS
+    ]
+
+
+def _parallel(
+    direction: RationalVector,
+    casters: Sequence[Body],
+    balls: Sequence[tuple[Array, float]],
+    size: int,
+) -> ShadowMap:
+    low = np.min([c - r for c, r in balls], axis=0)
+    high = np.max([c + r for c, r in balls], axis=0)
+    centre = (low + high) / 2
+    reach = float(np.sqrt(((high - low) ** 2).sum())) / 2
+    view = looking_along(rational_vector(centre.tolist()), direction, UP, Handedness.RIGHT)
+    box = orthographic(Window(-reach, reach, -reach, reach), -reach, reach, CLIP)
+    light = rational.product(rational.rational(box), rational.rational(view.camera_from_world))
+    drawn = _drawn(light, casters, size)
+    distance = np.where(np.isinf(drawn), np.inf, -reach + drawn * 2 * reach)
+    return ShadowMap(light, distance, -reach, reach, 2 * reach / size, is_perspective=False)
+
+
+def _look(
+    place: RationalVector,
+    direction: RationalVector,
+    half_degrees: float,
+    casters: Sequence[Body],
+    far_and_size: tuple[float, int],
+) -> ShadowMap:
+    far, size = far_and_size
+    near = far * NEAREST
+    view = looking_along(place, direction, UP, Handedness.RIGHT)
+    cone = perspective(Angle.degrees(half_degrees), 1.0, near, far, CLIP)
+    light = rational.product(rational.rational(cone), rational.rational(view.camera_from_world))
+    found = ShadowMap(
+        light,
+        _drawn(light, casters, size),
+        near,
+        far,
+        2 * tan(radians(half_degrees)) / size,
+        is_perspective=True,
+    )
+    found.distance[:] = found._along(found.distance)
+    return found
+
+
+def _drawn(light_from_world: RationalMatrix, casters: Sequence[Body], size: int) -> Array:
+    """Return the depth of what the light sees in each texel, infinite where it sees nothing."""
+    canvas = Canvas(size, size)
+    tile = Tile.empty((0, size), size, DepthBuffer.FULL)
+    for one in casters:
+        light = as_array(rational.product(light_from_world, one.world_from_object.exact))
+        tile.add(project(one.mesh, light, canvas, CLIP), 0)
+    depth = (tile.keys >> TRIANGLE_BITS) / STEPS[DepthBuffer.FULL]
+    return np.where(tile.keys == EMPTY, np.inf, depth).reshape(size, size)

@@ -1,0 +1,197 @@
+"""One body in one shading space: its matrices, lights and eye as floats, each rounded once.
+
+S is `space_from_world` and B its 3×3 block. Where B is not rigid, lengths are measured by the
+factors of the metric: |v| = |B⁻¹v| for vectors, |n| = |Bᵀn| for normals; the metric itself, which
+would square the condition number, is never formed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import NormalRule, Space
+from nmatrix.linear import rational
+from nmatrix.linear.rational import RationalMatrix, RationalVector, to_floats
+from nmatrix.linear.rules import Carrier, carrier
+from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.triangles.products import in_parts, moved
+from nmatrix.spaces import metric
+from nmatrix.spaces.exact_maps import ExactMaps
+
+Array = NDArray[Any]
+
+
+def dot(a: Array, b: Array) -> Array:
+    """Return a · b for vectors (3, …) that may broadcast."""
+    found = a[0] * b[0]
+    found = found + a[1] * b[1]
+    return np.asarray(found + a[2] * b[2])
+
+
+def length(vectors: Array) -> Array:
+    """Return the lengths of vectors (3, …)."""
+    return np.asarray(np.sqrt(dot(vectors, vectors)))
+
+
+@dataclass(frozen=True, eq=False)
+class Measure:
+    """How long things are in a space: B⁻¹ for vectors, Bᵀ for normals; None where B is rigid."""
+
+    world_vector: Array | None = None
+    world_normal: Array | None = None
+
+    def vector_in_world(self, vectors: Array) -> Array:
+        """Return vectors (3, …) with true lengths and angles."""
+        return vectors if self.world_vector is None else _times(self.world_vector, vectors)
+
+    def normal_in_world(self, normals: Array) -> Array:
+        """Return normals (3, …) with true lengths and angles."""
+        return normals if self.world_normal is None else _times(self.world_normal, normals)
+
+    def vector_length(self, vectors: Array) -> Array:
+        """Return |B⁻¹v|."""
+        return length(self.vector_in_world(vectors))
+
+    def normal_length(self, normals: Array) -> Array:
+        """Return |Bᵀn|."""
+        return length(self.normal_in_world(normals))
+
+    def normal_from_world(self, normals: Array) -> Array:
+        """Return normals (3, …) of the world as the space has them."""
+        return normals if self.world_vector is None else _times(self.world_vector.T, normals)
+
+
+@dataclass(frozen=True, eq=False)
+class ShadingSpace:
+    """A body in the space that it is shaded in."""
+
+    loaded: LoadedScene
+    body: Body
+    space: Space
+    uses_metric: bool
+
+    @cached_property
+    def maps(self) -> ExactMaps:
+        """Return the exact maps."""
+        return self.loaded.maps(self.body)
+
+    @cached_property
+    def exact_from_world(self) -> RationalMatrix:
+        """Return S."""
+        return self.maps.space_from_world(self.space).exact
+
+    @cached_property
+    def exact_from_object(self) -> RationalMatrix:
+        """Return S · M; in object space the identity, not a product that rounds."""
+        if self.space is Space.OBJECT:
+            self.maps.space_from_world(self.space)
+            return rational.identity(4)
+        return rational.product(self.exact_from_world, self.body.world_from_object.exact)
+
+    @cached_property
+    def measure(self) -> Measure:
+        """Return how lengths are measured."""
+        if not self.uses_metric:
+            return Measure()
+        return Measure(
+            as_array(metric.vector_world_from_space(self.maps, self.space)),
+            as_array(metric.normal_world_from_space(self.maps, self.space)),
+        )
+
+    @property
+    def handed(self) -> int:
+        """Return −1 where a mirror lies between the object and where lengths are measured."""
+        of = self.body.world_from_object.exact if self.uses_metric else self.exact_from_object
+        return -1 if rational.determinant(rational.linear(of)) < 0 else 1
+
+    def positions(self) -> Array:
+        """Return the vertices (3, V) in the space."""
+        return moved(as_array(self.exact_from_object)[:3], self.body.mesh.positions.T)
+
+    def vectors(self, of_object: Array) -> Array:
+        """Return tangents (V, 3) and their like in the space, as (3, V)."""
+        return moved(as_array(self.exact_from_object)[:3, :3], of_object.T)
+
+    def carried_normals(self, rule: NormalRule) -> Array:
+        """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
+        found = carrier(rule, self.exact_from_object)
+        if found is None:
+            return np.zeros((3, len(self.body.mesh.normals)))
+        given = self.body.mesh.normals.T
+        if not np.isfinite(given).all():
+            given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
+        return carried_by(found, given)
+
+    def normals(self, rule: NormalRule) -> Array:
+        """Return the vertices' normals (3, V) at true length one, or zero where none is left.
+
+        A rule that measures four components has its own idea of length, and keeps it.
+        """
+        carried = self.carried_normals(rule)
+        return carried if rule is NormalRule.FOUR_COMPONENT else self.unit_normals(carried)
+
+    def unit_normals(self, normals: Array) -> Array:
+        """Return normals (3, …) at true length one; zero stays zero."""
+        found = np.zeros(normals.shape)
+        for given, unit in zip(in_parts(normals), in_parts(found), strict=True):
+            size = np.abs(given).max(axis=0)
+            scaled = np.divide(given, size, out=np.zeros_like(given), where=size > 0)
+            long = self.measure.normal_length(scaled)
+            np.divide(scaled, long, out=unit, where=long > 0)
+        return found
+
+    def point(self, point: RationalVector) -> Array:
+        """Return a point of the world as a column (3, 1)."""
+        found = self.maps.space_from_world(self.space).exact_point(point)
+        return np.array([[float(one)] for one in found])
+
+    def direction(self, vector: RationalVector) -> Array:
+        """Return a vector of the world as a column (3, 1) of true length one."""
+        found = self.maps.space_from_world(self.space).exact_vector(vector)
+        largest = max(map(abs, found))
+        column = np.array([[float(one / largest)] for one in found])
+        return np.asarray(column / self.measure.vector_length(column))
+
+    def light_from_space(self, light_from_world: RationalMatrix) -> Array:
+        """Return the map from this space to a light's clip space."""
+        world_from_space = (
+            self.body.world_from_object.exact
+            if self.space is Space.OBJECT
+            else rational.inverse(self.exact_from_world)
+        )
+        return as_array(rational.product(light_from_world, world_from_space))
+
+
+def carried_by(found: Carrier, normals: Array) -> Array:
+    """Return normals (3, V) through a rule's matrix, scaled so that nothing overflows."""
+    K = as_array(found.matrix) if found.components == 4 or found.w else scaled_array(found.matrix)
+    carried = moved(K if found.w else K[:, :3], normals)
+    if found.components == 3:
+        return carried[:3]
+    long = np.sqrt(dot(carried, carried) + carried[3] * carried[3])
+    return np.asarray(np.divide(carried[:3], long, out=np.zeros_like(carried[:3]), where=long > 0))
+
+
+def as_array(matrix: RationalMatrix) -> Array:
+    """Return an exact matrix as float64, each entry rounded once."""
+    return np.array(to_floats(matrix))
+
+
+def scaled_array(matrix: RationalMatrix) -> Array:
+    """Return an exact matrix over the power of two next to its largest entry, as float64."""
+    largest = max(abs(entry) for row in matrix for entry in row)
+    if not largest:
+        return as_array(matrix)
+    exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
+    return as_array(rational.scaled(matrix, Fraction(2) ** -exponent))
+
+
+def _times(matrix: Array, vectors: Array) -> Array:
+    """Return a 3×3 matrix times vectors (3, …)."""
+    return moved(matrix[:, :3], vectors)

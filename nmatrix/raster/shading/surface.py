@@ -1,0 +1,194 @@
+"""The surface of one body: what is read at each sample, and the colour that it makes there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Effect, NormalRule, Shading
+from nmatrix.raster.shading.bump import bumped
+from nmatrix.raster.shading.lighting import Lighting, Lit, colour
+from nmatrix.raster.shading.normals import turned_towards
+from nmatrix.raster.shading.space import ShadingSpace, dot
+from nmatrix.raster.shading.texture import sample
+from nmatrix.raster.triangles.fragments import Fragments, Reads, Weighing
+from nmatrix.raster.triangles.vertices import Projected
+from nmatrix.scene.scene import Fog
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """What all bodies of a picture share: where light is evaluated, by which rule, through what.
+
+    `unit_vertices` is False for the mistake of leaving normals at vertices at any length.
+    """
+
+    shading: Shading
+    channels: int
+    rule: NormalRule = NormalRule.EXACT
+    fog: Fog | None = None
+    linear_light: bool = False
+    unit_vertices: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """One body in its shading space, under its lights, with the effects that its plan has on.
+
+    `front` is the sign that the area of its front faces has on the canvas.
+    """
+
+    space: ShadingSpace
+    lighting: Lighting
+    look: Look
+    effects: frozenset[Effect]
+    front: int
+
+    def reads(self, projected: Projected) -> Reads:
+        """Return the attributes that the colours of this surface are made of."""
+        points, directions, faces = self._lit_reads(projected)
+        mesh = self.space.body.mesh
+        if self._reads_position:
+            points["position"] = projected.per_vertex(self._positions)
+        if Effect.TEXTURE in self.effects or Effect.NORMAL_MAP in self.effects:
+            uv = np.zeros((2, len(mesh.positions))) if mesh.uv is None else mesh.uv.T
+            points["uv"] = projected.per_vertex(uv)
+        if Effect.VERTEX_COLOURS in self.effects and mesh.colours is not None:
+            points["colour"] = projected.per_vertex(mesh.colours.T[: self.look.channels])
+        if Effect.NORMAL_MAP in self.effects and mesh.tangents is not None:
+            tangents = self.space.vectors(mesh.tangents[:, :3])
+            points["tangent"] = projected.per_vertex(tangents)
+            points["bitangent_sign"] = projected.per_vertex(mesh.tangents[:, 3:].T)
+        front = self.front if self._is_sided else 0
+        return Reads(points, directions, faces, self._weighing, front)
+
+    def colours(self, fragments: Fragments) -> Array:
+        """Return the colours (channels, m) of fragments, in [0, 1]."""
+        matte, gloss = self._lit(fragments)
+        if Effect.TEXTURE in self.effects:
+            texture = self.space.body.material.texture
+            assert texture is not None  # the plan has it on where the material names one
+            texels = sample(texture, fragments["uv"], linear=self.look.linear_light)
+            matte = matte * texels[: self.look.channels]
+        if "colour" in fragments.values:
+            matte = matte * fragments["colour"]
+        found = matte if gloss is None else matte + gloss
+        if Effect.OUTLINE in self.effects:
+            found = found * ~self._is_edge(fragments)
+        found = np.minimum(found, 1.0)
+        return self._in_fog(found, fragments) if Effect.FOG in self.effects else found
+
+    @property
+    def _is_sided(self) -> bool:
+        """Whether backs are lit as backs; the sides of a flattened body cannot be told apart."""
+        return Effect.BACK_FACES in self.effects and self.front != 0
+
+    @property
+    def _weighing(self) -> Weighing:
+        if Effect.PERSPECTIVE not in self.effects:
+            return Weighing.AFFINE
+        return Weighing.EXACT if Effect.EXACT_WEIGHTS in self.effects else Weighing.SUMS
+
+    @property
+    def _reads_position(self) -> bool:
+        """Whether fragments, and not only vertices, ask where they are."""
+        if self.look.shading is Shading.PHONG:
+            return Effect.POSITION in self.effects
+        return Effect.FOG in self.effects
+
+    @cached_property
+    def _positions(self) -> Array:
+        return self.space.positions()
+
+    @cached_property
+    def vertex_normals(self) -> Array:
+        """Return the normals (3, V) of the vertices.
+
+        A flattened body has two sides and shows one to the eye. Its normals are turned there at
+        the vertices: between opposite ones interpolation would find none.
+        """
+        carry = self.space.normals if self.look.unit_vertices else self.space.carried_normals
+        normals = carry(self.look.rule)
+        if self.space.body.linear_map.rank == 3:
+            return normals
+        return turned_towards(normals, self.lighting.eye - self._positions)
+
+    def _lit_reads(
+        self, projected: Projected
+    ) -> tuple[dict[str, Array], dict[str, Array], dict[str, Array]]:
+        """Return what light is made of: normals, or light itself, by vertex or by triangle."""
+        if self.look.shading is Shading.PHONG:
+            normals = {"normal": projected.per_vertex(self.vertex_normals)}
+            is_unit = Effect.RENORMALISE in self.effects
+            return ({}, normals, {}) if is_unit else (normals, {}, {})
+        if self.look.shading is Shading.GOURAUD:
+            found = self._evaluated(self.vertex_normals, self._positions)
+            return {name: projected.per_vertex(one) for name, one in found.items()}, {}, {}
+        corners = self.space.body.mesh.triangles.T
+        of_faces = self.space.unit_normals(self.vertex_normals[:, corners].mean(axis=1))
+        flat = self._evaluated(of_faces, self._positions[:, corners].mean(axis=1))
+        return {}, {}, {name: projected.per_triangle(one) for name, one in flat.items()}
+
+    def _evaluated(self, normals: Array, positions: Array) -> dict[str, Array]:
+        """Return the light at some points, on the front and, where it is seen, on the back."""
+        found = {}
+        sides = ("front", "back") if self._is_sided else ("front",)
+        for side, sign in zip(sides, (1.0, -1.0), strict=False):
+            matte, gloss = self.lighting.light(sign * normals, positions)
+            found[f"matte_{side}"] = matte
+            if gloss is not None:
+                found[f"gloss_{side}"] = gloss
+        return found
+
+    def _lit(self, fragments: Fragments) -> Lit:
+        if self.look.shading is Shading.PHONG:
+            return self.lighting.light(self._normals(fragments), fragments.values.get("position"))
+        return Lit(*(self._of_side(fragments.values, name) for name in ("matte", "gloss")))  # type: ignore[arg-type]  # matte is always there
+
+    @staticmethod
+    def _of_side(values: Mapping[str, Array], name: str) -> Array | None:
+        """Return light of the side that is seen."""
+        front, back = values.get(f"{name}_front"), values.get(f"{name}_back")
+        if front is None or back is None:
+            return front
+        return np.where(values["facing"] > 0, front, back)
+
+    def _normals(self, fragments: Fragments) -> Array:
+        """Return the unit normals at fragments, on the side that is seen."""
+        normals = fragments["normal"]
+        if Effect.NORMAL_MAP in self.effects and "tangent" in fragments.values:
+            normals = self._bumped(normals, fragments)
+        if Effect.RENORMALISE in self.effects:
+            long = self.space.measure.normal_length(normals)
+            normals = np.divide(normals, long, out=np.zeros_like(normals), where=long > 0)
+        if "facing" in fragments.values:
+            normals = normals * fragments["facing"]
+        return normals
+
+    def _bumped(self, normals: Array, fragments: Fragments) -> Array:
+        file = self.space.body.material.normal_map
+        assert file is not None  # the plan has it on where the material names one
+        texels = sample(file, fragments["uv"], linear=False)
+        signs = fragments["bitangent_sign"] * self.space.handed
+        return bumped(normals, fragments["tangent"], signs, texels, self.space.measure)
+
+    def _is_edge(self, fragments: Fragments) -> Array:
+        """Return where a surface is seen so much from the side that it is drawn as a line."""
+        if self.look.shading is not Shading.PHONG:
+            return np.zeros(len(fragments), bool)
+        cosine = dot(self._normals(fragments), self.lighting.to_eye(fragments["position"]))
+        return np.asarray(np.abs(cosine) < self.space.body.material.outline)
+
+    def _in_fog(self, colours: Array, fragments: Fragments) -> Array:
+        fog = self.look.fog
+        assert fog is not None  # the plan has it on where the scene names it
+        distance = self.lighting.distance_to_eye(fragments["position"])
+        share = np.clip((distance - fog.start) / (fog.end - fog.start), 0.0, 1.0)
+        return np.asarray(colours + share * (colour(fog.color, len(colours)) - colours))

@@ -1,0 +1,1 @@
+"""Triangles to samples: clip, project, cover, see, interpolate; no light is known here."""

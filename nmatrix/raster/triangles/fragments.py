@@ -1,0 +1,149 @@
+"""Fragments: what vertices say, at every visible sample, weighted as perspective weighs it.
+
+A sample's weight for a corner is the area of the triangle opposite to it: a whole number that
+grows by a whole number from sample to sample, so it is exact however long the run. Times 1/w of
+the corner, and over the sum of the three, it is the corner's share in the scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum, auto
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.raster.triangles.run_expansion import Spread
+from nmatrix.raster.triangles.runs import Runs
+from nmatrix.raster.triangles.spans import SUBPIXELS
+from nmatrix.raster.triangles.vertices import Projected
+
+Array = NDArray[Any]
+
+
+class Weighing(Enum):
+    """How corners are weighed.
+
+    AFFINE: by area alone, which is right where w is the same everywhere. SUMS: what the corners
+    add up to grows evenly along a row, so two numbers for each run are enough; it loses a few u
+    times the ratio of the w's. EXACT: each weight by itself, to 8u for any w's.
+    """
+
+    AFFINE = auto()
+    SUMS = auto()
+    EXACT = auto()
+
+
+@dataclass(frozen=True, eq=False)
+class Reads:
+    """What a shader reads, by name, as (k, V) of vertices and (k, F) of triangles.
+
+    Of `directions` any positive multiple will do, so they need no division. `front` is the sign
+    of the area of front faces where the side is read too, as `facing`: 1 or −1.
+    """
+
+    points: Mapping[str, Array] = field(default_factory=dict)
+    directions: Mapping[str, Array] = field(default_factory=dict)
+    faces: Mapping[str, Array] = field(default_factory=dict)
+    weighing: Weighing = Weighing.SUMS
+    front: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Fragments:
+    """Some samples: each one's place on the canvas, row · columns + column, and what was read."""
+
+    sample: Array
+    values: Mapping[str, Array]
+
+    def __len__(self) -> int:
+        """Return how many samples there are."""
+        return len(self.sample)
+
+    def __getitem__(self, name: str) -> Array:
+        """Return one of the things that were read, (k, m)."""
+        return self.values[name]
+
+
+def interpolate(projected: Projected, runs: Runs, columns: int, reads: Reads) -> Fragments:
+    """Return what is read at every sample of the runs."""
+    spread = Spread(runs.length)
+    first = runs.row * columns + runs.first
+    sample = spread.counted(first)
+    corners = projected.corners(runs.triangle)
+    *areas, side = _areas(projected, corners, runs)
+    near = np.ones(()) if reads.weighing is Weighing.AFFINE else projected.inverse_w.take(corners)
+    of_runs = {name: one[:, runs.triangle] for name, one in reads.faces.items()}
+    if reads.front:
+        of_runs["facing"] = side[None] * reads.front
+    values = {name: spread.constants(one) for name, one in of_runs.items()}
+    if reads.weighing is Weighing.EXACT:
+        weights = exact_weights(spread, areas, near)
+        for name, one in {**reads.points, **reads.directions}.items():
+            values[name] = _weighted(spread, weights, one.take(corners, 1))
+        return Fragments(sample, values)
+    start, growth = (one * near for one in areas)
+    share = None
+    for name, one in reads.directions.items():
+        values[name] = spread.ramps(*_sums(one.take(corners, 1), start, growth))
+    for name, one in reads.points.items():
+        if share is None:
+            share = 1.0 / spread.ramps(start.sum(0)[None], growth.sum(0)[None])
+        values[name] = spread.ramps(*_sums(one.take(corners, 1), start, growth))
+        values[name] *= share
+    return Fragments(sample, values)
+
+
+def exact_weights(spread: Spread, areas: Sequence[Array], near: Array) -> Array:
+    """Return the weights (3, m) of the corners, in [0, 1].
+
+    Three whole numbers, not negative, each times 1/w with one rounding, over their sum.
+    """
+    start, growth = areas
+    weights = spread.ramps(start, growth)
+    weights *= spread.constants(np.broadcast_to(near, start.shape))
+    weights /= weights[0] + weights[1] + weights[2]
+    return weights
+
+
+def _weighted(spread: Spread, weights: Array, values: Array) -> Array:
+    """Return corner values (k, 3, n), each times its weight (3, m)."""
+    total = weights[0] * spread.constants(values[:, 0])
+    for i in (1, 2):
+        total += weights[i] * spread.constants(values[:, i])
+    return np.asarray(total)
+
+
+def _sums(values: Array, start: Array, growth: Array) -> tuple[Array, Array]:
+    """Return what corner values (k, 3, n) add up to where runs start, and how that grows."""
+    return _dot(values, start), _dot(values, growth)
+
+
+def _dot(values: Array, weights: Array) -> Array:
+    """Return the sum over three corners, in one order: no bit depends on the place in an array."""
+    found = values[:, 0] * weights[0]
+    found += values[:, 1] * weights[1]
+    found += values[:, 2] * weights[2]
+    return np.asarray(found)
+
+
+def _areas(projected: Projected, corners: Array, runs: Runs) -> tuple[Array, Array, Array]:
+    """Return the three areas at the first sample of each run, their growth along it, their sign.
+
+    Whole numbers below 2⁵³: exact. Their sign is taken out, so that both windings count alike.
+    """
+    x = projected.x.take(corners)
+    y = projected.y.take(corners)
+    x -= SUBPIXELS * runs.first
+    y -= SUBPIXELS * runs.row
+    area, growth = np.empty_like(x), np.empty_like(y)
+    for i in range(3):  # the corners after i are i − 2 and i − 1, counted from the end
+        np.multiply(x[i - 2], y[i - 1], out=area[i])
+        area[i] -= x[i - 1] * y[i - 2]
+        np.subtract(y[i - 2], y[i - 1], out=growth[i])
+    sign = np.sign(area[0] + area[1] + area[2])
+    area *= sign
+    growth *= SUBPIXELS * sign
+    return area, growth, sign

@@ -1,0 +1,167 @@
+"""From triangles to a picture: tiles for visibility, stripes for colour, samples to pixels.
+
+A tile is as many rows as its keys may take memory; a stripe as many as stay in the cache while they
+are coloured. Neither changes a bit of the picture.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.fragments import Fragments, Reads, interpolate
+from nmatrix.raster.triangles.layers import layers
+from nmatrix.raster.triangles.runs import Runs, visible_runs
+from nmatrix.raster.triangles.vertices import Projected
+from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
+from nmatrix.scene.words import DepthBuffer
+
+Array = NDArray[Any]
+
+TILE_SAMPLES = 1 << 22
+STRIPE_SAMPLES = 1 << 16
+LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
+
+
+@dataclass(frozen=True, eq=False)
+class Drawable:
+    """Projected triangles, what is read of them, and the colours (channels, m) it makes.
+
+    Opaque ones hide what is behind; others let 1 − `opacity` of it through.
+    """
+
+    projected: Projected
+    reads: Reads
+    colours: Callable[[Fragments], Array]
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """What `finish` kept of the image (height, width, channels), and what drawing it took.
+
+    `fragments` were covered by triangles, hidden ones included; `shaded` were coloured, for each
+    drawable.
+    """
+
+    image: Array
+    fragments: int
+    shaded: tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """Some drawables on a canvas, over a background (channels,)."""
+
+    drawables: Sequence[Drawable]
+    canvas: Canvas
+    background: Array
+    depth: DepthBuffer = DepthBuffer.FULL
+
+    def picture(self, finish: Callable[[Array], Array] = np.asarray) -> Picture:
+        """Draw everything; `finish` turns rows of pixels into what is kept of them.
+
+        Raises
+        ------
+        IllegalValueError
+            For more triangles than a key can name.
+        """
+        _keep_freed_memory()
+        kept, fragments, shaded = [], 0, np.zeros(len(self.drawables), np.int64)
+        for rows in _steps((0, self.canvas.rows), TILE_SAMPLES, self.canvas):
+            tile = Tile.empty(rows, self.canvas.columns, self.depth)
+            for one, first in zip(self.drawables, self._first, strict=False):
+                if one.opacity == 1.0:
+                    fragments += tile.add(one.projected, first)
+            for some in _steps(rows, STRIPE_SAMPLES, self.canvas):
+                samples, counts = self._stripe(tile, some)
+                shaded += counts
+                kept.append(finish(self._resolved(samples)))
+        return Picture(np.concatenate(kept), fragments, tuple(shaded.tolist()))
+
+    @cached_property
+    def _first(self) -> list[int]:
+        """The number of the first triangle of each drawable, and one more than the last."""
+        first = [0]
+        for one in self.drawables:
+            first.append(first[-1] + one.projected.triangles.shape[1])
+        if first[-1] > TRIANGLE_MASK:
+            raise IllegalValueError(
+                f"{first[-1]} triangles",
+                f"a picture holds {TRIANGLE_MASK} at the most",
+                "split the scene",
+            )
+        return first
+
+    def _stripe(self, tile: Tile, rows: tuple[int, int]) -> tuple[Array, Array]:
+        """Return the samples (channels, n) of some rows, and how many each drawable coloured."""
+        columns = self.canvas.columns
+        samples = np.empty((len(self.background), (rows[1] - rows[0]) * columns))
+        samples[:] = self.background[:, None]
+        counts = np.zeros(len(self.drawables), np.int64)
+        for i, runs in self._seen(visible_runs(tile, rows)):
+            counts[i] += self._colour(samples, i, runs, rows[0] * columns)
+        glass = [
+            (i, one.projected, self._first[i])
+            for i, one in enumerate(self.drawables)
+            if one.opacity < 1.0
+        ]
+        if glass:
+            for layer in layers(glass, tile, rows):
+                counts[layer.drawable] += self._colour(samples, *layer, rows[0] * columns)
+        return samples, counts
+
+    def _seen(self, runs: Runs) -> Iterator[tuple[int, Runs]]:
+        """Return the runs of each drawable."""
+        for i in range(len(self.drawables)):
+            mine = runs.of(self._first[i], self._first[i + 1])
+            if len(mine.triangle):
+                yield i, mine
+
+    def _colour(self, samples: Array, i: int, runs: Runs, before: int) -> int:
+        """Colour the samples of one drawable's runs, and return how many they are."""
+        one = self.drawables[i]
+        found = interpolate(one.projected, runs, self.canvas.columns, one.reads)
+        place = found.sample - before
+        colours = one.colours(found)
+        if one.opacity < 1.0:
+            colours = one.opacity * colours + (1.0 - one.opacity) * samples[:, place]
+        for channel, values in zip(samples, colours, strict=True):
+            channel[place] = values
+        return len(found)
+
+    def _resolved(self, samples: Array) -> Array:
+        """Return pixels (rows, width, channels): the mean of their samples."""
+        k = self.canvas.per_side
+        grid = samples.reshape(len(samples), -1, k, self.canvas.width, k)
+        pixels = grid[:, :, 0, :, 0]
+        for i in range(1, k * k):  # in one order everywhere: no bit depends on the stripe
+            pixels = pixels + grid[:, :, i // k, :, i % k]
+        if k > 1:
+            pixels /= k * k
+        return np.asarray(pixels.transpose(1, 2, 0))
+
+
+@cache
+def _keep_freed_memory() -> None:
+    """Let the allocator keep what is freed, so that arrays of a stripe reuse warm pages.
+
+    The C library gives larger blocks back to the system at once, and each new one costs a page
+    fault for every 4 KiB. It stops doing so for sizes up to the largest block that it has seen
+    freed, and this one is never touched.
+    """
+    np.empty(LARGEST_KEPT, np.uint8)
+
+
+def _steps(rows: tuple[int, int], samples: int, canvas: Canvas) -> Iterator[tuple[int, int]]:
+    """Cut rows of samples into whole rows of pixels, of about so many samples together."""
+    step = max(1, samples // (canvas.columns * canvas.per_side)) * canvas.per_side
+    for top in range(*rows, step):
+        yield top, min(top + step, rows[1])

@@ -1,0 +1,1 @@
+"""glTF files: nodes, meshes, cameras, lights and materials."""

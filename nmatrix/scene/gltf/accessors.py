@@ -1,0 +1,188 @@
+"""The numbers of a glTF mesh: accessors read straight from the buffers, and checked.
+
+They are read here and not by a mesh library, so that a bad number is an error with a name.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.scene.gltf.nodes import GltfScene, buffer_bytes
+from nmatrix.scene.gltf.records import Accessor, Primitive
+from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals
+
+TYPES = {
+    5120: np.int8,
+    5121: np.uint8,
+    5122: np.int16,
+    5123: np.uint16,
+    5125: np.uint32,
+    5126: np.float32,
+}
+LARGEST = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}  # of normalised integers
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+TRIANGLES, STRIP, FAN = 4, 5, 6
+MOST_ROWS = 1 << 28  # more than memory holds, and a damaged file asks for
+
+Array = NDArray[Any]
+
+
+def gltf_mesh(scene: GltfScene, index: int) -> Mesh | None:
+    """Return the triangles of a mesh, all primitives together, or None if it has none.
+
+    Raises
+    ------
+    IllegalValueError
+        For buffers that are missing or too short, indices out of range, numbers that are not
+        finite.
+    """
+    parts = [_primitive(scene, one) for one in scene.document.meshes[index].primitives]
+    found = [part for part in parts if part is not None]
+    if not found:
+        return None
+    starts = np.cumsum([0, *(len(part.positions) for part in found)])
+    return Mesh(
+        np.concatenate([part.positions for part in found]),
+        np.concatenate([part.normals for part in found]),
+        np.concatenate([part.triangles + s for part, s in zip(found, starts, strict=False)]),
+    )
+
+
+def primitive_mesh(scene: GltfScene, mesh_index: int, primitive: int) -> Mesh:
+    """Return the triangles of one primitive, with its coordinates, colours and tangents.
+
+    Texture coordinates have v upwards; the file has it downwards.
+
+    Raises
+    ------
+    IllegalValueError
+        As `gltf_mesh`, and for a primitive without triangles.
+    """
+    record = scene.document.meshes[mesh_index].primitives[primitive]
+    found = _primitive(scene, record)
+    if found is None:
+        raise _bad(scene, f"primitive {primitive} of mesh {mesh_index} has no triangles")
+    uv = _attribute(scene, record, "TEXCOORD_0", (2,))
+    colours = _attribute(scene, record, "COLOR_0", (3, 4))
+    tangents = _attribute(scene, record, "TANGENT", (4,))
+    for one in (uv, colours, tangents):
+        if one is not None and len(one) != len(found.positions):
+            raise _bad(scene, f"{len(one)} attributes stand beside {len(found.positions)} vertices")
+    return replace(
+        found,
+        uv=None if uv is None else uv * (1, -1) + (0, 1),
+        colours=None if colours is None else np.clip(colours[:, :3], 0.0, 1.0),
+        tangents=tangents,
+    )
+
+
+def _attribute(
+    scene: GltfScene, primitive: Primitive, name: str, widths: tuple[int, ...]
+) -> Array | None:
+    if name not in primitive.attributes:
+        return None
+    found = _read(scene, primitive.attributes[name]).astype(np.float64)
+    if found.shape[1] not in widths:
+        raise _bad(scene, f"{name} has {found.shape[1]} components")
+    return found
+
+
+def _primitive(scene: GltfScene, primitive: Primitive) -> Mesh | None:
+    if "POSITION" not in primitive.attributes or primitive.mode not in (TRIANGLES, STRIP, FAN):
+        return None
+    positions = _vectors(scene, primitive.attributes["POSITION"])
+    if primitive.indices is None:
+        order = np.arange(len(positions), dtype=np.intp)
+    else:
+        order = _read(scene, primitive.indices).astype(np.intp).ravel()
+    triangles = _triangles(order, primitive.mode)
+    if triangles.size and (triangles.min() < 0 or triangles.max() >= len(positions)):
+        raise _bad(scene, f"index {int(triangles.max())} is beyond {len(positions)} vertices")
+    if "NORMAL" in primitive.attributes:
+        normals = _unit(_vectors(scene, primitive.attributes["NORMAL"]))
+    else:
+        normals = area_weighted_normals(positions, triangles)
+    if len(triangles) == 0:
+        return None
+    try:
+        return Mesh(positions, normals, triangles)
+    except IllegalValueError as error:
+        raise _bad(scene, str(error)) from None
+
+
+def _vectors(scene: GltfScene, index: int) -> Array:
+    found = _read(scene, index)
+    if found.shape[1] != 3:
+        raise _bad(scene, f"accessor {index} has {found.shape[1]} components and needs 3")
+    return found.astype(np.float64)
+
+
+def _unit(vectors: Array) -> Array:
+    """Return the vectors at length one, as far as float32 left them short of it; zero stays."""
+    length = np.sqrt((vectors * vectors).sum(axis=1, keepdims=True))
+    return np.asarray(np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0))
+
+
+def _triangles(order: Array, mode: int) -> Array:
+    if mode == TRIANGLES:
+        return order[: len(order) // 3 * 3].reshape(-1, 3)
+    n = max(len(order) - 2, 0)
+    first = np.arange(n)
+    if mode == FAN:
+        return np.stack([np.full(n, order[0]) if n else order[:0], order[1 : n + 1], order[2:]], 1)
+    odd = first % 2
+    return np.stack([order[first], order[first + 1 + odd], order[first + 2 - odd]], 1)
+
+
+def _read(scene: GltfScene, index: int) -> Array:
+    accessors = scene.document.accessors
+    if not 0 <= index < len(accessors):
+        raise _bad(scene, f"accessor {index} does not exist")
+    record = accessors[index]
+    known = record.component_type in TYPES and record.type in WIDTHS
+    if not known or not 0 <= record.count <= MOST_ROWS:
+        raise _bad(scene, f"accessor {index} has an unknown type or size")
+    if record.sparse is not None:
+        raise _bad(scene, f"accessor {index} is sparse, which this reader does not know")
+    found = _from_view(scene, record)
+    if record.normalized and record.component_type in LARGEST:
+        return np.maximum(found / np.float64(LARGEST[record.component_type]), -1.0)
+    if not np.isfinite(found).all():
+        row = int(np.argwhere(~np.isfinite(found))[0][0])
+        raise _bad(scene, f"row {row} of accessor {index} is not a finite number")
+    return found
+
+
+def _from_view(scene: GltfScene, record: Accessor) -> Array:
+    kind, width = np.dtype(TYPES[record.component_type]), WIDTHS[record.type]
+    if record.buffer_view is None:
+        return np.zeros((record.count, width), kind)
+    views = scene.document.buffer_views
+    if not 0 <= record.buffer_view < len(views):
+        raise _bad(scene, f"buffer view {record.buffer_view} does not exist")
+    view = views[record.buffer_view]
+    content = buffer_bytes(scene, view.buffer)
+    row = kind.itemsize * width
+    stride = view.byte_stride or row
+    start = view.byte_offset + record.byte_offset
+    end = start + stride * (record.count - 1) + row
+    if (
+        min(start, view.byte_offset, record.byte_offset) < 0
+        or stride < row
+        or (record.count and end > len(content))
+    ):
+        raise _bad(scene, "an accessor reaches beyond its buffer")
+    return (
+        np.ndarray((record.count, width), kind, content, start, (stride, kind.itemsize))
+        if record.count
+        else np.zeros((0, width), kind)
+    )
+
+
+def _bad(scene: GltfScene, why: str) -> IllegalValueError:
+    return IllegalValueError(f"{scene.path}", why, "export it again")

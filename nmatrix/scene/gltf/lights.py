@@ -1,0 +1,226 @@
+"""The lights and the camera of a glTF file, in their places.
+
+A light travels along its node's −z, and a camera looks along it. glTF counts light in candela and
+lux and leaves the exposure open: here the brightest light is 1, and light from a place fades as
+1 / (1 + d²/r²), where r is the radius of what is drawn: far away that is the inverse square.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product as iterproduct
+from math import degrees, inf
+
+import msgspec
+
+from nmatrix.enums import Handedness
+from nmatrix.errors import IllegalValueError, NMatrixError
+from nmatrix.linear.projection import Window
+from nmatrix.linear.rational import ONE, RationalMatrix, apply, rational, translation
+from nmatrix.linear.rounding import nearest
+from nmatrix.linear.view import looking_along
+from nmatrix.report import Vector
+from nmatrix.scene.camera import View
+from nmatrix.scene.gltf.nodes import GltfScene, Node
+from nmatrix.scene.gltf.records import (
+    CameraRecord,
+    PunctualLight,
+    PunctualLights,
+    PunctualReference,
+)
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import SceneLight
+from nmatrix.scene.words import LightKind
+
+LIGHTS = "KHR_lights_punctual"
+WIDEST = 90.0  # degrees, of half a cone
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A light and the node that carries it."""
+
+    light: PunctualLight
+    node: Node
+
+
+def carried_lights(file: GltfScene, drawn: Sequence[int]) -> tuple[Carried, ...]:
+    """Return the lights of the nodes that are drawn.
+
+    Raises
+    ------
+    IllegalValueError
+        For a light that does not exist or is not as the extension says.
+    """
+    if LIGHTS not in file.document.extensions:
+        return ()
+    try:
+        lights = msgspec.convert(file.document.extensions[LIGHTS], PunctualLights).lights
+        found = []
+        for index in drawn:
+            extensions = file.document.nodes[index].extensions
+            if LIGHTS in extensions:
+                at = msgspec.convert(extensions[LIGHTS], PunctualReference).light
+                if not 0 <= at < len(lights):
+                    raise _bad(file, file.nodes[index], f"light {at} does not exist")
+                found.append(Carried(lights[at], file.nodes[index]))
+    except msgspec.ValidationError as error:
+        raise IllegalValueError(f"{file.path}", f"{LIGHTS}: {error}", "export it again") from None
+    return tuple(found)
+
+
+def read_lights(
+    file: GltfScene, carried: Sequence[Carried], radius: float
+) -> tuple[SceneLight, ...]:
+    """Return the lights, the brightest with intensity 1."""
+    brightest = max((one.light.intensity for one in carried), default=0.0) or 1.0
+    names: dict[str, int] = {}
+    return tuple(
+        _light(file, one, brightest, radius, unique(one.light.name or one.node.name, names))
+        for one in carried
+    )
+
+
+def unique(name: str, taken: dict[str, int]) -> str:
+    """Return the name, or with a number behind it if it is taken.
+
+    Examples
+    --------
+    >>> taken = {}
+    >>> [unique("light", taken) for _ in range(3)]
+    ['light', 'light 2', 'light 3']
+    """
+    count = taken.get(name, 0)
+    found = f"{name} {count + 1}" if count else name
+    while found in taken:
+        count += 1
+        found = f"{name} {count + 1}"
+    taken[name] = count + 1  # where the next one goes on
+    taken.setdefault(found, 1)
+    return found
+
+
+def _light(file: GltfScene, one: Carried, brightest: float, radius: float, name: str) -> SceneLight:
+    light, world = one.light, one.node.world_from_object
+    if light.type not in (LightKind.DIRECTIONAL, LightKind.POINT, LightKind.SPOT):
+        raise _bad(file, one.node, f"light of type {light.type[:20]} is unknown")
+    reach = inf if light.range is None else light.range
+    if min(light.color) < 0 or light.intensity < 0 or not reach > 0:
+        raise _bad(file, one.node, "its light has a colour, an intensity or a range below zero")
+    kind = LightKind(light.type)
+    direction = _floats(apply(world, (Fraction(0), Fraction(0), -ONE, Fraction(0)))[:3])
+    if not any(direction):
+        raise _bad(file, one.node, "it flattens the direction of its light to nothing")
+    return SceneLight(
+        name=name,
+        kind=kind,
+        position=_floats(translation(world)),
+        direction=direction,
+        color=light.color,
+        intensity=light.intensity / brightest,
+        attenuation=(1.0, 0.0, 0.0)
+        if kind is LightKind.DIRECTIONAL
+        else (1.0, 0.0, 1.0 / (radius * radius)),
+        range=reach,
+        cone_degrees=_cone(file, one),
+    )
+
+
+def _cone(file: GltfScene, one: Carried) -> tuple[float, float]:
+    if one.light.spot is None:
+        return (0.0, 45.0)
+    inner, outer = one.light.spot.inner_cone_angle, one.light.spot.outer_cone_angle
+    if not 0 <= inner <= outer or outer == 0:
+        raise _bad(file, one.node, f"its cone goes from {inner:g} to {outer:g} radians")
+    return min(degrees(inner), WIDEST), min(degrees(outer), WIDEST)
+
+
+def camera(file: GltfScene, node: Node, index: int) -> tuple[View, Lens]:
+    """Return a node's camera; the node's scale does not matter, as the format says.
+
+    Raises
+    ------
+    IllegalValueError
+        For a camera that does not exist, or that sees nothing.
+    """
+    cameras = file.document.cameras
+    if not 0 <= index < len(cameras):
+        raise _bad(file, node, f"camera {index} does not exist")
+    world, lens = node.world_from_object, _lens(cameras[index])
+    back, up = (tuple(row[i] for row in world[:3]) for i in (2, 1))
+    if lens is None or not any(back):
+        raise _bad(file, node, "its camera sees nothing")
+    ahead = tuple(-component for component in back)
+    try:
+        found = looking_along(translation(world), ahead, up, Handedness.RIGHT)
+        _ = lens.clip_from_camera
+    except NMatrixError as error:
+        raise _bad(file, node, f"its camera: {error}") from None
+    return View(matrix=rational(found.camera_from_world)), lens
+
+
+def _lens(record: CameraRecord) -> Lens | None:
+    if record.type == "perspective" and record.perspective is not None:
+        seen = record.perspective
+        return Lens(
+            fov_degrees=degrees(seen.yfov),
+            aspect=seen.aspect_ratio or 1.0,
+            near=seen.znear,
+            far=inf if seen.zfar is None else seen.zfar,
+        )
+    if record.orthographic is None:
+        return None
+    box = record.orthographic
+    window = Window(-box.xmag, box.xmag, -box.ymag, box.ymag)
+    return Lens(ortho=window, near=box.znear, far=box.zfar, aspect=abs(box.xmag / (box.ymag or 1)))
+
+
+def radius_of(file: GltfScene, places: Sequence[tuple[RationalMatrix, int]]) -> float:
+    """Return half the diagonal of what is drawn, by the bounds that the file states; 1 if none.
+
+    `places` are world matrices with the index of a mesh.
+    """
+    corners = [
+        apply(world, (*map(Fraction, corner), ONE))[:3]
+        for world, mesh in places
+        for bounds in _bounds(file, mesh)
+        for corner in corners_of(*bounds)
+    ]
+    sides = [max(axis) - min(axis) for axis in zip(*corners, strict=True)]
+    try:
+        found = float(sum(side * side for side in sides)) ** 0.5 / 2
+    except OverflowError:
+        return 1.0
+    return found or 1.0
+
+
+def corners_of(low: Sequence[float], high: Sequence[float]) -> Iterator[tuple[float, ...]]:
+    """Return the eight corners of a box.
+
+    Examples
+    --------
+    >>> list(corners_of((0, 0, 0), (1, 1, 1)))[-1]
+    (1, 1, 1)
+    """
+    return iterproduct(*zip(low, high, strict=True))
+
+
+def _bounds(file: GltfScene, mesh: int) -> list[tuple[list[float], list[float]]]:
+    found = []
+    for primitive in file.document.meshes[mesh].primitives:
+        index = primitive.attributes.get("POSITION", -1)
+        if 0 <= index < len(file.document.accessors):
+            one = file.document.accessors[index]
+            if one.min and one.max and len(one.min) == len(one.max) == 3:
+                found.append((one.min, one.max))
+    return found
+
+
+def _floats(values: Sequence[Fraction]) -> Vector:
+    return tuple(nearest(value) for value in values)
+
+
+def _bad(file: GltfScene, node: Node, why: str) -> IllegalValueError:
+    return IllegalValueError(f"{file.path} ({node.name[:60]})", why, "mend the file")

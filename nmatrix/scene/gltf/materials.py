@@ -1,0 +1,104 @@
+"""The materials of a glTF file as far as they are drawn, and a sentence for what is not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from urllib.parse import unquote
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.scene.gltf.nodes import LONGEST_URI, GltfScene, image_bytes
+from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, TextureReference
+from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
+from nmatrix.scene.words import Sides
+
+NAMED = 4  # files that a remark names
+
+
+@dataclass
+class Materials:
+    """The materials of one file; it collects what they could not bring along."""
+
+    file: GltfScene
+    missing: list[str] = field(default_factory=list)
+    left_out: set[str] = field(default_factory=set)
+
+    def material(self, index: int | None, *, vertex_colours: bool) -> Material:
+        """Return a primitive's material; without an index, the format's default.
+
+        Raises
+        ------
+        IllegalValueError
+            For a material, a texture or an image that does not exist.
+        """
+        records = self.file.document.materials
+        if index is not None and not 0 <= index < len(records):
+            raise self._bad(f"material {index} does not exist")
+        record = MaterialRecord() if index is None else records[index]
+        surface = record.pbr_metallic_roughness or MetallicRoughness()
+        red, green, blue, alpha = (min(max(one, 0.0), 1.0) for one in surface.base_color_factor)
+        if index is not None:
+            self._note(record, surface)
+        return Material(
+            name=record.name or ("default" if index is None else f"material {index}"),
+            ambient=(AMBIENT_SHARE * red, AMBIENT_SHARE * green, AMBIENT_SHARE * blue),
+            diffuse=(red, green, blue),
+            opacity=alpha if record.alpha_mode == "BLEND" else 1.0,
+            texture=self._image(surface.base_color_texture),
+            normal_map=self._image(record.normal_texture),
+            vertex_colours=vertex_colours,
+            sides=Sides.BOTH if record.double_sided else Sides.FRONT,
+        )
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Return what was left out, a short sentence each."""
+        found = []
+        if self.left_out:
+            found.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
+        if self.missing:
+            names = list(dict.fromkeys(self.missing))
+            more = ", …" if len(names) > NAMED else ""
+            found.append(f"Images are missing: {', '.join(names[:NAMED])}{more}.")
+        return tuple(found)
+
+    def _note(self, record: MaterialRecord, surface: MetallicRoughness) -> None:
+        self.left_out |= {"metallic and roughness"}
+        if record.occlusion_texture is not None:
+            self.left_out.add("occlusion")
+        if record.emissive_texture is not None or any(record.emissive_factor):
+            self.left_out.add("emission")
+        if record.alpha_mode == "MASK":
+            self.left_out.add("alpha cut-outs")
+        for one in (surface.base_color_texture, record.normal_texture):
+            if one is not None and one.tex_coord != 0:
+                self.left_out.add("textures by a second set of coordinates")
+
+    def _image(self, reference: TextureReference | None) -> ImageSource | None:
+        """Return a texture's image, inside the file or beside it, if it is there."""
+        if reference is None or reference.tex_coord != 0:
+            return None
+        document = self.file.document
+        if not 0 <= reference.index < len(document.textures):
+            raise self._bad(f"texture {reference.index} does not exist")
+        source = document.textures[reference.index].source
+        if source is None:
+            return None
+        if not 0 <= source < len(document.images):
+            raise self._bad(f"image {source} does not exist")
+        record = document.images[source]
+        uri = record.uri
+        if uri is None or uri.startswith("data:"):
+            name = f"{self.file.path} (image {source})"
+            return EmbeddedImage(name, image_bytes(self.file, record))
+        name = unquote(uri[:LONGEST_URI])
+        path = self.file.path.parent / name
+        try:
+            if path.is_file():
+                return path
+        except (OSError, ValueError):  # a name too long, or with a NUL: no file has it
+            pass
+        self.missing.append(name if name.isprintable() else "one without a readable name")
+        return None
+
+    def _bad(self, why: str) -> IllegalValueError:
+        return IllegalValueError(f"{self.file.path}", why, "mend the file")

@@ -1,0 +1,232 @@
+"""glTF 2.0, read by its own rules: nodes, hierarchy, meshes; cycles and bad numbers are errors.
+
+Files are `.gltf` (JSON, with buffers beside it or inside) or `.glb` (one container). World
+matrices are exact products of the local ones, rounded once at each node.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+from urllib.parse import unquote
+
+import msgspec
+
+from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.linear.affine import compose, rotation_from_quaternion
+from nmatrix.linear.rational import RationalMatrix, identity, product, rational, to_floats
+from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
+
+MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
+LONGEST_URI = 200
+UNIT_SLACK = 1e-6
+NAMED = 5  # nodes that a remark names
+
+
+@dataclass(frozen=True)
+class Node:
+    """A node in its place: its own matrix and the one that its ancestors make of it."""
+
+    name: str
+    local: RationalMatrix
+    world_from_object: RationalMatrix
+    mesh: int | None
+    parent: int | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class GltfScene:
+    """A file that was read: nodes in the file's order, and its bytes for the meshes."""
+
+    path: Path
+    document: Document
+    binary: bytes
+    nodes: tuple[Node, ...]
+    remarks: tuple[str, ...]
+
+
+def read_gltf(path: Path) -> GltfScene:
+    """Read the nodes of a `.gltf` or `.glb` file.
+
+    Raises
+    ------
+    IllegalValueError
+        For a file that cannot be read, is no glTF, has a cycle, an unknown reference or a number
+        that is not finite.
+    """
+    content = _content(path)
+    text, binary = _container(path, content) if content[:4] == MAGIC else (content, b"")
+    try:
+        document = msgspec.json.decode(text, type=Document)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise IllegalValueError(f"{path}", f"it is not glTF ({error})", "export it again") from None
+    nodes, remarks = _placed(path, document)
+    return GltfScene(path, document, binary, nodes, remarks)
+
+
+def _content(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise IllegalValueError(f"{path}", f"{error.strerror}", "check the name") from None
+
+
+def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:
+    text, binary, at = b"", b"", 12
+    while at + 8 <= len(content):
+        length, kind = struct.unpack_from("<II", content, at)
+        chunk = content[at + 8 : at + 8 + length]
+        if len(chunk) < length:
+            raise IllegalValueError(
+                f"{path}", "the file ends in the middle of a chunk", "copy it again"
+            )
+        if kind == JSON_CHUNK:
+            text = chunk
+        elif kind == BINARY_CHUNK:
+            binary = chunk
+        at += 8 + length
+    return text, binary
+
+
+def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+    order, parents = _order(path, document.nodes)
+    worlds: list[RationalMatrix] = [identity(4)] * len(document.nodes)
+    local: list[RationalMatrix] = [identity(4)] * len(document.nodes)
+    off_length = []
+    for index in order:
+        record = document.nodes[index]
+        parent = parents[index]
+        above = identity(4) if parent is None else worlds[parent]
+        try:
+            local[index], off = _local(path, index, record)
+        except NoAnswerError as error:
+            raise _bad(path, index, record, str(error)) from None
+        try:
+            worlds[index] = rational(to_floats(product(above, local[index])))
+        except IllegalValueError as error:
+            raise _bad(path, index, record, str(error)) from None
+        if off:
+            off_length.append(_name(index, record))
+    nodes = tuple(
+        Node(_name(i, record), local[i], worlds[i], _mesh(path, i, record, document), parents[i])
+        for i, record in enumerate(document.nodes)
+    )
+    if not off_length:
+        return nodes, ()
+    return nodes, (
+        f"{len(off_length)} quaternions were not of length one and were normalised: "
+        f"{', '.join(off_length[:NAMED])}{', …' if len(off_length) > NAMED else ''}.",
+    )
+
+
+def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int | None]]:
+    """Return the nodes with parents first, and each node's parent."""
+    parents: list[int | None] = [None] * len(nodes)
+    for index, record in enumerate(nodes):
+        for child in record.children:
+            if not 0 <= child < len(nodes):
+                raise _bad(path, index, record, f"child {child} does not exist")
+            if parents[child] is not None:
+                raise _bad(path, child, nodes[child], "it has two parents")
+            parents[child] = index
+    order = [index for index, parent in enumerate(parents) if parent is None]
+    for index in order:  # grows while it is walked: children follow their parents
+        order.extend(nodes[index].children)
+    if len(order) < len(nodes):
+        missing = min(set(range(len(nodes))) - set(order))
+        raise _bad(
+            path, missing, nodes[missing], "it is its own ancestor: the hierarchy is a cycle"
+        )
+    return order, parents
+
+
+def _local(path: Path, index: int, record: NodeRecord) -> tuple[RationalMatrix, bool]:
+    given = [record.matrix, record.translation, record.rotation, record.scale]
+    for numbers, size in zip(given, (16, 3, 4, 3), strict=True):
+        if numbers is not None and (len(numbers) != size or not all(map(isfinite, numbers))):
+            raise _bad(path, index, record, f"a transform needs {size} finite numbers")
+    if record.matrix is not None:
+        columns = [record.matrix[i : i + 4] for i in range(0, 16, 4)]
+        rows = list(zip(*columns, strict=True))
+        if tuple(rows[3]) != (0, 0, 0, 1):
+            raise _bad(path, index, record, "its matrix does not end in 0 0 0 1")
+        return rational(rows), False
+    quaternion = record.rotation or [0, 0, 0, 1]
+    length = sum(component * component for component in quaternion) ** 0.5
+    turned = rotation_from_quaternion(quaternion)
+    built = compose(turned, record.scale or (1, 1, 1), translate=record.translation or (0, 0, 0))
+    return built, abs(length - 1) > UNIT_SLACK
+
+
+def _mesh(path: Path, index: int, record: NodeRecord, document: Document) -> int | None:
+    if record.mesh is not None and not 0 <= record.mesh < len(document.meshes):
+        raise _bad(path, index, record, f"mesh {record.mesh} does not exist")
+    return record.mesh
+
+
+def _name(index: int, record: NodeRecord) -> str:
+    return record.name or f"node {index}"
+
+
+def _bad(path: Path, index: int, record: NodeRecord, why: str) -> IllegalValueError:
+    return IllegalValueError(f"{path} ({_name(index, record)[:60]})", why, "mend the file")
+
+
+def buffer_bytes(scene: GltfScene, index: int) -> bytes:
+    """Return the bytes of a buffer: embedded, beside the file, or the container's own.
+
+    Raises
+    ------
+    IllegalValueError
+        If the buffer is missing or too short.
+    """
+    buffers = scene.document.buffers
+    if not 0 <= index < len(buffers):
+        raise IllegalValueError(f"{scene.path}", f"buffer {index} does not exist", "mend the file")
+    record = buffers[index]
+    content = scene.binary if record.uri is None else _from_uri(scene.path, record.uri)
+    if len(content) < record.byte_length:
+        raise IllegalValueError(
+            f"{scene.path} (buffer {index})",
+            f"it has {len(content)} bytes and needs {record.byte_length}",
+            "copy the file again",
+        )
+    return content
+
+
+def image_bytes(scene: GltfScene, record: ImageRecord) -> bytes:
+    """Return the bytes of an image that the file holds itself.
+
+    Raises
+    ------
+    IllegalValueError
+        If they are missing or cut short.
+    """
+    if record.uri is not None:
+        return _from_uri(scene.path, record.uri)
+    views = scene.document.buffer_views
+    if record.buffer_view is None or not 0 <= record.buffer_view < len(views):
+        raise IllegalValueError(f"{scene.path}", "an image has no bytes", "export it again")
+    view = views[record.buffer_view]
+    content = buffer_bytes(scene, view.buffer)
+    if view.byte_offset < 0 or view.byte_offset + view.byte_length > len(content):
+        raise IllegalValueError(
+            f"{scene.path}", "an image reaches beyond its buffer", "export it again"
+        )
+    return content[view.byte_offset : view.byte_offset + view.byte_length]
+
+
+def _from_uri(path: Path, uri: str) -> bytes:
+    if uri.startswith("data:"):
+        try:
+            return base64.b64decode(uri.partition(",")[2], validate=True)
+        except (binascii.Error, ValueError):
+            raise IllegalValueError(
+                f"{path}", "an embedded buffer is not base64", "export it again"
+            ) from None
+    return _content(path.parent / unquote(uri[:LONGEST_URI]))

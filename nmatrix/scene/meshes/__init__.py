@@ -1,0 +1,1 @@
+"""Triangles: shapes, mesh files, tangents, watertightness."""

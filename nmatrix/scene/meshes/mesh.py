@@ -1,0 +1,102 @@
+"""Triangles with positions and normals: checked when made, never changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.scene.meshes.watertight import is_watertight
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A triangle mesh in object space.
+
+    Parameters
+    ----------
+    positions, normals
+        (V, 3) arrays; normals are unit vectors or zero where there is none.
+    triangles
+        (F, 3) indices, counter-clockwise seen from outside.
+    uv
+        (V, 2) texture coordinates, v upwards, if the mesh has them.
+    colours
+        (V, 3) linear colours in [0, 1], if it has them.
+    tangents
+        (V, 4) tangent vectors and the sign of the bitangent, if it has them.
+    """
+
+    positions: Array
+    normals: Array
+    triangles: Indices
+    uv: Array | None = None
+    colours: Array | None = None
+    tangents: Array | None = None
+
+    def __post_init__(self) -> None:
+        if self.positions.shape != self.normals.shape:
+            raise IllegalValueError(
+                f"a mesh of {len(self.positions)} positions and {len(self.normals)} normals",
+                "each vertex has one of each",
+                "export it again",
+            )
+        _check_finite(self.positions, "position")
+        if len(self.triangles) == 0:
+            raise IllegalValueError("a mesh", "it has no triangles", "nothing can be drawn")
+        low, high = int(self.triangles.min()), int(self.triangles.max())
+        if low < 0 or high >= len(self.positions):
+            raise IllegalValueError(
+                f"index {high if high >= len(self.positions) else low}",
+                f"the mesh has {len(self.positions)} vertices",
+                "export it again",
+            )
+
+    @cached_property
+    def is_closed(self) -> bool:
+        """Return whether the surface has an inside.
+
+        Then each edge is shared by two triangles, turned against each other, once vertices in the
+        same place count as one.
+        """
+        return is_watertight(self.positions, self.triangles)
+
+    @property
+    def degenerate_normals(self) -> int:
+        """Return how many normals are no direction: zero, or not finite."""
+        size = np.abs(self.normals).max(axis=1)
+        return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+
+
+def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:
+    """Return a unit normal per vertex: its triangles' cross products, added up.
+
+    A cross product is twice the area times the normal, so large triangles count more. A vertex
+    without any area gets the zero vector.
+    """
+    a, b, c = (positions[triangles[:, i]] for i in range(3))
+    with np.errstate(all="ignore"):
+        faces = np.cross(b - a, c - a)
+        total = np.zeros((len(positions), 3))
+        for i in range(3):
+            np.add.at(total, triangles[:, i], faces)
+        length = np.sqrt((total * total).sum(axis=1, keepdims=True))
+        unit = total / length
+    return np.where(np.isfinite(unit), unit, 0.0)
+
+
+def _check_finite(values: Array, what: str) -> None:
+    if not np.isfinite(values).all():
+        row = int(np.argwhere(~np.isfinite(values))[0][0])
+        raise IllegalValueError(
+            f"{what} {row} ({' '.join(map(str, values[row].tolist()))})",
+            "it is not a finite number",
+            "mend the mesh",
+        )

@@ -1,0 +1,112 @@
+"""The setup: one object, one camera, one lens, one light; frozen, and staged for the spaces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+
+from nmatrix.enums import Frame
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.classify import BUILT
+from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
+from nmatrix.linear.vectors import direction_from_angles, normalize
+from nmatrix.report import Vector
+from nmatrix.scene.camera import PlacedCamera, View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.world import World
+from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
+from nmatrix.spaces.transform import Transform
+
+DEFAULT_DIRECTION: Vector = (-1, -1, -1)  # as a unit vector
+
+
+@dataclass(frozen=True)
+class Light:
+    """A light: the direction in which it travels, or two angles for it, and a position."""
+
+    direction: Vector | None = None
+    angles_degrees: tuple[float, float] | None = None
+    position: Vector | None = None
+
+    def placed(self) -> WorldLight:
+        """Return the light in world space; nothing given means the default direction.
+
+        Raises
+        ------
+        NoAnswerError
+            For a direction of length zero.
+        """
+        return WorldLight(
+            self._direction(),
+            None if self.position is None else rational_vector(self.position),
+        )
+
+    def _direction(self) -> RationalVector | None:
+        if self.angles_degrees is not None:
+            alpha, beta = map(Angle.degrees, self.angles_degrees)
+            return rational_vector(direction_from_angles(alpha, beta))
+        if self.direction is None:
+            return None if self.position is not None else _default_direction()
+        if not any(self.direction):
+            raise NoAnswerError(
+                "light direction (0 0 0)",
+                "light that travels nowhere lights nothing",
+                "try --light-direction -1 -1 -1",
+            )
+        return rational_vector(self.direction)
+
+
+def _default_direction() -> RationalVector:
+    return rational_vector(normalize([float(component) for component in DEFAULT_DIRECTION]))
+
+
+@dataclass(frozen=True)
+class Setup:
+    """Everything that a command can ask about, in one value."""
+
+    world: World = field(default_factory=World)
+    view: View = field(default_factory=View)
+    lens: Lens = field(default_factory=Lens)
+    light: Light = field(default_factory=Light)
+    space_matrix: RationalMatrix | None = None
+    tolerance: float | Fraction = BUILT
+
+    @cached_property
+    def camera(self) -> PlacedCamera:
+        """Return the placed camera."""
+        return self.view.placed()
+
+    @cached_property
+    def maps(self) -> ExactMaps:
+        """Return the exact maps that every space is derived from.
+
+        Examples
+        --------
+        >>> Setup().maps.eye
+        (Fraction(0, 1), Fraction(0, 1), Fraction(5, 1))
+        """
+        return ExactMaps(
+            world_from_object=self.placed_world,
+            camera_from_world=Transform(Frame.CAMERA, Frame.WORLD, self.camera.camera_from_world),
+            clip_from_camera=self.lens.clip_from_camera,
+            eye=self.camera.eye,
+            light=self.light.placed(),
+            target=rational_vector(self.view.target),
+            up=rational_vector(self.view.up),
+            custom_from_world=None
+            if self.space_matrix is None
+            else Transform(Frame.CUSTOM, Frame.WORLD, self.space_matrix),
+            tolerance=float(self.tolerance),
+        )
+
+    @property
+    def placed_world(self) -> Transform:
+        """Return `world_from_object` with its frames."""
+        return Transform(Frame.WORLD, Frame.OBJECT, self.world.world_from_object)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Return what the world and the camera have to say, each sentence once."""
+        return tuple(dict.fromkeys((*self.world.remarks, *self.camera.remarks)))

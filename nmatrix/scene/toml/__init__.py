@@ -1,0 +1,1 @@
+"""Scene files of our own: tables to a scene, and what is wrong with them."""

@@ -1,0 +1,128 @@
+"""Scene files: TOML to one frozen scene, checked while it is read; NumPy is not needed."""
+
+from __future__ import annotations
+
+import codecs
+import tomllib
+from math import inf
+from pathlib import Path
+from typing import Any
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.files import file_bytes
+from nmatrix.reading.quote import quoted
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.scene import Scene
+from nmatrix.scene.toml.faults import Place, printable, shown, suggestion
+from nmatrix.scene.toml.lights import read_lights
+from nmatrix.scene.toml.objects import entries, objects
+from nmatrix.scene.toml.records import SceneRecord
+from nmatrix.scene.toml.view import camera, material, settings
+
+LARGEST = 4_000_000  # bytes
+_SPELLED = ("inf", "nan")
+
+
+def read_scene(path: Path) -> Scene:
+    """Read a scene file.
+
+    Raises
+    ------
+    IllegalValueError
+        In one line that names the file, the key, the value and what would be accepted.
+    """
+    raw = _raw(path)
+    _check_tables(path, raw)
+    drawing = settings(Place(path, "[render]", raw.get("render", {})))
+    aspect = drawing.size[0] / drawing.size[1]
+    materials = {
+        name: material(Place(path, f"[materials.{printable(name)}]", table), name)
+        for name, table in raw.get("materials", {}).items()
+    }
+    by_name = entries(_tables(path, raw, "object"))
+    found = objects(by_name, materials)
+    if not found:
+        raise IllegalValueError(f"{path}", "it draws nothing", 'add shape = "sphere" to an object')
+    lights = read_lights(_tables(path, raw, "light"), [one.name for one in found])
+    view, lens = View(), Lens(aspect=aspect)
+    if "camera" in raw:
+        view, lens = camera(Place(path, "[camera]", raw["camera"]), aspect)
+    return Scene(
+        objects=found,
+        lights=lights,
+        view=view,
+        lens=lens,
+        settings=drawing,
+        has_camera="camera" in raw,
+        has_aspect="aspect" in raw.get("camera", {}),
+        path=path,
+    )
+
+
+def _raw(path: Path) -> dict[str, Any]:
+    """Return what the file says, as TOML has it."""
+    text = _text(path)
+    try:
+        return tomllib.loads(text, parse_float=lambda number: _float(path, number))
+    except IllegalValueError:
+        raise
+    except (ValueError, RecursionError) as error:
+        reason = "it is nested too deeply" if isinstance(error, RecursionError) else str(error)
+        raise IllegalValueError(
+            f"{path}", f"it is not TOML: {' '.join(reason.split())[:200]}", "mend that line"
+        ) from None
+
+
+def _text(path: Path) -> str:
+    content = file_bytes(path)
+    if len(content) > LARGEST:
+        raise IllegalValueError(f"{path}", f"it is larger than {LARGEST} bytes", "cut it down")
+    if not content.strip():
+        raise IllegalValueError(f"{path}", "it is empty", 'begin with [[object]] shape = "sphere"')
+    try:
+        return content.removeprefix(codecs.BOM_UTF8).decode()
+    except UnicodeDecodeError:
+        raise IllegalValueError(
+            f"{path}", "it is not UTF-8 text", "save it as UTF-8 without a byte order mark"
+        ) from None
+
+
+def _float(path: Path, text: str) -> float:
+    """Return a number as the nearest float64, if that is neither infinite nor zero by accident."""
+    found = float(text)
+    digits = text.lower().partition("e")[0]
+    vanished = found == 0 and any(digit in digits for digit in "123456789")
+    if (abs(found) == inf and not text.endswith(_SPELLED)) or vanished:
+        raise IllegalValueError(
+            f"{path}: number ({quoted(text)})", "no float64 is near it", "use 5e-324 to 1.7e308"
+        )
+    return found
+
+
+def _check_tables(path: Path, raw: dict[str, Any]) -> None:
+    place = Place(path, raw=raw)
+    known = SceneRecord.__struct_fields__
+    for key, value in raw.items():
+        if key not in known:
+            raise place.refused(
+                printable(key), "a scene file has no such table", suggestion(key, known)
+            )
+        is_list = key in ("object", "light")
+        if not isinstance(value, list if is_list else dict):
+            table = f"[[{key}]]" if is_list else f"[{key}]"
+            raise place.refused(f"{key} ({shown(value)})", f"it is written {table}", "see the docs")
+    if not raw.get("object"):
+        raise place.refused(
+            "[[object]]", "the scene has none", 'add [[object]] with shape = "sphere"'
+        )
+
+
+def _tables(path: Path, raw: dict[str, Any], key: str) -> list[Place]:
+    """Return the tables of a list, each with a name by which a message finds it."""
+    found = []
+    for index, table in enumerate(raw.get(key, [])):
+        name = table.get("name") if isinstance(table, dict) else None
+        label = f" {shown(name)}" if isinstance(name, str) else ""
+        found.append(Place(path, f"[[{key}]] {index + 1}{label}", table))
+    return found

@@ -1,0 +1,178 @@
+"""The camera, the materials and the settings of a scene file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from nmatrix.enums import Convention, Handedness, Space
+from nmatrix.errors import NMatrixError
+from nmatrix.linear.projection import ClipSpace, Window
+from nmatrix.scene.camera import FirstPerson, View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import AMBIENT_SHARE, CHECKER, Colour, Material
+from nmatrix.scene.scene import Fog, Settings
+from nmatrix.scene.toml.faults import Place, converted
+from nmatrix.scene.toml.lights import colour
+from nmatrix.scene.toml.objects import matrix_of
+from nmatrix.scene.toml.records import CameraRecord, FogRecord, MaterialRecord, RenderRecord
+from nmatrix.scene.words import DepthBuffer, Sides
+
+SIDES = {None: Sides.AS_NEEDED, True: Sides.BOTH, False: Sides.FRONT}
+
+
+def camera(place: Place, aspect: float) -> tuple[View, Lens]:
+    """Return where the camera is and how it projects; `aspect` is the picture's.
+
+    Raises
+    ------
+    IllegalValueError
+        For contradictions, an eye that is its target, distances out of order.
+    """
+    record = converted(place, CameraRecord)
+    view, lens = _view(place, record), _lens(place, record, aspect)
+    _check_distances(place, record)
+    try:
+        view.placed()
+        _ = lens.clip_from_camera
+    except NMatrixError as error:
+        raise place.refused("the camera", str(error).replace("--", ""), "") from None
+    return view, lens
+
+
+def _view(place: Place, record: CameraRecord) -> View:
+    angles = [key for key in ("elevation", "angle", "roll") if key in place.raw]
+    if angles:
+        _refuse(place, angles[0], ("target", "up"), "both say where to look")
+        if record.handed is Handedness.LEFT:
+            _refuse(place, angles[0], ("handed",), "the angles are for a camera that looks down −z")
+    elif record.convention is not Convention.STANDARD:
+        raise place.fault("convention", "it is about elevation and angle", "add them")
+    turned = FirstPerson(record.elevation or 0.0, record.angle or 0.0, record.roll or 0.0)
+    return View(
+        eye=record.eye or View.eye,
+        target=record.target or View.target,
+        up=record.up or View.up,
+        angles=turned if angles else None,
+        handed=record.handed,
+        convention=record.convention,
+    )
+
+
+def _lens(place: Place, record: CameraRecord, aspect: float) -> Lens:
+    if record.ortho is not None:
+        _refuse(place, "ortho", ("fov", "aspect", "frustum"), "both shape the view")
+    if record.frustum is not None:
+        _refuse(place, "frustum", ("fov", "aspect"), "both shape the view")
+    return Lens(
+        fov_degrees=record.fov or Lens.fov_degrees,
+        aspect=record.aspect or aspect,
+        near=record.near,
+        far=record.far,
+        ortho=None if record.ortho is None else Window(*record.ortho),
+        frustum=None if record.frustum is None else Window(*record.frustum),
+        clip=ClipSpace(record.depth, record.handed),
+    )
+
+
+def _check_distances(place: Place, record: CameraRecord) -> None:
+    if record.ortho is None and record.near <= 0:
+        raise place.fault("near", "a perspective view needs it above 0", "try near = 0.1")
+    if record.near >= record.far:
+        key = "far" if "far" in place.raw else "near"
+        raise place.fault(key, f"near is {record.near:g} and far is {record.far:g}", "swap them")
+
+
+def _refuse(place: Place, key: str, others: Sequence[str], because: str) -> None:
+    beside = [other for other in others if other in place.raw]
+    if beside:
+        raise place.refused(f"{key} with {', '.join(beside)}", because, "keep one of them")
+
+
+def material(place: Place, name: str) -> Material:
+    """Return a material.
+
+    Raises
+    ------
+    IllegalValueError
+        For levels out of bounds and for images that are missing.
+    """
+    record = converted(place, MaterialRecord)
+    found = Material(
+        name=name,
+        shininess=record.shininess,
+        reflection=record.reflection,
+        opacity=record.opacity,
+        texture=_texture(place, record),
+        normal_map=None if record.normal_map is None else place.file("normal_map"),
+        toon_steps=record.toon_steps,
+        outline=record.outline,
+        vertex_colours=record.vertex_colours,
+        sides=SIDES[record.two_sided],
+    )
+    return replace(found, **_colours(record))
+
+
+def _colours(record: MaterialRecord) -> dict[str, Any]:
+    """Return the colours that were given; ambient follows diffuse."""
+    given: dict[str, Any] = {}
+    if record.diffuse is not None:
+        given["diffuse"] = colour(record.diffuse)
+        given["ambient"] = tuple(AMBIENT_SHARE * channel for channel in given["diffuse"])
+    if record.ambient is not None:
+        given["ambient"] = colour(record.ambient)
+    if record.specular is not None:
+        given["specular"] = colour(record.specular)
+    return given
+
+
+def _texture(place: Place, record: MaterialRecord) -> Path | str | None:
+    return record.texture if record.texture in (None, CHECKER) else place.file("texture")
+
+
+def settings(place: Place) -> Settings:
+    """Return how the scene is drawn.
+
+    Raises
+    ------
+    IllegalValueError
+        For values out of bounds, and a space matrix without its space.
+    """
+    fog = converted(place.inner("fog"), FogRecord) if _holds_table(place, "fog") else None
+    record = converted(place, RenderRecord)
+    if record.space_matrix is None and record.space is Space.CUSTOM:
+        raise place.fault("space", "it needs its matrix", "add space_matrix")
+    if record.space_matrix is not None and record.space is not Space.CUSTOM:
+        raise place.refused(
+            f"space_matrix with space {record.space}",
+            "only custom space takes a matrix",
+            'write space = "custom"',
+        )
+    background = colour(record.background)
+    return Settings(
+        space=record.space,
+        space_matrix=None
+        if record.space_matrix is None
+        else matrix_of(place, "space_matrix", record.space_matrix),
+        shading=record.shading,
+        size=record.size,
+        samples=record.samples,
+        background=background,
+        fog=None if fog is None else _fog(place.inner("fog"), fog, background),
+        gamma=record.gamma,
+        depth=DepthBuffer(str(record.depth_bits)),
+        shadow_map=record.shadow_map,
+    )
+
+
+def _holds_table(place: Place, key: str) -> bool:
+    return isinstance(place.raw, dict) and isinstance(place.raw.get(key), dict)
+
+
+def _fog(place: Place, record: FogRecord, background: Colour) -> Fog:
+    if record.start >= record.end:
+        raise place.fault("start", f"it is not before the end, {record.end:g}", "swap them")
+    own = background if record.color is None else colour(record.color)
+    return Fog(own, record.start, record.end)

@@ -1,0 +1,124 @@
+"""Lights and the eye as a space sees them: directions as vectors, positions as points.
+
+B is the 3×3 block of S = `space_from_world`. A light direction is a vector and moves by B; the
+course's rule moves it by B⁻ᵀ, as if it were a normal. They agree when B is a rotation or a
+mirror, and up to length when it scales alike everywhere. Numbers stay exact until a writer rounds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import degrees
+
+from nmatrix.enums import Space
+from nmatrix.linear import rational
+from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.linear.rounding import angle, integers, root, unit
+from nmatrix.spaces.exact_maps import ExactMaps
+
+Three = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class LightInSpace:
+    """One light in one space; what the light does not have is None."""
+
+    space: Space
+    space_from_world: RationalMatrix
+    direction: Three | None
+    direction_unnormalised: RationalVector | None
+    direction_course_rule: Three | None
+    rules_differ_deg: float | None
+    position: RationalVector | None
+
+
+@dataclass(frozen=True)
+class EyeSeen:
+    """The eye in one space, and what the course's float64 formula makes of it."""
+
+    space: Space
+    eye: RationalVector
+    eye_by_inverse_mv: Three | None
+    relative_difference: float | None
+
+
+def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
+    """Return the light of the stage in a space.
+
+    Examples
+    --------
+    >>> # A light from above, seen by an object that is twice as tall: the vector rule halves y,
+    >>> # the course's rule doubles it.
+    >>> from nmatrix.spaces.examples import tall_object
+    >>> seen = light_in(tall_object(), Space.OBJECT)
+    >>> [float(component) for component in seen.direction_unnormalised]
+    [1.0, -0.5, 0.0]
+    """
+    space_from_world = maps.space_from_world(space)
+    d, p = maps.light.direction, maps.light.position
+    moved = None if d is None else space_from_world.exact_vector(d)
+    course = None if d is None else _course_rule(rational.linear(space_from_world.exact), d)
+    return LightInSpace(
+        space=space,
+        space_from_world=space_from_world.exact,
+        direction=_unit(moved),
+        direction_unnormalised=moved,
+        direction_course_rule=_unit(course),
+        rules_differ_deg=_degrees_between(moved, course),
+        position=None if p is None else space_from_world.exact_point(p),
+    )
+
+
+def eye_in(maps: ExactMaps, space: Space) -> EyeSeen:
+    """Return the eye of the stage in a space, exactly and by the course's formula.
+
+    The course inverts the product V·M in floats and reads the last column; with a translation t
+    that loses |t|/|x| units in the last place.
+    """
+    exact = maps.eye_in(space)
+    course = _eye_by_inverse(maps, space)
+    return EyeSeen(
+        space=space,
+        eye=exact,
+        eye_by_inverse_mv=course,
+        relative_difference=None if course is None else _relative(exact, course),
+    )
+
+
+def _course_rule(B: RationalMatrix, direction: RationalVector) -> RationalVector:
+    return rational.apply(rational.inverse_transpose(B), direction)
+
+
+def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
+    import numpy as np
+
+    V = np.array(maps.camera_from_world.matrix)
+    S = maps.space_from_world(space)
+    world_from_space = np.array(
+        maps.world_from_object.matrix if space is Space.OBJECT else S.inverse().matrix
+    )
+    with np.errstate(all="ignore"):
+        try:
+            found = np.linalg.inv(V @ world_from_space)[:3, 3]
+        except np.linalg.LinAlgError:
+            return None
+    return tuple(found.tolist()) if np.isfinite(found).all() else None
+
+
+def _relative(exact: RationalVector, course: Three) -> float | None:
+    error = sum((Fraction(c) - e) ** 2 for c, e in zip(course, exact, strict=True))
+    size = sum(e * e for e in exact)
+    if error == 0:
+        return 0.0
+    return root(error / size) if size else None
+
+
+def _unit(v: RationalVector | None) -> Three | None:
+    return None if v is None else unit(integers(v)[0])
+
+
+def _degrees_between(a: RationalVector | None, b: RationalVector | None) -> float | None:
+    if a is None or b is None:
+        return None
+    return degrees(angle(integers(a)[0], integers(b)[0]))
