@@ -12,11 +12,24 @@ The tree::
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from typing import ClassVar
+
+_OPEN, _CLOSE = "\ufdd0", "\ufdd1"  # noncharacters: no text from outside holds them
+_NAME = re.compile(f"{_OPEN}(\\w+){_CLOSE}")
+
+
+def quantity(name: str) -> str:
+    """Mark the name of a quantity in an error's text, so that its caller can spell it."""
+    return f"{_OPEN}{name}{_CLOSE}"
 
 
 class NMatrixError(Exception):
     """An error that a person can act on, in one line.
+
+    How the name of a quantity is typed is the caller's business: Python has parameters, the shell
+    has options. So the core marks names by `quantity`, and whoever shows the error spells them.
 
     Parameters
     ----------
@@ -25,19 +38,29 @@ class NMatrixError(Exception):
     why
         The rule that it breaks, with numbers.
     next_step
-        What to type instead.
+        What to do instead.
 
     Examples
     --------
-    >>> print(NMatrixError("near (0)", "it must be positive", "try --near 0.1"))
+    >>> next_step = f"try {quantity('near')} 0.1"
+    >>> error = NMatrixError("near (0)", "it must be positive", next_step)
+    >>> print(error)
+    near (0): it must be positive; try near 0.1
+    >>> print(error.spelled(lambda name: f"--{name}"))
     near (0): it must be positive; try --near 0.1
     """
 
     exit_code: ClassVar[int] = 70
 
     def __init__(self, what: str, why: str = "", next_step: str = "") -> None:
-        reason = "; ".join(part for part in (why, next_step) if part)
-        super().__init__(": ".join(part for part in (what, reason) if part))
+        self.parts = (what, why, next_step)
+        super().__init__(self.spelled(str))
+
+    def spelled(self, spell: Callable[[str], str]) -> str:
+        """Return the line with the name of every quantity as `spell` types it."""
+        what, *others = (_NAME.sub(lambda one: spell(one[1]), part) for part in self.parts)
+        reason = "; ".join(part for part in others if part)
+        return ": ".join(part for part in (what, reason) if part)
 
 
 class CheckFailedError(NMatrixError):

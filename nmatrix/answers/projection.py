@@ -92,7 +92,7 @@ def _remarks(lens: Lens, steps: tuple[DepthStep, ...] | None) -> tuple[str, ...]
             remarks.append(
                 "At the far end two surfaces closer than "
                 f"{in_short(last.float32, 3)} fight for the same depth: a larger near or "
-                "--depth reversed helps."
+                "a reversed depth range helps."
             )
     if lens.matrix is not None:
         remarks.append("The matrix was given, so near and far are unknown: no table of steps.")

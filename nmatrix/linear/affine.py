@@ -10,7 +10,7 @@ from fractions import Fraction
 from operator import mul
 
 from nmatrix.enums import Convention
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.rational import (
     ONE,
@@ -56,7 +56,7 @@ def checked_order(order: str) -> str:
             f"order ({order[:20]})",
             "it must hold each axis once, in capitals (about the turned axes) or in small letters "
             "(about the fixed axes)",
-            "try --order XYZ or --order zyx",
+            f"try {quantity('order')} XYZ or {quantity('order')} zyx",
         )
     return order
 
@@ -109,7 +109,9 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
     square = x * x + y * y + z * z + w * w
     if square == 0:
         raise NoAnswerError(
-            "quaternion (0 0 0 0)", "it has no direction", "no rotation is --quaternion 0 0 0 1"
+            "quaternion (0 0 0 0)",
+            "it has no direction",
+            f"no rotation is {quantity('quaternion')} 0 0 0 1",
         )
     s = 2 / square
     return (

@@ -12,7 +12,7 @@ from fractions import Fraction
 from math import inf
 
 from nmatrix.enums import ClipY, DepthRange, Handedness
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
 
@@ -113,7 +113,7 @@ def _focal_lengths(half_fov_y: Angle, aspect: float) -> tuple[Fraction, Fraction
         raise IllegalValueError(
             "the field of view",
             "it must lie between 0 and 180 degrees, both excluded",
-            "try --fov 60",
+            f"try {quantity('fov')} 60",
         )
     check_aspect(aspect)
     focal = half_fov_y.cosine / half_fov_y.sine
@@ -186,7 +186,7 @@ def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fract
         raise IllegalValueError(
             f"near ({near:g})",
             "a perspective view needs a near plane in front of the eye",
-            "try --near 0.1",
+            f"try {quantity('near')} 0.1",
         )
     check_near_far(near, far)
     n = Fraction(near)
@@ -209,7 +209,9 @@ def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Frac
     check_near_far(near, far)
     if far == inf:
         raise IllegalValueError(
-            "far (inf)", "a parallel view divides depth by far − near", "give a finite --far"
+            "far (inf)",
+            "a parallel view divides depth by far − near",
+            f"give a finite {quantity('far')}",
         )
     n, f = Fraction(near), Fraction(far)
     if depth is DepthRange.MINUS_ONE_TO_ONE:
@@ -231,7 +233,7 @@ def check_near_far(near: float, far: float) -> None:
         raise IllegalValueError(
             f"near and far ({near:g} and {far:g})",
             "near must be the smaller one",
-            "swap them; for 1 at near and 0 at far use --depth reversed",
+            f"swap them; for 1 at near and 0 at far use {quantity('depth')} reversed",
         )
 
 
@@ -239,5 +241,7 @@ def check_aspect(aspect: float) -> None:
     """Refuse an aspect ratio that is not positive."""
     if not aspect > 0:
         raise IllegalValueError(
-            f"aspect ({aspect:g})", "width over height must be positive", "try --aspect 1.5"
+            f"aspect ({aspect:g})",
+            "width over height must be positive",
+            f"try {quantity('aspect')} 1.5",
         )

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Convention, Handedness
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.rational import (
@@ -78,7 +78,7 @@ def looking_along(
 ) -> LookAt:
     """Return the view matrix of a camera at `eye` that looks along `forward`."""
     if not any(up):
-        raise NoAnswerError("up (0 0 0)", "it has no direction", "try --up 0 1 0")
+        raise NoAnswerError("up (0 0 0)", "it has no direction", f"try {quantity('up')} 0 1 0")
     right = cross(forward, up)
     parallel = not any(right)
     if parallel:

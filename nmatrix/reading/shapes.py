@@ -6,7 +6,7 @@ Column vectors: the translation of an affine 4×4 stands in its last column, its
 
 from __future__ import annotations
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import AFFINE_ROW, ZERO
 from nmatrix.reading.literal import ExactRows, MatrixLiteral
 
@@ -109,11 +109,11 @@ def _not_affine(rows: ExactRows, source: str) -> IllegalValueError:
     if tuple(row[3] for row in rows) == AFFINE_ROW:
         return IllegalValueError(
             f"matrix ({source})",
-            "this looks column-major or row-vector: --input-layout column-major",
+            f"this looks column-major or row-vector: {quantity('input_layout')} column-major",
         )
     last = " ".join(f"{entry.numerator / entry.denominator:g}" for entry in rows[3])
     return IllegalValueError(
         f"matrix ({source})",
         f"its last row is {last}, that of an affine matrix is 0 0 0 1",
-        "give a projection as --projection-matrix",
+        f"give a projection as {quantity('projection_matrix')}",
     )

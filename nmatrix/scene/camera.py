@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nmatrix.enums import Convention, Handedness
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
@@ -55,9 +55,9 @@ class View:
     def __post_init__(self) -> None:
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
-                "--elevation/--angle with --handed left",
+                f"{quantity('elevation')}/{quantity('angle')} with {quantity('handed')} left",
                 "the two angles are defined for a camera that looks down −z",
-                "use --target, or leave --handed out",
+                f"use {quantity('target')}, or leave {quantity('handed')} out",
             )
 
     def placed(self) -> PlacedCamera:

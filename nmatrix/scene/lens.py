@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import (
     DEFAULT_CLIP_SPACE,
@@ -64,5 +64,5 @@ def check_fov(degrees: float) -> None:
         raise IllegalValueError(
             f"fov ({degrees:g})",
             "a vertical field of view lies between 0 and 180 degrees, both excluded",
-            "try --fov 60",
+            f"try {quantity('fov')} 60",
         )

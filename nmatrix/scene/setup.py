@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
@@ -53,7 +53,7 @@ class Light:
             raise NoAnswerError(
                 "light direction (0 0 0)",
                 "light that travels nowhere lights nothing",
-                "try --light-direction -1 -1 -1",
+                f"try {quantity('light_direction')} -1 -1 -1",
             )
         return rational_vector(self.direction)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Convention
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, to_shown
@@ -53,13 +53,14 @@ class World:
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
                 raise IllegalValueError(
-                    f"--order {self.order} with --convention {self.convention}",
+                    f"{quantity('order')} {self.order} with "
+                    f"{quantity('convention')} {self.convention}",
                     "the course's library fixes the order",
                     "leave one of them out",
                 )
             if self.quaternion is not None:
                 raise IllegalValueError(
-                    f"--quaternion with --convention {self.convention}",
+                    f"{quantity('quaternion')} with {quantity('convention')} {self.convention}",
                     "the course's library knows angles only",
                     "leave one of them out",
                 )

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
 from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Heading, Report, Table, Text, Value
 from nmatrix.report import Verdict as Sentence
@@ -55,7 +55,9 @@ def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
         near = get_close_matches(name.upper(), ids, 1)
         hint = f"did you mean {near[0]}?" if near else f"try {ids[0]}"
         raise IllegalValueError(
-            f"--case ({name[:20]})", f"there are {len(ids)}, {ids[0]} to {ids[-1]}", hint
+            f"{quantity('case')} ({name[:20]})",
+            f"there are {len(ids)}, {ids[0]} to {ids[-1]}",
+            hint,
         )
     return found
 

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from nmatrix.enums import Space
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     ONE,
@@ -80,7 +80,7 @@ class Question:
     def __post_init__(self) -> None:
         if self.unit and not self.is_direction and self.subject is not Subject.NORMAL:
             raise IllegalValueError(
-                f"--unit with {self.subject}",
+                f"{quantity('unit')} with {self.subject}",
                 "only a direction has a length to bring to 1",
                 "leave it out",
             )
@@ -202,7 +202,7 @@ def light_vector(question: Question) -> RationalVector:
         raise IllegalValueError(
             f"light {question.light}",
             "this light has none",
-            f"give --light-{question.light} X Y Z",
+            f"give {quantity(f'light_{question.light}')} X Y Z",
         )
     return (*part, ZERO if question.light is LightPart.DIRECTION else ONE)
 

@@ -16,7 +16,7 @@ from importlib.resources import files
 from typing import Any
 
 from nmatrix.enums import Handedness, NormalRule, Space
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.decompose import parts
 from nmatrix.linear.rational import RationalMatrix, to_floats
 from nmatrix.report import Number
@@ -114,7 +114,7 @@ def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[
         raise NoAnswerError(
             "world matrix (determinant 0)",
             "sliders cannot show a singular matrix that is not given by its parts",
-            "give --scale with a 0 in it",
+            f"give {quantity('scale')} with a 0 in it",
         )
     return _float3(taken.scale), taken.rotate, _float3(taken.shear)
 
