@@ -3,6 +3,32 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import TypeVar
+
+from nmatrix.errors import IllegalValueError
+
+Words = TypeVar("Words", bound=StrEnum)
+
+
+def chosen(words: type[Words], word: str, parameter: str) -> Words:
+    """Turn a word that a caller gave for a parameter into the member of its enum.
+
+    Raises
+    ------
+    IllegalValueError
+        For any other word; the message lists the right ones.
+
+    Examples
+    --------
+    >>> chosen(Handedness, "left", "handed") is Handedness.LEFT
+    True
+    """
+    try:
+        return words(word)
+    except ValueError:
+        raise IllegalValueError(
+            f"{parameter} ({word})", "it is no word for that", f"choose one of {', '.join(words)}"
+        ) from None
 
 
 class Space(StrEnum):
@@ -22,6 +48,18 @@ SPACE_SYNONYMS = {
     "model": Space.OBJECT,
     "local": Space.OBJECT,
 }
+
+
+def space_named(name: str) -> Space:
+    """Return the space that a name or a synonym means.
+
+    Examples
+    --------
+    >>> space_named("view")
+    <Space.CAMERA: 'camera'>
+    """
+    lowered = str(name).lower()
+    return SPACE_SYNONYMS.get(lowered) or chosen(Space, lowered, "space")
 
 
 class Frame(StrEnum):

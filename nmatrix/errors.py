@@ -13,7 +13,7 @@ The tree::
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import ClassVar
 
 _OPEN, _CLOSE = "\ufdd0", "\ufdd1"  # noncharacters: no text from outside holds them
@@ -23,6 +23,20 @@ _NAME = re.compile(f"{_OPEN}(\\w+){_CLOSE}")
 def quantity(name: str) -> str:
     """Mark the name of a quantity in an error's text, so that its caller can spell it."""
     return f"{_OPEN}{name}{_CLOSE}"
+
+
+def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
+    """Return a question that names the nearest known word, or another next step.
+
+    Examples
+    --------
+    >>> did_you_mean("wrold", ["view", "world"], "see the list")
+    'did you mean world?'
+    """
+    from difflib import get_close_matches
+
+    near = get_close_matches(word[:40], list(known), n=1, cutoff=0.6)
+    return f"did you mean {near[0]}?" if near else otherwise
 
 
 class NMatrixError(Exception):

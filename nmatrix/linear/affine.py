@@ -51,9 +51,9 @@ def checked_order(order: str) -> str:
     IllegalValueError
         For mixed case, a repeated axis or another length.
     """
-    if sorted(order) not in (list(AXES), list(AXES.lower())):
+    if not isinstance(order, str) or sorted(order) not in (list(AXES), list(AXES.lower())):
         raise IllegalValueError(
-            f"order ({order[:20]})",
+            f"order ({str(order)[:20]})",
             "it must hold each axis once, in capitals (about the turned axes) or in small letters "
             "(about the fixed axes)",
             f"try {quantity('order')} XYZ or {quantity('order')} zyx",

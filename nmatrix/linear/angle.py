@@ -57,6 +57,30 @@ class Angle:
             return Angle(Fraction(1), Fraction(0))
         return Angle(self.sine / (2 * cosine), cosine)
 
+    @property
+    def in_degrees(self) -> float | Fraction:
+        """Return the angle in degrees, from −180 (excluded) to 180.
+
+        The float that `degrees` makes this angle of, if there is one; else a fraction that is
+        right to a relative 2⁻¹³⁰.
+
+        Examples
+        --------
+        >>> Angle.degrees(30).in_degrees, Angle.degrees(-90).in_degrees
+        (30.0, -90.0)
+        """
+        from nmatrix.linear.arctangent import arctangent
+
+        sharp = PI / 2 if self.cosine == 0 else arctangent(abs(self.sine / self.cosine))
+        size = (sharp if self.cosine >= 0 else PI - sharp) * 180 / PI
+        exact = size if self.sine >= 0 else -size
+        rounded = exact.numerator / exact.denominator
+        return rounded if Angle.degrees(rounded) == self else exact
+
+    def __repr__(self) -> str:
+        """Return the call that makes this angle, or one within rounding of it."""
+        return f"Angle.degrees({float(self.in_degrees):.15g})"
+
     def __neg__(self) -> Angle:
         return Angle(-self.sine, self.cosine)
 

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 
-from nmatrix.enums import ClipY, DepthRange, Handedness
+from nmatrix.enums import ClipY, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
+from nmatrix.linear.values import number, settle
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,14 @@ class ClipSpace:
     depth: DepthRange = DepthRange.MINUS_ONE_TO_ONE
     handed: Handedness = Handedness.RIGHT
     clip_y: ClipY = ClipY.UP
+
+    def __post_init__(self) -> None:
+        settle(
+            self,
+            depth=chosen(DepthRange, self.depth, "depth"),
+            handed=chosen(Handedness, self.handed, "handed"),
+            clip_y=chosen(ClipY, self.clip_y, "clip_y"),
+        )
 
     @property
     def forward_z(self) -> int:
@@ -44,6 +53,10 @@ class Window:
     right: float
     bottom: float
     top: float
+
+    def __post_init__(self) -> None:
+        sides = ("left", "right", "bottom", "top")
+        settle(self, **{name: float(number(getattr(self, name), name)) for name in sides})
 
     def checked(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """Return the four sides exactly, or say why they enclose nothing."""

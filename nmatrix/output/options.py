@@ -6,6 +6,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from nmatrix.enums import Format, Layout
+from nmatrix.errors import IllegalValueError, quantity
+
+MOST_DIGITS = 17
 
 
 class Charset(StrEnum):
@@ -42,3 +45,11 @@ class OutputOptions:
     charset: Charset = Charset.UNICODE
     width: int = 80
     colour: Colour = Colour.PLAIN
+
+    def __post_init__(self) -> None:
+        if not (isinstance(self.digits, int) and 1 <= self.digits <= MOST_DIGITS):
+            raise IllegalValueError(
+                f"{quantity('digits')} ({str(self.digits)[:20]})",
+                f"a float64 has 1 to {MOST_DIGITS} significant digits",
+                f"try {quantity('digits')} 6",
+            )

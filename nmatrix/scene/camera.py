@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nmatrix.enums import Convention, Handedness
+from nmatrix.enums import Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.linear.values import settle, turn, vector
 from nmatrix.linear.view import first_person, look_at
+from nmatrix.reading.arrays import affine
 from nmatrix.report import Vector
 
 _PARALLEL = (
@@ -39,6 +41,10 @@ class FirstPerson:
     angle: float = 0.0
     roll: float = 0.0
 
+    def __post_init__(self) -> None:
+        names = ("elevation", "angle", "roll")
+        settle(self, **{name: float(turn(getattr(self, name), name)) for name in names})
+
 
 @dataclass(frozen=True)
 class View:
@@ -53,6 +59,14 @@ class View:
     convention: Convention = Convention.STANDARD
 
     def __post_init__(self) -> None:
+        read: dict[str, object] = {
+            name: vector(getattr(self, name), 3, name) for name in ("eye", "target", "up")
+        }
+        read["handed"] = chosen(Handedness, self.handed, "handed")
+        read["convention"] = chosen(Convention, self.convention, "convention")
+        if self.matrix is not None:
+            read["matrix"] = affine(self.matrix, "view_matrix")
+        settle(self, **read)
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
                 f"{quantity('elevation')}/{quantity('angle')} with {quantity('handed')} left",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.angle import Angle
@@ -16,6 +17,8 @@ from nmatrix.linear.projection import (
     perspective,
 )
 from nmatrix.linear.rational import RationalMatrix, rational
+from nmatrix.linear.values import number, settle, turn
+from nmatrix.reading.arrays import projection
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,18 @@ class Lens:
     frustum: Window | None = None
     matrix: RationalMatrix | None = None
     clip: ClipSpace = DEFAULT_CLIP_SPACE
+
+    def __post_init__(self) -> None:
+        read: dict[str, object] = {
+            "fov_degrees": float(turn(self.fov_degrees, "fov")),
+            "aspect": float(number(self.aspect, "aspect")),
+            "near": float(number(self.near, "near")),
+        }
+        if self.far != inf:
+            read["far"] = float(number(self.far, "far"))
+        if self.matrix is not None:
+            read["matrix"] = projection(self.matrix, "projection_matrix")
+        settle(self, **read)
 
     @property
     def clip_from_camera(self) -> RationalMatrix:

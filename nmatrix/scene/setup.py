@@ -7,10 +7,12 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError, quantity
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
+from nmatrix.linear.values import number, settle, turns, vector
+from nmatrix.reading.arrays import affine
 from nmatrix.linear.vectors import direction_from_angles, normalize
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
@@ -29,6 +31,17 @@ class Light:
     direction: Vector | None = None
     angles_degrees: tuple[float, float] | None = None
     position: Vector | None = None
+
+    def __post_init__(self) -> None:
+        read: dict[str, object] = {}
+        if self.direction is not None:
+            read["direction"] = vector(self.direction, 3, "light_direction")
+        if self.angles_degrees is not None:
+            alpha, beta = turns(self.angles_degrees, 2, "light_angles")
+            read["angles_degrees"] = (float(alpha), float(beta))
+        if self.position is not None:
+            read["position"] = vector(self.position, 3, "light_position")
+        settle(self, **read)
 
     def placed(self) -> WorldLight:
         """Return the light in world space; nothing given means the default direction.
@@ -72,6 +85,13 @@ class Setup:
     light: Light = field(default_factory=Light)
     space_matrix: RationalMatrix | None = None
     tolerance: float | Fraction = BUILT
+
+    def __post_init__(self) -> None:
+        if self.space_matrix is not None:
+            settle(self, space_matrix=affine(self.space_matrix, "space_matrix"))
+        if not 0 <= number(self.tolerance, "tolerance") < 1:
+            named = f"{quantity('tolerance')} ({self.tolerance})"
+            raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")
 
     @cached_property
     def camera(self) -> PlacedCamera:

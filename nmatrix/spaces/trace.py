@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.enums import ClipY, DepthRange
 from nmatrix.linear.exact import Normal
 from nmatrix.linear.projection import ClipSpace
@@ -22,6 +23,14 @@ class Viewport:
 
     width: float
     height: float
+
+    def __post_init__(self) -> None:
+        if not all(side > 0 and float(side).is_integer() for side in (self.width, self.height)):
+            raise IllegalValueError(
+                f"{quantity('viewport')} ({self.width:g} {self.height:g})",
+                "both sides are whole pixels, 1 or more",
+                "try 512 512",
+            )
 
 
 @dataclass(frozen=True)
