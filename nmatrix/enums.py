@@ -3,6 +3,32 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import TypeVar
+
+from nmatrix.errors import IllegalValueError
+
+Words = TypeVar("Words", bound=StrEnum)
+
+
+def chosen(words: type[Words], word: str, parameter: str) -> Words:
+    """Turn a word that a caller gave for a parameter into the member of its enum.
+
+    Raises
+    ------
+    IllegalValueError
+        For any other word; the message lists the right ones.
+
+    Examples
+    --------
+    >>> chosen(Handedness, "left", "handed") is Handedness.LEFT
+    True
+    """
+    try:
+        return words(word)
+    except ValueError:
+        raise IllegalValueError(
+            f"{parameter} ({word})", "it is no word for that", f"choose one of {', '.join(words)}"
+        ) from None
 
 
 class Space(StrEnum):
@@ -215,8 +241,15 @@ class Effort(StrEnum):
 
 
 class Level(StrEnum):
-    """How many normals at once are computed."""
+    """How exactly normals of arrays are computed, from the most exact to the fastest."""
 
     EXACT = "exact"
     CERTIFIED = "certified"
     GUARDED = "guarded"
+
+
+class NormalMatrixKind(StrEnum):
+    """A⁻ᵀ itself, or sign(det A)·cofactors, which exist for every A and keep outward sides."""
+
+    INVERSE_TRANSPOSE = "inverse-transpose"
+    ORIENTED = "oriented"
