@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
+from math import isfinite
 from numbers import Real
 from typing import Any
 
@@ -58,11 +59,9 @@ def reals(values: ArrayLike, parameter: str) -> Array:
 
 def _exactly(given: Array, parameter: str) -> Array:
     """Turn numbers of any real type into float64, and refuse those that it would round."""
-    is_small = given.dtype.kind in "biu" and not (np.abs(given.astype("f8")) > 2.0**53).any()
+    if given.dtype.kind in "biu" and not (np.abs(given.astype(np.float64)) >= 2.0**53).any():
+        return given.astype(np.float64)
     found = np.empty(given.shape)
-    if is_small:
-        found[...] = given
-        return found
     for index, number in np.ndenumerate(given.astype(object)):
         if not isinstance(number, Real | Decimal):
             raise IllegalValueError(
@@ -71,15 +70,17 @@ def _exactly(given: Array, parameter: str) -> Array:
                 "give an array of real numbers",
             )
         try:
-            found[index] = float(number)
-        except (OverflowError, ValueError):
-            found[index] = np.inf
-        if found[index] != number and np.isfinite(found[index]):
+            value = float(number)
+            is_exact = not isfinite(value) or value == number
+        except (ArithmeticError, ValueError):
+            is_exact = False
+        if not is_exact:
             raise IllegalValueError(
-                f"{named(parameter, index)} ({number})",
+                f"{named(parameter, index)} ({number!s:.40})",
                 "no float64 is exactly that number",
                 "round it first: .astype(float)",
             )
+        found[index] = value
     return _finite(found, parameter)
 
 
