@@ -253,8 +253,15 @@ class Effort(StrEnum):
 
 
 class Level(StrEnum):
-    """How many normals at once are computed."""
+    """How exactly normals of arrays are computed, from the most exact to the fastest."""
 
     EXACT = "exact"
     CERTIFIED = "certified"
     GUARDED = "guarded"
+
+
+class NormalMatrixKind(StrEnum):
+    """A⁻ᵀ itself, or sign(det A)·cofactors, which exist for every A and keep outward sides."""
+
+    INVERSE_TRANSPOSE = "inverse-transpose"
+    ORIENTED = "oriented"

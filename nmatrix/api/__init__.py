@@ -1,19 +1,11 @@
 """The Python face: functions on arrays and frozen values, over the exact core.
 
 Arrays are row-major and hold column-vector matrices; angles are radians or an `Angle`. Every
-matrix that comes back is the exact one rounded once. Batches run over the leading axes, one exact
-computation each.
+matrix that comes back is the exact one rounded once. Batches run over the leading axes.
 """
 
 from __future__ import annotations
 
-from nmatrix.api.batches import (
-    classify,
-    cofactor_matrix,
-    normal_matrix,
-    normalize,
-    transform_normals,
-)
 from nmatrix.api.builders import (
     first_person,
     frustum,
@@ -23,7 +15,15 @@ from nmatrix.api.builders import (
     rotation,
     world,
 )
-from nmatrix.api.certified import carry_normals, certified_normals, normal_matrices
+from nmatrix.api.normals import (
+    TransformedNormals,
+    angle_between,
+    classify,
+    cofactor_matrix,
+    normal_matrix,
+    normalize,
+    transform_normals,
+)
 from nmatrix.enums import (
     Api,
     ClipY,
@@ -33,6 +33,7 @@ from nmatrix.enums import (
     Handedness,
     Kind,
     Level,
+    NormalMatrixKind,
     NormalStatus,
     Space,
 )
@@ -44,16 +45,13 @@ from nmatrix.errors import (
     NoAnswerError,
 )
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.certified import CertifiedNormals
 from nmatrix.linear.classify import Classification
 from nmatrix.linear.projection import ClipSpace, Window
-from nmatrix.linear.vectors import angle_between
 from nmatrix.spaces.transform import Transform
 
 __all__ = [
     "Angle",
     "Api",
-    "CertifiedNormals",
     "Classification",
     "ClipSpace",
     "ClipY",
@@ -68,19 +66,18 @@ __all__ = [
     "MissingPackageError",
     "NMatrixError",
     "NoAnswerError",
+    "NormalMatrixKind",
     "NormalStatus",
     "Space",
     "Transform",
+    "TransformedNormals",
     "Window",
     "angle_between",
-    "carry_normals",
-    "certified_normals",
     "classify",
     "cofactor_matrix",
     "first_person",
     "frustum",
     "look_at",
-    "normal_matrices",
     "normal_matrix",
     "normalize",
     "orthographic",
