@@ -57,7 +57,11 @@ def calc(
     text = _text(expression, "expression")
     names = names_of(setup.values, text)
     for name, value in (let or {}).items():
-        rows = ((Fraction(number(value, name)),),) if _is_number(value) else literal(value, name).rows_exact
+        rows = (
+            ((Fraction(number(value, name)),),)
+            if _is_number(value)
+            else literal(value, name).rows_exact
+        )
         names = with_name(names, name, rows)
     arithmetic = Arithmetic.FLOAT if rounded else Arithmetic.EXACT
     return Report(report(calculate(text, names, arithmetic), with_steps=steps))
@@ -116,7 +120,7 @@ def check(
     --------
     >>> stretched = Setup(world={"scale": (1, 2, 1)})
     >>> check("normal", [[1, 0, 0], [0, 2, 0], [0, 0, 1]], stretched).data["mistake"]
-    'used-world-matrix'
+    'not-inverted'
     """
     from nmatrix.answers.check import check as checked
     from nmatrix.enums import chosen
@@ -151,7 +155,7 @@ def plan(scene: str | Path) -> Report:
 
 
 def inspect(file: str | Path) -> Report:
-    """Return what kind of map each node of a glTF scene has, or of which kind a mesh's normals are."""
+    """Return the kind of map of each node of a glTF scene, and where normals break on it."""
     from nmatrix.answers.inspect import inspect_file, report
 
     return Report(report(inspect_file(Path(file))))

@@ -1,4 +1,4 @@
-"""What a command answers to a Python caller: the JSON's values, every format, and a notebook's view."""
+"""What a command answers to a Python caller: values, every format, a notebook's view."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 from nmatrix import report
@@ -27,7 +28,7 @@ class Report:
     >>> answer = nmatrix.Setup(world={"scale": (1, 2, 1)}).world()
     >>> answer.data["transform"], answer.data["determinant"]
     ('non-uniform-scale', 2.0)
-    >>> print(answer.to("numpy").splitlines()[1])
+    >>> print(answer.to("numpy").splitlines()[3])
     world_from_object = np.array([
     """
 
@@ -40,7 +41,7 @@ class Report:
 
     @cached_property
     def data(self) -> dict[str, Any]:
-        """The keys of the command's JSON: numbers, lists of rows, texts, None where there is none."""
+        """The keys of the command's JSON: numbers, rows, texts, None where there is none."""
         return {key: one for key, one in self._json.items() if key not in BESIDE}
 
     @property
@@ -60,7 +61,7 @@ class Report:
 
     def to(
         self,
-        format: str | Format = Format.TEXT,  # noqa: A002  # the option's name
+        format: str | Format = Format.TEXT,  # the option's name
         *,
         digits: int = 6,
         layout: str | Layout = Layout.ROW_MAJOR,
@@ -122,13 +123,11 @@ class Picture(Report):
     image: Any
     png: bytes
 
-    def save(self, path: Any) -> None:  # noqa: ANN401  # text or a path
-        """Write the PNG file, in place of one that is there."""
-        from pathlib import Path
-
+    def save(self, path: str | Path, *, force: bool = False) -> None:
+        """Write the PNG file, whole or not at all; over another file only by `force`."""
         from nmatrix.output.files import write_file
 
-        write_file(Path(path), self.png)
+        write_file(Path(path), self.png, force=force)
 
     def _repr_png_(self) -> bytes:
         return self.png

@@ -66,7 +66,7 @@ class Setup:
     ) -> None:
         more = {"space_matrix": space_matrix, "tolerance": tolerance}
         values = setup.Setup(
-            _part(world, World, world_of, "world_matrix"),
+            world_part(world),
             _part(view, View, view_of, "view_matrix"),
             _part(lens, Lens, lens_of, "projection_matrix"),
             _part(light, Light, light_of, None),
@@ -76,7 +76,7 @@ class Setup:
 
     @classmethod
     def from_scene(
-        cls, file: str | Path, *, object: str | None = None, light: str | None = None  # noqa: A002
+        cls, file: str | Path, *, object: str | None = None, light: str | None = None
     ) -> Setup:
         """Return one object of a scene file under one of its lights: the first, or by name.
 
@@ -190,6 +190,12 @@ class Setup:
                 Viewport(*map(float, vector(viewport, 2, "viewport"))),
             )
         )
+
+
+def world_part(world: Part) -> World:
+    """Return a world from a frozen value, a mapping or a matrix."""
+    found: World = _part(world, World, world_of, "world_matrix")
+    return found
 
 
 def _part(given: Part, kind: type[Any], read: Any, matrix: str | None) -> Any:  # noqa: ANN401

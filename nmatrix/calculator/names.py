@@ -46,7 +46,9 @@ def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> di
     """
     if not (name.isascii() and name.isidentifier()):
         raise IllegalValueError(
-            f"{quantity('let')} ({name[:40]})", "it is NAME=MATRIX", f'try {quantity("let")} "A=1 0; 0 2"'
+            f"{quantity('let')} ({name[:40]})",
+            "it is NAME=MATRIX",
+            f'try {quantity("let")} "A=1 0; 0 2"',
         )
     if name in FUNCTIONS or name in SCENE_NAMES or name in names:
         raise IllegalValueError(

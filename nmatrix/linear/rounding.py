@@ -185,3 +185,18 @@ def _cross(a: Sequence[int], b: Sequence[int]) -> tuple[int, int, int]:
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     )
+
+
+def inverse_root(square: Fraction) -> Fraction:
+    """Return 1/√x of a positive fraction: exact where the root is rational, else to 160 bits.
+
+    Examples
+    --------
+    >>> inverse_root(Fraction(9, 4))
+    Fraction(2, 3)
+    """
+    top, bottom = isqrt(square.numerator), isqrt(square.denominator)
+    if (top * top, bottom * bottom) == (square.numerator, square.denominator):
+        return Fraction(bottom, top)
+    bits = 160 + max(0, square.numerator.bit_length() - square.denominator.bit_length())
+    return Fraction(isqrt((square.denominator << (2 * bits)) // square.numerator), 1 << bits)

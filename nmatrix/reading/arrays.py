@@ -54,7 +54,8 @@ def literal(values: object, name: str) -> MatrixLiteral:
     if len(rows) not in SIZES:
         raise refused(values, name, f"it has {len(rows)} rows", "give 1 to 4")
     width = len(listed(rows[0], name, SIZES))
-    return MatrixLiteral(tuple(_row(row, i, width, name) for i, row in enumerate(rows)), name)
+    entries = tuple(_row(row, i, width, name) for i, row in enumerate(rows))
+    return MatrixLiteral(entries, name, ((None,) * width,) * len(rows))
 
 
 def _row(row: object, i: int, width: int, name: str) -> tuple[Fraction, ...]:

@@ -57,9 +57,9 @@ def world_of(given: Given) -> World:
     nmatrix.errors.IllegalValueError: world_matrix with scale: the matrix is the whole answer; ...
     """
     found = _known(given, WORLD, "world")
-    _refuse("world_matrix", WORLD[:6], found, WHOLE)
-    _refuse("quaternion", ("rotate",), found, "both are the rotation")
-    _refuse("quaternion", ("order",), found, "an order is for angles, it has none")
+    refuse_together("world_matrix", WORLD[:6], found, WHOLE)
+    refuse_together("quaternion", ("rotate",), found, "both are the rotation")
+    refuse_together("quaternion", ("order",), found, "an order is for angles, it has none")
     convention = chosen(Convention, found.get("convention", Convention.STANDARD), "convention")
     if convention is not Convention.STANDARD and "order" in found:
         named = f"{quantity('convention')} {convention}"
@@ -76,11 +76,13 @@ def view_of(given: Given) -> View:
     (1, 2, 3)
     """
     found = _known(given, VIEW, "view")
-    _refuse("view_matrix", VIEW[:6], found, WHOLE)
+    refuse_together("view_matrix", VIEW[:6], found, WHOLE)
     angles = {name: found.pop(name) for name in ANGLES if name in found}
     if not angles:
         return View(**_fields(found, view_matrix="matrix"))
-    _refuse(next(iter(angles)), ("target", "up"), {**found, **angles}, "both say where to look")
+    refuse_together(
+        next(iter(angles)), ("target", "up"), {**found, **angles}, "both say where to look"
+    )
     return View(angles=FirstPerson(**angles), **found)
 
 
@@ -93,9 +95,9 @@ def lens_of(given: Given, aspect: float = 1.0) -> Lens:
     <DepthRange.ZERO_TO_ONE: 'zero-to-one'>
     """
     found = _known(given, LENS, "lens")
-    _refuse("projection_matrix", LENS[:6], found, WHOLE)
-    _refuse("ortho", ("fov", "aspect", "frustum"), found, "both shape the view")
-    _refuse("frustum", ("fov", "aspect"), found, "both shape the view")
+    refuse_together("projection_matrix", LENS[:6], found, WHOLE)
+    refuse_together("ortho", ("fov", "aspect", "frustum"), found, "both shape the view")
+    refuse_together("frustum", ("fov", "aspect"), found, "both shape the view")
     clip = clip_space(found)
     shape = {name: found[name] for name in found if name not in CLIP}
     for name in ("ortho", "frustum"):
@@ -123,7 +125,7 @@ def light_of(given: Given) -> Light:
     (2, 2, 8)
     """
     found = _known(given, LIGHT, "light")
-    _refuse("light_direction", ("light_angles",), found, "both are the direction")
+    refuse_together("light_direction", ("light_angles",), found, "both are the direction")
     fields = {"light_direction": "direction", "light_angles": "angles_degrees"}
     return Light(**_fields(found, **fields, light_position="position"))
 
@@ -146,7 +148,7 @@ def _known(given: Given, names: tuple[str, ...], what: str) -> dict[str, Any]:
     return {name: value for name, value in given.items() if value is not None}
 
 
-def _refuse(name: str, others: Iterable[str], given: Given, because: str) -> None:
+def refuse_together(name: str, others: Iterable[str], given: Given, because: str) -> None:
     """Refuse a name beside any of the others."""
     beside = [one for one in others if one in given]
     if name in given and beside:

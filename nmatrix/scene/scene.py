@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Shading, Space
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
@@ -41,6 +42,11 @@ class Fog:
     end: float
 
 
+SAMPLES = (1, 4, 16, 64)  # of a pixel
+LARGEST = 8192  # pixels on a side
+MOST_SAMPLES = 1 << 28
+
+
 @dataclass(frozen=True)
 class Settings:
     """How a scene is drawn.
@@ -63,6 +69,29 @@ class Settings:
     normals: NormalRule = NormalRule.EXACT
     effort: Effort = Effort.PLANNED
     turn_degrees: float = 0.0
+
+    def __post_init__(self) -> None:
+        width, height = self.size
+        sides = f"{quantity('size')} ({width:g} {height:g})"
+        if not all(float(side).is_integer() and side >= 1 for side in self.size):
+            why = "both sides are whole numbers of pixels, 1 at least"
+            raise IllegalValueError(sides, why, "try 360 360")
+        if max(self.size) > LARGEST:
+            raise IllegalValueError(
+                sides, f"a side has {LARGEST} pixels at the most", "try 1024 1024"
+            )
+        if self.samples not in SAMPLES:
+            raise IllegalValueError(
+                f"{quantity('samples')} ({self.samples})",
+                "a pixel has 1, 4, 16 or 64",
+                f"try {quantity('samples')} 4",
+            )
+        if width * height * self.samples > MOST_SAMPLES:
+            raise IllegalValueError(
+                f"{quantity('size')} {width} {height} with {self.samples} samples",
+                f"a picture has {MOST_SAMPLES} samples at the most",
+                "take fewer of either",
+            )
 
 
 @dataclass(frozen=True)

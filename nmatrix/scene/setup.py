@@ -12,8 +12,8 @@ from nmatrix.linear.angle import Angle
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.values import number, settle, turns, vector
-from nmatrix.reading.arrays import affine
 from nmatrix.linear.vectors import direction_from_angles, normalize
+from nmatrix.reading.arrays import affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens

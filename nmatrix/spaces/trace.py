@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.enums import ClipY, DepthRange
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.exact import Normal
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalVector, apply, rational_vector

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
