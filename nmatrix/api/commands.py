@@ -10,7 +10,7 @@ from nmatrix.api.report import Report
 from nmatrix.api.setup import Part, Setup, world_part
 from nmatrix.enums import Space, space_named
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.values import number, vector
+from nmatrix.linear.values import number, vector, whole
 from nmatrix.reading.arrays import literal
 
 NO_SETUP = Setup()
@@ -138,13 +138,37 @@ def check(
 
 
 def check_exercise(
-    number: int, answer: str, *, seed: str | int, student: str = "", salt: bytes = b""
+    exercise: int, answer: str, *, seed: str | int, student: str = "", salt: bytes = b""
 ) -> Report:
-    """Return whether the answer to an exercise of a student's sheet is right."""
+    """Return whether the answer to an exercise of a student's sheet is right.
+
+    Parameters
+    ----------
+    exercise
+        Its number on the sheet, from 1.
+    answer
+        Text as on paper: numbers, or the letter or words of a choice.
+    seed, student, salt
+        Those that the sheet was made with.
+
+    Raises
+    ------
+    IllegalValueError
+        For a number that no exercise has, or an answer that cannot be read.
+
+    Examples
+    --------
+    >>> check_exercise(2, "1 0 0; 0 1 0; 0 0 1", seed=7, student="Ada").data["verdict"]
+    'unknown'
+    """
     from nmatrix.answers.exercise import check_exercise as checked
     from nmatrix.lessons.exercises.scheme import Sheet
 
-    return Report(checked(number, Sheet(str(seed), student, salt), _text(answer, "answer")))
+    return Report(
+        checked(
+            whole(exercise, "exercise"), Sheet(str(seed), student, salt), _text(answer, "answer")
+        )
+    )
 
 
 def plan(scene: str | Path) -> Report:

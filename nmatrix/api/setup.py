@@ -20,7 +20,7 @@ from nmatrix.scene.world import World
 Part = Any  # a frozen value, a mapping of the options' names, or a matrix
 
 
-@dataclass(frozen=True, init=False)
+@dataclass(frozen=True, init=False, repr=False)
 class Setup:
     """An object's place, a camera, a lens and a light; its methods are the commands.
 
@@ -73,6 +73,14 @@ class Setup:
             **{name: value for name, value in more.items() if value is not None},  # type: ignore[arg-type]  # read there
         )
         settle(self, values=values)
+
+    def __repr__(self) -> str:
+        """Show the parts that are not the usual ones."""
+        usual, mine = setup.Setup(), self.values
+        names = ("world", "view", "lens", "light", "space_matrix", "tolerance")
+        parts = ((name, getattr(mine, name)) for name in names)
+        shown = (f"{name}={one!r}" for name, one in parts if one != getattr(usual, name))
+        return f"Setup({', '.join(shown)})"
 
     @classmethod
     def from_scene(

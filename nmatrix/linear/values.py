@@ -40,6 +40,14 @@ def number(value: object, name: str) -> Number:
     raise refused(value, name, "it is not a finite real number", "give a number")
 
 
+def whole(value: object, name: str) -> int:
+    """Return a whole number."""
+    found = number(value, name)
+    if found != int(found):
+        raise refused(value, name, "it is not a whole number", "give a whole number")
+    return int(found)
+
+
 def turn(value: object, name: str) -> Number:
     """Return an angle in degrees: a number of degrees, or an `Angle`."""
     return value.in_degrees if isinstance(value, Angle) else number(value, name)
