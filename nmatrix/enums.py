@@ -108,13 +108,21 @@ class NormalStatus(StrEnum):
     UNDEFINED = "undefined"
 
 
-class NormalMethod(StrEnum):
-    """How `nmatrix normal` computes: one right way and three to compare with."""
+class NormalRule(StrEnum):
+    """A way to transform normals: the right one first, then those that people write instead."""
 
     EXACT = "exact"
     INVERSE = "inverse"
     COFACTOR = "cofactor"
     NONE = "none"
+    NOT_TRANSPOSED = "not-transposed"
+    NOT_INVERTED = "not-inverted"
+    TRANSLATED = "translated"
+    FOUR_COMPONENT = "four-component-normalise"
+
+
+# One right method and three to compare with: each is a 3×3 matrix that a program may hold.
+NORMAL_METHODS = (NormalRule.EXACT, NormalRule.INVERSE, NormalRule.COFACTOR, NormalRule.NONE)
 
 
 class Shading(StrEnum):
@@ -154,19 +162,6 @@ class Format(StrEnum):
     GLSL = "glsl"
     JS = "js"
     NUMPY = "numpy"
-
-
-class NormalRule(StrEnum):
-    """Ways to carry the normals of a mesh: the right one, and those that people write instead."""
-
-    EXACT = "exact"
-    INVERSE = "inverse"
-    COFACTOR = "cofactor"
-    NONE = "none"
-    NOT_TRANSPOSED = "not-transposed"
-    NOT_INVERTED = "not-inverted"
-    TRANSLATED = "translated"
-    FOUR_COMPONENT = "four-component-normalise"
 
 
 class Effect(StrEnum):

@@ -6,24 +6,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.enums import NormalMethod, NormalStatus, Space
+from nmatrix.enums import NormalRule, NormalStatus, Space
 from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import LinearMap, Normal
-from nmatrix.linear.rational import RationalMatrix
-from nmatrix.linear.rules import RULES, carried_by, normal_rule
+from nmatrix.linear.rational import linear
+from nmatrix.linear.rounding import integers, unit
+from nmatrix.linear.rules import RULES, NormalTransform, normal_transform
 from nmatrix.report import Heading, Quantity, Report, Table, Text, Value, Vector
 from nmatrix.scene.setup import Setup
 
 
 @dataclass(frozen=True)
 class NormalRequest:
-    """Which normals, in which space, and by which method."""
+    """Which normals, in which space, and by which of the `NORMAL_METHODS`."""
 
     normals: tuple[Vector, ...] = ()
     space: Space = Space.WORLD
-    method: NormalMethod = NormalMethod.EXACT
+    method: NormalRule = NormalRule.EXACT
 
 
 def normal(setup: Setup, request: NormalRequest) -> Report:
@@ -39,8 +40,13 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
     S = setup.maps.space_from_object(request.space).exact
     found = classify(S, setup.tolerance)
     linear_map = found.linear_map
-    matrix = normal_rule(request.method, linear_map)
-    results = [_carried(linear_map, request.method, matrix, n) for n in request.normals]
+    if request.method is NormalRule.EXACT:
+        matrix = linear_map.normal_matrix
+        results = [linear_map.normal(n) for n in request.normals]
+    else:
+        by_rule = normal_transform(request.method, S)
+        matrix = None if by_rule is None else linear(by_rule.matrix)
+        results = [_transformed(by_rule, linear_map, n) for n in request.normals]
     data: dict[str, Value] = {
         "normal_matrix": matrix,
         "cofactor_matrix": linear_map.cofactor_matrix,
@@ -49,7 +55,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
     }
     blocks = (
         Heading(f"Normal matrix: object to {request.space} space"),
-        Quantity("normal_matrix", matrix, _TITLES[request.method]),
+        Quantity("normal_matrix", matrix, RULES[request.method].title),
         Quantity("cofactor_matrix", linear_map.cofactor_matrix, "C, the cofactors"),
         *transform_blocks(found),
         *_normal_blocks(request.normals, results),
@@ -66,16 +72,17 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
 SAME_DIRECTION_DEG = 1e-9  # what a matrix built from angles misses by rounding
 TWO_AXES = "give at least two axes a scale other than 0"
 
-_TITLES = {rule.method: rule.title for rule in RULES}
 
-
-def _carried(
-    linear_map: LinearMap, method: NormalMethod, matrix: RationalMatrix | None, n: Vector
-) -> Normal:
+def _transformed(by_rule: NormalTransform | None, linear_map: LinearMap, n: Vector) -> Normal:
+    """Return one normal by a rule, at length one; how far off A itself is, no rule changes."""
+    if by_rule is None:
+        return Normal(None, NormalStatus.UNDEFINED, "this rule has no answer here", None)
     normal_object = [Fraction(component) for component in n]
-    if method is NormalMethod.EXACT:
-        return linear_map.normal(normal_object)
-    return carried_by(matrix, linear_map, normal_object)
+    direction, _ = integers(by_rule.applied_to(normal_object)[:3])
+    if not any(direction):
+        return Normal(None, NormalStatus.UNDEFINED, "this rule gives length 0", None)
+    without = linear_map.normal(normal_object).angle_without_deg
+    return Normal(unit(direction), NormalStatus.OK, "", without)
 
 
 def _normal_data(n: Vector, result: Normal) -> dict[str, Value]:
@@ -114,12 +121,12 @@ def _sentence(result: Normal) -> str:
     return f"With A itself it would be {result.angle_without_deg:.6g}° off."
 
 
-def _method_remarks(method: NormalMethod, found: Classification) -> tuple[str, ...]:
-    if method is NormalMethod.COFACTOR and found.mirrored:
+def _method_remarks(method: NormalRule, found: Classification) -> tuple[str, ...]:
+    if method is NormalRule.COFACTOR and found.mirrored:
         return ("This map mirrors: the unsigned cofactor points inwards.",)
-    if method is NormalMethod.INVERSE and found.rank < 3:
+    if method is NormalRule.INVERSE and found.rank < 3:
         return ("np.linalg.inv has no answer, or garbage, for a singular matrix.",)
-    if method is NormalMethod.NONE and found.needs_inverse_transpose:
+    if method is NormalRule.NONE and found.needs_inverse_transpose:
         return ("A itself does not keep normals perpendicular here.",)
     return ()
 

@@ -116,6 +116,11 @@ class LinearMap:
             tuple(Fraction(c * self.denominator, det) for c in row) for row in self.cofactors
         )
 
+    @property
+    def normal_matrix(self) -> RationalMatrix | None:
+        """Return A⁻ᵀ exactly, or None where A is singular and has none."""
+        return self.inverse_transpose if self.integer_determinant else None
+
     def normal(self, normal_object: Sequence[float | Fraction]) -> Normal:
         """Carry one normal through the map; every component is correctly rounded.
 

@@ -16,7 +16,7 @@ from nmatrix.linear.rational import (
     rational_vector,
 )
 from nmatrix.linear.rounding import integers, over_root
-from nmatrix.linear.rules import Carrier, carrier
+from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.report import Vector
 
 NORMAL_RULES = {
@@ -39,7 +39,7 @@ def by_normal_rule(mistake: MistakeId, question: Question, by: Setting) -> Ratio
         return None  # the length is all that is wrong with it
     if rule is NormalRule.COFACTOR and determinant(linear(by.space_from_object)) > 0:
         return None  # without a mirror the sign is right
-    found = carrier(rule, by.space_from_object)
+    found = normal_transform(rule, by.space_from_object)
     if found is None:
         return None
     if question.normal is None:
@@ -66,9 +66,8 @@ def _is_light_direction(question: Question) -> bool:
     return question.light is LightPart.DIRECTION
 
 
-def _carried(found: Carrier, normal: Vector) -> RationalMatrix:
-    n = rational_vector(normal)
-    moved = apply(found.matrix, (*n, ONE if found.w else ZERO))
+def _carried(found: NormalTransform, normal: Vector) -> RationalMatrix:
+    moved = found.applied_to(rational_vector(normal))
     if found.components == 3:
         return (moved,)
     numbers, _ = integers(moved)
