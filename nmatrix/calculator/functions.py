@@ -13,8 +13,7 @@ from math import isqrt
 from nmatrix.calculator.values import Kind, Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import affine, rational, rounding
-from nmatrix.linear.angle import PI, Angle
-from nmatrix.linear.arctangent import angle_between
+from nmatrix.linear.angle import DEGREES, Angle, exact_angle_between
 
 ROOT_BITS = 280
 EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
@@ -142,7 +141,7 @@ def _angle(a: Value, b: Value) -> Value:
     if square in RATIONAL_ANGLES:
         sharp = RATIONAL_ANGLES[square]
         return Value(Fraction(sharp if cosine >= 0 else 180 - sharp), a.exact and b.exact)
-    return Value(angle_between(p, q) * 180 / PI, exact=False)
+    return Value(exact_angle_between(p, q) * DEGREES, exact=False)
 
 
 def _same_size(a: Value, b: Value) -> None:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees
 
 from nmatrix.enums import Space
 from nmatrix.linear import rational
+from nmatrix.linear.angle import DEGREES, exact_angle_between
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.linear.rounding import angle, integers, root, unit
+from nmatrix.linear.rounding import integers, nearest, root, unit
 from nmatrix.spaces.exact_maps import ExactMaps
 
 Three = tuple[float, ...]
@@ -121,4 +121,4 @@ def _unit(v: RationalVector | None) -> Three | None:
 def _degrees_between(a: RationalVector | None, b: RationalVector | None) -> float | None:
     if a is None or b is None:
         return None
-    return degrees(angle(integers(a)[0], integers(b)[0]))
+    return nearest(exact_angle_between(integers(a)[0], integers(b)[0]) * DEGREES)

@@ -1,4 +1,4 @@
-"""The condition and the worst angle against a singular value decomposition of many digits."""
+"""Kinds of maps: the condition and the worst angle against decompositions of many digits."""
 
 from __future__ import annotations
 
@@ -9,10 +9,8 @@ from math import inf, nextafter
 import mpmath
 import pytest
 
-from nmatrix.linear.arctangent import angle_between, arctangent
+from nmatrix.linear.classify import condition, worst_angle_deg
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import nearest
-from nmatrix.linear.spectrum import condition, worst_angle_deg
 
 DIGITS = 1500
 
@@ -56,19 +54,3 @@ def test_condition_and_worst_angle_are_right_to_1e_12(rows: list[list[float]]) -
 
 def test_a_uniform_scale_bends_nothing() -> None:
     assert worst_angle_deg(LinearMap.of([[0, 3, 0], [3, 0, 0], [0, 0, -3]])) == 0.0
-
-
-def test_arctangents_and_angles_are_right_to_the_last_bit_kept() -> None:
-    numbers = random.Random(4)
-    with mpmath.workdps(400):
-        for _ in range(300):
-            t = Fraction(2) ** numbers.randint(-900, 900) * Fraction(numbers.random() + 0.5)
-            assert abs(exact(arctangent(t)) / mpmath.atan(exact(t)) - 1) < mpmath.mpf(2) ** -130
-        for _ in range(300):
-            a, b = ([numbers.randint(-99, 99) or 1 for _ in range(3)] for _ in range(2))
-            c = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-            sine = mpmath.sqrt(sum(x * x for x in c))
-            angle = mpmath.atan2(sine, sum(x * y for x, y in zip(a, b, strict=True)))
-            found = angle_between(a, b)
-            assert abs(exact(found) - angle) <= mpmath.mpf(2) ** -130 * angle
-            assert nearest(found) == float(angle)
