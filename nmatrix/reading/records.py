@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from io import StringIO
 from itertools import islice
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
-from nmatrix.reading.quote import quoted
 
 NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
 SEPARATORS = tuple(NAMES)
