@@ -10,7 +10,7 @@ from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import Normal
-from nmatrix.linear.rational import linear, rational_vector
+from nmatrix.linear.rational import linear_part, rational_vector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.linear.rules import RULES, NormalTransform, normal_transform
 from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Vector
@@ -44,7 +44,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         images = [linear_map.normal(n) for n in request.normals]
     else:
         by_rule = normal_transform(request.method, S)
-        matrix = None if by_rule is None else linear(by_rule.matrix)
+        matrix = None if by_rule is None else linear_part(by_rule.matrix)
         images = [_transformed(by_rule, n) for n in request.normals]
     answered = [
         _Answered(n, image, linear_map.angle_without_deg(n) if image.direction else None)

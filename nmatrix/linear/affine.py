@@ -16,7 +16,7 @@ from nmatrix.linear.rational import (
     ONE,
     ZERO,
     RationalMatrix,
-    affine,
+    affine_matrix,
     identity,
     product,
     rational_vector,
@@ -143,9 +143,9 @@ def compose(
     block = tuple(tuple(map(mul, row, stretch)) for row in turned)  # R · diag(scale)
     if any(shear):
         block = product(block, shear_matrix(shear))
-    return affine(block, rational_vector(translate))
+    return affine_matrix(block, rational_vector(translate))
 
 
 def translation_matrix(offset: Sequence[float | Fraction]) -> RationalMatrix:
     """Return the 4×4 matrix that moves points by the offset."""
-    return affine(identity(3), rational_vector(offset))
+    return affine_matrix(identity(3), rational_vector(offset))

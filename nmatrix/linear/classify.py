@@ -19,8 +19,8 @@ from functools import cached_property
 from nmatrix.enums import Kind
 from nmatrix.linear.angle import DEGREES, arctangent
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rational import RationalVector, linear, rational, translation
-from nmatrix.linear.rounding import in_short, nearest
+from nmatrix.linear.rational import RationalVector, linear_part, rational_matrix, translation
+from nmatrix.linear.rounding import nearest, short_text
 
 BUILT = 1e-12  # columns of a matrix built from angles agree to a few 1e-16; room for products
 FROM_FILE = 1e-6  # float32 files: 6e-8 a component, room for products
@@ -79,7 +79,7 @@ class Classification:
         kappa = self.condition
         if kappa is None:
             return "∞"
-        return in_short(kappa, 4)
+        return short_text(kappa, 4)
 
     @cached_property
     def worst_angle_deg(self) -> float | None:
@@ -101,9 +101,9 @@ def classify(
     >>> found.kind.value, found.kind_exact, found.mirrored
     ('similarity', True, True)
     """
-    A = rational(rows)
+    A = rational_matrix(rows)
     offset = translation(A) if len(A) == 4 else (Fraction(0),) * 3
-    linear_map = LinearMap.of(linear(A))
+    linear_map = LinearMap.of(linear_part(A))
     kind = _kind(linear_map, offset, Fraction(tolerance))
     exact = kind if tolerance == 0 else _kind(linear_map, offset, Fraction(0))
     return Classification(kind, kind is exact, linear_map)

@@ -116,12 +116,12 @@ def _integer_root(n: int, degree: int) -> int:
         x = lower
 
 
-def in_short(value: Fraction, digits: int) -> str:
+def short_text(value: Fraction, digits: int) -> str:
     """Return a number in a few digits for a sentence, also where it is beyond every float.
 
     Examples
     --------
-    >>> in_short(Fraction(2, 3), 3), in_short(Fraction(10) ** 400, 3)
+    >>> short_text(Fraction(2, 3), 3), short_text(Fraction(10) ** 400, 3)
     ('0.667', '1e+400')
     """
     try:

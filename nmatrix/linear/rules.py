@@ -14,12 +14,12 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
-    affine,
+    affine_matrix,
     apply,
     determinant,
     inverse,
-    linear,
-    rational,
+    linear_part,
+    rational_matrix,
     scaled,
     to_floats,
     transpose,
@@ -67,9 +67,9 @@ def normal_transform(rule: NormalRule, world_from_object: RationalMatrix) -> Nor
 
 
 def _signed_cofactors(M: RationalMatrix) -> NormalTransform:
-    linear_map = LinearMap.of(linear(M))
+    linear_map = LinearMap.of(linear_part(M))
     sign = Fraction(-1 if linear_map.integer_determinant < 0 else 1)
-    return NormalTransform(affine(scaled(linear_map.cofactor_matrix, sign)))
+    return NormalTransform(affine_matrix(scaled(linear_map.cofactor_matrix, sign)))
 
 
 def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:
@@ -77,30 +77,30 @@ def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:
 
     with np.errstate(all="ignore"):
         try:
-            found = np.linalg.inv(np.array(to_floats(linear(M)))).T
+            found = np.linalg.inv(np.array(to_floats(linear_part(M)))).T
         except np.linalg.LinAlgError:
             return None
     if not np.isfinite(found).all():
         return None
-    return NormalTransform(affine(rational(found.tolist())))
+    return NormalTransform(affine_matrix(rational_matrix(found.tolist())))
 
 
 def _cofactors(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(affine(LinearMap.of(linear(M)).cofactor_matrix))
+    return NormalTransform(affine_matrix(LinearMap.of(linear_part(M)).cofactor_matrix))
 
 
 def _matrix_itself(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(affine(linear(M)))
+    return NormalTransform(affine_matrix(linear_part(M)))
 
 
 def _not_transposed(M: RationalMatrix) -> NormalTransform | None:
-    if determinant(linear(M)) == 0:
+    if determinant(linear_part(M)) == 0:
         return None
-    return NormalTransform(affine(inverse(linear(M))))
+    return NormalTransform(affine_matrix(inverse(linear_part(M))))
 
 
 def _not_inverted(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(affine(transpose(linear(M))))
+    return NormalTransform(affine_matrix(transpose(linear_part(M))))
 
 
 def _translated(M: RationalMatrix) -> NormalTransform:
@@ -108,7 +108,7 @@ def _translated(M: RationalMatrix) -> NormalTransform:
 
 
 def _four_components(M: RationalMatrix) -> NormalTransform | None:
-    if determinant(linear(M)) == 0:
+    if determinant(linear_part(M)) == 0:
         return None
     return NormalTransform(transpose(inverse(M)), components=4)
 

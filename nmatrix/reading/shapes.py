@@ -7,7 +7,7 @@ Column vectors: the translation of an affine 4×4 stands in its last column, its
 from __future__ import annotations
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.rational import affine, is_affine, linear, transpose
+from nmatrix.linear.rational import affine_matrix, is_affine, linear_part, transpose
 from nmatrix.reading.literal import MatrixLiteral, unreadable
 
 
@@ -26,7 +26,7 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     (2.0, 0.0, 0.0, 0.0)
     """
     if matrix.shape == (3, 3):
-        return MatrixLiteral(affine(matrix.rows_exact), matrix.source)
+        return MatrixLiteral(affine_matrix(matrix.rows_exact), matrix.source)
     _require_shape(matrix, "9 or 16 numbers", ((4, 4),))
     if not is_affine(matrix.rows_exact):
         raise _not_affine(matrix)
@@ -49,7 +49,7 @@ def as_linear(matrix: MatrixLiteral) -> MatrixLiteral:
     """
     if matrix.shape == (3, 3):
         return matrix
-    return MatrixLiteral(linear(as_affine(matrix).rows_exact), matrix.source)
+    return MatrixLiteral(linear_part(as_affine(matrix).rows_exact), matrix.source)
 
 
 def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:

@@ -79,7 +79,7 @@ class View:
             return self._by_angles(self.angles)
         found = look_at(_floats(self.eye), _floats(self.target), _floats(self.up), self.handed)
         return PlacedCamera(
-            rational.rational(found.camera_from_world),
+            rational.rational_matrix(found.camera_from_world),
             rational_vector(self.eye),
             (_PARALLEL,) if found.up_was_parallel else (),
         )
@@ -93,11 +93,13 @@ class View:
             self.convention,
         )
         remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
-        return PlacedCamera(rational.rational(to_floats(exact)), rational_vector(self.eye), remarks)
+        return PlacedCamera(
+            rational.rational_matrix(to_floats(exact)), rational_vector(self.eye), remarks
+        )
 
 
 def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:
-    if rational.determinant(rational.linear(camera_from_world)) == 0:
+    if rational.determinant(rational.linear_part(camera_from_world)) == 0:
         raise NoAnswerError(
             "view matrix (determinant 0)",
             "it flattens space, so no eye can be read from it",

@@ -15,7 +15,7 @@ from nmatrix.linear.projection import (
     orthographic,
     perspective,
 )
-from nmatrix.linear.rational import RationalMatrix, rational
+from nmatrix.linear.rational import RationalMatrix, rational_matrix
 
 
 @dataclass(frozen=True)
@@ -50,12 +50,12 @@ class Lens:
         if self.matrix is not None:
             return self.matrix
         if self.ortho is not None:
-            return rational(orthographic(self.ortho, self.near, self.far, self.clip))
+            return rational_matrix(orthographic(self.ortho, self.near, self.far, self.clip))
         if self.frustum is not None:
-            return rational(frustum(self.frustum, self.near, self.far, self.clip))
+            return rational_matrix(frustum(self.frustum, self.near, self.far, self.clip))
         check_fov(self.fov_degrees)
         half = Angle.degrees(Fraction(self.fov_degrees) / 2)
-        return rational(perspective(half, self.aspect, self.near, self.far, self.clip))
+        return rational_matrix(perspective(half, self.aspect, self.near, self.far, self.clip))
 
 
 def check_fov(degrees: float) -> None:

@@ -10,7 +10,7 @@ from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import RationalMatrix, to_shown
+from nmatrix.linear.rational import RationalMatrix, rounded_for_display
 from nmatrix.report import Number, Vector
 
 _POLIMI_REMARK = (
@@ -99,7 +99,7 @@ class World:
         >>> World(scale=(1, 2, 1)).world_from_object[1][1]
         Fraction(2, 1)
         """
-        return to_shown(self.exact)
+        return rounded_for_display(self.exact)
 
     @property
     def remarks(self) -> tuple[str, ...]:

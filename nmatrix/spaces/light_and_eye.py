@@ -58,7 +58,7 @@ def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
     space_from_world = maps.space_from_world(space)
     d, p = maps.light.direction, maps.light.position
     moved = None if d is None else space_from_world.exact_vector(d)
-    course = None if d is None else _course_rule(rational.linear(space_from_world.exact), d)
+    course = None if d is None else _course_rule(rational.linear_part(space_from_world.exact), d)
     return LightInSpace(
         space=space,
         space_from_world=space_from_world.exact,

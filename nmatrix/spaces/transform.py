@@ -50,7 +50,7 @@ class Transform:
     @property
     def linear_map(self) -> LinearMap:
         """Return the 3×3 block at the exact level."""
-        return LinearMap.of(rational.linear(self.exact))
+        return LinearMap.of(rational.linear_part(self.exact))
 
     def _repr_latex_(self) -> str:
         """Show the matrix under its name in a notebook."""
@@ -113,4 +113,4 @@ class Transform:
 
     def exact_vector(self, vector: RationalVector) -> RationalVector:
         """Return the image of a vector without rounding."""
-        return rational.apply(rational.linear(self.exact), vector)
+        return rational.apply(rational.linear_part(self.exact), vector)

@@ -108,7 +108,7 @@ class ShadingSpace:
     def handed(self) -> int:
         """Return −1 where a mirror lies between the object and where lengths are measured."""
         of = self.body.world_from_object.exact if self.uses_metric else self.exact_from_object
-        return -1 if rational.determinant(rational.linear(of)) < 0 else 1
+        return -1 if rational.determinant(rational.linear_part(of)) < 0 else 1
 
     def positions(self) -> Array:
         """Return the vertices (3, V) in the space."""
