@@ -49,7 +49,7 @@ class Classification:
 
     @property
     def mirrored(self) -> bool:
-        """Return whether the map turns left hands into right hands."""
+        """True if the map turns left hands into right hands."""
         return self.determinant_sign < 0
 
     @property
@@ -59,12 +59,12 @@ class Classification:
 
     @property
     def needs_inverse_transpose(self) -> bool:
-        """Return whether A itself would bend normals."""
+        """True if A itself would bend normals."""
         return self.kind in _NEEDS_INVERSE_TRANSPOSE
 
     @property
     def is_rigid(self) -> bool:
-        """Return whether lengths and angles stay as they are."""
+        """True if lengths and angles stay as they are."""
         return self.kind in RIGID_KINDS
 
     @cached_property
@@ -90,7 +90,7 @@ class Classification:
 def classify(
     rows: Sequence[Sequence[float | Fraction]], tolerance: float | Fraction = BUILT
 ) -> Classification:
-    """Say what kind of map a 3×3 or an affine 4×4 matrix is.
+    """Classify a 3×3 or an affine 4×4 matrix by the kind of map that it is.
 
     Rank and mirroring are exact. Lengths and angles of the columns may be off by `tolerance`
     (relative); `kind_exact` says whether the kind holds without it.

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import lcm
+from typing import TypeVar
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.rounding import nearest
@@ -16,13 +17,15 @@ RationalVector = tuple[Fraction, ...]
 RationalMatrix = tuple[RationalVector, ...]
 Rows = tuple[tuple[float, ...], ...]
 
+Entry = TypeVar("Entry")
+
 ZERO = Fraction(0)
 ONE = Fraction(1)
 AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
 
 
 def rational_matrix(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
-    """Return the exact value of every entry; a float is a rational with a power of two below.
+    """Return every entry exactly; a float is a fraction whose denominator is a power of two.
 
     Examples
     --------
@@ -74,8 +77,8 @@ def diagonal(values: Sequence[Fraction]) -> RationalMatrix:
     return tuple(tuple(values[i] if i == j else ZERO for j in range(n)) for i in range(n))
 
 
-def transpose(A: RationalMatrix) -> RationalMatrix:
-    """Return Aᵀ."""
+def transpose(A: Sequence[Sequence[Entry]]) -> tuple[tuple[Entry, ...], ...]:
+    """Return Aᵀ, of fractions or of any other entries."""
     return tuple(zip(*A, strict=True))
 
 
@@ -193,9 +196,9 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
     return scaled(adjugate(A), 1 / det)
 
 
-def is_affine(A: RationalMatrix) -> bool:
-    """Return whether A is 4×4 with last row 0 0 0 1."""
-    return len(A) == 4 and A[3] == AFFINE_ROW
+def is_affine(A: Sequence[Sequence[float | Fraction]]) -> bool:
+    """Recognise an affine 4×4 matrix by its last row, 0 0 0 1."""
+    return len(A) == 4 and tuple(A[3]) == AFFINE_ROW
 
 
 def _affine_inverse(A: RationalMatrix) -> RationalMatrix:

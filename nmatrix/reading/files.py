@@ -34,7 +34,7 @@ def existing_file(text: str) -> Path | None:
 
 
 def is_folder(text: str) -> bool:
-    """Say whether a text names a folder.
+    """Recognise the path of a folder.
 
     Examples
     --------

@@ -83,7 +83,7 @@ def _tokens(value: list[object]) -> Tokens | None:
 
 
 def _is_record(value: object) -> bool:
-    """Say whether a list's entry can hold matrices of its own: an object, or a list of lists."""
+    """Recognise an entry that can hold matrices of its own: an object, or a list of lists."""
     return isinstance(value, dict) or (
         isinstance(value, list) and all(isinstance(row, list) for row in value)
     )

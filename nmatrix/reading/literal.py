@@ -79,7 +79,7 @@ def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLi
 
 
 def typed_decimals(text: str) -> int | None:
-    """Return how many digits behind the point a number was typed with; p/q has no point.
+    """Count the digits behind the point that a number was typed with; p/q has no point.
 
     Examples
     --------

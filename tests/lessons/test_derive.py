@@ -50,7 +50,7 @@ def test_mathml_is_well_formed_and_holds_every_matrix(case: str) -> None:
 
 def test_a_wrong_cofactor_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     right = rational.cofactor_matrix
-    monkeypatch.setattr(rational, "cofactor", lambda A: rational.transpose(right(A)))
+    monkeypatch.setattr(rational, "cofactor_matrix", lambda A: rational.transpose(right(A)))
     assert [step["verified"] for step in steps("rule")].count(False) >= 2
 
 
