@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
 from fractions import Fraction
 from math import inf, nextafter
 
@@ -54,3 +56,34 @@ def test_condition_and_worst_angle_are_right_to_1e_12(rows: list[list[float]]) -
 
 def test_a_uniform_scale_bends_nothing() -> None:
     assert worst_angle_deg(LinearMap.of([[0, 3, 0], [3, 0, 0], [0, 0, -3]])) == 0.0
+
+
+NARROW = """
+import decimal, runpy, sys
+wide = decimal.Context
+decimal.MAX_PREC = decimal.MAX_EMAX = 425_000_000
+decimal.MIN_EMIN = -425_000_000
+
+def narrow(*values, **given):
+    found = wide(*values, **given)
+    limits = decimal.MAX_PREC, decimal.MAX_EMAX, -decimal.MIN_EMIN
+    if any(a > b for a, b in zip((found.prec, found.Emax, -found.Emin), limits)):
+        raise ValueError("valid values are those of 32 bits")
+    return found
+
+decimal.Context = narrow
+try:
+    runpy.run_module("nmatrix", run_name="__main__", alter_sys=True)
+except SystemExit as left:
+    sys.exit(left.code)
+"""
+
+
+@pytest.mark.parametrize(
+    "line", ["world --scale 1 2 1", "normal 2,0,0,0,1,0,0,0,1", "derive nonuniform --scale 1 2 1"]
+)
+def test_commands_run_where_decimals_have_the_limits_of_32_bits(line: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", NARROW, *line.split()], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
