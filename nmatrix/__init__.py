@@ -58,7 +58,6 @@ if TYPE_CHECKING:
     from nmatrix.enums import Layout as Layout
     from nmatrix.enums import Level as Level
     from nmatrix.enums import NormalMatrixKind as NormalMatrixKind
-    from nmatrix.enums import NormalMethod as NormalMethod
     from nmatrix.enums import NormalRule as NormalRule
     from nmatrix.enums import NormalStatus as NormalStatus
     from nmatrix.enums import Reflection as Reflection
@@ -105,7 +104,7 @@ _NAMES = {
     "spaces.transform": "Transform",
     "enums": (
         "Api ClipY Convention DepthRange Effort Format Frame Handedness Kind Layout Level "
-        "NormalMatrixKind NormalMethod NormalRule NormalStatus Reflection Shading Space"
+        "NormalMatrixKind NormalRule NormalStatus Reflection Shading Space"
     ),
     "errors": (
         "CheckFailedError FrameError IllegalValueError MissingPackageError NMatrixError "

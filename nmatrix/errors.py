@@ -103,3 +103,19 @@ class MissingPackageError(NMatrixError, ImportError):
     """An optional package is missing; the message holds the command that installs it."""
 
     exit_code = 4
+
+
+LONGEST_QUOTE = 40  # characters
+
+
+def quoted(text: str) -> str:
+    r"""Put the beginning of a text in quotes for a one-line message, whatever it holds.
+
+    Examples
+    --------
+    >>> quoted("1 0\n0"), quoted("x" * 60)[-5:]
+    ("'1 0\\n0'", "xxx'…")
+    """
+    shown = repr(text[:LONGEST_QUOTE])
+    safe = shown.encode("utf-8", "backslashreplace").decode()
+    return safe if len(text) <= LONGEST_QUOTE else f"{safe}…"

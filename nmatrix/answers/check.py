@@ -14,7 +14,7 @@ from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
 from nmatrix.scene.setup import Setup
@@ -196,4 +196,4 @@ def _marked(question: Question, answer: Answer, found: Judgement) -> Table:
 
 
 def _cell(entry: Fraction, *, is_wrong: bool) -> str:
-    return in_short(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")
+    return short_text(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")

@@ -12,7 +12,7 @@ from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.proofs.brief import Brief, Proof
 from nmatrix.raster.proofs.catalogue import entry
 from nmatrix.raster.proofs.frames import Job
-from nmatrix.report import Block, Figure, Quantity, Report, Value, Verdict
+from nmatrix.report import Block, Figure, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.camera import View
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.meshes.mesh import Mesh
@@ -31,7 +31,7 @@ PANEL = (360, 360)  # pixels of one panel of a proof
 class PictureChoices:
     """What a caller chooses of a picture; None leaves it to the scene file, or to the proof."""
 
-    size: tuple[int, int] | None = None
+    size: Vector | None = None
     shading: Shading | None = None
     reflection: Reflection | None = None
     normals: NormalRule | None = None

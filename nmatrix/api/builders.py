@@ -82,7 +82,7 @@ def world(
     for whole in ("quaternion", "axis_angle"):
         refuse_together(whole, ("order", "convention"), given, "those are for angles")
     refuse_together("convention", ("order",), given, "the course fixes the order")
-    turned, *how = _rotation(given, affine.checked_order(order or "XYZ"), named)
+    turned, *how = _rotation(given, affine.checked_order("XYZ" if order is None else order), named)
     return places.each(
         lambda move, size, slant, *turn: affine.compose(turned(*turn), size, slant, move),
         (
@@ -381,4 +381,4 @@ def _scale(scale: ArrayLike) -> places.Parameter:
 
 
 def _grown(block: rational.RationalMatrix) -> rational.RationalMatrix:
-    return rational.affine(block)
+    return rational.affine_matrix(block)

@@ -7,11 +7,10 @@ from fractions import Fraction
 from pathlib import Path
 
 from nmatrix.api.report import Report
-from nmatrix.api.setup import Part, Setup, world_part
+from nmatrix.api.setup import Part, Setup, setup_values, world_part
 from nmatrix.enums import Space, space_named
-from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.values import number, vector, whole
-from nmatrix.reading.arrays import literal
+from nmatrix.linear.values import named_file, number, refused, text, vector, whole
+from nmatrix.reading.arrays import read_matrix
 
 NO_SETUP = Setup()
 
@@ -54,17 +53,17 @@ def calc(
     from nmatrix.calculator.names import names_of, with_name
     from nmatrix.calculator.values import Arithmetic
 
-    text = _text(expression, "expression")
-    names = names_of(setup.values, text)
-    for name, value in (let or {}).items():
+    typed = text(expression, "expression")
+    names = names_of(setup_values(setup), typed)
+    for name, value in _mapping({} if let is None else let, "let").items():
         rows = (
             ((Fraction(number(value, name)),),)
             if _is_number(value)
-            else literal(value, name).rows_exact
+            else read_matrix(value, name).rows_exact
         )
-        names = with_name(names, name, rows)
+        names = with_name(names, text(name, "let"), rows)
     arithmetic = Arithmetic.FLOAT if rounded else Arithmetic.EXACT
-    return Report(report(calculate(text, names, arithmetic), with_steps=steps))
+    return Report(report(calculate(typed, names, arithmetic), with_steps=steps))
 
 
 def derive(case: str = "rule", world: Part = None) -> Report:
@@ -86,7 +85,7 @@ def derive(case: str = "rule", world: Part = None) -> Report:
     """
     from nmatrix.lessons.derive.lesson import derive as answer
 
-    return Report(answer(_text(case, "case"), None if world is None else world_part(world)))
+    return Report(answer(text(case, "case"), None if world is None else world_part(world)))
 
 
 def check(
@@ -128,13 +127,13 @@ def check(
 
     question = Question(
         chosen(Subject, what, "what"),
-        setup.values,
+        setup_values(setup),
         space_named(space),
         unit=bool(unit),
         tolerance=None if tolerance is None else Fraction(number(tolerance, "tolerance")),
         normal=None if normal is None else vector(normal, 3, "normal"),
     )
-    return Report(checked(question, literal(answer, "answer")))
+    return Report(checked(question, read_matrix(answer, "answer")))
 
 
 def check_exercise(
@@ -164,34 +163,39 @@ def check_exercise(
     from nmatrix.answers.exercise import check_exercise as checked
     from nmatrix.lessons.exercises.scheme import Sheet
 
-    return Report(
-        checked(
-            whole(exercise, "exercise"), Sheet(str(seed), student, salt), _text(answer, "answer")
-        )
-    )
+    sheet = Sheet(_seed(seed), text(student, "student"), _bytes(salt, "salt"))
+    return Report(checked(whole(exercise, "exercise"), sheet, text(answer, "answer")))
 
 
 def plan(scene: str | Path) -> Report:
     """Return which effects a scene file calls for, why, and how safely the others are left out."""
     from nmatrix.answers.plan import plan_of_file
 
-    return Report(plan_of_file(Path(scene)))
+    return Report(plan_of_file(named_file(scene, "scene")))
 
 
 def inspect(file: str | Path) -> Report:
     """Return the kind of map of each node of a glTF scene, and where normals break on it."""
     from nmatrix.answers.inspect import inspect_file, report
 
-    return Report(report(inspect_file(Path(file))))
+    return Report(report(inspect_file(named_file(file, "file"))))
+
+
+def _mapping(value: object, name: str) -> Mapping[str, object]:
+    if isinstance(value, Mapping):
+        return value
+    raise refused(value, name, "it is not a dict of names and values", "give {name: value}")
 
 
 def _is_number(value: object) -> bool:
     return not isinstance(value, str) and not hasattr(value, "__len__")
 
 
-def _text(value: object, name: str) -> str:
-    if isinstance(value, str):
+def _seed(value: object) -> str:
+    return value if isinstance(value, str) else str(whole(value, "seed"))
+
+
+def _bytes(value: object, name: str) -> bytes:
+    if isinstance(value, bytes):
         return value
-    raise IllegalValueError(
-        f"{quantity(name)} ({type(value).__name__})", "it is text", "put it in quotes"
-    )
+    raise refused(value, name, "it is not bytes", 'write b"..."')

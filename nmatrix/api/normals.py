@@ -7,7 +7,6 @@ type that comes in goes out again; integers and lists give float64.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from numbers import Real
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -21,6 +20,7 @@ from nmatrix.linear.certified import STATUSES, UNDEFINED
 from nmatrix.linear.classify import BUILT, Classification
 from nmatrix.linear.classify import classify as _classify
 from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.values import real
 
 Array = NDArray[Any]
 
@@ -387,6 +387,7 @@ def classify(A: ArrayLike, tolerance: float = BUILT) -> Classification:
             "a Classification describes one matrix",
             "classify them in turn: [classify(one) for one in A]",
         )
-    if not (isinstance(tolerance, Real) and 0 <= tolerance < np.inf):
-        raise IllegalValueError(f"tolerance ({tolerance})", "it is a number from 0 up", "try 1e-12")
-    return _classify(given.tolist(), float(tolerance))
+    limit = real(tolerance, "tolerance")
+    if limit < 0:
+        raise IllegalValueError(f"tolerance ({limit})", "it is a number from 0 up", "try 1e-12")
+    return _classify(given.tolist(), limit)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from nmatrix.api.report import Picture
-from nmatrix.api.setup import Setup
+from nmatrix.api.setup import Setup, setup_values
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen, space_named
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.values import vector
+from nmatrix.linear.values import named_file, vector
 
 
 def render(
@@ -62,21 +62,21 @@ def render(
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.open import scene_of
 
-    name = checked_subject(str(subject))
+    name = checked_subject(str(named_file(subject, "subject")))
     choices = PictureChoices(
-        None if size is None else _pixels(size),
+        None if size is None else vector(size, 2, "size"),
         None if shading is None else chosen(Shading, shading, "shading"),
         None if reflection is None else chosen(Reflection, reflection, "reflection"),
         None if normals is None else chosen(NormalRule, normals, "normals"),
         None if space is None else space_named(space),
-        None if setup is None else setup.values.space_matrix,
+        None if setup is None else setup_values(setup).space_matrix,
         samples,
         chosen(Effort, effects, "effects"),
     )
     if entry(name) is not None:
-        loaded = None if mesh is None else read_mesh(Path(mesh))
+        loaded = None if mesh is None else read_mesh(named_file(mesh, "mesh"))
         of_mesh = None if mesh is None else Path(mesh).stem
-        values = (setup or Setup()).values
+        values = setup_values(Setup() if setup is None else setup)
         job = proof_job(name, values, choices, mesh=loaded, subject=of_mesh)
     else:
         for given, value in (("setup", setup), ("mesh", mesh)):
@@ -86,11 +86,6 @@ def render(
                     "both say what to draw",
                     "keep one of them",
                 )
-        job = scene_job(scene_of(Path(name)), Path(name).stem, choices)
+        job = scene_job(scene_of(named_file(name, "subject")), Path(name).stem, choices)
     proof = job.draw()
     return Picture(answer(proof), proof.image, proof.png())
-
-
-def _pixels(size: object) -> tuple[int, int]:
-    width, height = vector(size, 2, "size")
-    return (int(width), int(height)) if width == int(width) and height == int(height) else (0, 0)

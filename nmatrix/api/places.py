@@ -52,16 +52,15 @@ def real(name: str, values: ArrayLike, own: tuple[int, ...]) -> Parameter:
 
 def distance(name: str, values: ArrayLike) -> Parameter:
     """Read distances, which may be infinite."""
-    if not isinstance(values, str):
-        try:
-            given = np.asarray(values, float)
-        except (TypeError, ValueError):
-            given = np.empty(0)
-        if np.isposinf(given).any():
-            found = real(name, np.where(np.isposinf(given), 1.0, given), ())
-            found.values = given
-            return found
-    return real(name, values, ())
+    try:
+        far = np.asarray(values)
+    except ValueError:  # ragged: to be refused below
+        far = np.empty(0)
+    if far.dtype.kind != "f" or not np.isposinf(far).any():
+        return real(name, values, ())
+    found = real(name, np.where(np.isposinf(far), 1.0, far), ())
+    found.values = far
+    return found
 
 
 def turns(name: str, values: Turns, own: tuple[int, ...], *, whole: bool = False) -> Parameter:

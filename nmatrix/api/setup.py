@@ -8,8 +8,16 @@ from pathlib import Path
 from typing import Any
 
 from nmatrix.api.report import Report
-from nmatrix.enums import NormalMethod, Reflection, Shading, Space, chosen, space_named
-from nmatrix.linear.values import settle, vector
+from nmatrix.enums import (
+    NORMAL_METHODS,
+    NormalRule,
+    Reflection,
+    Shading,
+    Space,
+    chosen,
+    space_named,
+)
+from nmatrix.linear.values import named_file, plain_value, real, refused, settle, vector
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
 from nmatrix.scene.given import lens_of, light_of, view_of, world_of
@@ -97,7 +105,7 @@ class Setup:
         from nmatrix.scene.open import scene_of
 
         found = cls.__new__(cls)
-        settle(found, values=setup_of(scene_of(Path(file)), object, light))
+        settle(found, values=setup_of(scene_of(named_file(file, "file")), object, light))
         return found
 
     def world(self) -> Report:
@@ -123,7 +131,7 @@ class Setup:
         normals: object = (),
         *,
         space: str | Space = Space.WORLD,
-        method: str | NormalMethod = NormalMethod.EXACT,
+        method: str | NormalRule = NormalRule.EXACT,
     ) -> Report:
         """Return the normal matrix from object space, and what becomes of some normals.
 
@@ -141,7 +149,7 @@ class Setup:
         request = NormalRequest(
             _vectors(normals, "normals"),
             space_named(space),
-            chosen(NormalMethod, method, "method"),
+            chosen(NormalRule, method, "method", NORMAL_METHODS),
         )
         return Report(normal(self.values, request))
 
@@ -195,9 +203,16 @@ class Setup:
                 self.values,
                 vector(point, 3, "point"),
                 None if normal is None else vector(normal, 3, "normal"),
-                Viewport(*map(float, vector(viewport, 2, "viewport"))),
+                Viewport(*(real(side, "viewport") for side in vector(viewport, 2, "viewport"))),
             )
         )
+
+
+def setup_values(given: object) -> setup.Setup:
+    """Return the frozen values of a setup that was given as `setup`."""
+    if isinstance(given, Setup):
+        return given.values
+    raise refused(given, "setup", "it is no Setup", "give nmatrix.Setup(...)")
 
 
 def world_part(world: Part) -> World:
@@ -217,7 +232,7 @@ def _part(given: Part, kind: type[Any], read: Any, matrix: str | None) -> Any:  
 
 def _vectors(given: object, name: str) -> tuple[Any, ...]:
     """Return vectors of three, from one or from several."""
-    listed = given.tolist() if hasattr(given, "tolist") else given
+    listed = plain_value(given, name)
     if isinstance(listed, tuple | list) and listed and not hasattr(listed[0], "__len__"):
         return (vector(listed, 3, name),)
     if not isinstance(listed, tuple | list):

@@ -16,7 +16,7 @@ from nmatrix.linear.rational import (
     ONE,
     ZERO,
     RationalMatrix,
-    affine,
+    affine_matrix,
     identity,
     product,
     rational_vector,
@@ -54,7 +54,7 @@ def checked_order(order: str) -> str:
     """
     if not isinstance(order, str) or sorted(order) not in (list(AXES), list(AXES.lower())):
         raise IllegalValueError(
-            f"order ({str(order)[:20]})",
+            f"order ({str(order)[:20] if isinstance(order, str) else type(order).__name__})",
             "it must hold each axis once, in capitals (about the turned axes) or in small letters "
             "(about the fixed axes)",
             f"try {quantity('order')} XYZ or {quantity('order')} zyx",
@@ -175,9 +175,9 @@ def compose(
     block = tuple(tuple(map(mul, row, stretch)) for row in turned)  # R · diag(scale)
     if any(shear):
         block = product(block, shear_matrix(shear))
-    return affine(block, rational_vector(translate))
+    return affine_matrix(block, rational_vector(translate))
 
 
 def translation_matrix(offset: Sequence[float | Fraction]) -> RationalMatrix:
     """Return the 4×4 matrix that moves points by the offset."""
-    return affine(identity(3), rational_vector(offset))
+    return affine_matrix(identity(3), rational_vector(offset))

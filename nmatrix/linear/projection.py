@@ -7,6 +7,7 @@ of a perspective matrix is [0 0 g·a c], of an orthographic one too.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
@@ -15,7 +16,7 @@ from nmatrix.enums import ClipY, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
-from nmatrix.linear.values import number, settle
+from nmatrix.linear.values import real, settle
 
 
 @dataclass(frozen=True)
@@ -56,10 +57,16 @@ class Window:
 
     def __post_init__(self) -> None:
         sides = ("left", "right", "bottom", "top")
-        settle(self, **{name: float(number(getattr(self, name), name)) for name in sides})
+        settle(self, **{name: real(getattr(self, name), name) for name in sides})
 
     def checked(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """Return the four sides exactly, or say why they enclose nothing."""
+        """Return the four sides exactly.
+
+        Raises
+        ------
+        NoAnswerError
+            If two of them coincide and the window encloses nothing.
+        """
         for low, high, names in (
             (self.left, self.right, "left and right"),
             (self.bottom, self.top, "bottom and top"),
@@ -75,6 +82,11 @@ class Window:
 
 
 DEFAULT_CLIP_SPACE = ClipSpace()
+NDC_DEPTH: Mapping[DepthRange, tuple[int, int]] = {  # at the near plane, at the far plane
+    DepthRange.MINUS_ONE_TO_ONE: (-1, 1),
+    DepthRange.ZERO_TO_ONE: (0, 1),
+    DepthRange.REVERSED: (1, 0),
+}
 CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 
 
@@ -121,7 +133,7 @@ def perspective(
 
 
 def _focal_lengths(half_fov_y: Angle, aspect: float) -> tuple[Fraction, Fraction]:
-    """Return how far away a view of width 2, and one of height 2, fill the field."""
+    """Return the focal lengths in x and y: cot(fov/2), for x over the aspect."""
     if half_fov_y.sine <= 0 or half_fov_y.cosine <= 0:
         raise IllegalValueError(
             "the field of view",
@@ -139,7 +151,7 @@ def _perspective_rows(
     depth_row: tuple[Fraction, Fraction],
     clip: ClipSpace,
 ) -> Rows:
-    """Return what every perspective matrix is: focal lengths, off-centre terms, depth, w = g·z."""
+    """Build a perspective matrix of its focal lengths, off-centre terms and z row; w = g·z."""
     g, y = clip.forward_z, clip.y_sign
     slope, offset = depth_row
     return to_floats(
@@ -194,7 +206,10 @@ def orthographic(
 
 
 def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
-    """Return a and c of the z row; far = inf takes the limit of the same formula."""
+    """Return a and c of the z row, so that a + c/z is `NDC_DEPTH` at z = near and at z = far.
+
+    For an infinite far a is the depth there itself: the limit of the same formula.
+    """
     if not near > 0:
         raise IllegalValueError(
             f"near ({near:g})",
@@ -202,23 +217,16 @@ def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fract
             f"try {quantity('near')} 0.1",
         )
     check_near_far(near, far)
+    at_near, at_far = NDC_DEPTH[depth]
     n = Fraction(near)
     if far == inf:
-        return {
-            DepthRange.MINUS_ONE_TO_ONE: (ONE, -2 * n),
-            DepthRange.ZERO_TO_ONE: (ONE, -n),
-            DepthRange.REVERSED: (ZERO, n),
-        }[depth]
+        return Fraction(at_far), (at_near - at_far) * n
     f = Fraction(far)
-    if depth is DepthRange.MINUS_ONE_TO_ONE:
-        return (f + n) / (f - n), -2 * f * n / (f - n)
-    if depth is DepthRange.ZERO_TO_ONE:
-        return f / (f - n), -f * n / (f - n)
-    return -n / (f - n), f * n / (f - n)
+    return (at_far * f - at_near * n) / (f - n), (at_near - at_far) * f * n / (f - n)
 
 
 def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
-    """Return a and c of the z row of a parallel view."""
+    """Return a and c of the z row of a parallel view: a·z + c is `NDC_DEPTH` at near and far."""
     check_near_far(near, far)
     if far == inf:
         raise IllegalValueError(
@@ -226,12 +234,9 @@ def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Frac
             "a parallel view divides depth by far − near",
             f"give a finite {quantity('far')}",
         )
+    at_near, at_far = NDC_DEPTH[depth]
     n, f = Fraction(near), Fraction(far)
-    if depth is DepthRange.MINUS_ONE_TO_ONE:
-        return 2 / (f - n), -(f + n) / (f - n)
-    if depth is DepthRange.ZERO_TO_ONE:
-        return 1 / (f - n), -n / (f - n)
-    return -1 / (f - n), f / (f - n)
+    return (at_far - at_near) / (f - n), (at_near * f - at_far * n) / (f - n)
 
 
 def check_near_far(near: float, far: float) -> None:

@@ -9,9 +9,10 @@ from decimal import Decimal
 from fractions import Fraction
 from math import isfinite
 from numbers import Rational
+from os import PathLike, fspath
+from pathlib import Path
 
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.angle import Angle
 from nmatrix.report import Number, Vector
 
 LONGEST = 40  # characters of a value that an error shows
@@ -40,17 +41,26 @@ def number(value: object, name: str) -> Number:
     raise refused(value, name, "it is not a finite real number", "give a number")
 
 
+def real(value: object, name: str) -> float:
+    """Return the float64 nearest to a number.
+
+    Raises
+    ------
+    IllegalValueError
+        Also for a number beyond the largest float64.
+    """
+    try:
+        return float(number(value, name))
+    except OverflowError:
+        raise refused(value, name, "no float64 is as large", "give a smaller number") from None
+
+
 def whole(value: object, name: str) -> int:
     """Return a whole number."""
     found = number(value, name)
     if found != int(found):
         raise refused(value, name, "it is not a whole number", "give a whole number")
     return int(found)
-
-
-def turn(value: object, name: str) -> Number:
-    """Return an angle in degrees: a number of degrees, or an `Angle`."""
-    return value.in_degrees if isinstance(value, Angle) else number(value, name)
 
 
 def vector(values: object, size: int, name: str) -> Vector:
@@ -65,12 +75,6 @@ def vector(values: object, size: int, name: str) -> Vector:
         return values
     entries = listed(values, name, (size,))
     return tuple(number(one, f"{name}[{i}]") for i, one in enumerate(entries))
-
-
-def turns(values: object, size: int, name: str) -> Vector:
-    """Return so many angles in degrees."""
-    entries = listed(values, name, (size,))
-    return tuple(turn(one, f"{name}[{i}]") for i, one in enumerate(entries))
 
 
 def _is_exact(value: object) -> bool:
@@ -100,6 +104,20 @@ def plain_value(value: object, name: str) -> object:
     if hasattr(value, "mask"):
         raise refused(value, name, "a masked entry has no value", "fill it: .filled(0.0)")
     return value.tolist() if hasattr(value, "tolist") else value
+
+
+def text(value: object, name: str) -> str:
+    """Return a text."""
+    if isinstance(value, str):
+        return value
+    raise refused(value, name, "it is not text", "put it in quotes")
+
+
+def named_file(value: object, name: str) -> Path:
+    """Return the path that a text or a path names."""
+    if isinstance(value, str | PathLike) and not isinstance(fspath(value), bytes):
+        return Path(value)
+    raise refused(value, name, "it is not the name of a file", "give text or a path")
 
 
 def settle(value: object, **fields: object) -> None:

@@ -19,7 +19,7 @@ from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
     Rows,
-    affine,
+    affine_matrix,
     apply,
     cross,
     dot,
@@ -132,4 +132,4 @@ def first_person(
         rotation_about("Y", sideways if convention is Convention.POLIMI else -sideways),
     )
     offset = apply(turned, rational_vector(eye))
-    return affine(turned, tuple(-component for component in offset))
+    return affine_matrix(turned, tuple(-component for component in offset))

@@ -7,6 +7,7 @@ from enum import StrEnum
 
 from nmatrix.enums import Format, Layout
 from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.values import number
 
 MOST_DIGITS = 17
 
@@ -47,9 +48,10 @@ class OutputOptions:
     colour: Colour = Colour.PLAIN
 
     def __post_init__(self) -> None:
-        if not (isinstance(self.digits, int) and 1 <= self.digits <= MOST_DIGITS):
+        digits = number(self.digits, "digits")
+        if not (isinstance(digits, int) and 1 <= digits <= MOST_DIGITS):
             raise IllegalValueError(
-                f"{quantity('digits')} ({str(self.digits)[:20]})",
+                f"{quantity('digits')} ({digits})",
                 f"a float64 has 1 to {MOST_DIGITS} significant digits",
                 f"try {quantity('digits')} 6",
             )

@@ -13,7 +13,7 @@ from nmatrix.reading.shapes import as_affine, as_projection
 SIZES = (1, 2, 3, 4)
 
 
-def affine(values: object, name: str) -> RationalMatrix:
+def read_affine(values: object, name: str) -> RationalMatrix:
     """Return an affine 4×4; nine numbers are its linear part.
 
     Raises
@@ -23,25 +23,25 @@ def affine(values: object, name: str) -> RationalMatrix:
 
     Examples
     --------
-    >>> affine([[2, 0, 0], [0, 2, 0], [0, 0, 2]], "world_matrix")[0]
+    >>> read_affine([[2, 0, 0], [0, 2, 0], [0, 0, 2]], "world_matrix")[0]
     (Fraction(2, 1), Fraction(0, 1), Fraction(0, 1), Fraction(0, 1))
     """
-    return as_affine(literal(values, name)).rows_exact
+    return as_affine(read_matrix(values, name)).rows_exact
 
 
-def projection(values: object, name: str) -> RationalMatrix:
+def read_projection(values: object, name: str) -> RationalMatrix:
     """Return a 4×4 of any sixteen numbers."""
-    return as_projection(literal(values, name)).rows_exact
+    return as_projection(read_matrix(values, name)).rows_exact
 
 
-def literal(values: object, name: str) -> MatrixLiteral:
+def read_matrix(values: object, name: str) -> MatrixLiteral:
     """Return a matrix of at most 4×4 entries, or a vector as one row.
 
     Text is read in every notation that the command line knows.
 
     Examples
     --------
-    >>> literal([1, 2, 3], "answer").rows, literal("1 2; 3 4", "answer").rows
+    >>> read_matrix([1, 2, 3], "answer").rows, read_matrix("1 2; 3 4", "answer").rows
     (((1.0, 2.0, 3.0),), ((1.0, 2.0), (3.0, 4.0)))
     """
     if isinstance(values, str):

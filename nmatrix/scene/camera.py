@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from nmatrix.enums import Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
-from nmatrix.linear.angle import Angle
+from nmatrix.linear.angle import Angle, turn
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
-from nmatrix.linear.values import settle, turn, vector
+from nmatrix.linear.values import real, settle, vector
 from nmatrix.linear.view import first_person, look_at
-from nmatrix.reading.arrays import affine
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 
 _PARALLEL = (
@@ -43,7 +43,7 @@ class FirstPerson:
 
     def __post_init__(self) -> None:
         names = ("elevation", "angle", "roll")
-        settle(self, **{name: float(turn(getattr(self, name), name)) for name in names})
+        settle(self, **{name: real(turn(getattr(self, name), name), name) for name in names})
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class View:
         read["handed"] = chosen(Handedness, self.handed, "handed")
         read["convention"] = chosen(Convention, self.convention, "convention")
         if self.matrix is not None:
-            read["matrix"] = affine(self.matrix, "view_matrix")
+            read["matrix"] = read_affine(self.matrix, "view_matrix")
         settle(self, **read)
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
@@ -93,7 +93,7 @@ class View:
             return self._by_angles(self.angles)
         found = look_at(_floats(self.eye), _floats(self.target), _floats(self.up), self.handed)
         return PlacedCamera(
-            rational.rational(found.camera_from_world),
+            rational.rational_matrix(found.camera_from_world),
             rational_vector(self.eye),
             (_PARALLEL,) if found.up_was_parallel else (),
         )
@@ -107,11 +107,13 @@ class View:
             self.convention,
         )
         remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
-        return PlacedCamera(rational.rational(to_floats(exact)), rational_vector(self.eye), remarks)
+        return PlacedCamera(
+            rational.rational_matrix(to_floats(exact)), rational_vector(self.eye), remarks
+        )
 
 
 def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:
-    if rational.determinant(rational.linear(camera_from_world)) == 0:
+    if rational.determinant(rational.linear_part(camera_from_world)) == 0:
         raise NoAnswerError(
             "view matrix (determinant 0)",
             "it flattens space, so no eye can be read from it",

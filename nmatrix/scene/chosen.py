@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, apply, inverse, rational_vector
+from nmatrix.linear.values import text
 from nmatrix.scene.camera import View
 from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.scene import Scene, SceneObject
@@ -40,6 +41,7 @@ def chosen_object(scene: Scene, name: str | None) -> SceneObject:
     """Return the object of a name, or the first."""
     if name is None:
         return scene.objects[0]
+    name = text(name, "object")
     for one in scene.objects:
         if one.name == name:
             return one
@@ -51,6 +53,7 @@ def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:
     placed = [one for one in scene.lights if one.has_position or one.has_direction]
     if name is None:
         return placed[0] if placed else None
+    name = text(name, "light")
     for one in placed:
         if one.name == name:
             return one

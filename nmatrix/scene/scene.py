@@ -8,6 +8,7 @@ from pathlib import Path
 from nmatrix.enums import Effort, NormalRule, Shading, Space
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix
+from nmatrix.linear.values import number, settle, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
 from nmatrix.scene.lens import Lens
@@ -71,24 +72,25 @@ class Settings:
     turn_degrees: float = 0.0
 
     def __post_init__(self) -> None:
-        width, height = self.size
+        width, height = vector(self.size, 2, "size")
         sides = f"{quantity('size')} ({width:g} {height:g})"
-        if not all(float(side).is_integer() and side >= 1 for side in self.size):
+        if not all(float(side).is_integer() and side >= 1 for side in (width, height)):
             why = "both sides are whole numbers of pixels, 1 at least"
             raise IllegalValueError(sides, why, "try 360 360")
-        if max(self.size) > LARGEST:
+        if max(width, height) > LARGEST:
             raise IllegalValueError(
                 sides, f"a side has {LARGEST} pixels at the most", "try 1024 1024"
             )
-        if self.samples not in SAMPLES:
+        if number(self.samples, "samples") not in SAMPLES:
             raise IllegalValueError(
                 f"{quantity('samples')} ({self.samples})",
                 "a pixel has 1, 4, 16 or 64",
                 f"try {quantity('samples')} 4",
             )
+        settle(self, size=(int(width), int(height)), samples=int(self.samples))
         if width * height * self.samples > MOST_SAMPLES:
             raise IllegalValueError(
-                f"{quantity('size')} {width} {height} with {self.samples} samples",
+                f"{quantity('size')} {self.size[0]} {self.size[1]} with {self.samples} samples",
                 f"a picture has {MOST_SAMPLES} samples at the most",
                 "take fewer of either",
             )

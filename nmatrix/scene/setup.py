@@ -8,12 +8,12 @@ from functools import cached_property
 
 from nmatrix.enums import Frame
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
-from nmatrix.linear.angle import Angle
+from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
-from nmatrix.linear.values import number, settle, turns, vector
+from nmatrix.linear.values import number, real, settle, vector
 from nmatrix.linear.vectors import direction_from_angles, normalize
-from nmatrix.reading.arrays import affine
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
@@ -38,7 +38,7 @@ class Light:
             read["direction"] = vector(self.direction, 3, "light_direction")
         if self.angles_degrees is not None:
             alpha, beta = turns(self.angles_degrees, 2, "light_angles")
-            read["angles_degrees"] = (float(alpha), float(beta))
+            read["angles_degrees"] = (real(alpha, "light_angles"), real(beta, "light_angles"))
         if self.position is not None:
             read["position"] = vector(self.position, 3, "light_position")
         settle(self, **read)
@@ -88,7 +88,7 @@ class Setup:
 
     def __post_init__(self) -> None:
         if self.space_matrix is not None:
-            settle(self, space_matrix=affine(self.space_matrix, "space_matrix"))
+            settle(self, space_matrix=read_affine(self.space_matrix, "space_matrix"))
         if not 0 <= number(self.tolerance, "tolerance") < 1:
             named = f"{quantity('tolerance')} ({self.tolerance})"
             raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")

@@ -9,10 +9,10 @@ from fractions import Fraction
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
-from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import RationalMatrix, to_shown
-from nmatrix.linear.values import settle, turns, vector
-from nmatrix.reading.arrays import affine as affine_matrix
+from nmatrix.linear.angle import Angle, turns
+from nmatrix.linear.rational import RationalMatrix, rounded_for_display
+from nmatrix.linear.values import settle, vector
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
 _POLIMI_REMARK = (
@@ -70,7 +70,7 @@ class World:
         if self.quaternion is not None:
             read["quaternion"] = vector(self.quaternion, 4, "quaternion")
         if self.matrix is not None:
-            read["matrix"] = affine_matrix(self.matrix, "world_matrix")
+            read["matrix"] = read_affine(self.matrix, "world_matrix")
         settle(self, **read)
         affine.checked_order(self.order)
         if self.convention is not Convention.STANDARD:
@@ -123,7 +123,7 @@ class World:
         >>> World(scale=(1, 2, 1)).world_from_object[1][1]
         Fraction(2, 1)
         """
-        return to_shown(self.exact)
+        return rounded_for_display(self.exact)
 
     @property
     def remarks(self) -> tuple[str, ...]:

@@ -108,7 +108,7 @@ class ExactMaps:
                 f"give {quantity('light_direction')}",
             )
         seen = looking_along(position, towards, self.up, Handedness.RIGHT)
-        return Transform(Frame.LIGHT, Frame.WORLD, rational.rational(seen.camera_from_world))
+        return Transform(Frame.LIGHT, Frame.WORLD, rational.rational_matrix(seen.camera_from_world))
 
     def _custom_from_world(self) -> Transform:
         if self.custom_from_world is None:

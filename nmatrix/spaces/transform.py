@@ -15,7 +15,7 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, to_floats
 from nmatrix.linear.rounding import nearest
 from nmatrix.linear.values import settle, vector
-from nmatrix.reading.arrays import affine
+from nmatrix.reading.arrays import read_affine
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Transform:
             self,
             to=chosen(Frame, self.to, "to"),
             source=chosen(Frame, self.source, "source"),
-            exact=affine(self.exact, "matrix"),
+            exact=read_affine(self.exact, "matrix"),
         )
 
     @classmethod
@@ -85,7 +85,7 @@ class Transform:
     @property
     def linear_map(self) -> LinearMap:
         """Return the 3×3 block at the exact level."""
-        return LinearMap.of(rational.linear(self.exact))
+        return LinearMap.of(rational.linear_part(self.exact))
 
     def _repr_latex_(self) -> str:
         """Show the matrix under its name in a notebook."""
@@ -121,11 +121,11 @@ class Transform:
 
     def point(self, point: object) -> tuple[float, ...]:
         """Return a point of the source frame in the target frame (w = 1: it moves along)."""
-        return tuple(map(nearest, self.exact_point(_exact(point, "point"))))
+        return tuple(map(nearest, self.exact_point(point)))
 
     def vector(self, vector: object) -> tuple[float, ...]:
         """Return a vector of the source frame in the target frame (w = 0: no translation)."""
-        return tuple(map(nearest, self.exact_vector(_exact(vector, "vector"))))
+        return tuple(map(nearest, self.exact_vector(vector)))
 
     def normal(self, normal: object) -> tuple[float, ...]:
         """Return a normal in the target frame, at length one, outward side kept.
@@ -142,13 +142,14 @@ class Transform:
             )
         return carried.direction
 
-    def exact_point(self, point: RationalVector) -> RationalVector:
+    def exact_point(self, point: object) -> RationalVector:
         """Return the image of a point without rounding."""
-        return tuple(rational.dot(row[:3], point) + row[3] for row in self.exact[:3])
+        p = _exact(point, "point")
+        return tuple(rational.dot(row[:3], p) + row[3] for row in self.exact[:3])
 
-    def exact_vector(self, vector: RationalVector) -> RationalVector:
+    def exact_vector(self, vector: object) -> RationalVector:
         """Return the image of a vector without rounding."""
-        return rational.apply(rational.linear(self.exact), vector)
+        return rational.apply(rational.linear_part(self.exact), _exact(vector, "vector"))
 
 
 def _exact(values: object, name: str) -> RationalVector:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Report, Table, Text, Value
 from nmatrix.report import Verdict as Sentence
 from nmatrix.studies.hardcases import (
@@ -138,7 +138,7 @@ def _answer(case: Case) -> str:
     if case.expected is None:
         return "there is none, and that must be said"
     scale = max(map(abs, case.expected)) if case.is_direction else 1
-    numbers = ", ".join(in_short(x / (scale or 1), 6) for x in case.expected)
+    numbers = ", ".join(short_text(x / (scale or 1), 6) for x in case.expected)
     about = ", at any positive length" if case.is_direction else ""
     return f"({numbers}){about}" if len(case.expected) > 1 else numbers
 

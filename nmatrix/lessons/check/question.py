@@ -22,7 +22,7 @@ from nmatrix.linear.rational import (
     apply,
     identity,
     inverse,
-    linear,
+    linear_part,
     product,
     rational_vector,
 )
@@ -147,7 +147,7 @@ def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) 
         return identity(4)
     if space is Space.CAMERA:
         return V
-    if space is Space.OBJECT and LinearMap.of(linear(M)).integer_determinant:
+    if space is Space.OBJECT and LinearMap.of(linear_part(M)).integer_determinant:
         return inverse(M)
     return question.setup.maps.space_from_world(space).exact
 
@@ -185,7 +185,7 @@ def raw_answer(question: Question, by: Setting) -> RationalMatrix:
         return (apply(S, (*question.setup.camera.eye, ONE)),)
     if question.subject is Subject.LIGHT:
         return (apply(S, light_vector(question)),)
-    return _normal(question, LinearMap.of(linear(by.space_from_object)))
+    return _normal(question, LinearMap.of(linear_part(by.space_from_object)))
 
 
 def light_vector(question: Question) -> RationalVector:
