@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rounding import angle, integers
 from nmatrix.studies.harness import SEED, Harness
+from nmatrix.studies.measurements import Measurement, Task, Unit
 from nmatrix.studies.methods import METHODS, Method, method
-from nmatrix.studies.rows import Row, Task
 
 Array = NDArray[Any]
 
@@ -42,7 +42,7 @@ class Family:
 
 @dataclass(frozen=True)
 class Extent:
-    """How much to measure: matrices whose answers are checked, in a batch, and κ's."""
+    """How much to measure: matrices whose answers are checked, matrices a batch, and κ's."""
 
     checked: int = 200
     batch: int = BATCH
@@ -55,7 +55,7 @@ SLOW = {"exact", "solve", "qr"}  # one matrix after the other
 
 
 def families(count: int, kappas: tuple[float, ...]) -> Iterator[Family]:
-    """Return matrices by condition, then with exponents that leave the range of squares.
+    """Generate matrices by condition number, then with exponents whose squares leave the range.
 
     Adversarial normals all but cancel; mixed exponents differ between the entries of one matrix.
     """
@@ -88,12 +88,12 @@ class Errors:
 
     @property
     def failures(self) -> int:
-        """Return how many answers are wrong."""
+        """The number of wrong answers of all kinds."""
         return self.not_a_number + self.zero + self.flipped + self.not_reported
 
 
 def errors(carried: Array, family: Family) -> Errors:
-    """Return what became of a family's normals, measured against whole numbers."""
+    """Compare carried normals with the exact ones, and count the wrong answers by kind."""
     angles, wrong = [], Counter[str]()
     for A, n, found in zip(
         family.matrices.tolist(), family.normals.tolist(), carried.tolist(), strict=True
@@ -121,7 +121,7 @@ def _true_normal(linear_map: LinearMap, n: Sequence[float]) -> list[int] | None:
 
 
 def tasks(harness: Harness, extent: Extent) -> list[Task]:
-    """Return every method on every family still to be measured, in a batch and on one matrix."""
+    """List the measurements: every method on every family, in a batch and on one matrix."""
     found: list[Task] = []
     for family in families(extent.batch, extent.kappas):
         checked = family.first(extent.checked)
@@ -134,7 +134,7 @@ def tasks(harness: Harness, extent: Extent) -> list[Task]:
     return found
 
 
-def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Row:
+def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Measurement:
     found = errors(one.normals(checked.matrices, checked.normals), checked)
     is_long = one.name in SLOW and len(family.matrices) > len(checked.matrices)
     A, n = (checked if is_long else family).matrices, (checked if is_long else family).normals
@@ -150,4 +150,6 @@ def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Row:
         "flipped": found.flipped,
         "not_reported": found.not_reported,
     }
-    return Row(one.name, checked.name, found.worst, "rad", timing, found.failures, more=more)
+    return Measurement(
+        one.name, checked.name, found.worst, Unit.RADIANS, timing, found.failures, more=more
+    )

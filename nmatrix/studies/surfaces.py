@@ -1,4 +1,4 @@
-"""Surfaces with one thing about them changed, for a study of what it costs."""
+"""Surfaces with one change each, for the study of what that change costs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def as_it_is(surface: Surface) -> Surface:
 
 
 def with_effect(effect: Effect, *, on: bool) -> Change:
-    """Return what turns one effect on or off, whatever the plan says."""
+    """Return a change that turns one effect on or off, whatever the plan says."""
 
     def change(surface: Surface) -> Surface:
         effects = surface.effects | {effect} if on else surface.effects - {effect}
@@ -46,7 +46,7 @@ class Float32Surface(Surface):
         return replace(found, points=points, directions=directions, faces=faces)
 
     def colours(self, fragments: Fragments) -> Array:
-        """Return the colours of what float32 keeps of the fragments."""
+        """Return the colours of the fragments, their values rounded to float32."""
         kept = {name: one.astype(np.float32) for name, one in fragments.values.items()}
         return super().colours(replace(fragments, values=kept))
 
@@ -70,7 +70,7 @@ def in_float32(surface: Surface) -> Surface:
 
 
 def normals_seen(plan: Plan, change: Change = as_it_is) -> Array:
-    """Return the normals (height, width, 3) that one sample a pixel sees, 0 where nothing is."""
+    """Render the normals (height, width, 3) with one sample a pixel; 0 is background."""
     settings = replace(plan.loaded.settings, samples=1, background=(0.5, 0.5, 0.5))
     again = everything(replace(plan.loaded, settings=settings))
     colour = replace(again.picture[Effect.COLOUR], on=True)
@@ -102,5 +102,5 @@ def _unit(vectors: Array) -> Array:
 
 
 def _fields(surface: Surface) -> dict[str, Any]:
-    """Return what a surface is made of."""
+    """Return the fields of a surface by name."""
     return {name: getattr(surface, name) for name in Surface.__dataclass_fields__}
