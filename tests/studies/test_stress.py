@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,53 +12,56 @@ import pytest
 from nmatrix.cli.app import run
 from nmatrix.studies import methods
 from nmatrix.studies.hardcases import normals
-from nmatrix.studies.hardcases.case import Case, Contestant, Verdict, exactly, spelled
+from nmatrix.studies.hardcases.case import Case, CaseVerdict, Contestant, exactly, spelled
 from nmatrix.studies.hardcases.families import NAMES, random_cases
 from nmatrix.studies.hardcases.oracle import determinant, true_normal
 from nmatrix.studies.methods import Method
-from nmatrix.studies.stress import CATALOGUE, case_named, stress
+from nmatrix.studies.stress import CATALOGUE, FAMILIES, case_named, stress
 
-ROWS = [
-    *(f"N{i}" for i in range(1, 20)),
-    *(f"V{i}" for i in range(1, 5)),
-    *(f"E{i}" for i in range(1, 8)),
-    *(f"D{i}" for i in range(1, 9)),
-    *(f"R{i}" for i in range(1, 11)),
-    *(f"M{i}" for i in range(1, 7)),
-]
+ROWS = {"N": 19, "V": 4, "E": 7, "D": 8, "R": 10, "M": 6}  # the cases of each family
 
 
 @pytest.mark.parametrize("case", CATALOGUE, ids=lambda case: case.id)
 def test_ours_is_right_and_somebody_still_fails(case: Case) -> None:
     results = case.results()
     assert [r for r in results if r.is_ours]
-    assert all(r.verdict is Verdict.RIGHT for r in results if r.is_ours), results
-    assert any(r.verdict is not Verdict.RIGHT for r in results if not r.is_ours)
+    assert all(r.verdict is CaseVerdict.RIGHT for r in results if r.is_ours), results
+    assert any(r.verdict is not CaseVerdict.RIGHT for r in results if not r.is_ours)
 
 
 def test_every_row_of_the_catalogue_is_there_once_and_in_order() -> None:
     found = [one.id for one in CATALOGUE]
-    assert [one for one in found if one[-1].isdigit()] == ROWS
+    numbered = [f"{letter}{i + 1}" for letter in FAMILIES for i in range(ROWS[letter])]
+    assert [one for one in found if one[-1].isdigit()] == numbered
     assert len(set(found)) == len(found)
 
 
-def judged(found: object, expected: object = exactly(1, 0, 0), **case: bool) -> Verdict:
+def test_the_page_on_accuracy_lists_every_family_and_every_case() -> None:
+    lines = (Path(__file__).resolve().parents[2] / "docs" / "accuracy.md").read_text().splitlines()
+    families = [f"| {letter} | {words} |" for letter, words in FAMILIES.items()]
+    cases = [f"| {one.id} | {one.title} | {one.reason} |" for one in CATALOGUE]
+    assert [line for line in lines if line in families] == families
+    first = lines.index(cases[0])
+    assert lines[first:] == cases
+
+
+def judged(found: object, expected: object = exactly(1, 0, 0), **case: bool) -> CaseVerdict:
     one = Contestant("x", lambda: found)  # type: ignore[arg-type, return-value]
     row = Case("T", "t", "", expected, "", (one,), **case)  # type: ignore[arg-type]
     return row.results()[0].verdict
 
 
 def test_the_judge_tells_every_kind_of_answer_apart() -> None:
-    assert judged((1.0, 0.0, 0.0)) is Verdict.RIGHT
-    assert judged((1.0, 1e-9, 0.0)) is Verdict.IMPRECISE
-    assert judged((1.0, 0.1, 0.0)) is Verdict.WRONG
-    assert judged((float("nan"),) * 3) is Verdict.NAN
-    assert judged((0.0, 0.0, 0.0)) is Verdict.ZERO
-    assert judged((-2.0, 0.0, 0.0), is_direction=True) is Verdict.FLIPPED
-    assert judged((7.0, 0.0, 0.0), is_direction=True) is Verdict.RIGHT
-    assert judged((1.0,), None) is Verdict.NOT_REPORTED
-    assert judged(None, None) is Verdict.RIGHT
-    assert judged(None) is Verdict.NAN
+    assert judged((1.0, 0.0, 0.0)) is CaseVerdict.RIGHT
+    assert judged((1.0, 1e-9, 0.0)) is CaseVerdict.IMPRECISE
+    assert judged((1.0, 0.1, 0.0)) is CaseVerdict.WRONG
+    assert judged((float("nan"),) * 3) is CaseVerdict.NAN
+    assert judged((0.0, 0.0, 0.0)) is CaseVerdict.ZERO
+    assert judged((-2.0, 0.0, 0.0), is_direction=True) is CaseVerdict.FLIPPED
+    assert judged((7.0, 0.0, 0.0), is_direction=True) is CaseVerdict.RIGHT
+    assert judged((1.0,), None) is CaseVerdict.NOT_REPORTED
+    assert judged(None, None) is CaseVerdict.RIGHT
+    assert judged(None) is CaseVerdict.NAN
 
 
 def dropped_sign(A: np.ndarray, n: np.ndarray) -> np.ndarray:
@@ -85,7 +89,7 @@ def test_random_cases_are_directed_and_the_same_again() -> None:
     assert stress(first).failure is None
     for name in NAMES:
         family = [one for one in first if one.title == name]
-        lost = [r for one in family for r in one.results() if r.verdict is not Verdict.RIGHT]
+        lost = [r for one in family for r in one.results() if r.verdict is not CaseVerdict.RIGHT]
         assert lost, f"{name} is hard for nobody"
 
 

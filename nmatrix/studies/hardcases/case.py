@@ -1,4 +1,4 @@
-"""A hard case: an input, its exact answer, the reason, and contestants; and how they are judged."""
+"""A hard case: an input, its exact answer, why it is hard, and the contestants that are judged."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Compute = Callable[[], Sequence[float] | None]
 RIGHT, IMPRECISE = 1e-14, 1e-6  # radians, or relative
 
 
-class Verdict(StrEnum):
-    """What became of one contestant on one case."""
+class CaseVerdict(StrEnum):
+    """The judgement of one contestant on one case."""
 
     RIGHT = "right"
     IMPRECISE = "imprecise"
@@ -31,7 +31,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Contestant:
-    """One way to answer: `compute` returns numbers, or None where it says that there is none."""
+    """One way to answer: `compute` returns numbers, or None to say that there is no answer."""
 
     name: str
     compute: Compute
@@ -40,10 +40,10 @@ class Contestant:
 
 @dataclass(frozen=True)
 class Result:
-    """How one contestant did; the error is in radians for directions, else relative."""
+    """One contestant's judgement; the error is in radians for directions, else relative."""
 
     method: str
-    verdict: Verdict
+    verdict: CaseVerdict
     error: float | None
     is_ours: bool
 
@@ -75,7 +75,7 @@ class Case:
 
     @property
     def replay(self) -> str:
-        """Return the command that shows this case again."""
+        """The command that shows this case again."""
         return f"nmatrix stress {self.made_by}--case {self.id}"
 
     def results(self) -> tuple[Result, ...]:
@@ -87,22 +87,22 @@ class Case:
         verdict, error = self._verdict(found)
         return Result(one.name, verdict, error, one.is_ours)
 
-    def _verdict(self, found: Numbers | None) -> tuple[Verdict, float | None]:
+    def _verdict(self, found: Numbers | None) -> tuple[CaseVerdict, float | None]:
         if self.expected is None:
             return _of_no_answer(found), None
         if found is None or not _all_finite(found):
-            return Verdict.NAN, None
+            return CaseVerdict.NAN, None
         if any(self.expected) and not any(found):
-            return Verdict.ZERO, None
+            return CaseVerdict.ZERO, None
         error = self._error([Fraction(x) for x in found], self.expected)
         return self._of_error(error), error
 
-    def _of_error(self, error: float) -> Verdict:
+    def _of_error(self, error: float) -> CaseVerdict:
         if self.is_direction and error > pi / 2:
-            return Verdict.FLIPPED
+            return CaseVerdict.FLIPPED
         if error <= self.within:
-            return Verdict.RIGHT
-        return Verdict.IMPRECISE if error <= IMPRECISE else Verdict.WRONG
+            return CaseVerdict.RIGHT
+        return CaseVerdict.IMPRECISE if error <= IMPRECISE else CaseVerdict.WRONG
 
     def _error(self, found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
         if self.is_direction:
@@ -113,15 +113,15 @@ class Case:
         return float(min(error, Fraction(10) ** 300))
 
 
-def _of_no_answer(found: Numbers | None) -> Verdict:
-    """Judge what is said where there is nothing to say."""
+def _of_no_answer(found: Numbers | None) -> CaseVerdict:
+    """Judge a contestant where there is no answer: only one that says so is right."""
     if found is None:
-        return Verdict.RIGHT
-    return Verdict.NOT_REPORTED if _all_finite(found) else Verdict.NAN
+        return CaseVerdict.RIGHT
+    return CaseVerdict.NOT_REPORTED if _all_finite(found) else CaseVerdict.NAN
 
 
 def _tried(one: Contestant) -> Numbers | None:
-    """Return what a contestant answers; an error of ours is an answer, another's is none."""
+    """Let a contestant answer: an NMatrixError says that there is none, other errors are NaN."""
     import numpy as np
 
     with np.errstate(all="ignore"):
@@ -139,12 +139,12 @@ def _all_finite(found: Numbers) -> bool:
 
 
 def own(name: str, compute: Compute) -> Contestant:
-    """Return one of nmatrix's own ways."""
+    """Make a contestant of one of nmatrix's own ways."""
     return Contestant(name, compute, is_ours=True)
 
 
 def spelled(rows: Iterable[Iterable[float]]) -> str:
-    """Return a matrix as text that is read back to the very same floats.
+    """Write a matrix as text that is read back to the very same floats.
 
     Examples
     --------
