@@ -43,7 +43,7 @@ def plan(
         return
     if scene is None:
         raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
-    from nmatrix.answers.plan import plan as answer
+    from nmatrix.answers.picture import plan as answer
     from nmatrix.raster.loaded_scene import loaded
     from nmatrix.raster.planning.emit import shaders
     from nmatrix.raster.planning.plan import planned

@@ -86,7 +86,7 @@ def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everyw
         return
     for name, content in zip(names, _content(proofs, target), strict=True):
         write_file(name, content, force=file.force)
-    from nmatrix.answers.render import render as answer
+    from nmatrix.answers.picture import render as answer
 
     show(answer(proofs[0], _named(names), milliseconds), everywhere)
     if file.preview:

@@ -1,18 +1,59 @@
-"""`plan`: which effects a scene calls for, why, what each needs, and what was left out."""
+"""`nmatrix plan` and `nmatrix render`: the effects that a scene needs, and its picture."""
 
 from __future__ import annotations
+
+from dataclasses import asdict
 
 from nmatrix.enums import Effect
 from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan
-from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.raster.proofs.brief import Proof
+from nmatrix.report import (
+    Block,
+    Code,
+    Figure,
+    Heading,
+    Quantity,
+    Report,
+    Table,
+    Text,
+    Value,
+    Verdict,
+)
 
 PASSES = "main"
+FIGURES = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
+
+
+def render(proof: Proof, image: str, milliseconds: float) -> Report:
+    """Answer with the figures of a picture that was written to a file."""
+    height, width = proof.image.shape[:2]
+    data: dict[str, Value] = {
+        "image": image,
+        "width": width,
+        "height": height,
+        "subject": proof.subject,
+        "max_angle_error_deg": proof.max_angle_error_deg,
+        "mean_angle_error_deg": proof.mean_angle_error_deg,
+        "max_level_difference": proof.max_level_difference,
+        "triangles": proof.work.triangles,
+        "fragments": proof.work.fragments,
+        "work": asdict(proof.work),
+        "milliseconds": milliseconds,
+        "effects": list(proof.effects),
+        "numbers": dict(proof.numbers),
+    }
+    blocks: tuple[Block, ...] = (
+        Figure(image, f"a picture of {proof.subject}"),
+        *(Quantity(key, data[key]) for key in FIGURES),  # type: ignore[arg-type]  # numbers or None
+        Verdict(proof.verdict),
+    )
+    return Report("render", data, blocks, proof.remarks)
 
 
 def plan(found: Plan, shaders: tuple[str, str]) -> Report:
-    """Return the plan of a scene as a report, with the shaders of its first object.
+    """Answer with the plan of a scene, and the shaders of its first object.
 
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
@@ -48,7 +89,7 @@ def _counted(count: int, what: str) -> str:
 
 
 def _row(effect: Effect, found: Plan) -> dict[str, Value]:
-    """Return one effect's decision over all bodies."""
+    """Sum up one effect's decisions over all bodies."""
     decisions = _decisions(effect, found)
     on = [one for one in decisions if one.on]
     chosen = on[0] if on else max(decisions, key=lambda one: one.bound)
@@ -72,7 +113,7 @@ def _decisions(effect: Effect, found: Plan) -> list[Decision]:
 
 
 def _light_row(i: int, found: Plan) -> dict[str, Value]:
-    """Return whether a light lights anything."""
+    """Sum up which bodies a light can reach."""
     placed = found.loaded.lights[i]
     decisions = [
         one for body in found.bodies for one in body.light_decisions if one.placed is placed
