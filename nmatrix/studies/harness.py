@@ -27,7 +27,7 @@ SEED = 7  # of every matrix, every normal and every resample
 RESAMPLES = 400
 CONFIDENCE = 0.95
 NOISIEST = 0.25  # half width of the interval of a function against itself
-SLACK = 0.01  # a hundredth beside the interval is no finding
+SLACK = 0.01  # how far outside its interval 1 may lie
 DOUBLING_ERROR = 0.2  # how far from 2 the ratio for twice the work may be
 TRIES = 5  # a burst of other programs spoils one try, hardly five
 

@@ -11,7 +11,7 @@ from nmatrix.studies.harness import Ratio
 
 
 class Study(StrEnum):
-    """What can be studied."""
+    """The studies of `nmatrix cost`."""
 
     NORMALS = "normals"
     SHADING = "shading"

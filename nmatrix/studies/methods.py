@@ -28,13 +28,15 @@ class Method:
     """One way to carry normals: its name in tables, a phrase about it, and the function itself.
 
     `is_ours` marks those of which nmatrix promises the right answer on every input. The guarded
-    one is nmatrix's too and promises less: no more than four times the error of an inverse.
+    one is nmatrix's too and promises less: no more than four times the error of an inverse. Those
+    that are not batched work on one matrix after the other, and take long.
     """
 
     name: str
     title: str
     carry: Carry
     is_ours: bool = False
+    is_batched: bool = True
 
     def normals(self, A: Array, n: Array) -> Array:
         """Carry normals (N, 3) through matrices (N, 3, 3), without NumPy's warnings."""
@@ -149,12 +151,12 @@ def float16_cofactor(A: Array, n: Array) -> Array:
 
 
 METHODS: tuple[Method, ...] = (
-    Method("exact", "whole numbers, correctly rounded", exact, is_ours=True),
+    Method("exact", "whole numbers, correctly rounded", exact, is_ours=True, is_batched=False),
     Method("certified", "compensated cofactors with a bound", certified, is_ours=True),
     Method("guarded", "plain cofactors under a guard", guarded),
     Method("inverse", "np.linalg.inv(A).T", inverse),
-    Method("solve", "np.linalg.solve(A.T, n)", solve),
-    Method("qr", "QR and back substitution", by_qr),
+    Method("solve", "np.linalg.solve(A.T, n)", solve, is_batched=False),
+    Method("qr", "QR and back substitution", by_qr, is_batched=False),
     Method("svd", "singular values", by_svd),
     Method("inverse-4x4", "inverse transpose of the 4×4", inverse_4x4),
     Method("cofactor", "plain cofactors, no sign", plain_cofactor),

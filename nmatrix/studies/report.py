@@ -10,22 +10,16 @@ from nmatrix.linear.rounding import in_short
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
 from nmatrix.studies.harness import Ratio, machine
 from nmatrix.studies.measurements import Measurement, Study, Target, Unit, by_setting, overall
-from nmatrix.studies.normals import ONE
+from nmatrix.studies.normals import ONE, WRONG
 
 Rows = Sequence[Measurement]
 
 SOUND = 1e-10  # radians that no picture and no other program would miss
 TIMES = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
-WRONG = {
-    "not_a_number": "nan",
-    "zero": "zero",
-    "flipped": "flipped",
-    "not_reported": "not reported",
-}
 
 
 def report(study: Study, rows: Rows, check: Ratio, target: Target) -> Report:
-    """Return the report of a study: the answer first, then what it rests on."""
+    """Report a study: the answer first, then the tables, then how to read and trust them."""
     wording = WORDINGS[study]
     met_by = target.met_by(_candidates(study, rows))
     data: dict[str, Value] = {
@@ -138,7 +132,8 @@ def _short(value: float | None) -> str:
 
 def _wrong(row: Measurement) -> str:
     """Count the wrong answers of a row in words."""
-    return ", ".join(f"{row.more[kind]} {word}" for kind, word in WRONG.items() if row.more[kind])
+    words = {name: "nan" if name == "not_a_number" else name.replace("_", " ") for name in WRONG}
+    return ", ".join(f"{row.more[name]} {word}" for name, word in words.items() if row.more[name])
 
 
 def _time(row: Measurement) -> tuple[str, str]:

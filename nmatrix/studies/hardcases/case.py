@@ -57,7 +57,7 @@ class Case:
     expected
         The exact answer, or None where there is none and that must be said.
     is_direction
-        Whether only the direction of the answer counts; `or_opposite`, either sense of it.
+        Only the direction of the answer counts, not its length.
     within
         What still counts as right, relative or in radians.
     """
@@ -69,7 +69,6 @@ class Case:
     reason: str
     contestants: tuple[Contestant, ...]
     is_direction: bool = False
-    or_opposite: bool = False
     within: float = RIGHT
     made_by: str = ""  # the options of a case that is not of the catalogue
 
@@ -84,40 +83,51 @@ class Case:
 
     def _judged(self, one: Contestant) -> Result:
         found = _tried(one)
-        verdict, error = self._verdict(found)
+        verdict, error = judge(
+            found, self.expected, is_direction=self.is_direction, within=self.within
+        )
         return Result(one.name, verdict, error, one.is_ours)
 
-    def _verdict(self, found: Numbers | None) -> tuple[CaseVerdict, float | None]:
-        if self.expected is None:
-            return _of_no_answer(found), None
-        if found is None or not _all_finite(found):
-            return CaseVerdict.NAN, None
-        if any(self.expected) and not any(found):
-            return CaseVerdict.ZERO, None
-        error = self._error([Fraction(x) for x in found], self.expected)
-        return self._of_error(error), error
 
-    def _of_error(self, error: float) -> CaseVerdict:
-        if self.is_direction and error > pi / 2:
-            return CaseVerdict.FLIPPED
-        if error <= self.within:
-            return CaseVerdict.RIGHT
-        return CaseVerdict.IMPRECISE if error <= IMPRECISE else CaseVerdict.WRONG
+def judge(
+    found: Numbers | None,
+    expected: Sequence[Fraction] | None,
+    *,
+    is_direction: bool = False,
+    within: float = RIGHT,
+) -> tuple[CaseVerdict, float | None]:
+    """Judge an answer against the exact one, and measure its error where it has one.
 
-    def _error(self, found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
-        if self.is_direction:
-            turned = angle(found, true)
-            return min(turned, pi - turned) if self.or_opposite else turned
-        size = max(abs(t) for t in true) or Fraction(1)
-        error = max(abs(f - t) for f, t in zip(found, true, strict=True)) / size
-        return float(min(error, Fraction(10) ** 300))
+    None is the answer that there is none. Errors are in radians for directions, else relative to
+    the largest number.
+
+    Examples
+    --------
+    >>> judge((0.0, 2.0), exactly(1, 0), is_direction=True)[0].value
+    'wrong'
+    >>> judge((-1.0, 0.0), exactly(1, 0), is_direction=True)[0].value
+    'flipped'
+    """
+    is_number = found is not None and all(map(isfinite, found))
+    if expected is None:
+        silent = CaseVerdict.NOT_REPORTED if is_number else CaseVerdict.NAN
+        return (CaseVerdict.RIGHT if found is None else silent), None
+    if found is None or not is_number:
+        return CaseVerdict.NAN, None
+    if any(expected) and not any(found):
+        return CaseVerdict.ZERO, None
+    exact = [Fraction(x) for x in found]
+    error = angle(exact, expected) if is_direction else _relative(exact, expected)
+    if is_direction and error > pi / 2:
+        return CaseVerdict.FLIPPED, error
+    judged = CaseVerdict.IMPRECISE if error <= IMPRECISE else CaseVerdict.WRONG
+    return (CaseVerdict.RIGHT if error <= within else judged), error
 
 
-def _of_no_answer(found: Numbers | None) -> CaseVerdict:
-    """Judge a contestant where there is no answer: only one that says so is right."""
-    if found is None:
-        return CaseVerdict.RIGHT
-    return CaseVerdict.NOT_REPORTED if _all_finite(found) else CaseVerdict.NAN
+def _relative(found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
+    size = max(abs(t) for t in true) or Fraction(1)
+    error = max(abs(f - t) for f, t in zip(found, true, strict=True)) / size
+    return float(min(error, Fraction(10) ** 300))
 
 
 def _tried(one: Contestant) -> Numbers | None:
@@ -132,10 +142,6 @@ def _tried(one: Contestant) -> Numbers | None:
         except (ArithmeticError, ValueError, np.linalg.LinAlgError):
             return (float("nan"),)
     return None if found is None else tuple(map(float, found))
-
-
-def _all_finite(found: Numbers) -> bool:
-    return all(map(isfinite, found))
 
 
 def own(name: str, compute: Compute) -> Contestant:
