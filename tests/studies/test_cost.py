@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from nmatrix.cli import cost
-from nmatrix.cli.app import run
 from nmatrix.enums import Shading
 from nmatrix.studies import chart, normals, shading, spaces
 from nmatrix.studies.hardcases.case import CaseVerdict
@@ -199,7 +198,7 @@ def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
     assert loose["method"] != "cofactor", "it turns mirrors inside out, or is zero somewhere"
 
 
-def test_the_command_answers_and_draws(capsys, tmp_path: Path, monkeypatch) -> None:
+def test_the_command_answers_and_draws(nmatrix, tmp_path: Path, monkeypatch) -> None:
     now = 0.0
 
     def work() -> None:
@@ -210,28 +209,29 @@ def test_the_command_answers_and_draws(capsys, tmp_path: Path, monkeypatch) -> N
     monkeypatch.setattr(cost, "time", SimpleNamespace(perf_counter=lambda: now))
     monkeypatch.setattr(cost, "_work", work)
     monkeypatch.setattr(spaces, "_vertex_stage", lambda *_: work)
-    assert run(["cost", "spaces", "--quick", "--chart", "a.svg", "-f", "json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    code, out, _ = nmatrix("cost spaces --quick --chart a.svg -f json")
+    assert code == 0
+    found = json.loads(out)
     assert found["harness"]["aa_ratio"] == pytest.approx(1)
     assert [row["ratio"] for row in found["rows"]] == pytest.approx([1] * len(found["rows"]))
     assert Path("a.svg").read_bytes().startswith(b"<?xml")
 
 
 MISUSE = [
-    (["cost", "normals", "--tolerance", "3"], "deg, rad"),
-    (["cost", "shading", "--tolerance", "1deg"], "levels"),
-    (["cost", "normals", "--budget", "5"], "ns, us, ms, s"),
-    (["cost", "normals", "--budget", "-5ms"], "positive"),
-    (["cost", "normals", "--budget", "5ms", "--tolerance", "1deg"], "keep one"),
-    (["cost", "--chart", "a.pdf"], ".svg or .png"),
-    (["cost", "everything"], "normals"),
+    ("cost normals --tolerance 3", "deg, rad"),
+    ("cost shading --tolerance 1deg", "levels"),
+    ("cost normals --budget 5", "ns, us, ms, s"),
+    ("cost normals --budget -5ms", "positive"),
+    ("cost normals --budget 5ms --tolerance 1deg", "keep one"),
+    ("cost --chart a.pdf", ".svg or .png"),
+    ("cost everything", "normals"),
 ]
 
 
 @pytest.mark.parametrize(("line", "says"), MISUSE)
-def test_misuse_is_one_line(capsys, line: list[str], says: str) -> None:
-    assert run(line) == 2
-    error = capsys.readouterr().err
+def test_misuse_is_one_line(nmatrix, line: str, says: str) -> None:
+    code, _, error = nmatrix(line)
+    assert code == 2
     assert says in error
     assert error.count("\n") == 1
 
