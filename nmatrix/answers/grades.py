@@ -18,6 +18,10 @@ from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
 NEEDED = ("student", "answer")  # exercise too, where the exercises differ
 COLUMNS = ("student", "exercise", "verdict", "mistake", "also", "explanation")
 UNREADABLE = "unreadable"
+_WORDS: dict[str, str] = {
+    Outcome.MISTAKE: "with a known mistake",
+    Outcome.UNKNOWN: "wrong in another way",
+}
 NAMED = 5  # of the students who answered more than once
 
 JudgeRecord = Callable[[Mapping[str, str]], Judgement]
@@ -123,8 +127,7 @@ def _grade(record: Record, judge: JudgeRecord) -> Grade:
 
 
 def _counted(summary: Mapping[str, int]) -> str:
-    words = {"mistake": "with a known mistake", "unknown": "wrong in another way"}
-    counted = (f"{count} {words.get(name, name)}" for name, count in summary.items() if count)
+    counted = (f"{count} {_WORDS.get(name, name)}" for name, count in summary.items() if count)
     return ", ".join(counted) or "No answers"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.enums import Effect
+from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan
@@ -128,7 +128,7 @@ def _light_row(i: int, found: Plan) -> dict[str, Value]:
         "name": f"light {placed.light.name}",
         "on": bool(on) or not decisions,
         "because": because,
-        "kind": "exact",
+        "kind": LeftOut.EXACT.value,
         "bound": 0.0,
         "needs": ["position"] if placed.position is not None else [],
     }

@@ -43,7 +43,7 @@ class Family:
         ]
 
     def first(self, count: int) -> Family:
-        """Return the first few of them."""
+        """Return a family of the first few."""
         return replace(self, matrices=self.matrices[:count], normals=self.normals[:count])
 
 

@@ -1,4 +1,4 @@
-"""`cost spaces`: the multiplications that a shading space costs, counted, beside their time."""
+"""`cost spaces`: the multiplications that a shading space takes, counted, beside their time."""
 
 from __future__ import annotations
 

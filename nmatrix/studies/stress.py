@@ -15,13 +15,13 @@ from nmatrix.studies.hardcases import (
     depths,
     mistakes,
     normals,
-    reflections,
+    samples,
     vectors,
     views,
 )
 from nmatrix.studies.hardcases.case import IMPRECISE, Case, CaseVerdict, Result
 
-_PARTS = (normals, affine, vectors, views, depths, coverage, reflections, mistakes)
+_PARTS = (normals, affine, vectors, views, depths, coverage, samples, mistakes)
 FAMILIES = {
     "N": "normals",
     "V": "vectors and angles",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, Shading
 from nmatrix.raster.planning.plan import Plan, everything
 from nmatrix.raster.render import Change, render
+from nmatrix.raster.shading.normals import angles_deg, unit
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.raster.triangles.fragments import Fragments, Reads
 from nmatrix.raster.triangles.vertices import Projected
@@ -87,18 +88,12 @@ def normal_angles(plan: Plan, change: Change, wanted: Array) -> Array | None:
         return None
     found = normals_seen(plan, change)
     both = (np.abs(found).max(axis=2) > 0) & (np.abs(wanted).max(axis=2) > 0)
-    a, b = _unit(found[both]), _unit(wanted[both])
-    half = np.linalg.norm(a - b, axis=1) / 2
-    return np.asarray(np.degrees(2 * np.arcsin(np.clip(half, 0.0, 1.0))))
+    return angles_deg(unit(found[both]), unit(wanted[both]))
 
 
 def _showing(surface: Surface) -> Surface:
     kind = Float32NormalSurface if isinstance(surface, Float32Surface) else NormalSurface
     return kind(**_fields(surface))
-
-
-def _unit(vectors: Array) -> Array:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
 def _fields(surface: Surface) -> dict[str, Any]:

@@ -78,7 +78,7 @@ class Case:
         return f"nmatrix stress {self.made_by}--case {self.id}"
 
     def results(self) -> tuple[Result, ...]:
-        """Let every contestant try."""
+        """Judge every contestant."""
         return tuple(self._judged(one) for one in self.contestants)
 
     def _judged(self, one: Contestant) -> Result:
