@@ -136,7 +136,7 @@ def _failure(found: Classification, answered: Sequence[_Answered]) -> NoAnswerEr
     for one in answered:
         if one.image.status is NormalStatus.UNDEFINED:
             shown = " ".join(f"{float(component):g}" for component in one.given)
-            next_step = "choose another normal" if found.rank == 2 else TWO_AXES
+            next_step = "choose another normal" if found.rank >= 2 else TWO_AXES
             return NoAnswerError(f"normal ({shown})", one.image.reason, next_step)
     if not answered and found.rank <= 1:
         return NoAnswerError(
