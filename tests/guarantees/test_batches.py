@@ -68,8 +68,9 @@ def families(dtype: type, count: int, seed: int = 1) -> dict[str, Array]:
     flat = rng.integers(-2, 3, (count, 3, 3)) * np.array([1.0, 1.0, 0.0])
     corners = np.zeros((count, 3, 3))
     corners[:, range(3), range(3)] = 2.0 ** rng.integers(-top, top, (count, 3))
-    upper = np.triu(2.0 ** rng.integers(-top // 2, 0, (count, 3, 3)))
-    upper[:, range(3), range(3)] = 1.0  # not doubtful, with entries that only a scale can hold
+    upper = np.triu(2.0 ** rng.integers(-top, 0, (count, 3, 3)))
+    upper[:, range(3), range(3)] = 1.0  # far from singular, and a cofactor that only a scale holds
+    upper[::2, 0, 2] = 0.0
     found = {
         "ordinary": ordinary,
         "any scale": ordinary * 2.0 ** rng.integers(-top, top, (count, 1, 1)),
