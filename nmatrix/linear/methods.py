@@ -26,7 +26,7 @@ class Method:
     """One way: its name in tables, what it does in a phrase, and the function itself.
 
     `is_ours` marks those of which nmatrix promises the right answer on every input. The guarded
-    one is nmatrix's too and promises less: no more than four times the error of an inverse.
+    one is nmatrix's too and promises less: 2⁻³⁶ rad.
     """
 
     name: str
