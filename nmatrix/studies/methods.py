@@ -26,8 +26,8 @@ class Method:
     """One way to carry normals: its name in tables, a phrase about it, and the function itself.
 
     `is_ours` marks those of which nmatrix promises the right answer on every input. The guarded
-    one is nmatrix's too and promises less: no more than four times the error of an inverse. Those
-    that are not batched work on one matrix after the other, and take long.
+    one is nmatrix's too and promises less: 2⁻³⁶ rad. Those that are not batched work on one matrix
+    after the other, and take long.
     """
 
     name: str

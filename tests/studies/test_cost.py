@@ -62,8 +62,16 @@ def test_ours_is_never_wrong(rows: tuple) -> None:
             assert one.more["median_error"] <= one.error <= 1e-14
 
 
+def test_the_guarded_level_is_never_wrong_by_more_than_it_says(rows: tuple) -> None:
+    for one in rows:
+        if one.method == "guarded":
+            assert one.failures == 0
+            assert one.error <= 2.0**-36
+
+
 def test_everyone_else_is_wrong_somewhere(rows: tuple) -> None:
-    names = [one.name for one in METHODS if not one.is_ours and one.is_batched]
+    others = (one for one in METHODS if not one.is_ours and one.name != "guarded")
+    names = [one.name for one in others if one.is_batched]
     for name in names:
         mine = [one for one in rows if one.method == name]
         assert max(one.error for one in mine) > 1e-9 or any(one.failures for one in mine), name
