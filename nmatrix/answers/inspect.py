@@ -12,8 +12,8 @@ from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
 from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.scene.words import GLTF_SUFFIXES
 
-GLTF_SUFFIXES = (".gltf", ".glb")
 SHOWN = 40  # nodes in the table for people; JSON has them all
 # What a pipeline may refuse, and how a sentence says that a node is so.
 FAILURES = {"mirrored": "mirrored", "shear": "sheared", "degenerate": "with degenerate normals"}
@@ -83,10 +83,10 @@ def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
     degenerate: dict[int, int] = {}
     for node in scene.nodes:
         if node.mesh is not None and node.mesh not in degenerate:
-            from nmatrix.scene.gltf.accessors import gltf_mesh
+            from nmatrix.scene.gltf.accessors import mesh_parts
 
-            mesh = gltf_mesh(scene, node.mesh)
-            degenerate[node.mesh] = 0 if mesh is None else mesh.degenerate_normals
+            parts = mesh_parts(scene, node.mesh)
+            degenerate[node.mesh] = sum(part.degenerate_normals for part in parts)
     nodes = []
     for node in scene.nodes:
         found = classify(node.world_from_object, tolerance)

@@ -11,8 +11,7 @@ import numpy as np
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals
-
-SUFFIXES = (".obj", ".ply", ".stl")
+from nmatrix.scene.words import MESH_SUFFIXES
 
 
 def read_mesh(path: Path) -> Mesh:
@@ -91,7 +90,7 @@ def _finite(values: Any, shape: tuple[int, int]) -> np.ndarray | None:  # noqa: 
 
 
 def _content(path: Path) -> bytes:
-    if path.suffix.lower() not in SUFFIXES:
+    if path.suffix.lower() not in MESH_SUFFIXES:
         raise _unreadable(path, "meshes are .obj, .ply or .stl, scenes .gltf or .glb")
     try:
         content = path.read_bytes()
