@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf.nodes import GltfFile
 from nmatrix.scene.gltf.records import FAN, TRIANGLES, Accessor, Primitive
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals
+from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, unit
 
 TYPES = {
     5120: np.int8,
@@ -96,7 +96,7 @@ def _triangle_mesh(file: GltfFile, primitive: Primitive) -> Mesh | None:
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(positions)):
         raise file.fault(f"index {int(triangles.max())} is beyond {len(positions)} vertices")
     if "NORMAL" in primitive.attributes:
-        normals = _unit(_vectors(file, primitive.attributes["NORMAL"]))
+        normals = unit(_vectors(file, primitive.attributes["NORMAL"]))
     else:
         normals = area_weighted_normals(positions, triangles)
     if len(triangles) == 0:
@@ -112,12 +112,6 @@ def _vectors(file: GltfFile, index: int) -> Array:
     if found.shape[1] != 3:
         raise file.fault(f"accessor {index} has {found.shape[1]} components and needs 3")
     return found.astype(np.float64)
-
-
-def _unit(vectors: Array) -> Array:
-    """Return the vectors at length one, as far as float32 left them short of it; zero stays."""
-    length = np.sqrt((vectors * vectors).sum(axis=1, keepdims=True))
-    return np.asarray(np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0))
 
 
 def _triangles(order: Array, mode: int) -> Array:
