@@ -244,6 +244,7 @@ FAULTS = [
     ('[[object]]\nshape = "spher"', 'shape ("spher"): …; did you mean sphere?'),
     ("[[object]]\nshape = 3", "shape (3): …; there are sphere, torus, box, plane"),
     ('[[object]]\nmesh = "a.obj"', 'mesh ("a.obj"): there is no such file'),
+    (f'[[object]]\nmesh = "{"é" * 200}"', "there is no such file; names are relative to the"),
     ('[[object]]\nmesh = "scene.toml"', "meshes are .obj, .ply or .stl"),
     ('[[object]]\ncopy_of = "bell"', 'copy_of ("bell"): no drawn object has this name; did you'),
     (
