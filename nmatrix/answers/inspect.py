@@ -1,4 +1,4 @@
-"""`inspect`: which nodes of an asset need the inverse transpose, and why."""
+"""`inspect`: the nodes of an asset that need the inverse transpose, and why."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
-from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.words import GLTF_SUFFIXES
 
 SHOWN = 40  # nodes in the table for people; JSON has them all
@@ -96,24 +96,23 @@ def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
 
 
 def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
-    scene = read_gltf(path)
-    if not scene.nodes:
-        raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
-    degenerate: dict[int, int] = {}
-    for node in scene.nodes:
-        if node.mesh is not None and node.mesh not in degenerate:
-            from nmatrix.scene.gltf.accessors import mesh_parts
+    from nmatrix.scene.gltf.accessors import mesh_parts
 
-            parts = mesh_parts(scene, node.mesh)
-            degenerate[node.mesh] = sum(part.degenerate_normals for part in parts)
+    file = read_gltf(path)
+    if not file.nodes:
+        raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
+    degenerate = {
+        mesh: sum(part.degenerate_normals for part in mesh_parts(file, mesh))
+        for mesh in dict.fromkeys(node.mesh for node in file.nodes if node.mesh is not None)
+    }
     nodes = []
-    for node in scene.nodes:
+    for node in file.nodes:
         found = classify(node.world_from_object, tolerance)
         own = classify(node.local, tolerance).kind
         sheared = found.kind is Kind.SHEAR and own is not Kind.SHEAR
         count = 0 if node.mesh is None else degenerate[node.mesh]
         nodes.append(InspectedNode(node.name, node.world_from_object, found, sheared, count))
-    return Inspection(path, tuple(nodes), scene.remarks)
+    return Inspection(path, tuple(nodes), file.remarks)
 
 
 def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:

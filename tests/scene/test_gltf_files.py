@@ -14,7 +14,7 @@ from PIL import Image
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf.accessors import primitive_mesh
-from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.material import EmbeddedImage
 

@@ -12,7 +12,7 @@ import pytest
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf.accessors import mesh_parts, primitive_mesh
-from nmatrix.scene.gltf.nodes import GltfFile, read_gltf
+from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.records import FAN, STRIP
 
 BYTE, SHORT, UNSIGNED_SHORT, FLOAT = 5120, 5122, 5123, 5126

@@ -15,7 +15,7 @@ from nmatrix.enums import Kind
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.linear.classify import classify
 from nmatrix.linear.rational import Rows, identity, to_floats
-from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.meshes.file import read_mesh
 
 # three.js does not normalise quaternions; these files hold some that are slightly off.

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf.nodes import GltfFile
+from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import FAN, TRIANGLES, Accessor, Primitive
 from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, unit
 
@@ -93,14 +93,14 @@ def _triangle_mesh(file: GltfFile, primitive: Primitive) -> Mesh | None:
     else:
         order = _read(file, primitive.indices).astype(np.intp).ravel()
     triangles = _triangles(order, primitive.mode)
-    if triangles.size and (triangles.min() < 0 or triangles.max() >= len(positions)):
+    if len(triangles) == 0:
+        return None
+    if triangles.min() < 0 or triangles.max() >= len(positions):
         raise file.fault(f"index {int(triangles.max())} is beyond {len(positions)} vertices")
     if "NORMAL" in primitive.attributes:
         normals = unit(_vectors(file, primitive.attributes["NORMAL"]))
     else:
         normals = area_weighted_normals(positions, triangles)
-    if len(triangles) == 0:
-        return None
     try:
         return Mesh(positions, normals, triangles)
     except IllegalValueError as error:
@@ -146,7 +146,7 @@ def _read(file: GltfFile, index: int) -> Array:
 
 def _from_view(file: GltfFile, record: Accessor) -> Array:
     kind, width = np.dtype(TYPES[record.component_type]), WIDTHS[record.type]
-    if record.buffer_view is None:
+    if record.buffer_view is None or record.count == 0:
         return np.zeros((record.count, width), kind)
     views = file.document.buffer_views
     if not 0 <= record.buffer_view < len(views):
@@ -157,14 +157,7 @@ def _from_view(file: GltfFile, record: Accessor) -> Array:
     stride = view.byte_stride or row
     start = view.byte_offset + record.byte_offset
     end = start + stride * (record.count - 1) + row
-    if (
-        min(start, view.byte_offset, record.byte_offset) < 0
-        or stride < row
-        or (record.count and end > len(content))
-    ):
+    first = min(start, view.byte_offset, record.byte_offset)
+    if first < 0 or stride < row or end > len(content):
         raise file.fault("an accessor reaches beyond its buffer")
-    return (
-        np.ndarray((record.count, width), kind, content, start, (stride, kind.itemsize))
-        if record.count
-        else np.zeros((0, width), kind)
-    )
+    return np.ndarray((record.count, width), kind, content, start, (stride, kind.itemsize))

@@ -23,7 +23,7 @@ from nmatrix.linear.rounding import nearest
 from nmatrix.linear.view import looking_along
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
-from nmatrix.scene.gltf.nodes import GltfFile, Node
+from nmatrix.scene.gltf.file import GltfFile, Node
 from nmatrix.scene.gltf.records import (
     CameraRecord,
     PunctualLight,

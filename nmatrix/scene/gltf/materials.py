@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from urllib.parse import unquote
 
-from nmatrix.scene.gltf.nodes import LONGEST_URI, GltfFile
+from nmatrix.scene.gltf.file import LONGEST_URI, GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, TextureReference
 from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
 from nmatrix.scene.words import Sides

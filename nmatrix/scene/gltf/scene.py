@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, TangentGeometry
+from nmatrix.scene.gltf.file import GltfFile, Node, read_gltf
 from nmatrix.scene.gltf.lights import LIGHTS, camera, carried_lights, radius_of, read_lights, unique
 from nmatrix.scene.gltf.materials import Materials
-from nmatrix.scene.gltf.nodes import GltfFile, Node, read_gltf
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import DAYLIGHT

@@ -65,7 +65,7 @@ def scene_objects(
     IllegalValueError
         For contradictions, unknown names, cycles, and files that are missing.
     """
-    own = {name: own_place(named) for name, named in by_name.items()}
+    own = {name: _own_place(named) for name, named in by_name.items()}
     worlds: dict[str, RationalMatrix] = {}
     for named in _parents_first(by_name):
         worlds[named.name] = _under(named, worlds.get(named.record.parent or ""), own[named.name])
@@ -109,7 +109,7 @@ def _under(named: NamedObject, above: RationalMatrix | None, own: World) -> Rati
         raise named.table.refused("its place", str(error), "") from None
 
 
-def own_place(named: NamedObject) -> World:
+def _own_place(named: NamedObject) -> World:
     """Return an object's place under its parent.
 
     Raises

@@ -1,4 +1,4 @@
-"""glTF 2.0, read by its own rules: nodes, hierarchy, meshes; cycles and bad numbers are errors.
+"""A glTF 2.0 file, read by its own rules: nodes in their hierarchy, buffers, images.
 
 Files are `.gltf` (JSON, with buffers beside it or inside) or `.glb` (one container). World
 matrices are exact products of the local ones, rounded once at each node.
