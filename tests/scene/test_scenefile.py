@@ -20,7 +20,15 @@ from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.toml.file import read_scene
-from nmatrix.scene.toml.records import Level
+from nmatrix.scene.toml.records import (
+    CameraRecord,
+    FogRecord,
+    Level,
+    LightRecord,
+    MaterialRecord,
+    ObjectRecord,
+    RenderRecord,
+)
 from nmatrix.scene.words import DepthBuffer, LightKind, Shape
 from nmatrix.scene.world import World
 
@@ -330,6 +338,48 @@ def test_what_the_checker_says_of_a_value_stands_in_the_message(tmp_path: Path) 
     assert "null" not in refusal(tmp_path, BALL + "scale = '2'")
 
 
+TABLES = {
+    "[[object]]": ObjectRecord,
+    "[[light]]": LightRecord,
+    "[camera]": CameraRecord,
+    "[materials.m]": MaterialRecord,
+    "[render]": RenderRecord,
+    "[render.fog]": FogRecord,
+}
+ODD = [
+    "1979-05-27",
+    "{a = 1}",
+    "[[[]]]",
+    "[]",
+    "-1e300",
+    "0x" + "f" * 2000,
+    "[true]",
+    '"\\n"',
+    "nan",
+]
+
+
+@pytest.mark.parametrize("header", TABLES)
+@pytest.mark.parametrize("value", ODD, ids=[value[:10] for value in ODD])
+def test_odd_values_of_every_key_are_taken_or_refused_in_one_line(
+    tmp_path: Path, header: str, value: str
+) -> None:
+    """A date is no value of any key, so each key must be named with it."""
+    for key in TABLES[header].__struct_fields__:
+        try:
+            read(tmp_path, f"{BALL}{header}\n{key} = {value}")
+        except IllegalValueError as error:
+            message = str(error)
+            assert message.startswith(f"{tmp_path / 'scene.toml'}, {header[:5]}")
+            assert "\n" not in message
+            assert "`" not in message
+            assert len(message) < 400
+            if value == ODD[0]:
+                assert f"{key} (1979-05-27): expected" in message
+        else:
+            assert value != ODD[0]
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [
@@ -346,7 +396,7 @@ def test_what_the_checker_says_of_a_value_stands_in_the_message(tmp_path: Path) 
         (b"object = [3]", "it is not a table"),
         (b"[[object]]\nname = 'group'", "it draws nothing"),
     ],
-    ids=repr,
+    ids=lambda value: repr(value)[:30],
 )
 def test_what_is_no_scene_is_refused(tmp_path: Path, content: bytes, words: str) -> None:
     path = tmp_path / "scene.toml"

@@ -41,7 +41,8 @@ class SceneTable:
     def refused(self, what: str, why: str, next_step: str = "mend the file") -> IllegalValueError:
         """Return the error for a part of the table."""
         header = f", {self.header}" if self.header else ""
-        return IllegalValueError(f"{self.path}{header}: {what}", why, next_step)
+        on_one_line = "".join(one if one.isprintable() else "�" for one in why)
+        return IllegalValueError(f"{self.path}{header}: {what}", on_one_line, next_step)
 
     def refuse_beside(self, key: str, others: Sequence[str], because: str) -> None:
         """Refuse keys that contradict another one.
@@ -165,7 +166,8 @@ def in_words(error: msgspec.ValidationError) -> str:
     'expected float, got str'
     """
     sentence = str(error).partition(" - at ")[0].replace(" | null", "").replace("`", "")
-    return sentence[:1].lower() + sentence[1:]
+    text = sentence[:1].lower() + sentence[1:]
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"  # it may repeat the value
 
 
 def _mending(value: Raw, one: msgspec.structs.FieldInfo) -> str:
