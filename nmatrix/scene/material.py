@@ -1,4 +1,4 @@
-"""What a surface does with light, and the words that scene files use for it."""
+"""Materials: the parts of light that a surface reflects, its images, the sides that are drawn."""
 
 from __future__ import annotations
 
