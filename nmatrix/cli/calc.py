@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import WorldOptions
@@ -27,7 +26,7 @@ nmatrix calc "P @ V @ M @ point(\[1, 1, 1])" --steps
 
 nmatrix calc "det(A) * inverse(A)" --let "A=2 1; 1 1"
 
-The matrix calculator: exact fractions over M, V, P, literals and --let names.""",
+Over M, V, P, literals and --let names.""",
 }
 
 SCENE_NAMES = ("M", "V", "P")
@@ -39,7 +38,7 @@ def calc(
     view: ViewOptions,
     lens: LensOptions,
     scene: SceneOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     expression: Annotated[str, Argument(metavar="EXPRESSION", help="What to compute.")],
     let: Annotated[
         list[str] | None,
@@ -53,16 +52,16 @@ def calc(
     from nmatrix.calculator.evaluate import calculate
     from nmatrix.calculator.values import Arithmetic
 
-    sources = Sources(everywhere.input_layout)
-    names = _scene_names(Groups(world, view, lens, scene=scene), sources, expression)
+    sources = Sources(common.input_layout)
+    names = _scene_names(OptionGroups(world, view, lens, scene=scene), sources, expression)
     for definition in let or ():
         name, value = _named(definition, sources, names)
         names[name] = value
     arithmetic = Arithmetic.FLOAT if float64 else Arithmetic.EXACT
-    show(report(calculate(expression, names, arithmetic), with_steps=steps), everywhere)
+    show(report(calculate(expression, names, arithmetic), with_steps=steps), common)
 
 
-def _scene_names(groups: Groups, sources: Sources, expression: str) -> dict[str, Value]:
+def _scene_names(groups: OptionGroups, sources: Sources, expression: str) -> dict[str, Value]:
     from nmatrix.calculator.values import Value
 
     setup = groups.setup_from(sources)
@@ -79,7 +78,7 @@ def _scene_names(groups: Groups, sources: Sources, expression: str) -> dict[str,
 
 
 def _is_rational(world: World) -> bool:
-    """Return whether the typed world matrix is rational: quarter turns, or no angles at all."""
+    """Whether the typed world matrix is rational: quarter turns, or no angles at all."""
     if world.matrix is not None or world.quaternion is not None:
         return True
     return all(Fraction(turn) % 90 == 0 for turn in world.rotate_degrees)

@@ -49,7 +49,7 @@ class PictureOptions:
     ] = Effort.PLANNED
 
     def checked_size(self, default: tuple[int, int]) -> tuple[int, int]:
-        """Return width and height, or say which are possible."""
+        """Read width and height in pixels, within what memory holds."""
         if self.size is None:
             return default
         width, height = numbers(self.size, 2, "--size")
@@ -68,7 +68,7 @@ class PictureOptions:
         return int(width), int(height)
 
     def checked_samples(self, default: int, size: tuple[int, int]) -> int:
-        """Return the samples of a pixel, or say which are possible."""
+        """Read the samples of a pixel, within what memory holds."""
         if self.samples is not None and self.samples not in SAMPLES:
             raise IllegalValueError(
                 f"--samples ({self.samples[:20]})",
@@ -112,13 +112,13 @@ class FrameOptions(WorkerOptions):
 
     @property
     def count(self) -> int:
-        """Return how many pictures there are."""
+        """The number of pictures."""
         default = "36" if self.turn else "1"
         return whole(self.frames or default, "--frames", MOST_FRAMES)
 
 
 def frame_names(target: Path, count: int) -> list[Path]:
-    """Return the numbered names of a sequence.
+    """Write numbers into the names of a sequence.
 
     Examples
     --------

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Space
@@ -38,7 +37,7 @@ nmatrix render normals --mesh teapot.obj --shear 1 0 0 -o teapot.png
 
 nmatrix render scene.toml --frames 36 --turn -o scene.gif
 
-A proof image, a scene, or a mesh. A proof shows wrong beside right, with the number between.""",
+Between wrong and right stands the number by which they differ.""",
 }
 
 SCENES = (".toml", ".gltf", ".glb")
@@ -58,7 +57,7 @@ def render(
     picture: PictureOptions,
     frames: FrameOptions,
     file: FileOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     subject: Annotated[
         str, Argument(metavar="PROOF|SCENE|MESH", help="A proof (see --list), or a file.")
     ] = "normals",
@@ -69,11 +68,11 @@ def render(
     if list_:
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
-    groups = Groups(world, view, lens, light, space, scene=scene)
-    _write(_job(subject, mesh, groups, picture, everywhere), frames, file, everywhere)
+    groups = OptionGroups(world, view, lens, light, space, scene=scene)
+    _write(_job(subject, mesh, groups, picture, common), frames, file, common)
 
 
-def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everywhere) -> None:
+def _write(job: Job, frames: FrameOptions, file: FileOptions, common: CommonOptions) -> None:
     """Draw, write the files, and show the numbers."""
     target = file.output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
     names = _names(target, frames.count)
@@ -88,20 +87,24 @@ def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everyw
         write_file(name, content, force=file.force)
     from nmatrix.answers.render import render as answer
 
-    show(answer(proofs[0], _named(names), milliseconds), everywhere)
+    show(answer(proofs[0], _named(names), milliseconds), common)
     if file.preview:
-        show_picture(proofs[0].image, everywhere)
+        show_picture(proofs[0].image, common)
 
 
 def _job(
-    subject: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
+    subject: str,
+    mesh: str | None,
+    groups: OptionGroups,
+    picture: PictureOptions,
+    common: CommonOptions,
 ) -> Job:
-    """Return what the command line asks for: a proof with its brief, or a scene."""
+    """Make the job that the command line asks for: a proof with its brief, or a scene."""
     from nmatrix.raster.proofs.frames import Job
 
     suffix = Path(subject).suffix.lower()
     if entry(subject) is not None:
-        return Job(subject, brief=_brief(subject, mesh, groups, picture, everywhere))
+        return Job(subject, brief=_brief(subject, mesh, groups, picture, common))
     if suffix not in SCENES + MESHES:
         raise IllegalValueError(
             f"render ({subject[:60]})",
@@ -114,19 +117,23 @@ def _job(
                 f"{subject[:60]} with {option}", "both say what to draw", "keep one of them"
             )
     path = Path(subject)
-    return Job(path.stem, scene=_scene(path, groups, picture, everywhere))
+    return Job(path.stem, scene=_scene(path, groups, picture, common))
 
 
 def _brief(
-    name: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
+    name: str,
+    mesh: str | None,
+    groups: OptionGroups,
+    picture: PictureOptions,
+    common: CommonOptions,
 ) -> Brief:
-    """Return a proof's brief: a scene lends its object, its camera and its light."""
+    """Brief a proof: a scene lends its object, its camera and its light."""
     from nmatrix.raster.proofs.brief import Brief
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.scene import Settings
 
     size = picture.checked_size(PANEL)
-    setup = groups.setup(everywhere, aspect=size[0] / size[1])
+    setup = groups.setup(common, aspect=size[0] / size[1])
     lent = groups.scene.scene
     has_camera = groups.view.is_given or (lent is not None and lent.has_camera)
     loaded = None if mesh is None else read_mesh(Path(mesh))
@@ -145,8 +152,10 @@ def _brief(
     )
 
 
-def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Everywhere) -> Scene:
-    """Return the scene of a file, with what the command line says in place of its own.
+def _scene(
+    path: Path, groups: OptionGroups, picture: PictureOptions, common: CommonOptions
+) -> Scene:
+    """Read the scene of a file, with what the command line says in place of its own.
 
     World options move the object that --object names, or the first.
     """
@@ -154,7 +163,7 @@ def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Ever
     read, chosen = groups.scene.scene, groups.scene.chosen_object
     assert read is not None  # a file was named
     found = read.sized(*picture.checked_size(read.settings.size))
-    setup = groups.setup(everywhere, aspect=found.lens.aspect)
+    setup = groups.setup(common, aspect=found.lens.aspect)
     objects = found.objects
     if groups.world.is_given:
         moved = setup.world.world_from_object
@@ -178,7 +187,7 @@ def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Ever
 
 
 def _settings(
-    settings: Settings, groups: Groups, picture: PictureOptions, setup: Setup
+    settings: Settings, groups: OptionGroups, picture: PictureOptions, setup: Setup
 ) -> Settings:
     chosen = groups.space.chosen(None, settings.space)
     return replace(
@@ -193,7 +202,7 @@ def _settings(
 
 
 def _lights(setup: Setup) -> tuple[SceneLight, ...]:
-    """Return the light of the command line as lights: one for its direction, one for its place."""
+    """Make lights of the command line's light: one for its direction, one for its place."""
     from nmatrix.scene.light import SceneLight
 
     light = setup.light.placed()

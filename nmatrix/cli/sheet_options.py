@@ -39,12 +39,12 @@ class SheetOptions:
 
     @property
     def seed(self) -> str:
-        """Return the seed, any text."""
+        """The seed, any text."""
         return USUAL_SEED if self.seed_typed is None else self.seed_typed
 
     @property
     def salt_read(self) -> bytes:
-        """Return the content of the salt's file."""
+        """The content of the salt's file."""
         if self.salt is None:
             return b""
         path = existing_file(self.salt)
@@ -63,7 +63,7 @@ class SheetOptions:
 
     @property
     def sheet(self) -> Sheet:
-        """Return whose sheet it is."""
+        """The sheet that these options name."""
         from nmatrix.lessons.exercises.scheme import Sheet
 
         return Sheet(self.seed, self.student or "", self.salt_read)

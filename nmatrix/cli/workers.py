@@ -1,4 +1,4 @@
-"""Who does the work where there is much of it: this process, several, or a cluster."""
+"""Run jobs here, in several processes or on a cluster."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # a
 
 
 def whole(text: str, option: str, most: int) -> int:
-    """Return a whole number from 1 to the most that an option takes."""
+    """Read a whole number from 1 to the most that an option takes."""
     if not (text.isascii() and text.isdigit() and len(text) < 9 and 1 <= int(text) <= most):
         raise IllegalValueError(
             f"{option} ({text[:20]})", f"it is a whole number from 1 to {most}", f"try {option} 2"

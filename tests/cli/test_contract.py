@@ -226,10 +226,12 @@ def test_the_object_space_light_of_the_counter_example(nmatrix) -> None:
 
 def test_help_begins_with_examples_and_lists_every_command(nmatrix) -> None:
     overview = nmatrix("--help").out
-    for one in COMMANDS:
-        assert f"  {one.name} " in overview
-        page = nmatrix(one.name, "--help").out
-        assert f"nmatrix {one.name}" in page.split("Options")[0], one.name
+    for name, one in COMMANDS.items():
+        assert f"  {name} " in overview
+        assert one.sentence in overview
+        page = nmatrix(name, "--help").out
+        assert f"nmatrix {name}" in page.split("Options")[0], name
+        assert one.sentence in page, name
 
 
 def test_version(nmatrix) -> None:

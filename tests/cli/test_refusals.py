@@ -48,7 +48,7 @@ def test_every_refusal_names_the_value_and_the_next_step(
     assert f"; {next_step}" in err
 
 
-@pytest.mark.parametrize("name", [one.name for one in COMMANDS])
+@pytest.mark.parametrize("name", list(COMMANDS))
 def test_the_help_of_a_command_begins_with_its_examples(nmatrix, name: str) -> None:
     code, out, _ = nmatrix(name, "--help")
     examples = out.partition("Usage:")[0].split("\n")

@@ -197,7 +197,7 @@ def test_without_a_scene_no_reader_is_loaded() -> None:
     code = (
         "import sys; from nmatrix.cli.app import run\n"
         "run(['world', '--scale', '1', '2', '1'])\n"
-        "sys.exit(any(one in sys.modules for one in ('msgspec', 'tomllib', 'nmatrix.cli.overlay')))"
+        "sys.exit(any(one in sys.modules for one in ('msgspec', 'tomllib', 'nmatrix.scene.open')))"
     )
     done = subprocess.run([sys.executable, "-c", code], check=False, cwd=ROOT, capture_output=True)
     assert done.returncode == 0

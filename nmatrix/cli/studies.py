@@ -1,4 +1,4 @@
-"""`nmatrix cost`: accuracy against time, measured on this machine."""
+"""The panel Studies: what accuracy costs in time, and the hard cases."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.files import refuse_existing, write_file
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import number
@@ -29,9 +29,17 @@ nmatrix cost shading --tolerance 2levels
 
 nmatrix cost normals --budget 5ms --chart normals.svg
 
-What accuracy costs in time: errors against the exact answer, wrong answers, ratios of time.""",
+Errors against the exact answer, wrong answers, ratios of time.""",
+    "stress": """nmatrix stress
+
+nmatrix stress --case N9
+
+nmatrix stress --random 400 --seed 7 --case S17
+
+Exit 1 if nmatrix itself fails one.""",
 }
 
+MOST_RANDOM = 100_000
 QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
 CHARTS = (".svg", ".png")
 WISH = re.compile(r"(.+?)\s*(deg|rad|levels|ns|us|ms|s)?")
@@ -59,7 +67,7 @@ UNITS = {Study.NORMALS: ("deg", "rad"), Study.SHADING: ("levels",), Study.SPACES
 
 def cost(
     *,
-    everywhere: Everywhere,
+    common: CommonOptions,
     study: Annotated[Study, Argument(help="normals, shading or spaces.")] = Study.NORMALS,
     tolerance: Annotated[
         str | None,
@@ -89,7 +97,7 @@ def cost(
 
         kind = target.suffix.lower().removeprefix(".")
         write_file(target, drawn(rows, TITLES[study], kind), force=force)
-    show(report(study, rows, check, wish), everywhere)
+    show(report(study, rows, check, wish), common)
 
 
 def _harness(*, quick: bool) -> Harness:
@@ -142,7 +150,7 @@ def _wish(study: Study, tolerance: str | None, budget: str | None) -> Wish:
 
 
 def _quantity(text: str, option: str, units: tuple[str, ...], example: str) -> float:
-    """Return a number with its unit, in radians, levels or seconds."""
+    """Read a number with its unit, in radians, levels or seconds."""
     found = WISH.fullmatch(text.strip())
     unit = found[2] if found else None
     if found is None or unit not in units:
@@ -164,3 +172,36 @@ def _chart_file(name: str, *, force: bool) -> Path:
         )
     refuse_existing([path], force=force)
     return path
+
+
+def stress(
+    *,
+    common: CommonOptions,
+    case: Annotated[
+        str | None, Option(metavar="ID", help="Explain one case: N9, or S3 of random ones.")
+    ] = None,
+    random: Annotated[
+        str | None, Option(metavar="N", help="So many directed random cases instead.")
+    ] = None,
+    seed: Annotated[str, Option(metavar="S", help="Of the random cases.")] = "1",
+) -> None:
+    """Run the hard cases."""
+    from nmatrix.studies.stress import CATALOGUE, case_named
+    from nmatrix.studies.stress import stress as answer
+
+    cases = CATALOGUE
+    if random is not None:
+        from nmatrix.studies.hardcases.families import random_cases
+
+        cases = random_cases(_whole(random, "--random", 1), _whole(seed, "--seed", 0))
+    show(answer(cases if case is None else (case_named(case, cases),)), common)
+
+
+def _whole(text: str, option: str, least: int) -> int:
+    if not (text.isascii() and text.isdigit() and least <= int(text[:9]) <= MOST_RANDOM):
+        raise IllegalValueError(
+            f"{option} ({text[:20]})",
+            f"it is a whole number from {least} to {MOST_RANDOM}",
+            f"try {option} 7",
+        )
+    return int(text)
