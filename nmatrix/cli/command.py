@@ -89,7 +89,7 @@ class GatheringCommand(TyperCommand):
         if _ask_for_help(args):
             return super().parse_args(ctx, ["--help"])
         options = [one for one in self.get_params(ctx) if isinstance(one, TyperOption)]
-        words = gather(args, [_shape(one) for one in options])
+        words = gather(args, options)
         self._check_arguments(ctx, words[words.index("--") + 1 :] if "--" in words else [])
         return super().parse_args(ctx, words)
 
@@ -133,40 +133,25 @@ def _ask_for_help(words: list[str]) -> bool:
     return "--help" in (words[: words.index("--")] if "--" in words else words)
 
 
-def _shape(option: TyperOption) -> OptionShape:
-    arity = 0 if option.is_flag else len((option.metavar or "VALUE").split())
-    choices = tuple(str(one) for one in getattr(option.type, "choices", ()))
-    return OptionShape(
-        (*option.opts, *option.secondary_opts), arity, bool(option.multiple), choices
-    )
-
-
-@dataclass(frozen=True)
-class OptionShape:
-    """An option as gathering sees it: its names, how many values it takes, whether it repeats."""
-
-    names: tuple[str, ...]
-    arity: int
-    repeats: bool = False
-    choices: tuple[str, ...] = ()
-
-    @property
-    def name(self) -> str:
-        """The name that error messages use."""
-        return max(self.names, key=len)
-
-
 @dataclass
 class _Reader:
     words: list[str]
     at: int = 0
     given: set[str] = field(default_factory=set)
 
-    def next_is_value(self) -> bool:
-        return self.at < len(self.words) and is_value(self.words[self.at])
-
-    def where(self) -> str:
-        return f"before {self.words[self.at]}" if self.at < len(self.words) else "at the end"
+    def values(self, option: str, count: int) -> str:
+        """Take so many values, or one word that holds several."""
+        taken: list[str] = []
+        while len(taken) < count and self.at < len(self.words) and is_value(self.words[self.at]):
+            taken.append(self.words[self.at])
+            self.at += 1
+            if count > 1 and len(taken) == 1 and _SEPARATOR.search(taken[0].strip()):
+                return taken[0]
+        if len(taken) < count:
+            what = "a value" if count == 1 else f"{count} numbers"
+            where = f"before {self.words[self.at]}" if self.at < len(self.words) else "at the end"
+            raise IllegalValueError(f"{option} takes {what}, got {len(taken) or 'none'} {where}")
+        return " ".join(taken)
 
 
 def is_value(word: str) -> bool:
@@ -180,7 +165,7 @@ def is_value(word: str) -> bool:
     return not word.startswith("-") or _VALUE.match(word) is not None
 
 
-def gather(words: Sequence[str], shapes: Iterable[OptionShape]) -> list[str]:
+def gather(words: Sequence[str], known: Iterable[TyperOption]) -> list[str]:
     """Join every option and its values into one token.
 
     Raises
@@ -190,11 +175,11 @@ def gather(words: Sequence[str], shapes: Iterable[OptionShape]) -> list[str]:
 
     Examples
     --------
-    >>> scale = OptionShape(("--scale",), 3)
+    >>> scale = TyperOption(param_decls=["--scale"], metavar="X Y Z", type=str)
     >>> gather(["--scale", "1", "-2", "1", "-1"], [scale])
     ['--scale=1 -2 1', '--', '-1']
     """
-    by_name = {name: shape for shape in shapes for name in shape.names}
+    by_name = {name: one for one in known for name in one.opts}
     reader = _Reader(list(words))
     options: list[str] = []
     values: list[str] = []
@@ -211,27 +196,34 @@ def gather(words: Sequence[str], shapes: Iterable[OptionShape]) -> list[str]:
     return [*options, "--", *values] if values else options
 
 
-def _option(word: str, by_name: dict[str, OptionShape], reader: _Reader) -> str:
+def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
     name, joined = _split(word)
-    shape = by_name.get(name)
-    if shape is None:
-        raise _unknown(name, by_name)
-    if shape.name in reader.given and not shape.repeats:
-        raise IllegalValueError(f"{shape.name}", "it is given twice", "keep one of them")
-    reader.given.add(shape.name)
-    if shape.arity == 0:
+    option = by_name.get(name)
+    if option is None:
+        raise IllegalValueError(
+            f"option ({name[:40]})",
+            "this command does not know it",
+            did_you_mean(name, by_name, "see --help"),
+        )
+    full = max(option.opts, key=len)
+    if full in reader.given and not option.multiple:
+        raise IllegalValueError(full, "it is given twice", "keep one of them")
+    reader.given.add(full)
+    if option.is_flag:
         if joined is not None:
             raise IllegalValueError(f"{name} ({joined[:20]})", "it takes no value", f"use {name}")
-        return shape.name
-    value = _values(shape, joined, reader)
-    if shape.choices and value not in shape.choices:
-        known = ", ".join(shape.choices)
+        return full
+    value = (
+        reader.values(full, len((option.metavar or "VALUE").split())) if joined is None else joined
+    )
+    choices = [str(one) for one in getattr(option.type, "choices", ())]
+    if choices and value not in choices:
         raise IllegalValueError(
-            f"{shape.name} ({value[:40]})",
-            f"it is one of {known}",
-            did_you_mean(value, shape.choices, f"try {shape.choices[0]}"),
+            f"{full} ({value[:40]})",
+            f"it is one of {', '.join(choices)}",
+            did_you_mean(value, choices, f"try {choices[0]}"),
         )
-    return f"{shape.name}={value}"
+    return f"{full}={value}"
 
 
 def _split(word: str) -> tuple[str, str | None]:
@@ -239,32 +231,6 @@ def _split(word: str) -> tuple[str, str | None]:
         name, equals, value = word.partition("=")
         return name, value if equals else None
     return word[:2], word[2:].removeprefix("=") or None
-
-
-def _values(shape: OptionShape, joined: str | None, reader: _Reader) -> str:
-    if joined is not None:
-        return joined
-    taken: list[str] = []
-    while len(taken) < shape.arity and reader.next_is_value():
-        word = reader.words[reader.at]
-        if shape.arity > 1 and not taken and _SEPARATOR.search(word.strip()):
-            reader.at += 1
-            return word
-        taken.append(word)
-        reader.at += 1
-    if len(taken) < shape.arity:
-        what = "a value" if shape.arity == 1 else f"{shape.arity} numbers"
-        got = "none" if not taken else str(len(taken))
-        raise IllegalValueError(f"{shape.name} takes {what}, got {got} {reader.where()}")
-    return " ".join(taken)
-
-
-def _unknown(name: str, known: Iterable[str]) -> IllegalValueError:
-    return IllegalValueError(
-        f"option ({name[:40]})",
-        "this command does not know it",
-        did_you_mean(name, known, "see --help"),
-    )
 
 
 def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:

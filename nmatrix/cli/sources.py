@@ -6,6 +6,7 @@ import re
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
@@ -13,9 +14,11 @@ from nmatrix.linear.classify import BUILT, FROM_FILE
 from nmatrix.linear.rational import RationalMatrix, rational
 from nmatrix.reading.files import LARGEST, decoded, existing_file
 from nmatrix.reading.literal import MatrixLiteral
-from nmatrix.reading.records import Record, records, records_of
 from nmatrix.reading.shapes import as_affine, as_projection
 from nmatrix.reading.source import matrix_source
+
+if TYPE_CHECKING:
+    from nmatrix.reading.records import Record
 
 STDIN = "standard input"
 
@@ -90,6 +93,8 @@ def table(name: str, needed: Sequence[str]) -> list[Record]:
     IllegalValueError
         If there is no such file, it is too long, it is not text, or its header lacks a column.
     """
+    from nmatrix.reading.records import records, records_of
+
     if name != "-":
         return records(name, needed)
     return list(records_of(decoded(_standard_input("cut it down"), STDIN), needed, STDIN))
