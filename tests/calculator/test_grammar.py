@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import ast
 import random
-import time
 import warnings
 from types import SimpleNamespace
 
 import pytest
+from counted import at_most
 
 from nmatrix.calculator import grammar
 from nmatrix.calculator.evaluate import calculate
@@ -19,7 +19,7 @@ from nmatrix.errors import NMatrixError
 from nmatrix.linear.rational import rational
 
 NAMES = {"M": Value(rational([[1, 0, 0, 5], [0, 2, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))}
-AT_ONCE = 0.5  # seconds on a slow machine; a power tower or an eager parser takes minutes
+FEW_CALLS = 100_000  # cofactors of cofactors take 66 000, nothing else takes 7 000
 
 HUGE = {
     "a million characters": "1" * 10**6,
@@ -48,11 +48,9 @@ HUGE = {
 
 @pytest.mark.parametrize("expression", HUGE.values(), ids=HUGE.keys())
 @pytest.mark.parametrize("arithmetic", Arithmetic)
-def test_what_would_hang_or_crash_is_refused_at_once(expression, arithmetic):
-    started = time.perf_counter()
-    with pytest.raises(CalculatorError) as refused:
+def test_what_would_hang_or_crash_is_refused_in_few_calls(expression, arithmetic):
+    with pytest.raises(CalculatorError) as refused, at_most(FEW_CALLS):
         calculate(expression, NAMES, arithmetic)
-    assert time.perf_counter() - started < AT_ONCE
     assert len(str(refused.value)) < 300
 
 
