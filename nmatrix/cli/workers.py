@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 WORKERS = "Workers"
 MOST_WORKERS = 256
+PATIENCE = "10s"  # for the scheduler of a cluster to answer
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # a
             'run: python -m pip install "nmatrix[dask]"',
         ) from None
     try:
-        return Client(address, timeout="10s")
+        return Client(address, timeout=PATIENCE)
     except (OSError, ValueError) as error:
         raise IllegalValueError(
             f"--dask ({address[:60]})", f"no scheduler answers there ({error})", "check the address"
