@@ -30,6 +30,12 @@ def data() -> Path:
     return found
 
 
+@pytest.fixture
+def own_folder(tmp_path, monkeypatch):
+    """Work in a folder of the test's own."""
+    monkeypatch.chdir(tmp_path)
+
+
 class Answer(NamedTuple):
     """What a line of words came to."""
 

@@ -172,7 +172,7 @@ def _check_class(
         raise IllegalValueError(
             "--student with --batch", "the students stand in the file", "leave it out"
         )
-    rows, judge = table(batch, EXERCISE_COLUMNS), exercises_of(sheet.seed, sheet.salt_read)
+    rows, judge = table(batch, EXERCISE_COLUMNS), exercises_of(sheet.class_seed, sheet.salt_read)
     show(grades(progress(rows, len(rows), GRADING), judge), common)
 
 

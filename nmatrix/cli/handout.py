@@ -186,8 +186,8 @@ def _write_class(
         )
     everyone = students(records(roster, (COLUMN,)), roster)
     salt = sheet.salt_read
-    wanted = manifest(plan, sheet.seed, salt, everyone)
-    jobs = [Job(plan, one, sheet.seed, salt) for one in everyone]
+    wanted = manifest(plan, sheet.class_seed, salt, everyone)
+    jobs = [Job(plan, one, sheet.class_seed, salt) for one in everyone]
     with workers.executor() as executor:  # refused before anything is written
         if plan.kind is PageFormat.PDF:
             _check_names([one.name for one in everyone], executor)

@@ -24,6 +24,8 @@ from nmatrix.output.pages.document import PageFormat
 from nmatrix.report import Code, Text
 from nmatrix.scene.setup import Setup
 
+pytestmark = pytest.mark.usefixtures("own_folder")
+
 LINE = "handout --exercises 1 -o out --roster"
 SHEETS = Plan((Topic.EXERCISES,), Setup(), 1)
 

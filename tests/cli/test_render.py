@@ -14,6 +14,8 @@ from PIL import Image
 from nmatrix.cli import files
 from nmatrix.cli.app import run
 
+pytestmark = pytest.mark.usefixtures("own_folder")
+
 SMALL = "--size 40 40 --samples 1"
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 SCENE = """
@@ -33,12 +35,6 @@ specular = 0.4
 size = [48, 32]
 samples = 1
 """
-
-
-@pytest.fixture
-def nmatrix(nmatrix, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return nmatrix
 
 
 @pytest.fixture
@@ -119,8 +115,7 @@ def test_a_preview_is_drawn_in_characters(nmatrix) -> None:
     assert ":::::" in found.out
 
 
-def test_a_picture_can_go_to_stdout(capfdbinary, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_a_picture_can_go_to_stdout(capfdbinary, tmp_path: Path) -> None:
     assert run(shlex.split(f"render normals {SMALL} -o -")) == 0
     assert capfdbinary.readouterr().out.startswith(b"\x89PNG")
     assert not list(tmp_path.iterdir())
