@@ -152,7 +152,7 @@ def _check_exercise(
             "it takes the number of the exercise and an ANSWER",
             "try nmatrix check exercise 3 c --seed 7 --student Ada",
         )
-    show(exercise.check_exercise(exercise.whole_number(number), sheet.sheet, answer), common)
+    show(exercise.check_exercise(exercise.whole_number(number), sheet.identity, answer), common)
 
 
 def _check_class(

@@ -12,7 +12,7 @@ from typer import Option
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
-from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
@@ -89,9 +89,8 @@ class HandoutOptions:
         from nmatrix.lessons.exercises.sheet import MOST
 
         typed = str(USUAL_EXERCISES) if self.exercises is None else self.exercises
-        if typed.isascii() and typed.isdigit() and len(typed) < 9 and 1 <= int(typed) <= MOST:
-            return int(typed)
-        raise IllegalValueError(f"--exercises ({typed[:20]})", f"a sheet has 1 to {MOST}", "try 10")
+        why = f"a sheet has 1 to {MOST}"
+        return whole_number(typed, "--exercises", range(1, MOST + 1), USUAL_EXERCISES, why)
 
 
 def handout(
@@ -148,7 +147,7 @@ def _one(plan: Plan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]
     refuse_existing([path, key] if plan.with_key else [path], force=options.force)
     has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
     plan = replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else "")
-    found = written(plan, sheet.sheet)
+    found = written(plan, sheet.identity)
     contents = [(path, found.sheet)]
     if found.key is not None:
         contents.append((key, found.key))

@@ -8,7 +8,8 @@ from typing import Annotated
 
 from typer import Option
 
-from nmatrix.cli.workers import WorkerOptions, whole
+from nmatrix.cli.shared_options import whole_number
+from nmatrix.cli.workers import WorkerOptions
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers
@@ -114,7 +115,7 @@ class FrameOptions(WorkerOptions):
     def count(self) -> int:
         """The number of pictures."""
         default = "36" if self.turn else "1"
-        return whole(self.frames or default, "--frames", MOST_FRAMES)
+        return whole_number(self.frames or default, "--frames", range(1, MOST_FRAMES + 1), 2)
 
 
 def frame_names(target: Path, count: int) -> list[Path]:

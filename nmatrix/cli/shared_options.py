@@ -71,15 +71,8 @@ class CommonOptions:
     @property
     def digits_checked(self) -> int:
         """The number of digits, which a float64 must have."""
-        if self.digits.isascii() and self.digits.isdigit() and len(self.digits) < 4:
-            found = int(self.digits)
-            if 1 <= found <= MOST_DIGITS:
-                return found
-        raise IllegalValueError(
-            f"--digits ({self.digits[:20]})",
-            "a float64 has 1 to 17 significant digits",
-            "try --digits 6",
-        )
+        why = f"a float64 has 1 to {MOST_DIGITS} significant digits"
+        return whole_number(self.digits, "--digits", range(1, MOST_DIGITS + 1), 6, why)
 
 
 @dataclass(frozen=True)
@@ -142,3 +135,22 @@ def refuse_together(option: str, others: Mapping[str, object], because: str) -> 
     """
     if others:
         raise IllegalValueError(f"{option} with {', '.join(others)}", because, "keep one of them")
+
+
+def whole_number(text: str, option: str, among: range, example: int, why: str = "") -> int:
+    """Read a whole number of a range.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is none, or outside; `why` says the rule where the range alone does not.
+
+    Examples
+    --------
+    >>> whole_number("36", "--frames", range(1, 10_001), 2)
+    36
+    """
+    if text.isascii() and text.isdigit() and len(text) < 9 and int(text) in among:
+        return int(text)
+    rule = why or f"it is a whole number from {among[0]} to {among[-1]}"
+    raise IllegalValueError(f"{option} ({text[:20]})", rule, f"try {option} {example}")

@@ -63,7 +63,7 @@ class SheetOptions(OptionGroup):
         return salt
 
     @property
-    def sheet(self) -> Sheet:
+    def identity(self) -> Sheet:
         """The sheet that these options name."""
         from nmatrix.lessons.exercises.scheme import Sheet
 

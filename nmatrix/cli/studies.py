@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.files import refuse_existing, write_file
-from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import number
@@ -193,15 +193,6 @@ def stress(
     if random is not None:
         from nmatrix.studies.hardcases.families import random_cases
 
-        cases = random_cases(_whole(random, "--random", 1), _whole(seed, "--seed", 0))
+        count = whole_number(random, "--random", range(1, MOST_RANDOM + 1), 7)
+        cases = random_cases(count, whole_number(seed, "--seed", range(MOST_RANDOM + 1), 7))
     show(answer(cases if case is None else (case_named(case, cases),)), common)
-
-
-def _whole(text: str, option: str, least: int) -> int:
-    if not (text.isascii() and text.isdigit() and least <= int(text[:9]) <= MOST_RANDOM):
-        raise IllegalValueError(
-            f"{option} ({text[:20]})",
-            f"it is a whole number from {least} to {MOST_RANDOM}",
-            f"try {option} 7",
-        )
-    return int(text)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
+from nmatrix.cli.shared_options import whole_number
 from nmatrix.errors import IllegalValueError, MissingPackageError
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ class WorkerOptions:
     @contextmanager
     def executor(self) -> Iterator[Executor | None]:
         """Open what runs the jobs: nothing, processes, or a cluster's executor."""
-        workers = whole(self.workers or "1", "--workers", MOST_WORKERS)
+        workers = whole_number(self.workers or "1", "--workers", range(1, MOST_WORKERS + 1), 2)
         if self.dask is not None:
             with _cluster(self.dask) as client:
                 yield client.get_executor()
@@ -61,12 +62,3 @@ def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # a
         raise IllegalValueError(
             f"--dask ({address[:60]})", f"no scheduler answers there ({error})", "check the address"
         ) from None
-
-
-def whole(text: str, option: str, most: int) -> int:
-    """Read a whole number from 1 to the most that an option takes."""
-    if not (text.isascii() and text.isdigit() and len(text) < 9 and 1 <= int(text) <= most):
-        raise IllegalValueError(
-            f"{option} ({text[:20]})", f"it is a whole number from 1 to {most}", f"try {option} 2"
-        )
-    return int(text)
