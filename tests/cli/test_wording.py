@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from nmatrix.enums import NormalMethod
+
 SENTENCES = [
     ("world --rotate 0 30 0", "a rotation: A⁻ᵀ = A"),
     ("world --scale -1 1 1", "a mirror (orthogonal, determinant −1): A⁻ᵀ = A"),
@@ -29,8 +31,10 @@ def test_only_a_rotation_is_called_one(nmatrix, sign: int) -> None:
     assert ("is a rotation" in found.out) == (sign > 0)
 
 
-@pytest.mark.parametrize("method", ["exact", "cofactor", "inverse"])
-def test_how_far_a_itself_is_off_does_not_depend_on_the_method(nmatrix, method: str) -> None:
+@pytest.mark.parametrize("method", NormalMethod)
+def test_how_far_a_itself_is_off_does_not_depend_on_the_method(
+    nmatrix, method: NormalMethod
+) -> None:
     for scale, off in (("-1 1 1", 0.0), ("-1 2 1", 36.86989764584402)):
         line = f"normal --scale {scale} --normal 1 1 0 --method {method} -f json"
         found = nmatrix(line).data["normals"][0]
