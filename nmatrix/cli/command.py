@@ -213,9 +213,8 @@ def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
         if joined is not None:
             raise IllegalValueError(f"{name} ({joined[:20]})", "it takes no value", f"use {name}")
         return full
-    value = (
-        reader.values(full, len((option.metavar or "VALUE").split())) if joined is None else joined
-    )
+    count = len((option.metavar or "VALUE").split())
+    value = reader.values(full, count) if joined is None else joined
     choices = [str(one) for one in getattr(option.type, "choices", ())]
     if choices and value not in choices:
         raise IllegalValueError(
