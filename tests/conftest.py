@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shlex
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -29,13 +31,35 @@ def data() -> Path:
 
 
 @pytest.fixture
-def nmatrix(capsys):
-    """Return what runs a line of words: its exit code, its stdout and its stderr."""
+def own_folder(tmp_path, monkeypatch):
+    """Work in a folder of the test's own."""
+    monkeypatch.chdir(tmp_path)
 
-    def call(line: str) -> tuple[int, str, str]:
+
+class Answer(NamedTuple):
+    """What a line of words came to."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def data(self) -> dict[str, Any]:
+        return json.loads(self.out)
+
+    @property
+    def is_one_line(self) -> bool:
+        return self.err.startswith("error: ") and self.err.count("\n") == 1
+
+
+@pytest.fixture
+def nmatrix(capsys):
+    """Run a line as a shell would part it, and return its answer."""
+
+    def call(line: str) -> Answer:
         capsys.readouterr()
         code = run(shlex.split(line))
         captured = capsys.readouterr()
-        return code, captured.out, captured.err
+        return Answer(code, captured.out, captured.err)
 
     return call

@@ -8,23 +8,18 @@ from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.proofs.brief import Brief, Proof
 from nmatrix.raster.proofs.catalogue import entry
 from nmatrix.raster.proofs.frames import Job
-from nmatrix.report import Block, Figure, Quantity, Report, Value, Vector, Verdict
-from nmatrix.scene.camera import View
-from nmatrix.scene.lens import Lens
+from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.setup import Light, Setup
-from nmatrix.scene.words import LightKind
-from nmatrix.scene.world import World
+from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES, LightKind
 
 NUMBERS = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
-SCENES = (".toml", ".gltf", ".glb")
-MESHES = (".obj", ".ply", ".stl")
+SCENES = (".toml", *GLTF_SUFFIXES)
 PANEL = (360, 360)  # pixels of one panel of a proof
 
 
@@ -37,42 +32,50 @@ class PictureChoices:
     reflection: Reflection | None = None
     normals: NormalRule | None = None
     space: Space | None = None
-    space_matrix: RationalMatrix | None = None
-    samples: int | None = None
+    samples: Number | None = None
     effort: Effort | None = None
 
     def over(self, settings: Settings) -> Settings:
         """Return settings with what was chosen in place of their own."""
-        names = ("size", "shading", "normals", "space", "space_matrix", "samples", "effort")
+        names = ("size", "shading", "normals", "space", "samples", "effort")
         chosen = {name: getattr(self, name) for name in names}
         return replace(settings, **{k: v for k, v in chosen.items() if v is not None})
+
+    @property
+    def panel_aspect(self) -> float:
+        """Width over height of a proof's panel."""
+        width, height = self.over(Settings(size=PANEL)).size
+        return width / height
+
+
+@dataclass(frozen=True)
+class ProofSubject:
+    """What a proof is drawn of: a setup, a mesh, and which of them stand for the proof's own."""
+
+    setup: Setup
+    mesh: Mesh | None
+    name: str
+    has_world: bool
+    has_view: bool
 
 
 def proof_job(
     name: str,
-    setup: Setup,
+    subject: ProofSubject,
     choices: PictureChoices,
-    *,
-    mesh: Mesh | None = None,
-    subject: str | None = None,
     clock: Callable[[], float] = float,
 ) -> Job:
-    """Return the job of drawing a proof, of a mesh and under a setup instead of its own.
-
-    A world and a view that are the usual ones leave the proof its own.
-    """
-    settings = choices.over(Settings(size=PANEL))
-    width, height = settings.size
-    is_free = setup.lens.aspect == Lens().aspect
-    lens = replace(setup.lens, aspect=width / height) if is_free else setup.lens
+    """Return the job of drawing a proof of a subject; `clock` tells seconds."""
+    setup = subject.setup
+    settings = replace(choices.over(Settings(size=PANEL)), space_matrix=setup.space_matrix)
     return Job(
         name,
         brief=Brief(
-            subject or name,
-            mesh,
-            None if setup.world == World() else setup.world,
-            None if setup.view == View() else setup.view,
-            lens,
+            subject.name,
+            subject.mesh,
+            setup.world if subject.has_world else None,
+            setup.view if subject.has_view else None,
+            setup.lens,
             scene_lights(setup.light),
             settings,
             choices.reflection or Reflection.LAMBERT,
@@ -102,10 +105,11 @@ def checked_subject(subject: str) -> str:
     IllegalValueError
         If it is neither.
     """
-    if entry(subject) is None and Path(subject).suffix.lower() not in SCENES + MESHES:
+    if entry(subject) is None and Path(subject).suffix.lower() not in (*SCENES, *MESH_SUFFIXES):
         raise IllegalValueError(
             f"render ({subject[:60]})",
-            f"it is no proof; scenes end in {', '.join(SCENES)}, meshes in {', '.join(MESHES)}",
+            f"it is no proof; scenes end in {', '.join(SCENES)}, "
+            f"meshes in {', '.join(MESH_SUFFIXES)}",
             "see nmatrix render --list",
         )
     return subject

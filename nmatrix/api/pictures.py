@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from nmatrix.api.report import Picture
 from nmatrix.api.setup import Setup, setup_values
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen, space_named
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.values import named_file, vector
+from nmatrix.linear.values import named_file, number, vector
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.world import World
 
 
 def render(
@@ -53,6 +57,7 @@ def render(
     """
     from nmatrix.answers.render import (
         PictureChoices,
+        ProofSubject,
         checked_subject,
         proof_job,
         scene_job,
@@ -69,15 +74,22 @@ def render(
         None if reflection is None else chosen(Reflection, reflection, "reflection"),
         None if normals is None else chosen(NormalRule, normals, "normals"),
         None if space is None else space_named(space),
-        None if setup is None else setup_values(setup).space_matrix,
-        samples,
+        None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
     )
     if entry(name) is not None:
-        loaded = None if mesh is None else read_mesh(named_file(mesh, "mesh"))
-        of_mesh = None if mesh is None else Path(mesh).stem
         values = setup_values(Setup() if setup is None else setup)
-        job = proof_job(name, values, choices, mesh=loaded, subject=of_mesh)
+        if values.lens.aspect == Lens().aspect:  # a panel's own
+            values = replace(values, lens=replace(values.lens, aspect=choices.panel_aspect))
+        of_mesh = None if mesh is None else named_file(mesh, "mesh")
+        drawn = ProofSubject(
+            values,
+            None if of_mesh is None else read_mesh(of_mesh),
+            name if of_mesh is None else of_mesh.stem,
+            has_world=values.world != World(),
+            has_view=values.view != View(),
+        )
+        job = proof_job(name, drawn, choices)
     else:
         for given, value in (("setup", setup), ("mesh", mesh)):
             if value is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +20,7 @@ from nmatrix.enums import (
 from nmatrix.linear.values import named_file, plain_value, real, refused, settle, vector
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
-from nmatrix.scene.given import lens_of, light_of, view_of, world_of
+from nmatrix.scene.given import hand_of, lens_of, light_of, view_of, world_of
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
@@ -75,7 +75,7 @@ class Setup:
         more = {"space_matrix": space_matrix, "tolerance": tolerance}
         values = setup.Setup(
             world_part(world),
-            _part(view, View, view_of, "view_matrix"),
+            _view(view, lens),
             _part(lens, Lens, lens_of, "projection_matrix"),
             _part(light, Light, light_of, None),
             **{name: value for name, value in more.items() if value is not None},  # type: ignore[arg-type]  # read there
@@ -219,6 +219,14 @@ def world_part(world: Part) -> World:
     """Return a world from a frozen value, a mapping or a matrix."""
     found: World = _part(world, World, world_of, "world_matrix")
     return found
+
+
+def _view(view: Part, lens: Part) -> View:
+    """Return the view; where it names no hand, that of the lens is its own."""
+    found: View = _part(view, View, view_of, "view_matrix")
+    named = view.get("handed") if isinstance(view, Mapping) else view
+    hand = hand_of(lens) if named is None and isinstance(lens, Mapping) else None
+    return found if hand is None else replace(found, handed=hand)
 
 
 def _part(given: Part, kind: type[Any], read: Any, matrix: str | None) -> Any:  # noqa: ANN401

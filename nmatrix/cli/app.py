@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,11 +13,14 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 from typer.exceptions import TyperException
 
-from nmatrix.cli.catalogue import COMMANDS, Entry, entry
-from nmatrix.cli.command import GatheringCommand, examples_and_sentence
-from nmatrix.cli.flatten import flattened
+from nmatrix.cli.catalogue import COMMANDS, Panel
+from nmatrix.cli.command import (
+    GatheringCommand,
+    did_you_mean,
+    examples_and_notes,
+    with_flat_options,
+)
 from nmatrix.cli.show import fail, put
-from nmatrix.cli.tokens import did_you_mean
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.version import __version__
 
@@ -31,15 +34,14 @@ class OnDemandGroup(TyperGroup):
     """A group that imports one command's module when that command is asked for."""
 
     def list_commands(self, ctx: Context) -> list[str]:
-        """Return the names in the order of the panels."""
-        return [one.name for one in COMMANDS]
+        """List the names in the order of the panels."""
+        return list(COMMANDS)
 
     def get_command(self, ctx: Context, cmd_name: str) -> Command | None:
-        """Return one command, importing only its module."""
-        found = entry(cmd_name)
-        if found is None:
+        """Load one command, importing only its module."""
+        if cmd_name not in COMMANDS:
             return None
-        return _placeholder(found) if ctx.resilient_parsing else load(found)
+        return _placeholder(cmd_name) if ctx.resilient_parsing else load(cmd_name)
 
     def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
         """Refuse an unknown option before the command in our own words."""
@@ -58,12 +60,11 @@ class OnDemandGroup(TyperGroup):
         self, ctx: Context, args: list[str]
     ) -> tuple[str | None, Command | None, list[str]]:
         """Find the command, or say which one was probably meant."""
-        if not ctx.resilient_parsing and entry(args[0]) is None:
-            names = self.list_commands(ctx)
+        if not ctx.resilient_parsing and args[0] not in COMMANDS:
             raise IllegalValueError(
                 f"command ({args[0][:40]})",
                 "there is no such command",
-                did_you_mean(args[0], names, f"the commands are {', '.join(names)}"),
+                did_you_mean(args[0], COMMANDS, f"the commands are {', '.join(COMMANDS)}"),
             )
         return super().resolve_command(ctx, args)
 
@@ -74,25 +75,28 @@ class OnDemandGroup(TyperGroup):
 
     def format_commands(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write one section for each panel, from the catalogue, importing no command."""
-        width = max(len(one.name) for one in COMMANDS)
-        for panel in dict.fromkeys(one.panel for one in COMMANDS):
+        width = max(map(len, COMMANDS))
+        for panel in Panel:
+            listed = [(name, one) for name, one in COMMANDS.items() if one.panel is panel]
             with formatter.section(panel):
-                formatter.write_dl(
-                    [(f"{one.name:{width}}", one.summary) for one in COMMANDS if one.panel == panel]
-                )
+                formatter.write_dl([(f"{name:{width}}", one.sentence) for name, one in listed])
 
 
-def _placeholder(one: Entry) -> TyperCommand:
-    return TyperCommand(one.name, help=one.summary, rich_help_panel=one.panel)
+def _placeholder(name: str) -> TyperCommand:
+    one = COMMANDS[name]
+    return TyperCommand(name, help=one.sentence, rich_help_panel=one.panel)
 
 
-def load(one: Entry) -> Command:
-    """Return the real command of an entry."""
+def load(name: str) -> Command:
+    """Import the module of a command and give its groups and its help to Typer."""
+    one = COMMANDS[name]
     module = import_module(f"nmatrix.cli.{one.module}")
-    function: Callable[..., None] = getattr(module, one.name)
-    examples, sentence = examples_and_sentence(module.HELP[one.name])
+    examples, notes = examples_and_notes(module.HELP[name])
+    stop = "" if one.sentence.endswith("?") else "."
     single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-    single.command(one.name, cls=GatheringCommand, help=sentence)(flattened(function))
+    single.command(name, cls=GatheringCommand, help=f"{one.sentence}{stop} {notes}".rstrip())(
+        with_flat_options(getattr(module, name))
+    )
     command = typer.main.get_command(single)
     if isinstance(command, GatheringCommand):
         command.examples = examples
@@ -140,7 +144,7 @@ def _overview(
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Run one command line and return its exit code; nothing but one line on stderr if it fails."""
+    """Run one command line; if it fails, one line on stderr and an exit code."""
     if "NMATRIX_DEBUG" not in os.environ:
         warnings.simplefilter("ignore")
     try:

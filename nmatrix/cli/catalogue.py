@@ -1,47 +1,76 @@
-"""Every command with its help panel, its module and its one line: all that `--help` needs."""
+"""Every command with its help panel, its module and its sentence: all that `--help` needs."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Panel(StrEnum):
+    """The panels of the overview, in its order."""
+
+    MATRICES = "Matrices"
+    SPACES = "Spaces"
+    PROOFS = "Proofs"
+    STUDIES = "Studies"
+    CLASSROOM = "Classroom"
+    FILES = "Files"
 
 
 @dataclass(frozen=True)
-class Entry:
-    """One command: where it lives and how the overview describes it."""
+class CatalogueEntry:
+    """Where a command lives, and the sentence that begins every help of it."""
 
-    name: str
-    panel: str
+    panel: Panel
     module: str
-    summary: str
+    sentence: str
 
 
-MATRICES, SPACES, PROOFS, STUDIES = "Matrices", "Spaces", "Proofs", "Studies"
-CLASSROOM, FILES = "Classroom", "Files"
-
-COMMANDS: tuple[Entry, ...] = (
-    Entry(
-        "world", MATRICES, "matrices", "The world matrix, its kind, its parts, its normal matrix"
+COMMANDS = {
+    "world": CatalogueEntry(
+        Panel.MATRICES, "matrices", "The world matrix T · R · S · H, its kind, its normal matrix"
     ),
-    Entry("view", MATRICES, "matrices", "The view matrix and its two factors"),
-    Entry("projection", MATRICES, "matrices", "The projection matrix and its depth steps"),
-    Entry("normal", MATRICES, "normals", "The normal matrix of any map, and normals through it"),
-    Entry("calc", MATRICES, "calc", "The matrix calculator, exact"),
-    Entry("light", SPACES, "spaces", "Light direction and position in any space"),
-    Entry("eye", SPACES, "spaces", "The eye in any space"),
-    Entry("space", SPACES, "spaces", "The whole sheet of a shading space, and its shaders"),
-    Entry("trace", SPACES, "spaces", "One vertex from object space to the window"),
-    Entry("derive", PROOFS, "derive", "The inverse-transpose rule, step by step, proved"),
-    Entry("render", PROOFS, "render", "Proof images: wrong beside right; scenes and meshes"),
-    Entry("plan", PROOFS, "plan", "Which effects a scene calls for, and why"),
-    Entry("cost", STUDIES, "cost", "What accuracy costs in time, measured here"),
-    Entry("stress", STUDIES, "stress", "The hard cases, and who survives them"),
-    Entry("check", CLASSROOM, "check", "Is this answer right, and which mistake is it?"),
-    Entry("handout", CLASSROOM, "handout", "Printable sheets: theory, numbers, exercises, keys"),
-    Entry("explore", CLASSROOM, "explore", "One page with sliders: wrong beside right, live"),
-    Entry("inspect", FILES, "inspect", "Which nodes of a file need the inverse transpose"),
-)
-
-
-def entry(name: str) -> Entry | None:
-    """Return the entry of a command, if there is one."""
-    return next((one for one in COMMANDS if one.name == name), None)
+    "view": CatalogueEntry(
+        Panel.MATRICES, "matrices", "The view matrix, its factors R · T, and the camera's axes"
+    ),
+    "projection": CatalogueEntry(
+        Panel.MATRICES, "matrices", "The projection matrix, and the smallest gap its depth tells"
+    ),
+    "normal": CatalogueEntry(
+        Panel.MATRICES, "matrices", "The normal matrix of any map, and what becomes of normals"
+    ),
+    "calc": CatalogueEntry(Panel.MATRICES, "calc", "The matrix calculator, in exact fractions"),
+    "light": CatalogueEntry(
+        Panel.SPACES, "spaces", "Light direction and position in one space, or in four"
+    ),
+    "eye": CatalogueEntry(Panel.SPACES, "spaces", "The eye in one space, or in four"),
+    "space": CatalogueEntry(
+        Panel.SPACES, "spaces", "What a shading space transforms, by what, where, at what price"
+    ),
+    "trace": CatalogueEntry(Panel.SPACES, "spaces", "One vertex from object space to the window"),
+    "derive": CatalogueEntry(
+        Panel.PROOFS, "proofs", "The inverse-transpose rule, step by step, each step proved"
+    ),
+    "render": CatalogueEntry(
+        Panel.PROOFS, "render", "Proof images: wrong beside right; scenes and meshes"
+    ),
+    "plan": CatalogueEntry(Panel.PROOFS, "proofs", "Which effects a scene calls for, and why"),
+    "cost": CatalogueEntry(
+        Panel.STUDIES, "studies", "What accuracy costs in time, measured on this machine"
+    ),
+    "stress": CatalogueEntry(
+        Panel.STUDIES, "studies", "Every hard case against every method, naive ones included"
+    ),
+    "check": CatalogueEntry(
+        Panel.CLASSROOM, "check", "Is this answer right, and if not, which mistake is it?"
+    ),
+    "handout": CatalogueEntry(
+        Panel.CLASSROOM, "handout", "Printable sheets: theory, numbers, pictures, exercises"
+    ),
+    "explore": CatalogueEntry(
+        Panel.CLASSROOM, "explore", "One page with sliders: wrong normals beside right ones, live"
+    ),
+    "inspect": CatalogueEntry(
+        Panel.FILES, "inspect", "Which nodes of a file need the inverse transpose"
+    ),
+}

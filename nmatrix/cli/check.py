@@ -9,15 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.check_exercise import GRADING, check_class, check_exercise
-from nmatrix.cli.check_exercise import NAME as EXERCISE
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
-from nmatrix.cli.sources import Sources
-from nmatrix.cli.tables import table
+from nmatrix.cli.sources import Sources, table
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
@@ -33,8 +29,12 @@ nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
 
 nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv
 
-Is this answer right, and if not, which mistake is it? Exit 0 if it is, 1 if not.""",
+Exit 0 if it is right, 1 if not.""",
 }
+
+EXERCISE = "exercise"
+GRADING = "grading answers"
+EXERCISE_COLUMNS = ("student", "exercise", "answer")
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class CheckOptions:
 
     @property
     def limit(self) -> Fraction | None:
-        """Return the tolerance that was typed."""
+        """The tolerance that was typed."""
         if self.tolerance is None:
             return None
         found = fraction(self.tolerance, "--tolerance")
@@ -73,7 +73,7 @@ def check(
     space: SpaceOptions,
     scene: SceneOptions,
     options: CheckOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     what: Annotated[
         str,
         Argument(metavar="WHAT", help="world, view, projection, normal, light, eye or exercise."),
@@ -86,32 +86,32 @@ def check(
             show_default=False,
         ),
     ] = None,
-    to_exercise: Annotated[
+    exercise_answer: Annotated[
         str | None,
         Argument(metavar="ANSWER", help="The answer to exercise N.", show_default=False),
     ] = None,
-    of: SheetOptions,
+    sheet: SheetOptions,
     batch: Annotated[
         str | None,
         Option(metavar="FILE", help="A .csv with the columns student, answer (and exercise)."),
     ] = None,
 ) -> None:
     """Check an answer."""
-    groups = Groups(world, view, lens, light, space, scene=scene)
+    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     if what == EXERCISE:
         _refuse_scene(groups, options)
         if batch is None:
-            check_exercise(answer, to_exercise, of, everywhere)
+            _check_exercise(answer, exercise_answer, sheet, common)
         else:
-            check_class(batch, answer, of, everywhere)
+            _check_class(batch, answer, sheet, common)
         return
-    of.refuse(what)
-    if to_exercise is not None:
-        typed, why = to_exercise[:30], f"check {what} takes one ANSWER"
+    sheet.refuse(what)
+    if exercise_answer is not None:
+        typed, why = exercise_answer[:30], f"check {what} takes one ANSWER"
         raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
-    sources = Sources(everywhere.input_layout)
+    sources = Sources(common.input_layout)
     question = _question(what, groups, options, sources)
-    _check_scene(question, sources, answer, batch, everywhere)
+    _check_scene(question, sources, answer, batch, common)
 
 
 def _check_scene(
@@ -119,7 +119,7 @@ def _check_scene(
     sources: Sources,
     answer: str | None,
     batch: str | None,
-    everywhere: Everywhere,
+    common: CommonOptions,
 ) -> None:
     """Check one answer to a question about a scene, or a class's."""
     if (answer is None) is (batch is None):
@@ -131,16 +131,52 @@ def _check_scene(
     if batch is not None:
         from nmatrix.answers.grades import NEEDED, answers_to, grades
 
-        judge = answers_to(question, everywhere.input_layout)
+        judge = answers_to(question, common.input_layout)
         rows = table(batch, NEEDED)
-        show(grades(progress(rows, len(rows), GRADING), judge), everywhere)
+        show(grades(progress(rows, len(rows), GRADING), judge), common)
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 
-        show(answer_of(question, sources.literal(answer)), everywhere)
+        show(answer_of(question, sources.literal(answer)), common)
 
 
-def _refuse_scene(groups: Groups, options: CheckOptions) -> None:
+def _check_exercise(
+    number: str | None, answer: str | None, sheet: SheetOptions, common: CommonOptions
+) -> None:
+    """Check the answer to an exercise of a sheet."""
+    from nmatrix.answers import exercise
+
+    if number is None or answer is None:
+        raise IllegalValueError(
+            "check exercise",
+            "it takes the number of the exercise and an ANSWER",
+            "try nmatrix check exercise 3 c --seed 7 --student Ada",
+        )
+    show(exercise.check_exercise(exercise.whole_number(number), sheet.identity, answer), common)
+
+
+def _check_class(
+    batch: str, answer: str | None, sheet: SheetOptions, common: CommonOptions
+) -> None:
+    """Check the answers of a class, each with its student and exercise."""
+    from nmatrix.answers.exercise import exercises_of
+    from nmatrix.answers.grades import grades
+
+    if answer is not None:
+        raise IllegalValueError(
+            f"argument ({answer[:30]}) with --batch",
+            "the answers stand in the file",
+            "leave it out",
+        )
+    if sheet.student is not None:
+        raise IllegalValueError(
+            "--student with --batch", "the students stand in the file", "leave it out"
+        )
+    rows, judge = table(batch, EXERCISE_COLUMNS), exercises_of(sheet.class_seed, sheet.salt_read)
+    show(grades(progress(rows, len(rows), GRADING), judge), common)
+
+
+def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:
     """Refuse what an exercise decides by itself: its numbers, and how they are compared."""
     given = {
         "--unit": options.unit,
@@ -157,7 +193,7 @@ def _refuse_scene(groups: Groups, options: CheckOptions) -> None:
             )
 
 
-def _question(what: str, groups: Groups, options: CheckOptions, sources: Sources) -> Question:
+def _question(what: str, groups: OptionGroups, options: CheckOptions, sources: Sources) -> Question:
     from nmatrix.lessons.check.question import Question, Subject
 
     if what not in list(Subject):

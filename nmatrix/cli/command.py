@@ -1,20 +1,80 @@
-"""One command: its words gathered before Typer sees them, its help with the examples first.
+"""From words to option groups: what stands between a command and Typer.
 
-What Typer would refuse in its own words is refused here: WHAT (value): why; next step.
+A command takes option groups, frozen dataclasses; Typer sees their fields as flat options. It must
+not be given more than it can read, so the words are gathered first: an option of N values takes N
+words and becomes one `--option=values` token, −3 is a value, and whatever else is a value stands
+behind `--`. How many values an option takes is read off its metavar: `X Y Z` takes three. What
+Typer would refuse in its own words is refused here: WHAT (value): why; next step.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import inspect
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, fields, is_dataclass
+from difflib import get_close_matches
+from functools import wraps
+from typing import TYPE_CHECKING, Any, get_type_hints
 
 from typer.core import TyperArgument, TyperCommand, TyperOption
 
 from nmatrix.cli.show import put
-from nmatrix.cli.tokens import OptionShape, gather
 from nmatrix.errors import IllegalValueError
 
 if TYPE_CHECKING:
     from typer._click import Context, HelpFormatter
+
+Group = Any  # a frozen dataclass type; its fields are Typer's options
+
+# A minus with a digit or a point behind it is a number; "-" and "-#KEY" are standard input.
+_VALUE = re.compile(r"-(?:[\d.].*|#.*)?\Z", re.DOTALL)
+_SEPARATOR = re.compile(r"[\s,]")
+
+
+def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
+    """Replace every parameter of a command that is a dataclass by its fields.
+
+    A field that two groups share, such as `handed`, becomes one option and reaches both.
+    """
+    hints = get_type_hints(command, include_extras=True)
+    hints.pop("return", None)
+    groups: dict[str, Group] = {name: kind for name, kind in hints.items() if is_dataclass(kind)}
+    parameters: dict[str, inspect.Parameter] = {}
+    for name, parameter in inspect.signature(command).parameters.items():
+        if name not in groups:
+            parameters[name] = parameter.replace(
+                annotation=hints[name], kind=inspect.Parameter.KEYWORD_ONLY
+            )
+    for kind in groups.values():
+        parameters |= _field_parameters(kind)
+
+    @wraps(command)
+    def flat(**given: object) -> None:
+        built = {
+            name: kind(**{one.name: given[one.name] for one in fields(kind)})
+            for name, kind in groups.items()
+        }
+        plain = {name: given[name] for name in hints if name not in groups}
+        command(**built, **plain)
+
+    signature = inspect.Signature(list(parameters.values()))
+    flat.__signature__ = signature  # type: ignore[attr-defined]  # inspect looks for it
+    flat.__annotations__ = {name: one.annotation for name, one in parameters.items()}
+    return flat
+
+
+def _field_parameters(group: Group) -> dict[str, inspect.Parameter]:
+    hints = get_type_hints(group, include_extras=True)
+    return {
+        one.name: inspect.Parameter(
+            one.name,
+            inspect.Parameter.KEYWORD_ONLY,
+            default=one.default,
+            annotation=hints[one.name],
+        )
+        for one in fields(group)
+    }
 
 
 class GatheringCommand(TyperCommand):
@@ -29,7 +89,7 @@ class GatheringCommand(TyperCommand):
         if _ask_for_help(args):
             return super().parse_args(ctx, ["--help"])
         options = [one for one in self.get_params(ctx) if isinstance(one, TyperOption)]
-        words = gather(args, [_shape(one) for one in options])
+        words = gather(args, options)
         self._check_arguments(ctx, words[words.index("--") + 1 :] if "--" in words else [])
         return super().parse_args(ctx, words)
 
@@ -55,31 +115,130 @@ class GatheringCommand(TyperCommand):
         super().format_help(ctx, formatter)
 
 
-def examples_and_sentence(text: str) -> tuple[tuple[str, ...], str]:
-    r"""Part a command's help: its paragraphs that are command lines, and the others.
+def examples_and_notes(text: str) -> tuple[tuple[str, ...], str]:
+    r"""Split a command's help: its paragraphs that are command lines, and the others.
 
     Examples
     --------
-    >>> examples_and_sentence("nmatrix calc \"\\[1]\"\n\nThe calculator.")
-    (('nmatrix calc "[1]"',), 'The calculator.')
+    >>> examples_and_notes("nmatrix calc \"\\[1]\"\n\nExact.")
+    (('nmatrix calc "[1]"',), 'Exact.')
     """
     paragraphs = text.split("\n\n")
-    examples = [one for one in paragraphs if _is_command_line(one)]
-    rest = [one for one in paragraphs if not _is_command_line(one)]
-    return tuple(one.replace("\\[", "[") for one in examples), "\n\n".join(rest)
-
-
-def _is_command_line(paragraph: str) -> bool:
-    return paragraph.startswith("nmatrix ")
+    examples = tuple(one for one in paragraphs if one.startswith("nmatrix "))
+    notes = "\n\n".join(one for one in paragraphs if one not in examples)
+    return tuple(one.replace("\\[", "[") for one in examples), notes
 
 
 def _ask_for_help(words: list[str]) -> bool:
     return "--help" in (words[: words.index("--")] if "--" in words else words)
 
 
-def _shape(option: TyperOption) -> OptionShape:
-    arity = 0 if option.is_flag else len((option.metavar or "VALUE").split())
-    choices = tuple(str(one) for one in getattr(option.type, "choices", ()))
-    return OptionShape(
-        (*option.opts, *option.secondary_opts), arity, bool(option.multiple), choices
-    )
+@dataclass
+class _Reader:
+    words: list[str]
+    at: int = 0
+    given: set[str] = field(default_factory=set)
+
+    def values(self, option: str, count: int) -> str:
+        """Take so many values, or one word that holds several."""
+        taken: list[str] = []
+        while len(taken) < count and self.at < len(self.words) and is_value(self.words[self.at]):
+            taken.append(self.words[self.at])
+            self.at += 1
+            if count > 1 and len(taken) == 1 and _SEPARATOR.search(taken[0].strip()):
+                return taken[0]
+        if len(taken) < count:
+            what = "a value" if count == 1 else f"{count} numbers"
+            where = f"before {self.words[self.at]}" if self.at < len(self.words) else "at the end"
+            raise IllegalValueError(f"{option} takes {what}, got {len(taken) or 'none'} {where}")
+        return " ".join(taken)
+
+
+def is_value(word: str) -> bool:
+    """Whether a word is a value and not an option.
+
+    Examples
+    --------
+    >>> [is_value(word) for word in ("-3", "-.5", "-", "-#value", "-f", "--scale", "1 0 0")]
+    [True, True, True, True, False, False, True]
+    """
+    return not word.startswith("-") or _VALUE.match(word) is not None
+
+
+def gather(words: Sequence[str], known: Iterable[TyperOption]) -> list[str]:
+    """Join every option and its values into one token.
+
+    Raises
+    ------
+    IllegalValueError
+        For an unknown option, too few values, or an option given twice.
+
+    Examples
+    --------
+    >>> scale = TyperOption(param_decls=["--scale"], metavar="X Y Z", type=str)
+    >>> gather(["--scale", "1", "-2", "1", "-1"], [scale])
+    ['--scale=1 -2 1', '--', '-1']
+    """
+    by_name = {name: one for one in known for name in one.opts}
+    reader = _Reader(list(words))
+    options: list[str] = []
+    values: list[str] = []
+    while reader.at < len(reader.words):
+        word = reader.words[reader.at]
+        reader.at += 1
+        if word == "--":
+            values += reader.words[reader.at :]
+            break
+        if is_value(word):
+            values.append(word)
+        else:
+            options.append(_option(word, by_name, reader))
+    return [*options, "--", *values] if values else options
+
+
+def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
+    name, joined = _split(word)
+    option = by_name.get(name)
+    if option is None:
+        raise IllegalValueError(
+            f"option ({name[:40]})",
+            "this command does not know it",
+            did_you_mean(name, by_name, "see --help"),
+        )
+    full = max(option.opts, key=len)
+    if full in reader.given and not option.multiple:
+        raise IllegalValueError(full, "it is given twice", "keep one of them")
+    reader.given.add(full)
+    if option.is_flag:
+        if joined is not None:
+            raise IllegalValueError(f"{name} ({joined[:20]})", "it takes no value", f"use {name}")
+        return full
+    count = len((option.metavar or "VALUE").split())
+    value = reader.values(full, count) if joined is None else joined
+    choices = [str(one) for one in getattr(option.type, "choices", ())]
+    if choices and value not in choices:
+        raise IllegalValueError(
+            f"{full} ({value[:40]})",
+            f"it is one of {', '.join(choices)}",
+            did_you_mean(value, choices, f"try {choices[0]}"),
+        )
+    return f"{full}={value}"
+
+
+def _split(word: str) -> tuple[str, str | None]:
+    if word.startswith("--"):
+        name, equals, value = word.partition("=")
+        return name, value if equals else None
+    return word[:2], word[2:].removeprefix("=") or None
+
+
+def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
+    """Ask for the nearest known word, or name another next step.
+
+    Examples
+    --------
+    >>> did_you_mean("wrold", ["view", "world"], "see --help")
+    'did you mean world?'
+    """
+    near = get_close_matches(word[:40], known, n=1, cutoff=0.6)
+    return f"did you mean {near[0]}?" if near else otherwise

@@ -9,9 +9,8 @@ from typing import Annotated
 from typer import Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.output.files import refuse_existing, write_file
@@ -28,7 +27,7 @@ HELP = {
 
 nmatrix explore --scale 1 2 1 --light-direction -1 -2 -1 -o stretch.html
 
-One page with sliders: live matrices, wrong normals beside right ones, no network.""",
+The page is one file and needs no network.""",
 }
 
 
@@ -40,7 +39,7 @@ def explore(
     light: LightOptions,
     space: SpaceOptions,
     scene: SceneOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     output: Annotated[
         str, Option("--output", "-o", metavar="FILE", help="Where the page goes.")
     ] = "explore.html",
@@ -51,7 +50,7 @@ def explore(
 
     path = Path(output)
     refuse_existing([path], force=force)
-    setup = Groups(world, view, lens, light, space, scene=scene).setup(everywhere)
+    setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
     if not view.is_given and scene.scene is None:
         setup = replace(setup, view=replace(setup.view, eye=FROM_ABOVE))
     if not light.is_given and scene.scene is None:
@@ -60,4 +59,4 @@ def explore(
         setup = replace(setup, world=STRETCHED)
     write_file(path, page(setup), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
-    show(Report("explore", {"file": str(path)}, blocks), everywhere)
+    show(Report("explore", {"file": str(path)}, blocks), common)

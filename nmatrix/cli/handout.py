@@ -10,20 +10,24 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
-from nmatrix.cli.show import show
+from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.output.pages.document import PageFormat, Paper
+from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.manifest import Manifest
+    from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
 
 HELP = {
@@ -33,7 +37,7 @@ nmatrix handout --topics rule,exercises --exercises 10 --student Ada --key --to 
 
 nmatrix handout --roster class.csv --seed 7 --to pdf --key -o sheets
 
-A printable sheet: theory, numbers, pictures, exercises; or one for everybody in a class.""",
+With a roster everybody in a class gets a sheet of their own, and a rerun completes the folder.""",
 }
 
 USUAL_EXERCISES = 10
@@ -63,7 +67,7 @@ class HandoutOptions:
     force: Annotated[bool, Option("--force", help="Overwrite what is there.")] = False
 
     def chosen_topics(self) -> tuple[Topic, ...]:
-        """Return the topics, in the order in which they are printed."""
+        """Choose the topics, in the order in which they are printed."""
         from nmatrix.classroom.topics import USUAL, Topic
 
         wants_exercises = self.exercises is not None or self.roster is not None
@@ -81,13 +85,12 @@ class HandoutOptions:
         return tuple(topic for topic in Topic if topic in words)
 
     def count(self) -> int:
-        """Return how many exercises there are."""
+        """Read the number of exercises."""
         from nmatrix.lessons.exercises.sheet import MOST
 
         typed = str(USUAL_EXERCISES) if self.exercises is None else self.exercises
-        if typed.isascii() and typed.isdigit() and len(typed) < 9 and 1 <= int(typed) <= MOST:
-            return int(typed)
-        raise IllegalValueError(f"--exercises ({typed[:20]})", f"a sheet has 1 to {MOST}", "try 10")
+        why = f"a sheet has 1 to {MOST}"
+        return whole_number(typed, "--exercises", range(1, MOST + 1), USUAL_EXERCISES, why)
 
 
 def handout(
@@ -99,9 +102,9 @@ def handout(
     space: SpaceOptions,
     scene: SceneOptions,
     options: HandoutOptions,
-    of: SheetOptions,
+    sheet: SheetOptions,
     workers: WorkerOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
 ) -> None:
     """Write a handout."""
     from nmatrix.classroom.handout import Plan
@@ -115,28 +118,28 @@ def handout(
         from nmatrix.output.pages.pdf import check_typst
 
         check_typst()
-    setup = Groups(world, view, lens, light, space, scene=scene).setup(everywhere)
+    setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
     count = options.count() if has_exercises else 0
     plan = Plan(topics, setup, count, options.to, options.paper, options.key)
     if options.roster is None:
-        files = _one(plan, options, of)
+        files = _one(plan, options, sheet)
         made = len(files)
     else:
-        from nmatrix.cli.handout_class import write_class
-
         folder = Path(options.output or USUAL_FOLDER)
-        files, made = write_class(plan, options.roster, folder, of, workers, force=options.force)
-    show(_report(files, made, options), everywhere)
+        files, made = _write_class(
+            plan, options.roster, folder, sheet, workers, force=options.force
+        )
+    show(_report(files, made, options), common)
 
 
-def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
+def _one(plan: Plan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:
     """Write one sheet, its pictures where they stand beside it, and its key."""
     from nmatrix.classroom.handout import pictures_beside, written
 
     if plan.kind is PageFormat.PDF:
         from nmatrix.output.pages.pdf import check_names
 
-        check_names([of.student or ""])
+        check_names([sheet.student or ""])
     from nmatrix.output.pages.write import WITH_PICTURES_BESIDE
 
     path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")
@@ -144,7 +147,7 @@ def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
     refuse_existing([path, key] if plan.with_key else [path], force=options.force)
     has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
     plan = replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else "")
-    found = written(plan, of.sheet)
+    found = written(plan, sheet.identity)
     contents = [(path, found.sheet)]
     if found.key is not None:
         contents.append((key, found.key))
@@ -157,8 +160,96 @@ def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
 
 
 def _is_there(path: Path, content: bytes) -> bool:
-    """Return whether a picture was written before, for another format."""
+    """Whether a picture was written before, for another format."""
     return path.is_file() and path.read_bytes() == content
+
+
+def _write_class(
+    plan: Plan,
+    roster: str,
+    folder: Path,
+    sheet: SheetOptions,
+    workers: WorkerOptions,
+    *,
+    force: bool,
+) -> tuple[list[Path], int]:
+    """Write the sheets of a class that a folder lacks; all its files, and how many were missing."""
+    from nmatrix.classroom.handout import pictures_beside
+    from nmatrix.classroom.manifest import manifest
+    from nmatrix.classroom.roster import COLUMN, students
+    from nmatrix.classroom.run import Job, finished
+
+    if sheet.student is not None:
+        raise IllegalValueError(
+            "--student with --roster", "the students stand in the file", "leave it out"
+        )
+    everyone = students(records(roster, (COLUMN,)), roster)
+    salt = sheet.salt_read
+    wanted = manifest(plan, sheet.class_seed, salt, everyone)
+    jobs = [Job(plan, one, sheet.class_seed, salt) for one in everyone]
+    with workers.executor() as executor:  # refused before anything is written
+        if plan.kind is PageFormat.PDF:
+            _check_names([one.name for one in everyone], executor)
+        missing = _start_or_resume(folder, wanted, jobs, force=force)
+        for name, content in pictures_beside(plan).items():
+            write_file(folder / name, content, force=True)
+        for job, found in progress(finished(missing, executor), len(missing), "writing sheets"):
+            contents = (found.sheet,) if found.key is None else (found.sheet, found.key)
+            for name, content in zip(job.files, contents, strict=True):
+                write_file(folder / name, content, force=True)
+    made = sum(len(job.files) for job in missing)
+    return [folder / name for job in jobs for name in job.files], made
+
+
+def _check_names(names: Sequence[str], executor: Executor | None) -> None:
+    """Refuse names that a PDF cannot print, where its fonts are: at the workers, if there are any.
+
+    A process that has used Typst must not be forked: its threads would be missing in the copies.
+    """
+    from nmatrix.output.pages.pdf import check_names
+
+    if executor is None:
+        check_names(names)
+    else:
+        executor.submit(check_names, names).result()
+
+
+def _start_or_resume(
+    folder: Path, wanted: Manifest, jobs: Sequence[Job], *, force: bool
+) -> list[Job]:
+    """Put the manifest into the folder; the jobs that are still to be done.
+
+    With `force` the sheets of an earlier run that this one does not make are taken away: they
+    would be handed out with the new ones.
+    """
+    from nmatrix.classroom.manifest import NAME, check_same, files_of
+
+    _make_folder(folder)
+    path = folder / NAME
+    before = path.read_bytes() if path.exists() else None
+    if before is not None and not force:
+        check_same(wanted, before, str(folder))
+    write_file(path, wanted.text(), force=True)
+    if before is not None and not force:
+        return [job for job in jobs if not _is_complete(job, folder)]
+    for name in files_of(before or b"") - {name for job in jobs for name in job.files}:
+        (folder / name).unlink(missing_ok=True)
+    return list(jobs)
+
+
+def _is_complete(job: Job, folder: Path) -> bool:
+    """Whether every file of a student is there; an empty one was damaged."""
+    paths = (folder / name for name in job.files)
+    return all(path.is_file() and path.stat().st_size > 0 for path in paths)
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise IllegalValueError(
+            f"folder ({folder})", error.strerror or "it cannot be made", "choose another with -o"
+        ) from None
 
 
 def _report(files: Sequence[Path], made: int, options: HandoutOptions) -> Report:

@@ -6,8 +6,8 @@ from typing import Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.scene_options import ToleranceOption
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.sources import Sources
 from nmatrix.errors import IllegalValueError
@@ -20,14 +20,14 @@ nmatrix inspect teapot.obj -f json
 
 nmatrix inspect scene.gltf --fail-on mirrored,shear
 
-Which nodes of a glTF scene or mesh file need the inverse transpose, and why.""",
+For each node the kind of its world matrix, and why it needs it or not.""",
 }
 
 
 def inspect(
     *,
     tolerance: ToleranceOption,
-    everywhere: Everywhere,
+    common: CommonOptions,
     file: Annotated[str, Argument(metavar="FILE", help="A .gltf, .glb, .obj, .ply or .stl file.")],
     fail_on: Annotated[
         str | None,
@@ -51,4 +51,4 @@ def inspect(
             "give a .gltf, .glb, .obj, .ply or .stl file",
         )
     sources = Sources(any_from_file=True)
-    show(report(inspect_file(path, tolerance.value(sources)), words), everywhere)
+    show(report(inspect_file(path, tolerance.value(sources)), words), common)

@@ -1,56 +1,113 @@
-"""The panel Matrices: world, view, projection."""
+"""The panel Matrices: world, view, projection, normal."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Annotated
+
+from typer import Argument, Option
+
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, ToleranceOption
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions, ToleranceOption
+from nmatrix.cli.shared_options import CommonOptions, refuse_together
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import WorldOptions
+from nmatrix.enums import NORMAL_METHODS, NormalRule, Space, chosen
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.numbers import numbers
 
 HELP = {
     "world": """nmatrix world --scale 1 2 1
 
 nmatrix world --translate -3 0 -1.5 --rotate 0 30 0 --order ZYX
 
-nmatrix world --scene arm.toml --object hand -f json
-
-The world matrix M = T · R · S · H, what kind of map it is, its parts, its normal matrix.""",
+nmatrix world --scene arm.toml --object hand -f json""",
     "view": """nmatrix view --eye 3 3 2.5 --target 0 0 0
 
-nmatrix view --eye 3 3 2.5 --elevation -45 --angle -40 --convention polimi
-
-The view matrix, its factors R · T, and the camera's axes.""",
+nmatrix view --eye 3 3 2.5 --elevation -45 --angle -40 --convention polimi""",
     "projection": """nmatrix projection --fov 90 --aspect 16/9 --near 0.1 --far 100
 
 nmatrix projection --api vulkan --far inf --depth reversed
 
-nmatrix projection --ortho -2 2 -1 1 --near 0 --far 10
+nmatrix projection --ortho -2 2 -1 1 --near 0 --far 10""",
+    "normal": """nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0
 
-The projection matrix, and the smallest gap that its depth can tell.""",
+nmatrix normal --scale 1 2 1 --rotate 0 30 0 --space camera
+
+nmatrix world --scale 1 2 1 -f json | nmatrix normal - --normal 1 1 0""",
 }
 
 
 def world(
-    world: WorldOptions, tolerance: ToleranceOption, scene: SceneOptions, everywhere: Everywhere
+    world: WorldOptions, tolerance: ToleranceOption, scene: SceneOptions, common: CommonOptions
 ) -> None:
     """Show the world matrix."""
     from nmatrix.answers.world import world as answer
 
-    groups = Groups(world=world, tolerance=tolerance, scene=scene)
-    show(answer(groups.setup(everywhere)), everywhere)
+    groups = OptionGroups(world=world, tolerance=tolerance, scene=scene)
+    show(answer(groups.setup(common)), common)
 
 
-def view(view: ViewOptions, scene: SceneOptions, everywhere: Everywhere) -> None:
+def view(view: ViewOptions, scene: SceneOptions, common: CommonOptions) -> None:
     """Show the view matrix."""
     from nmatrix.answers.view import view as answer
 
-    show(answer(Groups(view=view, scene=scene).setup(everywhere)), everywhere)
+    show(answer(OptionGroups(view=view, scene=scene).setup(common)), common)
 
 
-def projection(lens: LensOptions, scene: SceneOptions, everywhere: Everywhere) -> None:
+def projection(lens: LensOptions, scene: SceneOptions, common: CommonOptions) -> None:
     """Show the projection matrix."""
     from nmatrix.answers.projection import projection as answer
 
-    show(answer(Groups(lens=lens, scene=scene).setup(everywhere)), everywhere)
+    show(answer(OptionGroups(lens=lens, scene=scene).setup(common)), common)
+
+
+def normal(
+    *,
+    world: WorldOptions,
+    view: ViewOptions,
+    space: SpaceOptions,
+    tolerance: ToleranceOption,
+    scene: SceneOptions,
+    common: CommonOptions,
+    matrix: Annotated[
+        str | None, Argument(metavar="MATRIX", help="The world matrix; - reads stdin.")
+    ] = None,
+    normals: Annotated[
+        list[str] | None,
+        Option("--normal", metavar="X Y Z", help="A normal to carry; repeat for more."),
+    ] = None,
+    method: Annotated[
+        str,
+        Option(
+            "--method",
+            metavar=f"<{'|'.join(NORMAL_METHODS)}>",
+            autocompletion=lambda: list(NORMAL_METHODS),
+            help="Right, or one of three to compare with.",
+        ),
+    ] = NORMAL_METHODS[0].value,
+) -> None:
+    """Show the normal matrix and the normals through it."""
+    from nmatrix.answers.normal import NormalRequest
+    from nmatrix.answers.normal import normal as answer
+
+    if matrix is not None or scene.scene is None:
+        world = _with_matrix(world, matrix)
+    groups = OptionGroups(world, view, space=space, tolerance=tolerance, scene=scene)
+    request = NormalRequest(
+        normals=tuple(numbers(text, 3, "--normal") for text in normals or ()),
+        space=space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
+        method=chosen(NormalRule, method, "method", NORMAL_METHODS),
+    )
+    show(answer(groups.setup(common), request), common)
+
+
+def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:
+    if matrix is None:
+        if world.is_given:
+            return world
+        raise IllegalValueError(
+            "normal", "no matrix was given", 'try nmatrix normal "1 0 0; 0 2 0; 0 0 1"'
+        )
+    refuse_together("MATRIX", world.given(), "the matrix is the whole world matrix")
+    return replace(world, world_matrix=matrix)

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.workers import WorkerOptions, whole
+from nmatrix.cli.shared_options import whole_number
+from nmatrix.cli.workers import WorkerOptions
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.numbers import numbers
+from nmatrix.reading.numbers import number, numbers
+
+if TYPE_CHECKING:
+    from nmatrix.answers.render import PictureChoices
+    from nmatrix.enums import Space
 
 PICTURE, FRAMES = "Picture", "Frames"
-SAMPLES = ("1", "4", "16", "64")
-LARGEST = 8192  # pixels on a side
-MOST_SAMPLES = 1 << 28
 MOST_FRAMES = 10_000
 
 
@@ -48,41 +49,19 @@ class PictureOptions:
         Effort, Option(help="What the scene calls for, or everything.", rich_help_panel=PICTURE)
     ] = Effort.PLANNED
 
-    def checked_size(self, default: tuple[int, int]) -> tuple[int, int]:
-        """Return width and height, or say which are possible."""
-        if self.size is None:
-            return default
-        width, height = numbers(self.size, 2, "--size")
-        if not (width.is_integer() and height.is_integer() and min(width, height) >= 1):
-            raise IllegalValueError(
-                f"--size ({self.size[:40]})",
-                "both sides are whole numbers of pixels, 1 at least",
-                "try 360 360",
-            )
-        if max(width, height) > LARGEST:
-            raise IllegalValueError(
-                f"--size ({self.size[:40]})",
-                f"a side has {LARGEST} pixels at the most",
-                "try 1024 1024",
-            )
-        return int(width), int(height)
+    def choices(self, space: Space | None = None) -> PictureChoices:
+        """Read what was chosen of a picture, its shading space beside it."""
+        from nmatrix.answers.render import PictureChoices
 
-    def checked_samples(self, default: int, size: tuple[int, int]) -> int:
-        """Return the samples of a pixel, or say which are possible."""
-        if self.samples is not None and self.samples not in SAMPLES:
-            raise IllegalValueError(
-                f"--samples ({self.samples[:20]})",
-                "a pixel has 1, 4, 16 or 64",
-                "try --samples 4",
-            )
-        samples = default if self.samples is None else int(self.samples)
-        if size[0] * size[1] * samples > MOST_SAMPLES:
-            raise IllegalValueError(
-                f"--size {size[0]} {size[1]} with {samples} samples",
-                f"a picture has {MOST_SAMPLES} samples at the most",
-                "take fewer of either",
-            )
-        return samples
+        return PictureChoices(
+            size=None if self.size is None else numbers(self.size, 2, "--size"),
+            shading=self.shading,
+            reflection=self.reflection,
+            normals=self.normals,
+            space=space,
+            samples=None if self.samples is None else number(self.samples, "--samples"),
+            effort=self.effects,
+        )
 
 
 @dataclass(frozen=True)
@@ -112,13 +91,13 @@ class FrameOptions(WorkerOptions):
 
     @property
     def count(self) -> int:
-        """Return how many pictures there are."""
+        """The number of pictures."""
         default = "36" if self.turn else "1"
-        return whole(self.frames or default, "--frames", MOST_FRAMES)
+        return whole_number(self.frames or default, "--frames", range(1, MOST_FRAMES + 1), 2)
 
 
 def frame_names(target: Path, count: int) -> list[Path]:
-    """Return the numbered names of a sequence.
+    """Write numbers into the names of a sequence.
 
     Examples
     --------

@@ -10,26 +10,20 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import Reflection, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS, entry
-from nmatrix.scene.words import LightKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from nmatrix.raster.proofs.brief import Brief, Proof
+    from nmatrix.raster.proofs.brief import Proof
     from nmatrix.raster.proofs.frames import Job
-    from nmatrix.scene.light import SceneLight
-    from nmatrix.scene.scene import Scene, Settings
-    from nmatrix.scene.setup import Setup
 
 HELP = {
     "render": """nmatrix render normals --scale 1 2 1
@@ -38,13 +32,8 @@ nmatrix render normals --mesh teapot.obj --shear 1 0 0 -o teapot.png
 
 nmatrix render scene.toml --frames 36 --turn -o scene.gif
 
-A proof image, a scene, or a mesh. A proof shows wrong beside right, with the number between.""",
+Between wrong and right stands the number by which they differ.""",
 }
-
-SCENES = (".toml", ".gltf", ".glb")
-MESHES = (".obj", ".ply", ".stl")
-PANEL = (360, 360)
-PICTURE = (512, 512)
 
 
 def render(
@@ -58,7 +47,7 @@ def render(
     picture: PictureOptions,
     frames: FrameOptions,
     file: FileOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     subject: Annotated[
         str, Argument(metavar="PROOF|SCENE|MESH", help="A proof (see --list), or a file.")
     ] = "normals",
@@ -69,11 +58,11 @@ def render(
     if list_:
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
-    groups = Groups(world, view, lens, light, space, scene=scene)
-    _write(_job(subject, mesh, groups, picture, everywhere), frames, file, everywhere)
+    groups = OptionGroups(world, view, lens, light, space, scene=scene)
+    _write(_job(subject, mesh, groups, picture, common), frames, file, common)
 
 
-def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everywhere) -> None:
+def _write(job: Job, frames: FrameOptions, file: FileOptions, common: CommonOptions) -> None:
     """Draw, write the files, and show the numbers."""
     target = file.output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
     names = _names(target, frames.count)
@@ -88,121 +77,88 @@ def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everyw
         write_file(name, content, force=file.force)
     from nmatrix.answers.render import render as answer
 
-    show(answer(proofs[0], _named(names), milliseconds), everywhere)
+    show(answer(proofs[0], _named(names), milliseconds), common)
     if file.preview:
-        show_picture(proofs[0].image, everywhere)
+        show_picture(proofs[0].image, common)
 
 
 def _job(
-    subject: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
+    subject: str,
+    mesh: str | None,
+    groups: OptionGroups,
+    picture: PictureOptions,
+    common: CommonOptions,
 ) -> Job:
-    """Return what the command line asks for: a proof with its brief, or a scene."""
-    from nmatrix.raster.proofs.frames import Job
+    """Make the job that the command line asks for: a proof, or a scene."""
+    from nmatrix.answers.render import checked_subject
 
-    suffix = Path(subject).suffix.lower()
-    if entry(subject) is not None:
-        return Job(subject, brief=_brief(subject, mesh, groups, picture, everywhere))
-    if suffix not in SCENES + MESHES:
-        raise IllegalValueError(
-            f"render ({subject[:60]})",
-            f"it is no proof; scenes end in {', '.join(SCENES)}, meshes in {', '.join(MESHES)}",
-            "see nmatrix render --list",
-        )
+    if entry(checked_subject(subject)) is not None:
+        return _proof(subject, mesh, groups, picture, common)
     for option, given in (("--mesh", mesh), ("--scene", groups.scene.scene_file)):
         if given is not None:
             raise IllegalValueError(
                 f"{subject[:60]} with {option}", "both say what to draw", "keep one of them"
             )
-    path = Path(subject)
-    return Job(path.stem, scene=_scene(path, groups, picture, everywhere))
+    return _scene(Path(subject), groups, picture, common)
 
 
-def _brief(
-    name: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
-) -> Brief:
-    """Return a proof's brief: a scene lends its object, its camera and its light."""
-    from nmatrix.raster.proofs.brief import Brief
+def _proof(
+    name: str,
+    mesh: str | None,
+    groups: OptionGroups,
+    picture: PictureOptions,
+    common: CommonOptions,
+) -> Job:
+    """Make the job of a proof: a scene lends its object, its camera and its light."""
+    from nmatrix.answers.render import ProofSubject, proof_job
     from nmatrix.scene.meshes.file import read_mesh
-    from nmatrix.scene.scene import Settings
 
-    size = picture.checked_size(PANEL)
-    setup = groups.setup(everywhere, aspect=size[0] / size[1])
+    choices = picture.choices(groups.space.chosen(None, None))
     lent = groups.scene.scene
-    has_camera = groups.view.is_given or (lent is not None and lent.has_camera)
     loaded = None if mesh is None else read_mesh(Path(mesh))
     if loaded is None and groups.scene.chosen_object is not None:
         loaded = groups.scene.chosen_object.geometry.mesh()
-    return Brief(
-        name if mesh is None else Path(mesh).stem,
+    subject = ProofSubject(
+        groups.setup(common, aspect=choices.panel_aspect),
         loaded,
-        setup.world if groups.world.is_given or lent is not None else None,
-        setup.view if has_camera else None,
-        setup.lens,
-        _lights(setup),
-        _settings(Settings(size=size), groups, picture, setup),
-        picture.reflection or Reflection.LAMBERT,
-        time.perf_counter,
+        name if mesh is None else Path(mesh).stem,
+        has_world=groups.world.is_given or lent is not None,
+        has_view=groups.view.is_given or (lent is not None and lent.has_camera),
     )
+    return proof_job(name, subject, choices, time.perf_counter)
 
 
-def _scene(path: Path, groups: Groups, picture: PictureOptions, everywhere: Everywhere) -> Scene:
-    """Return the scene of a file, with what the command line says in place of its own.
+def _scene(path: Path, groups: OptionGroups, picture: PictureOptions, common: CommonOptions) -> Job:
+    """Make the job of a file's scene, with what the command line says in place of its own.
 
     World options move the object that --object names, or the first.
     """
+    from nmatrix.answers.render import scene_job, scene_lights
+
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
-    read, chosen = groups.scene.scene, groups.scene.chosen_object
-    assert read is not None  # a file was named
-    found = read.sized(*picture.checked_size(read.settings.size))
-    setup = groups.setup(everywhere, aspect=found.lens.aspect)
+    read, one = groups.scene.scene, groups.scene.chosen_object
+    assert read is not None and one is not None  # a file was named
+    choices = picture.choices(groups.space.chosen(None, read.settings.space))
+    job = scene_job(read, path.stem, choices)
+    assert job.scene is not None  # it draws one
+    found = job.scene
+    setup = groups.setup(common, aspect=found.lens.aspect)
     objects = found.objects
     if groups.world.is_given:
-        moved = setup.world.world_from_object
-        objects = tuple(
-            replace(one, world_from_object=moved) if one is chosen else one for one in objects
-        )
-    if picture.reflection is not None:
-        objects = tuple(
-            replace(one, material=replace(one.material, reflection=picture.reflection))
-            for one in objects
-        )
-    return replace(
+        at = read.objects.index(one)
+        moved = replace(objects[at], world_from_object=setup.world.world_from_object)
+        objects = (*objects[:at], moved, *objects[at + 1 :])
+    own_light = groups.light.is_given or not found.lights
+    scene = replace(
         found,
         objects=objects,
-        lights=_lights(setup) if groups.light.is_given or not found.lights else found.lights,
+        lights=scene_lights(setup.light) if own_light else found.lights,
         view=setup.view,
         lens=setup.lens,
-        settings=_settings(found.settings, groups, picture, setup),
+        settings=replace(found.settings, space_matrix=setup.space_matrix),
         has_camera=found.has_camera or groups.view.is_given,
     )
-
-
-def _settings(
-    settings: Settings, groups: Groups, picture: PictureOptions, setup: Setup
-) -> Settings:
-    chosen = groups.space.chosen(None, settings.space)
-    return replace(
-        settings,
-        space=chosen or Space.WORLD,
-        space_matrix=setup.space_matrix or settings.space_matrix,
-        shading=picture.shading or settings.shading,
-        samples=picture.checked_samples(settings.samples, settings.size),
-        normals=picture.normals or settings.normals,
-        effort=picture.effects,
-    )
-
-
-def _lights(setup: Setup) -> tuple[SceneLight, ...]:
-    """Return the light of the command line as lights: one for its direction, one for its place."""
-    from nmatrix.scene.light import SceneLight
-
-    light = setup.light.placed()
-    lights = []
-    if light.direction is not None:
-        lights.append(SceneLight("sun", LightKind.DIRECTIONAL, direction=light.direction))
-    if light.position is not None:
-        lights.append(SceneLight("bulb", LightKind.POINT, position=light.position))
-    return tuple(lights)
+    return replace(job, scene=scene)
 
 
 def _draw(job: Job, frames: FrameOptions) -> list[Proof]:

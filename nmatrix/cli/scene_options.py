@@ -1,29 +1,36 @@
-"""From option groups to a scene: one function for every mix of groups that commands take."""
+"""The Scene and Space groups, and how the groups of a command make one setup.
+
+A scene file stands for all the other groups; an option beside it replaces its own key, another
+way to give a value (two angles for a target, a matrix for its parts) replaces the old way.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import SPACE_SYNONYMS, Space
+from nmatrix.enums import SPACE_SYNONYMS, Space, space_named
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.reading.numbers import number
-from nmatrix.scene.camera import View
-from nmatrix.scene.setup import Light, Setup
+from nmatrix.reading.numbers import fractions, number
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.setup import Setup
+from nmatrix.scene.world import World
 
 if TYPE_CHECKING:
-    from nmatrix.scene.scene import Scene
-    from nmatrix.scene.world import World
+    from nmatrix.report import Number
+    from nmatrix.scene.scene import Scene, SceneObject
 
-SPACE = "Space"
+SCENE, SPACE = "Scene", "Space"
 _NAMES = (*(space.value for space in Space), *SPACE_SYNONYMS)
 
 
@@ -62,7 +69,7 @@ class SpaceOptions:
     ] = None
 
     def chosen(self, positional: str | None, default: Space | None) -> Space | None:
-        """Return the space that was asked for, as an argument or as an option."""
+        """Choose the space that was typed, as an argument or as an option."""
         if positional is not None and self.space is not None:
             raise IllegalValueError(
                 f"{positional[:20]} with --space {self.space[:20]}",
@@ -81,23 +88,10 @@ class SpaceOptions:
         return found
 
     def matrix(self, sources: Sources) -> RationalMatrix | None:
-        """Return `space_from_world` for custom space."""
+        """Read `space_from_world` for custom space."""
         if self.space_matrix is None:
             return None
         return sources.affine(self.space_matrix)
-
-
-def space_named(name: str) -> Space:
-    """Return the space that a name or a synonym means."""
-    lowered = name.lower()
-    if lowered in SPACE_SYNONYMS:
-        return SPACE_SYNONYMS[lowered]
-    try:
-        return Space(lowered)
-    except ValueError:
-        raise IllegalValueError(
-            f"space ({name[:40]})", f"the spaces are {', '.join(Space)}", "try camera"
-        ) from None
 
 
 @dataclass(frozen=True)
@@ -113,7 +107,7 @@ class ToleranceOption:
     ] = None
 
     def value(self, sources: Sources) -> float:
-        """Return the tolerance, by default that of the numbers' origin."""
+        """Read the tolerance, by default that of the numbers' origin."""
         if self.tolerance is None:
             return sources.tolerance
         found = number(self.tolerance, "--tolerance")
@@ -125,7 +119,76 @@ class ToleranceOption:
 
 
 @dataclass(frozen=True)
-class Groups:
+class SceneOptions:
+    """Which scene, and what in it."""
+
+    scene_file: Annotated[
+        str | None,
+        Option(
+            "--scene",
+            metavar="FILE",
+            help="Take what no option says from a .toml, .gltf or .glb scene.",
+            rich_help_panel=SCENE,
+        ),
+    ] = None
+    object_name: Annotated[
+        str | None,
+        Option("--object", metavar="NAME", help="Which object (the first).", rich_help_panel=SCENE),
+    ] = None
+    light_name: Annotated[
+        str | None,
+        Option("--light", metavar="NAME", help="Which light (the first).", rich_help_panel=SCENE),
+    ] = None
+
+    @cached_property
+    def scene(self) -> Scene | None:
+        """The scene of the file, if one was named; the readers are imported only then."""
+        if self.scene_file is None:
+            for option, name in (("--object", self.object_name), ("--light", self.light_name)):
+                if name is not None:
+                    raise IllegalValueError(
+                        f"{option} ({name[:40]})", "it is a name in a scene", "add --scene FILE"
+                    )
+            return None
+        from nmatrix.scene.open import scene_of
+
+        return scene_of(Path(self.scene_file))
+
+    @cached_property
+    def chosen_object(self) -> SceneObject | None:
+        """The object that was named, or the first."""
+        if self.scene is None:
+            return None
+        from nmatrix.scene.chosen import chosen_object
+
+        return chosen_object(self.scene, self.object_name)
+
+    def setup(self, sources: Sources, aspect: float | None) -> Setup:
+        """Take the object, the camera and the lens of the scene, or without one the usual setup.
+
+        `aspect` is that of the picture, where it has one; a scene's own wins.
+        """
+        if self.scene is None or self.chosen_object is None:
+            return Setup() if aspect is None else Setup(lens=Lens(aspect=aspect))
+        if self.scene.path is not None and self.scene.path.suffix.lower() != ".toml":
+            sources.any_from_file = True  # such files hold float32
+        from nmatrix.scene.chosen import setup_before
+
+        return setup_before(self.scene, self.chosen_object, aspect)
+
+    def in_the_scene(self, setup: Setup, *, under_parent: bool) -> Setup:
+        """Put the object under its parent, and the scene's light in its place."""
+        one = self.chosen_object
+        if self.scene is None or one is None:
+            return setup
+        from nmatrix.scene.chosen import chosen_light, in_the_scene
+
+        free = one if under_parent else replace(one, world_from_parent=None)
+        return in_the_scene(setup, self.scene, free, chosen_light(self.scene, self.light_name))
+
+
+@dataclass(frozen=True)
+class OptionGroups:
     """The groups that a command took; what it did not take has its defaults."""
 
     world: WorldOptions = field(default_factory=WorldOptions)
@@ -138,65 +201,54 @@ class Groups:
 
     @property
     def is_given(self) -> bool:
-        """Return whether any option of any group was given."""
-        return self != Groups()
+        """Whether any option of any group was typed."""
+        return self != OptionGroups()
 
-    def setup(self, everywhere: Everywhere, aspect: float | None = None) -> Setup:
-        """Return what the command line describes; `aspect` is that of a picture, if it has one."""
-        sources = Sources(everywhere.input_layout)
-        return self.setup_from(sources, aspect)
+    def setup(self, common: CommonOptions, aspect: float | None = None) -> Setup:
+        """Build what the command line describes; `aspect` is that of a picture, if it has one."""
+        return self.setup_from(Sources(common.input_layout), aspect)
 
     def setup_from(self, sources: Sources, aspect: float | None = None) -> Setup:
-        """Return the same, reading matrices from these sources."""
-        if self.scene.scene is not None:
-            return self._setup_of_scene(self.scene.scene, sources, aspect)
-        return Setup(
-            world=self.world.build(sources),
-            view=self._handed(self.view.build(sources)),
-            lens=self.lens.build(sources, aspect or 1.0),
-            light=self.light.build(),
-            space_matrix=self.space.matrix(sources),
-            tolerance=self.tolerance.value(sources),
-        )
-
-    def _setup_of_scene(self, scene: Scene, sources: Sources, aspect: float | None) -> Setup:
-        from nmatrix.cli.overlay import lens_over, light_over, view_over, world_over
-
-        chosen = self.scene.chosen_object
-        assert chosen is not None  # a scene has an object
-        if scene.path is not None and scene.path.suffix.lower() != ".toml":
-            sources.any_from_file = True  # such files hold float32
-        world = world_over(chosen, self.world, self.world.build(sources))
-        view = self._handed(view_over(scene.view, self.view, self.view.build(sources)))
-        free = aspect is not None and not scene.has_aspect
-        lens = replace(scene.lens, aspect=aspect) if free and aspect else scene.lens
-        light = self.scene.light_source(view, world) or Light()
+        """Build the setup with matrices from these sources."""
+        setup = self.scene.setup(sources, aspect)
+        for group in (self.world, self.view, self.lens):
+            if group != type(group)():
+                setup = group.override(setup, sources)
+        setup = self.scene.in_the_scene(setup, under_parent=self.world.world_matrix is None)
+        if self.light.is_given:
+            setup = self.light.override(setup, sources)
         space_matrix = self.space.matrix(sources)
-        return Setup(
-            world=world,
-            view=view,
-            lens=lens_over(lens, self.lens, self.lens.build(sources)),
-            light=light_over(light, self.light.build()),
-            space_matrix=scene.settings.space_matrix if space_matrix is None else space_matrix,
+        return replace(
+            setup,
+            space_matrix=setup.space_matrix if space_matrix is None else space_matrix,
             tolerance=self.tolerance.value(sources),
         )
 
     def typed_world(self, sources: Sources, setup: Setup) -> World:
-        """Return the world with every number as it was typed, where it was typed in parts."""
-        typed = self.world.build_exact(sources)
+        """Build the world of every number as it was typed, where it was typed in parts."""
         chosen = self.scene.chosen_object
         if chosen is None or self.world.world_matrix is not None:
-            return typed
+            return self.world.over(World(), sources, fractions)
         if chosen.world_from_parent is not None or chosen.place is None:
             return setup.world
-        from nmatrix.cli.overlay import as_typed, world_over
-
-        return world_over(replace(chosen, place=as_typed(chosen.place)), self.world, typed)
+        return self.world.over(_as_typed(chosen.place), sources, fractions)
 
     def usual_space(self, default: Space) -> Space:
         """Return the scene's shading space, or the default without a scene."""
         return default if self.scene.scene is None else self.scene.scene.settings.space
 
-    def _handed(self, view: View) -> View:
-        handed = self.lens.effective_handed
-        return view if handed is None else replace(view, handed=handed)
+
+def _as_typed(place: World) -> World:
+    """Write every number of a place as a person does: 0.1 is a tenth."""
+    return replace(
+        place,
+        translate=tuple(map(_decimal, place.translate)),
+        rotate_degrees=tuple(map(_decimal, place.rotate_degrees)),
+        quaternion=None if place.quaternion is None else tuple(map(_decimal, place.quaternion)),
+        scale=tuple(map(_decimal, place.scale)),
+        shear=tuple(map(_decimal, place.shear)),
+    )
+
+
+def _decimal(value: Number) -> Fraction:
+    return Fraction(str(value))

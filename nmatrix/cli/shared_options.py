@@ -1,19 +1,22 @@
-"""What the option groups share: options that two groups have, and typed text to numbers."""
+"""What commands and option groups share: the Output panel, contradictions, and typed numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Annotated
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from enum import StrEnum
+from typing import Annotated, Any
 
 from typer import Option
 
-from nmatrix.enums import Convention, Handedness
-from nmatrix.linear.projection import Window
+from nmatrix.enums import Convention, Format, Handedness, Layout
+from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import number, numbers
 from nmatrix.report import Vector
 
-WORLD, VIEW, LENS, LIGHT = "World", "View", "Lens", "Light"
 CONVENTIONS = "Conventions"  # options of two groups, of which a command may take only one
+OUTPUT = "Output"
+MOST_DIGITS = 17
 
 ReadNumbers = Callable[[str, int, str], Vector]
 
@@ -33,23 +36,121 @@ HandedOption = Annotated[
         rich_help_panel=CONVENTIONS,
     ),
 ]
+SHARED = ("convention", "handed")
 
 
-def given(named: dict[str, str | None]) -> dict[str, str]:
-    """Return the options that were given."""
-    return {name: value for name, value in named.items() if value is not None}
+class ColorWhen(StrEnum):
+    """When text carries terminal colours."""
+
+    AUTO = "auto"
+    ALWAYS = "always"
+    NEVER = "never"
 
 
-def vector(read: ReadNumbers, text: str | None, name: str, default: Vector) -> Vector:
-    """Return three numbers, or the default."""
-    return default if text is None else read(text, 3, name)
+@dataclass(frozen=True)
+class CommonOptions:
+    """How to write the answer, and in which order matrices are read and written."""
+
+    format: Annotated[
+        Format, Option("--format", "-f", help="How to write the answer.", rich_help_panel=OUTPUT)
+    ] = Format.TEXT
+    digits: Annotated[
+        str,
+        Option(metavar="N", help="Significant digits for people, 1 to 17.", rich_help_panel=OUTPUT),
+    ] = "6"
+    layout: Annotated[Layout, Option(help="Order of written matrices.", rich_help_panel=OUTPUT)] = (
+        Layout.ROW_MAJOR
+    )
+    input_layout: Annotated[
+        Layout, Option(help="Order of matrices that are read.", rich_help_panel=OUTPUT)
+    ] = Layout.ROW_MAJOR
+    color: Annotated[ColorWhen, Option(help="Colours in text.", rich_help_panel=OUTPUT)] = (
+        ColorWhen.AUTO
+    )
+
+    @property
+    def digits_checked(self) -> int:
+        """The number of digits, which a float64 must have."""
+        why = f"a float64 has 1 to {MOST_DIGITS} significant digits"
+        return whole_number(self.digits, "--digits", range(1, MOST_DIGITS + 1), 6, why)
 
 
-def scalar(text: str | None, name: str, default: float) -> float:
-    """Return one number, or the default."""
-    return default if text is None else number(text, name)
+@dataclass(frozen=True)
+class OptionGroup:
+    """A group whose options are None until somebody types them."""
+
+    def given(self, *names: str) -> dict[str, Any]:
+        """Collect the typed options by their spelling: the named ones, or all that only it has.
+
+        Examples
+        --------
+        >>> from nmatrix.cli.world_options import WorldOptions
+        >>> WorldOptions(scale="1 2 1", convention=Convention.POLIMI).given()
+        {'--scale': '1 2 1'}
+        """
+        wanted = names or [one.name for one in fields(self) if one.name not in SHARED]
+        return {
+            option_name(name): getattr(self, name)
+            for name in wanted
+            if getattr(self, name) is not None
+        }
+
+    @property
+    def is_given(self) -> bool:
+        """Whether an option that only this group has was typed."""
+        return bool(self.given())
+
+    def typed(self, *names: str) -> dict[str, Any]:
+        """Collect the typed values that need no reading, by field."""
+        return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+
+    def numbers(self, read: ReadNumbers = numbers, **counts: int) -> dict[str, Any]:
+        """Read so many numbers of each option that was typed, by field; one is a number alone."""
+        return {
+            name: number(text, option_name(name))
+            if counts[name] == 1
+            else read(text, counts[name], option_name(name))
+            for name, text in self.typed(*counts).items()
+        }
 
 
-def window(text: str | None, name: str) -> Window | None:
-    """Return four sides, if they were given."""
-    return None if text is None else Window(*numbers(text, 4, name))
+def option_name(field: str) -> str:
+    """Spell a field as its option.
+
+    Examples
+    --------
+    >>> option_name("world_matrix")
+    '--world-matrix'
+    """
+    return f"--{field.replace('_', '-')}"
+
+
+def refuse_together(option: str, others: Mapping[str, object], because: str) -> None:
+    """Refuse an option beside any of the others that was given.
+
+    Raises
+    ------
+    IllegalValueError
+        If there is one.
+    """
+    if others:
+        raise IllegalValueError(f"{option} with {', '.join(others)}", because, "keep one of them")
+
+
+def whole_number(text: str, option: str, among: range, example: int, why: str = "") -> int:
+    """Read a whole number of a range.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is none, or outside; `why` says the rule where the range alone does not.
+
+    Examples
+    --------
+    >>> whole_number("36", "--frames", range(1, 10_001), 2)
+    36
+    """
+    if text.isascii() and text.isdigit() and len(text) < 9 and int(text) in among:
+        return int(text)
+    rule = why or f"it is a whole number from {among[0]} to {among[-1]}"
+    raise IllegalValueError(f"{option} ({text[:20]})", rule, f"try {option} {example}")

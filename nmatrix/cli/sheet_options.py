@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
+from nmatrix.cli.shared_options import OptionGroup
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.files import existing_file, file_bytes
 
@@ -18,12 +19,12 @@ USUAL_SEED = "1"
 
 
 @dataclass(frozen=True)
-class SheetOptions:
+class SheetOptions(OptionGroup):
     """A seed for the class, a student, and the teacher's salt."""
 
-    seed_typed: Annotated[
+    seed: Annotated[
         str | None,
-        Option("--seed", metavar="SEED", help="Of the class's numbers (1).", rich_help_panel=PANEL),
+        Option(metavar="SEED", help="Of the class's numbers (1).", rich_help_panel=PANEL),
     ] = None
     student: Annotated[
         str | None, Option(metavar="NAME", help="Whose sheet it is.", rich_help_panel=PANEL)
@@ -38,13 +39,13 @@ class SheetOptions:
     ] = None
 
     @property
-    def seed(self) -> str:
-        """Return the seed, any text."""
-        return USUAL_SEED if self.seed_typed is None else self.seed_typed
+    def class_seed(self) -> str:
+        """The seed of the class, any text."""
+        return USUAL_SEED if self.seed is None else self.seed
 
     @property
     def salt_read(self) -> bytes:
-        """Return the content of the salt's file."""
+        """The content of the salt's file."""
         if self.salt is None:
             return b""
         path = existing_file(self.salt)
@@ -62,17 +63,15 @@ class SheetOptions:
         return salt
 
     @property
-    def sheet(self) -> Sheet:
-        """Return whose sheet it is."""
+    def identity(self) -> Sheet:
+        """The sheet that these options name."""
         from nmatrix.lessons.exercises.scheme import Sheet
 
-        return Sheet(self.seed, self.student or "", self.salt_read)
+        return Sheet(self.class_seed, self.student or "", self.salt_read)
 
     def refuse(self, what: str) -> None:
         """Refuse these options where there are no exercises."""
-        given = {"--seed": self.seed_typed, "--student": self.student, "--salt": self.salt}
-        for name, value in given.items():
-            if value is not None:
-                raise IllegalValueError(
-                    f"{name} with check {what}", "it names a sheet", "use check exercise"
-                )
+        for name in self.given():
+            raise IllegalValueError(
+                f"{name} with check {what}", "it names a sheet", "use check exercise"
+            )

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from nmatrix.cli.everywhere import ColorWhen, Everywhere
+from nmatrix.cli.shared_options import ColorWhen, CommonOptions
 from nmatrix.enums import Format
 from nmatrix.output.options import Charset, Colour, OutputOptions
 from nmatrix.output.write import write
@@ -25,15 +25,15 @@ WIDTH = 80
 BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
 
 
-def show(report: Report, everywhere: Everywhere) -> None:
+def show(report: Report, common: CommonOptions) -> None:
     """Write a report in the format asked for, then raise what it ends in, if anything."""
     options = OutputOptions(
-        format=everywhere.format,
-        digits=everywhere.digits_checked,
-        layout=everywhere.layout,
+        format=common.format,
+        digits=common.digits_checked,
+        layout=common.layout,
         charset=_charset(),
         width=_width(),
-        colour=_colour(everywhere),
+        colour=_colour(common),
     )
     put(write(report, options))
     if report.failure is not None:
@@ -59,16 +59,16 @@ def put_bytes(content: bytes) -> None:
         _forget(sys.stdout.fileno())
 
 
-def show_picture(image: Array, everywhere: Everywhere) -> None:
+def show_picture(image: Array, common: CommonOptions) -> None:
     """Show an 8-bit image in the terminal, in its colours where those may be written."""
     from nmatrix.output.preview import preview
 
-    in_colour = _colour(everywhere) is Colour.ANSI and _charset() is Charset.UNICODE
+    in_colour = _colour(common) is Colour.ANSI and _charset() is Charset.UNICODE
     put(preview(image, _width(), in_colour=in_colour))
 
 
 def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
-    """Return the items, with a bar on stderr while they come, if that is a terminal."""
+    """Pass the items on, with a bar on stderr while they come, if that is a terminal."""
     if total == 1 or not sys.stderr.isatty():
         yield from items
         return
@@ -117,10 +117,10 @@ def _width() -> int:
     return max(40, min(WIDTH, os.get_terminal_size(sys.stdout.fileno()).columns))
 
 
-def _colour(everywhere: Everywhere) -> Colour:
-    if everywhere.format is not Format.TEXT or everywhere.color is ColorWhen.NEVER:
+def _colour(common: CommonOptions) -> Colour:
+    if common.format is not Format.TEXT or common.color is ColorWhen.NEVER:
         return Colour.PLAIN
-    if everywhere.color is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
+    if common.color is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
         return Colour.ANSI
     if os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
         return Colour.PLAIN

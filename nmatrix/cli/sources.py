@@ -1,20 +1,26 @@
-"""Where matrices come from: an argument, a file, or standard input, which is read once."""
+"""Where matrices and tables come from: an argument, a file, or standard input."""
 
 from __future__ import annotations
 
 import re
+import sys
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from nmatrix.cli.stdin import NAME as STDIN
-from nmatrix.cli.stdin import standard_input
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
 from nmatrix.linear.rational import RationalMatrix, rational_matrix
-from nmatrix.reading.files import decoded, existing_file
+from nmatrix.reading.files import LARGEST, decoded, existing_file
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.shapes import as_affine, as_projection
 from nmatrix.reading.source import matrix_source
+
+if TYPE_CHECKING:
+    from nmatrix.reading.records import Record
+
+STDIN = "standard input"
 
 # What only a text report has: a ruled heading, or a bracket of several lines.
 _FOR_PEOPLE = re.compile(r"^(?:─{4,}|-{4,})$|[⎡⎢⎣]", re.MULTILINE)
@@ -31,11 +37,11 @@ class Sources:
 
     @property
     def tolerance(self) -> float:
-        """Return how far columns may be off: files often hold float32."""
+        """How far columns may be off: files often hold float32."""
         return FROM_FILE if self.any_from_file else BUILT
 
     def affine(self, text: str, *, exact: bool = False) -> RationalMatrix:
-        """Return an affine 4×4; nine numbers are its linear part.
+        """Read an affine 4×4; nine numbers are its linear part.
 
         With `exact` the numbers are kept as they were typed, else each is the nearest float64.
         """
@@ -43,11 +49,11 @@ class Sources:
         return found.rows_exact if exact else rational_matrix(found.rows)
 
     def projection(self, text: str) -> RationalMatrix:
-        """Return any 4×4."""
+        """Read any 4×4."""
         return rational_matrix(as_projection(self._read(text)).rows)
 
     def literal(self, text: str) -> MatrixLiteral:
-        """Return a matrix of any size, as it was typed."""
+        """Read a matrix of any size, as it was typed."""
         return self._read(text)
 
     def _read(self, text: str) -> MatrixLiteral:
@@ -70,10 +76,39 @@ class Sources:
                 "- (standard input)", "it can be read only once", "put one matrix in a file"
             )
         self._stdin_used = True
-        content = standard_input("pass one matrix")
+        content = _standard_input("pass one matrix")
         if not content.strip():
             raise IllegalValueError(
                 STDIN, "it is empty", "pipe a matrix in, or write it as an argument"
             )
         self._from_stdin = decoded(content, STDIN)
         return self._from_stdin
+
+
+def table(name: str, needed: Sequence[str]) -> list[Record]:
+    """Read the rows of a file, or of standard input for `-`.
+
+    Raises
+    ------
+    IllegalValueError
+        If there is no such file, it is too long, it is not text, or its header lacks a column.
+    """
+    from nmatrix.reading.records import records, records_of
+
+    if name != "-":
+        return records(name, needed)
+    return list(records_of(decoded(_standard_input("cut it down"), STDIN), needed, STDIN))
+
+
+def _standard_input(next_step: str) -> bytes:
+    """Read all of standard input; `next_step` is what to do where it is too long.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is longer than any file that is read.
+    """
+    content = sys.stdin.buffer.read(LARGEST + 1)
+    if len(content) > LARGEST:
+        raise IllegalValueError(STDIN, f"it is longer than {LARGEST} bytes", next_step)
+    return content

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.scene_group import SceneOptions
-from nmatrix.cli.scene_options import Groups, SpaceArgument, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceArgument, SpaceOptions
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Shading, Space
@@ -24,26 +23,24 @@ HELP = {
 
 nmatrix light object --scale 1 1/4 1 --light-direction 0.3 0.9 0.2
 
-nmatrix light --light-position 2 2 8
-
-The light's direction and position in one space, or in the four usual ones.""",
+nmatrix light --light-position 2 2 8""",
     "eye": """nmatrix eye object --rotate 0 30 0 --translate 1e7 0 0 --eye 10000003 1 2
 
 nmatrix eye --eye 3 3 2.5
 
-The eye in one space, or in the four usual ones; the course's formula stands beside it.""",
+The course's formula stands beside it.""",
     "space": """nmatrix space camera --scale 1 2 1
 
 nmatrix space object --shear 1 0 0 -f glsl
 
 nmatrix space custom --space-matrix "2 0 0; 0 1 0; 0 0 1"
 
-What a shading space transforms, by what, where, at what price; its shaders with -f glsl.""",
+With -f glsl its shaders.""",
     "trace": """nmatrix trace --point 1 1 1 --normal 0 0 1
 
 nmatrix trace --point 0 0 6 --viewport 1920 1080 --api vulkan
 
-One vertex from object space to the window, and the planes that it is outside of.""",
+It names the planes that the vertex is outside of.""",
 }
 
 
@@ -54,14 +51,14 @@ def light(
     light: LightOptions,
     space: SpaceOptions,
     scene: SceneOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     where: SpaceArgument = None,
 ) -> None:
     """Show the light in a space."""
     from nmatrix.answers.light import light as answer
 
-    setup = Groups(world, view, light=light, space=space, scene=scene).setup(everywhere)
-    show(answer(setup, space.chosen(where, None)), everywhere)
+    setup = OptionGroups(world, view, light=light, space=space, scene=scene).setup(common)
+    show(answer(setup, space.chosen(where, None)), common)
 
 
 def eye(
@@ -70,14 +67,14 @@ def eye(
     view: ViewOptions,
     space: SpaceOptions,
     scene: SceneOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     where: SpaceArgument = None,
 ) -> None:
     """Show the eye in a space."""
     from nmatrix.answers.light import eye as answer
 
-    setup = Groups(world, view, space=space, scene=scene).setup(everywhere)
-    show(answer(setup, space.chosen(where, None)), everywhere)
+    setup = OptionGroups(world, view, space=space, scene=scene).setup(common)
+    show(answer(setup, space.chosen(where, None)), common)
 
 
 def space(
@@ -88,7 +85,7 @@ def space(
     light: LightOptions,
     space: SpaceOptions,
     scene: SceneOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     where: SpaceArgument = None,
     shading: Annotated[
         Shading, Option(help="Light per vertex (gouraud) or per fragment (phong).")
@@ -107,10 +104,10 @@ def space(
             "the sheet's shaders light per vertex or per fragment",
             "use gouraud or phong",
         )
-    groups = Groups(world, view, lens, light, space, scene=scene)
+    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     chosen = space.chosen(where, groups.usual_space(Space.WORLD)) or Space.WORLD
-    setup = groups.setup(everywhere)
-    show(answer(setup, Request(chosen, shading, reflection)), everywhere)
+    setup = groups.setup(common)
+    show(answer(setup, Request(chosen, shading, reflection)), common)
 
 
 def trace(
@@ -119,7 +116,7 @@ def trace(
     view: ViewOptions,
     lens: LensOptions,
     scene: SceneOptions,
-    everywhere: Everywhere,
+    common: CommonOptions,
     point: Annotated[str, Option(metavar="X Y Z", help="The vertex, in object space.")] = "0 0 0",
     normal: Annotated[
         str | None, Option(metavar="X Y Z", help="Its normal, in object space.")
@@ -133,13 +130,13 @@ def trace(
 
     window = _window(viewport, scene)
     aspect = None if viewport is None else window.width / window.height
-    setup = Groups(world, view, lens, scene=scene).setup(everywhere, aspect=aspect)
+    setup = OptionGroups(world, view, lens, scene=scene).setup(common, aspect=aspect)
     n = None if normal is None else numbers(normal, 3, "--normal")
-    show(answer(setup, numbers(point, 3, "--point"), n, window), everywhere)
+    show(answer(setup, numbers(point, 3, "--point"), n, window), common)
 
 
 def _window(viewport: str | None, scene: SceneOptions) -> Viewport:
-    """Return the window that was typed, or the scene's picture."""
+    """Read the window, by default the scene's picture."""
     from nmatrix.spaces.trace import Viewport
 
     if viewport is None:

@@ -1,4 +1,4 @@
-"""Who does the work where there is much of it: this process, several, or a cluster."""
+"""Run jobs here, in several processes or on a cluster."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
+from nmatrix.cli.shared_options import whole_number
 from nmatrix.errors import IllegalValueError, MissingPackageError
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
 WORKERS = "Workers"
 MOST_WORKERS = 256
+PATIENCE = "10s"  # for the scheduler of a cluster to answer
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,7 @@ class WorkerOptions:
     @contextmanager
     def executor(self) -> Iterator[Executor | None]:
         """Open what runs the jobs: nothing, processes, or a cluster's executor."""
-        workers = whole(self.workers or "1", "--workers", MOST_WORKERS)
+        workers = whole_number(self.workers or "1", "--workers", range(1, MOST_WORKERS + 1), 2)
         if self.dask is not None:
             with _cluster(self.dask) as client:
                 yield client.get_executor()
@@ -55,17 +57,8 @@ def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # a
             'run: python -m pip install "nmatrix[dask]"',
         ) from None
     try:
-        return Client(address, timeout="10s")
+        return Client(address, timeout=PATIENCE)
     except (OSError, ValueError) as error:
         raise IllegalValueError(
             f"--dask ({address[:60]})", f"no scheduler answers there ({error})", "check the address"
         ) from None
-
-
-def whole(text: str, option: str, most: int) -> int:
-    """Return a whole number from 1 to the most that an option takes."""
-    if not (text.isascii() and text.isdigit() and len(text) < 9 and 1 <= int(text) <= most):
-        raise IllegalValueError(
-            f"{option} ({text[:20]})", f"it is a whole number from 1 to {most}", f"try {option} 2"
-        )
-    return int(text)

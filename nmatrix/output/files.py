@@ -32,7 +32,7 @@ def refuse_existing(paths: Sequence[Path], *, force: bool) -> None:
 
 
 def _is_taken(path: Path) -> bool:
-    """Return whether something would be lost; a device or a pipe loses nothing."""
+    """Whether something would be lost; a device or a pipe loses nothing."""
     return path.is_file() or path.is_dir()
 
 

@@ -24,17 +24,32 @@ def setup_of(scene: Scene, object_name: str | None = None, light_name: str | Non
     IllegalValueError
         For a name that the scene does not have.
     """
-    one = chosen_object(scene, object_name)
-    world = one.place if one.place is not None and one.world_from_parent is None else None
-    placed = world or World(matrix=one.world_from_object)
-    light = light_in_world(scene, one, chosen_light(scene, light_name), scene.view, placed)
+    one, light = chosen_object(scene, object_name), chosen_light(scene, light_name)
+    return in_the_scene(setup_before(scene, one), scene, one, light)
+
+
+def setup_before(scene: Scene, one: SceneObject, aspect: float | None = None) -> Setup:
+    """Return an object in its parent's frame with the camera: what options may still change.
+
+    `aspect` is that of the picture, where it has one; a scene's own wins.
+    """
+    free = aspect is not None and not scene.has_aspect
     return Setup(
-        placed,
+        World(matrix=one.world_from_object) if one.place is None else one.place,
         scene.view,
-        scene.lens,
-        light or Light(),
-        scene.settings.space_matrix,
+        replace(scene.lens, aspect=aspect) if free and aspect else scene.lens,
+        space_matrix=scene.settings.space_matrix,
     )
+
+
+def in_the_scene(setup: Setup, scene: Scene, one: SceneObject, light: SceneLight | None) -> Setup:
+    """Put the object under its parent, and the scene's light in its place."""
+    world = setup.world
+    if one.world_from_parent is not None:
+        under = world.under(one.world_from_parent)
+        world = replace(under, matrix=under.world_from_object)
+    placed = light_in_world(scene, one, light, setup.view, world)
+    return replace(setup, world=world, light=placed or setup.light)
 
 
 def chosen_object(scene: Scene, name: str | None) -> SceneObject:

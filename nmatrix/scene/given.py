@@ -1,9 +1,9 @@
-"""A world, a view, a lens and a light from what was given by name, contradictions refused.
+"""What was given by name, over what stands already: worlds, views, lenses and lights.
 
 The names are those of the command line's options in snake case, so the shell, once it has read its
-words as numbers, and Python speak of the same things and are refused in the same sentences. What
-was not given has its default; an alternative (two angles for a target, a matrix for its parts) may
-not stand beside what it replaces.
+words as numbers, and Python speak of the same things and are refused in the same sentences. Each
+name replaces its own part of the base (the usual value, or a scene's); another way to give a part
+(two angles for a target, a matrix for its parts) replaces the old way.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from nmatrix.enums import API_PRESETS, Api, Convention, chosen
+from nmatrix.enums import API_PRESETS, Api, Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
-from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, Window
+from nmatrix.linear.projection import ClipSpace, Window, check_aspect
 from nmatrix.linear.values import vector
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
@@ -23,25 +23,17 @@ from nmatrix.scene.world import World
 
 Given = Mapping[str, Any]
 
-WORLD = (
-    "translate", "rotate", "quaternion", "scale", "shear", "order", "convention", "world_matrix"
-)  # fmt: skip
-VIEW = (
-    "eye", "target", "up", "elevation", "angle", "roll", "handed", "convention", "view_matrix"
-)  # fmt: skip
-LENS = (
-    "fov", "aspect", "near", "far", "ortho", "frustum", "depth", "handed", "clip_y", "api",
-    "projection_matrix",
-)  # fmt: skip
+PLACE = ("translate", "rotate", "quaternion", "scale", "shear", "order")
+AIM, ANGLES = ("target", "up"), ("elevation", "angle", "roll")
+SHAPE = ("fov", "aspect", "near", "far", "ortho", "frustum")
+CLIP = ("depth", "handed", "clip_y")
 LIGHT = ("light_direction", "light_angles", "light_position")
 
 WHOLE = "the matrix is the whole answer"
-ANGLES = ("elevation", "angle", "roll")
-CLIP = ("api", "depth", "handed", "clip_y")
 
 
-def world_of(given: Given) -> World:
-    """Return the world that these names describe.
+def world_of(given: Given, base: World | None = None) -> World:
+    """Return a world with what was given in place of the base's own.
 
     Raises
     ------
@@ -50,88 +42,134 @@ def world_of(given: Given) -> World:
 
     Examples
     --------
-    >>> world_of({"scale": (1, 2, 1)}).world_from_object[1][1]
-    Fraction(2, 1)
+    >>> world_of({"scale": (1, 2, 1)}, World(translate=(5, 0, 0))).world_from_object[0][3]
+    Fraction(5, 1)
     >>> world_of({"scale": (1, 2, 1), "world_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]})
     Traceback (most recent call last):
     nmatrix.errors.IllegalValueError: world_matrix with scale: the matrix is the whole answer; ...
     """
-    found = _known(given, WORLD, "world")
-    refuse_together("world_matrix", WORLD[:6], found, WHOLE)
+    found = _known(given, (*PLACE, "convention", "world_matrix"), "world")
+    refuse_together("world_matrix", PLACE, found, WHOLE)
     refuse_together("quaternion", ("rotate",), found, "both are the rotation")
     refuse_together("quaternion", ("order",), found, "an order is for angles, it has none")
     convention = chosen(Convention, found.get("convention", Convention.STANDARD), "convention")
     if convention is not Convention.STANDARD and "order" in found:
-        named = f"{quantity('convention')} {convention}"
-        raise _contradiction(named, ("order",), "the course fixes the order")
-    return World(**_fields(found, rotate="rotate_degrees", world_matrix="matrix"))
+        course = f"{quantity('convention')} {convention}"
+        raise _contradiction(course, ["order"], "the course fixes the order")
+    if "world_matrix" in found:
+        return World(matrix=found["world_matrix"], convention=convention)
+    base = base or World()
+    if base.matrix is not None:
+        if not found.keys() - {"convention"}:
+            return base
+        base = World()
+    if "rotate" in found:
+        found |= {"rotate_degrees": found.pop("rotate"), "quaternion": None}
+    elif "quaternion" in found:
+        angles = {"rotate_degrees": (0, 0, 0), "convention": Convention.STANDARD}
+        found = angles | found | {"order": "XYZ"}
+    elif base.quaternion is not None and "order" in found:
+        beside = f"{quantity('order')} with the scene's quaternion"
+        raise IllegalValueError(beside, "an order is for angles", "keep one of them")
+    return replace(base, **found)
 
 
-def view_of(given: Given) -> View:
-    """Return the view that these names describe.
+def view_of(given: Given, base: View | None = None) -> View:
+    """Return a view with what was given in place of the base's own.
 
     Examples
     --------
     >>> view_of({"eye": (1, 2, 3), "handed": "left"}).eye
     (1, 2, 3)
     """
-    found = _known(given, VIEW, "view")
-    refuse_together("view_matrix", VIEW[:6], found, WHOLE)
+    names = ("eye", *AIM, *ANGLES, "handed", "convention", "view_matrix")
+    found, base = _known(given, names, "view"), base or View()
+    refuse_together("view_matrix", ("eye", *AIM, *ANGLES), found, WHOLE)
+    if "view_matrix" in found:
+        kept = {"handed": base.handed} | found
+        return View(matrix=kept.pop("view_matrix"), **kept)
     angles = {name: found.pop(name) for name in ANGLES if name in found}
-    if not angles:
-        return View(**_fields(found, view_matrix="matrix"))
-    refuse_together(
-        next(iter(angles)), ("target", "up"), {**found, **angles}, "both say where to look"
-    )
-    return View(angles=FirstPerson(**angles), **found)
+    aimed = [name for name in AIM if name in found]
+    if angles and aimed:
+        raise _contradiction(quantity(next(iter(angles))), aimed, "both say where to look")
+    if aimed or angles or "eye" in found:
+        found["matrix"] = None
+    if aimed:
+        found["angles"] = None
+    elif angles:
+        found["angles"] = replace(base.angles or FirstPerson(), **angles)
+    return replace(base, **found)
 
 
-def lens_of(given: Given, aspect: float = 1.0) -> Lens:
-    """Return the lens that these names describe; `aspect` is that of the picture, if there is one.
+def lens_of(given: Given, base: Lens | None = None) -> Lens:
+    """Return a lens with what was given in place of the base's own.
 
     Examples
     --------
     >>> lens_of({"api": "vulkan"}).clip.depth
     <DepthRange.ZERO_TO_ONE: 'zero-to-one'>
     """
-    found = _known(given, LENS, "lens")
-    refuse_together("projection_matrix", LENS[:6], found, WHOLE)
+    found = _known(given, (*SHAPE, *CLIP, "api", "projection_matrix"), "lens")
+    base = base or Lens()
+    refuse_together("projection_matrix", SHAPE, found, WHOLE)
     refuse_together("ortho", ("fov", "aspect", "frustum"), found, "both shape the view")
     refuse_together("frustum", ("fov", "aspect"), found, "both shape the view")
-    clip = clip_space(found)
-    shape = {name: found[name] for name in found if name not in CLIP}
+    clip = _clip_space(found, base.clip)
+    if "projection_matrix" in found:
+        return Lens(matrix=found["projection_matrix"], clip=clip)
+    shape = {name: found[name] for name in SHAPE if name in found}
+    if shape.keys() & {"fov", "aspect", "ortho", "frustum"}:
+        shape = {"ortho": None, "frustum": None, "matrix": None} | shape
     for name in ("ortho", "frustum"):
-        if name in shape:
+        if shape.get(name) is not None:
             shape[name] = Window(*map(float, vector(shape[name], 4, name)))
-    return Lens(
-        **{"aspect": aspect, **_fields(shape, fov="fov_degrees", projection_matrix="matrix")},
-        clip=clip,
-    )
+    if "fov" in shape:
+        shape["fov_degrees"] = shape.pop("fov")
+    lens = replace(base, clip=clip, **shape)
+    if "aspect" in shape:
+        check_aspect(lens.aspect)
+    return lens
 
 
-def clip_space(given: Given, usual: ClipSpace = DEFAULT_CLIP_SPACE) -> ClipSpace:
-    """Return an interface's clip space, or the usual one, under what was given by itself."""
-    if "api" in given:
-        usual = ClipSpace(*API_PRESETS[chosen(Api, given["api"], "api")])
-    return replace(usual, **{name: given[name] for name in CLIP[1:] if name in given})
+def hand_of(lens: Given) -> Handedness | None:
+    """Return the hand that a lens asks for, by itself or by its interface: the view's hand too."""
+    if lens.get("handed") is not None:
+        return chosen(Handedness, lens["handed"], "handed")
+    return None if lens.get("api") is None else API_PRESETS[chosen(Api, lens["api"], "api")][1]
 
 
-def light_of(given: Given) -> Light:
-    """Return the light that these names describe.
+def light_of(given: Given, base: Light | None = None) -> Light:
+    """Return a light with what was given in place of the base's own.
 
     Examples
     --------
     >>> light_of({"light_position": (2, 2, 8)}).position
     (2, 2, 8)
     """
-    found = _known(given, LIGHT, "light")
+    found, base = _known(given, LIGHT, "light"), base or Light()
     refuse_together("light_direction", ("light_angles",), found, "both are the direction")
-    fields = {"light_direction": "direction", "light_angles": "angles_degrees"}
-    return Light(**_fields(found, **fields, light_position="position"))
+    direction, angles = found.get("light_direction"), found.get("light_angles")
+    if direction is None and angles is None:
+        direction, angles = base.direction, base.angles_degrees
+    return Light(direction, angles, found.get("light_position", base.position))
+
+
+def refuse_together(name: str, others: Iterable[str], given: Given, because: str) -> None:
+    """Refuse a name beside any of the others, if both were given."""
+    beside = [one for one in others if one in given]
+    if name in given and beside:
+        raise _contradiction(quantity(name), beside, because)
+
+
+def _clip_space(given: Given, base: ClipSpace) -> ClipSpace:
+    """Return an interface's clip space, or the base's, under what was given by itself."""
+    if "api" in given:
+        base = ClipSpace(*API_PRESETS[chosen(Api, given["api"], "api")])
+    return replace(base, **{name: given[name] for name in CLIP if name in given})
 
 
 def _known(given: Given, names: tuple[str, ...], what: str) -> dict[str, Any]:
-    """Return what was given: None stands for nothing, as on the command line."""
+    """Return what was given, if every name is known; None stands for nothing."""
     if not isinstance(given, Mapping):
         raise IllegalValueError(
             f"{what} ({type(given).__name__})",
@@ -148,18 +186,6 @@ def _known(given: Given, names: tuple[str, ...], what: str) -> dict[str, Any]:
     return {name: value for name, value in given.items() if value is not None}
 
 
-def refuse_together(name: str, others: Iterable[str], given: Given, because: str) -> None:
-    """Refuse a name beside any of the others."""
-    beside = [one for one in others if one in given]
-    if name in given and beside:
-        raise _contradiction(quantity(name), beside, because)
-
-
 def _contradiction(what: str, beside: Iterable[str], because: str) -> IllegalValueError:
     together = f"{what} with {', '.join(map(quantity, beside))}"
     return IllegalValueError(together, because, "keep one of them")
-
-
-def _fields(given: Given, **renamed: str) -> dict[str, Any]:
-    """Return what was given under the names of the value's fields."""
-    return {renamed.get(name, name): value for name, value in given.items()}

@@ -17,11 +17,14 @@ from nmatrix.classroom import run as running
 from nmatrix.classroom.handout import Plan, handout, written
 from nmatrix.classroom.manifest import files_of
 from nmatrix.classroom.topics import Topic
+from nmatrix.cli import workers
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.output.files import write_file
 from nmatrix.output.pages.document import PageFormat
 from nmatrix.report import Code, Text
 from nmatrix.scene.setup import Setup
+
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 LINE = "handout --exercises 1 -o out --roster"
 SHEETS = Plan((Topic.EXERCISES,), Setup(), 1)
@@ -81,7 +84,8 @@ def test_an_emptied_sheet_is_written_again(nmatrix) -> None:
 
 
 @pytest.mark.parametrize("wrong", ["--workers 0", "--dask nowhere:1", "--salt empty"])
-def test_a_refused_run_leaves_no_folder(nmatrix, wrong: str) -> None:
+def test_a_refused_run_leaves_no_folder(nmatrix, monkeypatch, wrong: str) -> None:
+    monkeypatch.setattr(workers, "PATIENCE", "100ms")
     Path("empty").write_bytes(b"")
     code, _, err = nmatrix(f"{roster('Ada')} {wrong}")
     assert code in (2, 4)

@@ -37,6 +37,8 @@ from nmatrix.report import (
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
+pytestmark = pytest.mark.usefixtures("own_folder")
+
 EVIL = "<script>alert(1)</script> #import $x$ \\input{x} `c` *b* [l](u) ]] </style> _ % & \" '"
 FORMATS = list(PageFormat)
 

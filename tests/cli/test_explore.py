@@ -10,11 +10,7 @@ from pathlib import Path
 
 import pytest
 
-
-@pytest.fixture
-def nmatrix(nmatrix, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return nmatrix
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def start(name: str) -> dict:

@@ -5,18 +5,24 @@ from __future__ import annotations
 import random
 
 import pytest
+from typer.core import TyperOption
 
-from nmatrix.cli.app import run
+from nmatrix.cli.app import load, run
+from nmatrix.cli.catalogue import COMMANDS
 
 DOCUMENTED = {0, 1, 2, 3, 4}
-COMMANDS = ("world view projection normal calc light eye space trace derive inspect").split()
-OPTIONS = (
-    "--translate --rotate --quaternion --scale --shear --order --convention --world-matrix --eye "
-    "--target --up --elevation --angle --roll --view-matrix --handed --fov --aspect --near --far "
-    "--ortho --frustum --depth --clip-y --api --projection-matrix --light-direction "
-    "--light-angles --light-position --space --space-matrix --normal --point --viewport --let "
-    "--digits --format --layout --input-layout --tolerance --method --steps --float --fail-on -f"
-).split()
+ELABORATE = {"render", "cost", "stress", "handout", "explore"}  # they draw, measure or write files
+SHORT = [name for name in COMMANDS if name not in ELABORATE]
+OPTIONS = sorted(
+    {
+        spelling
+        for name in SHORT
+        for one in load(name).params
+        if isinstance(one, TyperOption)
+        for spelling in one.opts
+        if spelling != "--help"
+    }
+)
 VALUES = [
     "0", "1", "-1", "2.5", "-0", "1e308", "-1e308", "5e-324", "1e-400", "1e999", "nan", "inf",
     "-inf", "NaN", "1/3", "1/0", "0/0", "−1", "1_000", "0x10", "", " ", "\x00", "１", "9" * 400,
@@ -30,7 +36,7 @@ VALUES = [
 
 
 def line(rng: random.Random) -> list[str]:
-    words = [rng.choice(COMMANDS)] if rng.random() < 0.97 else []
+    words = [rng.choice(SHORT)] if rng.random() < 0.97 else []
     for _ in range(rng.randrange(6)):
         if rng.random() < 0.6:
             option = rng.choice(OPTIONS)

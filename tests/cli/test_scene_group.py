@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-
-from nmatrix.cli.app import run
 
 ROOT = Path(__file__).parents[2]
 TEXT = """
@@ -133,30 +130,29 @@ def scene(tmp_path: Path) -> Path:
     return path
 
 
-def answer(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, object]:
-    capsys.readouterr()
-    code = run([*words, "-f", "json"])
-    captured = capsys.readouterr()
-    assert code == 0, captured.err
-    return json.loads(captured.out)
+@pytest.fixture
+def answer(nmatrix):
+    def call(line: str) -> dict[str, object]:
+        found = nmatrix(f"{line} -f json")
+        assert found.code == 0, found.err
+        return found.data
+
+    return call
 
 
 @pytest.mark.parametrize(("command", "beside", "by_hand"), BY_HAND, ids=lambda text: text[:40])
 def test_a_scene_gives_what_its_options_give(
-    capsys: pytest.CaptureFixture[str], scene: Path, command: str, beside: str, by_hand: str
+    answer, scene: Path, command: str, beside: str, by_hand: str
 ) -> None:
     free = "trace" in command and "100 200" in beside
     if free:  # the picture's shape follows the window
         by_hand = by_hand.replace("--aspect 4/3", "--aspect 0.5")
-    found = answer(capsys, command, "--scene", str(scene), *beside.split())
-    assert found == answer(capsys, command, *by_hand.split())
+    found = answer(f"{command} --scene {scene} {beside}")
+    assert found == answer(f"{command} {by_hand}")
 
 
-def test_a_flashlight_points_where_the_camera_looks(
-    capsys: pytest.CaptureFixture[str], scene: Path
-) -> None:
-    words = ("light", "camera", "--scene", str(scene), "--light", "torch", "--eye", "1", "2", "3")
-    found = answer(capsys, *words)
+def test_a_flashlight_points_where_the_camera_looks(answer, scene: Path) -> None:
+    found = answer(f"light camera --scene {scene} --light torch --eye 1 2 3")
     assert found["direction"] == [0, 0, -1]
     assert found["position"] == pytest.approx([0, 0, 0], abs=1e-15)
 
@@ -178,26 +174,26 @@ def test_a_flashlight_points_where_the_camera_looks(
         ("view --scene SCENE --eye 0 0.5 0", "they coincide"),
     ],
 )
-def test_refusals(capsys: pytest.CaptureFixture[str], scene: Path, line: str, words: str) -> None:
-    assert run(line.replace("SCENE", str(scene)).split()) in (2, 3)
-    message = capsys.readouterr().err
-    assert words in message
-    assert message.count("\n") == 1
+def test_refusals(nmatrix, scene: Path, line: str, words: str) -> None:
+    found = nmatrix(line.replace("SCENE", str(scene)))
+    assert found.code in (2, 3)
+    assert words in found.err
+    assert found.is_one_line
 
 
-def test_nodes_of_a_gltf_file(capsys: pytest.CaptureFixture[str], data: Path) -> None:
+def test_nodes_of_a_gltf_file(answer, data: Path) -> None:
     file = data / "gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf"
-    found = answer(capsys, "light", "world", "--scene", str(file), "--light", "Point.003")
+    found = answer(f"light world --scene {file} --light Point.003")
     assert found["position"] == pytest.approx([0.137618, 2.066984, -1.178986], abs=1e-6)
     file = data / "gltf/NegativeScaleTest/glTF-Binary/NegativeScaleTest.glb"
-    assert answer(capsys, "world", "--scene", str(file))["transform"]
+    assert answer(f"world --scene {file}")["transform"]
 
 
 def test_without_a_scene_no_reader_is_loaded() -> None:
     code = (
         "import sys; from nmatrix.cli.app import run\n"
         "run(['world', '--scale', '1', '2', '1'])\n"
-        "sys.exit(any(one in sys.modules for one in ('msgspec', 'tomllib', 'nmatrix.cli.overlay')))"
+        "sys.exit(any(one in sys.modules for one in ('msgspec', 'tomllib', 'nmatrix.scene.open')))"
     )
     done = subprocess.run([sys.executable, "-c", code], check=False, cwd=ROOT, capture_output=True)
     assert done.returncode == 0

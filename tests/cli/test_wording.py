@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import json
-import shlex
-
 import pytest
 
-from nmatrix.cli.app import run
+from nmatrix.enums import NormalMethod
 
 SENTENCES = [
     ("world --rotate 0 30 0", "a rotation: A⁻ᵀ = A"),
@@ -24,25 +21,21 @@ SENTENCES = [
 
 
 @pytest.mark.parametrize(("line", "sentence"), SENTENCES)
-def test_the_sentence_says_what_it_is(
-    capsys: pytest.CaptureFixture[str], line: str, sentence: str
-) -> None:
-    run(shlex.split(line))
-    assert sentence in " ".join(capsys.readouterr().out.split())
+def test_the_sentence_says_what_it_is(nmatrix, line: str, sentence: str) -> None:
+    assert sentence in " ".join(nmatrix(line).out.split())
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_only_a_rotation_is_called_one(capsys: pytest.CaptureFixture[str], sign: int) -> None:
-    run(["world", "--scale", str(sign), "1", "1", "--rotate", "10", "20", "30"])
-    assert ("is a rotation" in capsys.readouterr().out) == (sign > 0)
+def test_only_a_rotation_is_called_one(nmatrix, sign: int) -> None:
+    found = nmatrix(f"world --scale {sign} 1 1 --rotate 10 20 30")
+    assert ("is a rotation" in found.out) == (sign > 0)
 
 
-@pytest.mark.parametrize("method", ["exact", "cofactor", "inverse"])
+@pytest.mark.parametrize("method", NormalMethod)
 def test_how_far_a_itself_is_off_does_not_depend_on_the_method(
-    capsys: pytest.CaptureFixture[str], method: str
+    nmatrix, method: NormalMethod
 ) -> None:
     for scale, off in (("-1 1 1", 0.0), ("-1 2 1", 36.86989764584402)):
         line = f"normal --scale {scale} --normal 1 1 0 --method {method} -f json"
-        run(shlex.split(line))
-        found = json.loads(capsys.readouterr().out)["normals"][0]
+        found = nmatrix(line).data["normals"][0]
         assert found["without_deg"] == pytest.approx(off, abs=1e-12)

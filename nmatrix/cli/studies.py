@@ -1,4 +1,4 @@
-"""`nmatrix cost`: accuracy against time, measured on this machine."""
+"""The panel Studies: what accuracy costs in time, and the hard cases."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.everywhere import Everywhere
+from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
@@ -28,9 +28,17 @@ nmatrix cost shading --tolerance 2levels
 
 nmatrix cost normals --budget 5ms --chart normals.svg
 
-What accuracy costs in time: errors against the exact answer, wrong answers, ratios of time.""",
+Errors against the exact answer, wrong answers, ratios of time.""",
+    "stress": """nmatrix stress
+
+nmatrix stress --case N9
+
+nmatrix stress --random 400 --seed 7 --case S17
+
+Exit 1 if nmatrix itself fails one.""",
 }
 
+MOST_RANDOM = 100_000
 QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
 QUANTITY = re.compile(r"(.+?)\s*(deg|rad|levels|ns|us|ms|s)?")
 SCALES = {
@@ -49,7 +57,7 @@ UNITS = {Study.NORMALS: ("deg", "rad"), Study.SHADING: ("levels",), Study.SPACES
 
 def cost(
     *,
-    everywhere: Everywhere,
+    common: CommonOptions,
     study: Annotated[Study, Argument(help="normals, shading or spaces.")] = Study.NORMALS,
     tolerance: Annotated[
         str | None,
@@ -80,7 +88,7 @@ def cost(
 
         kind = ChartFormat(chart_file.suffix.lower().removeprefix("."))
         write_file(chart_file, drawn(rows, WORDINGS[study].title, kind), force=force)
-    show(report(study, rows, check, target), everywhere)
+    show(report(study, rows, check, target), common)
 
 
 def _harness(*, quick: bool) -> Harness:
@@ -132,7 +140,7 @@ def _target(study: Study, tolerance: str | None, budget: str | None) -> Target:
 
 
 def _quantity(text: str, option: str, units: tuple[str, ...], example: str) -> float:
-    """Return a number with its unit, in radians, levels or seconds."""
+    """Read a number with its unit, in radians, levels or seconds."""
     found = QUANTITY.fullmatch(text.strip())
     unit = found[2] if found else None
     if found is None or unit not in units:
@@ -157,3 +165,27 @@ def _chart_file(name: str, *, force: bool) -> Path:
         )
     refuse_existing([path], force=force)
     return path
+
+
+def stress(
+    *,
+    common: CommonOptions,
+    case: Annotated[
+        str | None, Option(metavar="ID", help="Explain one case: N9, or S3 of random ones.")
+    ] = None,
+    random: Annotated[
+        str | None, Option(metavar="N", help="So many directed random cases instead.")
+    ] = None,
+    seed: Annotated[str, Option(metavar="S", help="Of the random cases.")] = "1",
+) -> None:
+    """Run the hard cases."""
+    from nmatrix.studies.stress import CATALOGUE, case_named
+    from nmatrix.studies.stress import stress as answer
+
+    cases = CATALOGUE
+    if random is not None:
+        from nmatrix.studies.hardcases.families import random_cases
+
+        count = whole_number(random, "--random", range(1, MOST_RANDOM + 1), 7)
+        cases = random_cases(count, whole_number(seed, "--seed", range(MOST_RANDOM + 1), 7))
+    show(answer(cases if case is None else (case_named(case, cases),)), common)

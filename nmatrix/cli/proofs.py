@@ -1,0 +1,82 @@
+"""The panel Proofs without its pictures: the derivations, and the plan of a scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from typer import Argument, Option
+
+from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.show import put, show
+from nmatrix.cli.sources import Sources
+from nmatrix.cli.world_options import WorldOptions
+from nmatrix.errors import IllegalValueError
+from nmatrix.lessons.derive.cases import ALL, TITLES, chosen
+from nmatrix.reading.numbers import fractions
+from nmatrix.scene.world import World
+
+HELP = {
+    "derive": f"""nmatrix derive
+
+nmatrix derive mirror -f latex
+
+nmatrix derive nonuniform --scale 1 2 1 --rotate 0 0 30
+
+Cases: {", ".join(TITLES)}, all.""",
+    "plan": """nmatrix plan scene.toml
+
+nmatrix plan scene.glb -f json
+
+nmatrix plan --schema > scene.schema.json
+
+What each of them needs, and how safely the others are left out.""",
+}
+
+
+def _complete_case(incomplete: str) -> list[str]:
+    return [name for name in (*TITLES, ALL) if name.startswith(incomplete)]
+
+
+def derive(
+    *,
+    world: WorldOptions,
+    common: CommonOptions,
+    case: Annotated[
+        str, Argument(metavar="CASE", help="Which lesson.", autocompletion=_complete_case)
+    ] = "rule",
+) -> None:
+    """Show a derivation."""
+    chosen(case)
+    own = None
+    if world.is_given:
+        own = world.over(World(), Sources(common.input_layout), fractions)
+    from nmatrix.lessons.derive.lesson import derive as answer
+
+    show(answer(case, own), common)
+
+
+def plan(
+    *,
+    common: CommonOptions,
+    scene: Annotated[
+        str | None,
+        Argument(
+            metavar="SCENE", help="A .toml, .gltf or .glb scene, or a mesh.", show_default=False
+        ),
+    ] = None,
+    schema: Annotated[
+        bool, Option("--schema", help="Print the JSON Schema of scene files.")
+    ] = False,
+) -> None:
+    """Show the plan of a scene."""
+    if schema:
+        from nmatrix.scene.toml.schema import schema as scene_schema
+
+        put(scene_schema())
+        return
+    if scene is None:
+        raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
+    from nmatrix.answers.plan import plan_of_file
+
+    show(plan_of_file(Path(scene)), common)
