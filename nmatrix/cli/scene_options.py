@@ -20,6 +20,7 @@ from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import SPACE_SYNONYMS, Space, space_named
 from nmatrix.errors import IllegalValueError
+from nmatrix.linear.classify import BUILT, FROM_FILE
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import fractions, number
 from nmatrix.scene.lens import Lens
@@ -107,9 +108,9 @@ class ToleranceOption:
     ] = None
 
     def value(self, sources: Sources) -> float:
-        """Read the tolerance, by default that of the numbers' origin."""
+        """Read the tolerance, by default that of the numbers' origin: files often hold float32."""
         if self.tolerance is None:
-            return sources.tolerance
+            return FROM_FILE if sources.any_from_file else BUILT
         found = number(self.tolerance, "--tolerance")
         if not 0 <= found < 1:
             raise IllegalValueError(

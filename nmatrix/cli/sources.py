@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.classify import BUILT, FROM_FILE
 from nmatrix.linear.rational import RationalMatrix, rational_matrix
 from nmatrix.reading.files import LARGEST, decoded, existing_file
 from nmatrix.reading.literal import MatrixLiteral
@@ -34,11 +33,6 @@ class Sources:
     any_from_file: bool = False
     _stdin_used: bool = field(default=False, init=False)
     _from_stdin: str = field(default="", init=False)
-
-    @property
-    def tolerance(self) -> float:
-        """How far columns may be off: files often hold float32."""
-        return FROM_FILE if self.any_from_file else BUILT
 
     def affine(self, text: str, *, exact: bool = False) -> RationalMatrix:
         """Read an affine 4×4; nine numbers are its linear part.
