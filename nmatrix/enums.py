@@ -16,14 +16,6 @@ class Space(StrEnum):
     CUSTOM = "custom"
 
 
-SPACE_SYNONYMS = {
-    "view": Space.CAMERA,
-    "eye": Space.CAMERA,
-    "model": Space.OBJECT,
-    "local": Space.OBJECT,
-}
-
-
 class Frame(StrEnum):
     """Every frame that a point passes on its way from the mesh to the screen."""
 

@@ -12,19 +12,23 @@ from nmatrix.cli.everywhere import Everywhere
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import SPACE_SYNONYMS, Space
+from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import number
 from nmatrix.scene.camera import View
 from nmatrix.scene.setup import Light, Setup
+from nmatrix.spaces.shading_spaces import SYNONYMS
 
 if TYPE_CHECKING:
     from nmatrix.scene.scene import Scene
     from nmatrix.scene.world import World
 
 SPACE = "Space"
-_NAMES = (*(space.value for space in Space), *SPACE_SYNONYMS)
+_NAMES = (*(space.value for space in Space), *SYNONYMS)
+
+
+_ANY_SPACE = f"{', '.join(list(Space)[:-1])} or {list(Space)[-1]}."
 
 
 def _complete_space(incomplete: str) -> list[str]:
@@ -35,7 +39,7 @@ SpaceArgument = Annotated[
     str | None,
     Argument(
         metavar="SPACE",
-        help="world, camera, object, static, light or custom.",
+        help=_ANY_SPACE,
         autocompletion=_complete_space,
         show_default=False,
     ),
@@ -52,7 +56,7 @@ class SpaceOptions:
             "--space",
             metavar="SPACE",
             autocompletion=_complete_space,
-            help="world, camera, object, static, light or custom.",
+            help=_ANY_SPACE,
             rich_help_panel=SPACE,
         ),
     ] = None
@@ -90,8 +94,8 @@ class SpaceOptions:
 def space_named(name: str) -> Space:
     """Return the space that a name or a synonym means."""
     lowered = name.lower()
-    if lowered in SPACE_SYNONYMS:
-        return SPACE_SYNONYMS[lowered]
+    if lowered in SYNONYMS:
+        return SYNONYMS[lowered]
     try:
         return Space(lowered)
     except ValueError:

@@ -1,4 +1,4 @@
-"""What a shader for one space needs to be told, and which of it this scene calls for.
+"""The uniforms that a shader for one space needs, with the values that this scene gives them.
 
 The names here are the shaders' own: one list serves the sheet, the cost table and the GLSL.
 """
@@ -13,8 +13,8 @@ from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.spaces import metric
 from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.shading_spaces import PROFILES
 
 UniformValue = Fraction | RationalVector | RationalMatrix
 
@@ -37,7 +37,7 @@ class Request:
 
     @property
     def is_specular(self) -> bool:
-        """Return whether the eye matters."""
+        """True if the eye matters."""
         return self.reflection in (Reflection.PHONG, Reflection.BLINN_PHONG)
 
 
@@ -64,19 +64,19 @@ class Uniform:
 
     @property
     def bytes(self) -> int:
-        """Return its size as plain floats."""
+        """The size as plain floats."""
         return BYTES[self.kind]
 
 
 def needs(maps: ExactMaps, request: Request) -> Needs:
-    """Return what the scene calls for in this space."""
+    """Decide what the scene calls for in this space."""
     point_light = maps.light.position is not None
     position = point_light or request.is_specular
-    stays = request.space in (Space.OBJECT, Space.STATIC)
+    moves = PROFILES[request.space].moves_vertices
     return Needs(
         position=position,
-        moves_positions=position and not stays,
-        moves_normals=not stays,
+        moves_positions=position and moves,
+        moves_normals=moves,
         metric=not maps.is_rigid(request.space),
         directional=maps.light.direction is not None,
         point_light=point_light,
@@ -124,7 +124,7 @@ def _light_position(maps: ExactMaps, request: Request) -> UniformValue:
 
 def _clip_from_vertex(maps: ExactMaps, request: Request) -> UniformValue:
     """Return P·V·M, or P·V where the vertices were baked into world space."""
-    if request.space is Space.STATIC:
+    if PROFILES[request.space].vertices_in is not Space.OBJECT:
         return rational.product(maps.clip_from_camera, maps.camera_from_world.exact)
     return maps.clip_from_object
 
@@ -150,13 +150,13 @@ _UNIFORMS: tuple[tuple[str, str, Wanted, Valued], ...] = (
         "mat3",
         "vector_world_from_space",
         lambda n: n.metric,
-        lambda maps, request: metric.vector_world_from_space(maps, request.space),
+        lambda maps, request: maps.vector_world_from_space(request.space),
     ),
     (
         "mat3",
         "normal_world_from_space",
         lambda n: n.metric,
-        lambda maps, request: metric.normal_world_from_space(maps, request.space),
+        lambda maps, request: maps.normal_world_from_space(request.space),
     ),
     ("vec3", "light_color", lambda _: True, lambda _, __: WHITE),
     ("vec3", "ambient_color", lambda _: True, lambda _, __: AMBIENT),
