@@ -16,7 +16,7 @@ ROOT_BITS = 66  # bits of the integer root: 53 to keep, one for the rounding, tw
 
 
 def nearest(value: Fraction) -> float:
-    """Return the float64 nearest to an exact value.
+    """Round an exact value to the nearest float64.
 
     Division of Python integers is correctly rounded, so this is too.
 
@@ -46,7 +46,7 @@ def _decimal_exponent(value: Fraction) -> int:
 
 
 def over_root(numerator: int, square: int) -> float:
-    """Return `numerator / √square` correctly rounded, for integers and `square` > 0.
+    """Compute `numerator / √square` correctly rounded, for integers and `square` > 0.
 
     The square of the quotient is rational; its integer root carries more bits than a float and a
     last bit that says whether anything was cut off, so one rounding decides.
@@ -71,7 +71,7 @@ def over_root(numerator: int, square: int) -> float:
 
 
 def root(value: Fraction) -> float:
-    """Return √value correctly rounded.
+    """Compute √value correctly rounded.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def root(value: Fraction) -> float:
 
 
 def nth_root(value: Fraction, degree: int) -> float:
-    """Return the root of any degree of a positive value, correctly rounded.
+    """Compute the root of any degree of a positive value, correctly rounded.
 
     As with a square root, an integer root with bits to spare and one last bit that says whether
     anything was cut off are enough for one rounding to decide.
@@ -117,7 +117,7 @@ def _integer_root(n: int, degree: int) -> int:
 
 
 def short_text(value: Fraction, digits: int) -> str:
-    """Return a number in a few digits for a sentence, also where it is beyond every float.
+    """Write a number in a few digits for a sentence, also where it is beyond every float.
 
     Examples
     --------
@@ -132,7 +132,7 @@ def short_text(value: Fraction, digits: int) -> str:
 
 
 def integers(values: Iterable[Fraction | float]) -> tuple[list[int], int]:
-    """Return the values as integers over one common denominator.
+    """Bring values to integers over one common denominator.
 
     Examples
     --------
@@ -145,7 +145,7 @@ def integers(values: Iterable[Fraction | float]) -> tuple[list[int], int]:
 
 
 def unit(direction: Sequence[int]) -> tuple[float, ...]:
-    """Return a non-zero integer vector at length one, every component correctly rounded.
+    """Normalise a non-zero integer vector, every component correctly rounded.
 
     Examples
     --------

@@ -20,7 +20,7 @@ Places = dict[tuple[int, int], str]
 
 
 def csv_notation(text: str, source: str) -> Notation:
-    r"""Return the matrices and vectors of a CSV report; their places say the layout.
+    r"""Read the matrices and vectors of a CSV report; their places fix the layout.
 
     Raises
     ------

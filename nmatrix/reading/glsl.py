@@ -24,7 +24,7 @@ _SIZE = re.compile(r"(?:mat|vec)(?P<columns>[234])(?:x(?P<rows>[234]))?")
 
 
 def glsl_notation(text: str, source: str) -> Notation:
-    """Return the declared matrices and vectors of a GLSL text, or its one constructor.
+    """Read the declared matrices and vectors of a GLSL text, or its one constructor.
 
     Declarations inside `//` comments count: nmatrix writes the uniforms' values there.
 

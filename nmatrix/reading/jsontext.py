@@ -22,7 +22,7 @@ class _Digits(str):
 
 
 def json_notation(text: str, source: str) -> Notation:
-    """Return the matrices and vectors of a JSON object, and the layout that it states.
+    """Read the matrices and vectors of a JSON object, and the layout that it states.
 
     Raises
     ------

@@ -24,7 +24,7 @@ def matrix_literal(
     key: str | None = None,
     source: str = "",
 ) -> MatrixLiteral:
-    """Return the matrix that a text spells: rows, brackets, NumPy, GLSL, JSON, CSV or LaTeX.
+    """Read a matrix in any notation: rows, brackets, NumPy, GLSL, JSON, CSV or LaTeX.
 
     A text that says its own layout (GLSL, a JSON report, a CSV report) is believed; `layout` is
     for all others. `key` chooses among several matrices.

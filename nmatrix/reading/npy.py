@@ -20,7 +20,7 @@ LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 
 
 def npy_literal(content: bytes, layout: Layout, source: str) -> MatrixLiteral:
-    """Return the array of a .npy file as a matrix, every float exact.
+    """Read the array of a .npy file as a matrix, every float exact.
 
     Raises
     ------

@@ -44,7 +44,7 @@ class EyeInSpace:
 
 
 def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
-    """Return the light of the setup in a space.
+    """Bring the light into a space, by the vector rule and by the course's.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
 
 
 def eye_in(maps: ExactMaps, space: Space) -> EyeInSpace:
-    """Return the eye of the setup in a space, exactly and by the course's formula.
+    """Bring the eye into a space, exactly and by the course's formula.
 
     The course inverts the product V·M in floats and reads the last column; with a translation t
     that loses |t|/|x| units in the last place.

@@ -18,7 +18,7 @@ VERTEX_UNIFORMS = ("clip_from_object", "space_from_object", "normal_matrix")
 
 
 def shader_pair(maps: ExactMaps, request: Request) -> tuple[str, str]:
-    """Return the vertex and the fragment shader as `#version 300 es` text.
+    """Write the vertex and the fragment shader as `#version 300 es` text.
 
     Per vertex (`gouraud`) or per fragment (`phong`), in the space asked for, with just the terms
     that the light and the reflection model call for.

@@ -39,7 +39,7 @@ class Transform:
 
     @property
     def name(self) -> str:
-        """Return the name that says where the map leads and where it comes from."""
+        """The name, target first: `camera_from_world`."""
         return f"{self.to}_from_{self.source}"
 
     @property
@@ -59,7 +59,7 @@ class Transform:
         return rf"$\mathtt{{{name}}} = \begin{{bmatrix}} {rows} \end{{bmatrix}}$"
 
     def __matmul__(self, other: Transform) -> Transform:
-        """Return this map after the other; the inner frames must be the same."""
+        """Compose two maps, the right one first; the inner frames must be the same."""
         if self.source is not other.to:
             raise FrameError(
                 f"{self.name} @ {other.name}",
@@ -69,7 +69,7 @@ class Transform:
         return Transform(self.to, other.source, rational.product(self.exact, other.exact))
 
     def inverse(self) -> Transform:
-        """Return the way back.
+        """Invert the map.
 
         Raises
         ------
@@ -85,32 +85,32 @@ class Transform:
         return Transform(self.source, self.to, rational.inverse(self.exact))
 
     def point(self, point: Sequence[float]) -> tuple[float, ...]:
-        """Return a point of the source frame in the target frame (w = 1: it moves along)."""
+        """Transform a point (w = 1: it moves along), each component rounded once."""
         return tuple(map(nearest, self.exact_point(rational.rational_vector(point))))
 
     def vector(self, vector: Sequence[float]) -> tuple[float, ...]:
-        """Return a vector of the source frame in the target frame (w = 0: no translation)."""
+        """Transform a vector (w = 0: no translation), each component rounded once."""
         return tuple(map(nearest, self.exact_vector(rational.rational_vector(vector))))
 
     def normal(self, normal: Sequence[float]) -> tuple[float, ...]:
-        """Return a normal in the target frame, at length one, outward side kept.
+        """Transform a normal to length one in the target frame; it keeps to the outward side.
 
         Raises
         ------
         NoAnswerError
             If the map leaves this normal without an image.
         """
-        carried = self.linear_map.normal(normal)
-        if carried.direction is None:
+        found = self.linear_map.normal(normal)
+        if found.direction is None:
             raise NoAnswerError(
-                f"a normal through {self.name}", carried.reason, "give every axis a scale"
+                f"a normal through {self.name}", found.reason, "give every axis a scale"
             )
-        return carried.direction
+        return found.direction
 
     def exact_point(self, point: RationalVector) -> RationalVector:
-        """Return the image of a point without rounding."""
+        """Transform a point without rounding."""
         return tuple(rational.dot(row[:3], point) + row[3] for row in self.exact[:3])
 
     def exact_vector(self, vector: RationalVector) -> RationalVector:
-        """Return the image of a vector without rounding."""
+        """Transform a vector without rounding."""
         return rational.apply(rational.linear_part(self.exact), vector)

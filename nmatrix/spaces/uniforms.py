@@ -29,7 +29,7 @@ BYTES = {"mat4": 64, "mat3": 36, "vec3": 12, "float": 4}
 
 @dataclass(frozen=True)
 class Request:
-    """Which shader is asked for."""
+    """The shader that is asked for."""
 
     space: Space
     shading: Shading = Shading.PHONG
@@ -43,7 +43,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Needs:
-    """What this scene makes the shader compute; the rest is left out."""
+    """The terms that this scene makes the shader compute; the rest is left out."""
 
     position: bool
     moves_positions: bool
@@ -85,9 +85,9 @@ def needs(maps: ExactMaps, request: Request) -> Needs:
 
 
 def normal_space_from_object(maps: ExactMaps, space: Space) -> RationalMatrix:
-    """Return the inverse transpose of `space_from_object`, or its cofactors if it is singular.
+    """Build the normal matrix: the inverse transpose of `space_from_object`, or its cofactors.
 
-    The cofactors still give the normal of the plane that a map of rank 2 leaves.
+    The cofactors serve a singular map: they still give the normal of the plane that rank 2 leaves.
     """
     linear_map = maps.space_from_object(space).linear_map
     if linear_map.integer_determinant:
@@ -96,7 +96,7 @@ def normal_space_from_object(maps: ExactMaps, space: Space) -> RationalMatrix:
 
 
 def uniforms(maps: ExactMaps, request: Request) -> tuple[Uniform, ...]:
-    """Return every uniform that the shader pair of this space reads, with its value."""
+    """List the uniforms that the shader pair of this space reads, with their values."""
     found = needs(maps, request)
     return tuple(
         Uniform(kind, name, value(maps, request))
