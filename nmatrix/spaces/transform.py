@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 from nmatrix.enums import Frame
-from nmatrix.errors import FrameError, NoAnswerError
+from nmatrix.errors import FrameError, IllegalValueError, NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, to_floats
@@ -20,6 +21,19 @@ from nmatrix.linear.rounding import nearest
 @dataclass(frozen=True)
 class Transform:
     """An affine map from one frame to another, held exactly.
+
+    Parameters
+    ----------
+    to, source
+        The frame that it leads to, and the one that it comes from.
+    exact
+        A 3×3 or an affine 4×4 matrix of fractions or floats, such as an array; kept as a 4×4 matrix
+        of fractions, which is what every float is.
+
+    Raises
+    ------
+    IllegalValueError
+        If an entry is not a finite number, or the matrix is not affine.
 
     Examples
     --------
@@ -36,6 +50,9 @@ class Transform:
     to: Frame
     source: Frame
     exact: RationalMatrix
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "exact", _affine(self.exact, self.name))
 
     @property
     def name(self) -> str:
@@ -54,7 +71,7 @@ class Transform:
 
     def _repr_latex_(self) -> str:
         """Show the matrix under its name in a notebook."""
-        rows = r" \\ ".join(" & ".join(f"{x:.6g}" for x in row) for row in self.matrix)
+        rows = r" \\ ".join(" & ".join(map(_in_latex, row)) for row in self.matrix)
         name = self.name.replace("_", r"\_")
         return rf"$\mathtt{{{name}}} = \begin{{bmatrix}} {rows} \end{{bmatrix}}$"
 
@@ -114,3 +131,28 @@ class Transform:
     def exact_vector(self, vector: RationalVector) -> RationalVector:
         """Transform a vector without rounding."""
         return rational.apply(rational.linear_part(self.exact), vector)
+
+
+def _affine(rows: Sequence[Sequence[float | Fraction]], name: str) -> RationalMatrix:
+    """Take an affine 4×4 matrix exactly, or a 3×3 block without a translation."""
+    try:
+        # An array's own numbers, such as float32, are no fractions; its list holds Python's.
+        exact = rational.rational_matrix(getattr(rows, "tolist", lambda: rows)())
+    except (TypeError, ValueError, OverflowError):
+        raise IllegalValueError(
+            name, "an entry is not a finite number", "give three or four rows of finite numbers"
+        ) from None
+    if [len(row) for row in exact] == [3, 3, 3]:
+        return rational.affine_matrix(exact)
+    if not rational.is_affine(exact) or any(len(row) != 4 for row in exact):
+        raise IllegalValueError(
+            name,
+            "it is neither 3×3 nor a 4×4 matrix with the last row 0 0 0 1",
+            "give an affine matrix; a projection is none",
+        )
+    return exact
+
+
+def _in_latex(value: float) -> str:
+    mantissa, power, exponent = f"{value:.6g}".partition("e")
+    return rf"{mantissa} \times 10^{{{int(exponent)}}}" if power else mantissa
