@@ -90,9 +90,7 @@ def normal_space_from_object(maps: ExactMaps, space: Space) -> RationalMatrix:
     The cofactors serve a singular map: they still give the normal of the plane that rank 2 leaves.
     """
     linear_map = maps.space_from_object(space).linear_map
-    if linear_map.integer_determinant:
-        return linear_map.inverse_transpose
-    return linear_map.cofactor_matrix
+    return linear_map.normal_matrix or linear_map.cofactor_matrix
 
 
 def uniforms(maps: ExactMaps, request: Request) -> tuple[Uniform, ...]:
