@@ -48,26 +48,6 @@ class Space(StrEnum):
     CUSTOM = "custom"
 
 
-SPACE_SYNONYMS = {
-    "view": Space.CAMERA,
-    "eye": Space.CAMERA,
-    "model": Space.OBJECT,
-    "local": Space.OBJECT,
-}
-
-
-def space_named(name: object) -> Space:
-    """Return the space that a name or a synonym means.
-
-    Examples
-    --------
-    >>> space_named("view")
-    <Space.CAMERA: 'camera'>
-    """
-    lowered = name.lower() if isinstance(name, str) else ""
-    return SPACE_SYNONYMS.get(lowered) or chosen(Space, lowered or name, "space")
-
-
 class Frame(StrEnum):
     """Every frame that a point passes on its way from the mesh to the screen."""
 

@@ -10,11 +10,10 @@ from nmatrix.linear.rational import identity
 from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Verdict
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.exact_maps import ExactMaps
-from nmatrix.spaces.light_and_eye import EyeSeen, LightInSpace, eye_in, light_in
+from nmatrix.spaces.light_and_eye import EyeInSpace, LightInSpace, eye_in, light_in
+from nmatrix.spaces.shading_spaces import USUAL_SPACES
 
-Seen = TypeVar("Seen", LightInSpace, EyeSeen)
-
-USUAL = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
+Seen = TypeVar("Seen", LightInSpace, EyeInSpace)
 
 
 def light(setup: Setup, space: Space | None) -> Report:
@@ -77,7 +76,8 @@ def _in_each(setup: Setup, see: Callable[[ExactMaps, Space], Seen]) -> list[Seen
     """See the light or the eye from each usual space; None for object space of a singular world."""
     singular = setup.placed_world.linear_map.rank < 3
     return [
-        None if singular and space is Space.OBJECT else see(setup.maps, space) for space in USUAL
+        None if singular and space is Space.OBJECT else see(setup.maps, space)
+        for space in USUAL_SPACES
     ]
 
 
@@ -151,7 +151,7 @@ def _light_remarks(setup: Setup, seen: LightInSpace) -> tuple[str, ...]:
     return tuple(remarks)
 
 
-def _eye_data(seen: EyeSeen) -> dict[str, Value]:
+def _eye_data(seen: EyeInSpace) -> dict[str, Value]:
     return {
         "space": seen.space.value,
         "eye": seen.eye,
@@ -160,7 +160,7 @@ def _eye_data(seen: EyeSeen) -> dict[str, Value]:
     }
 
 
-def _eye_blocks(seen: EyeSeen, prefix: str = "") -> list[Block]:
+def _eye_blocks(seen: EyeInSpace, prefix: str = "") -> list[Block]:
     return [
         Heading(f"Eye in {seen.space} space"),
         Quantity(f"{prefix}eye", seen.eye, "eye"),
@@ -173,7 +173,7 @@ def _eye_blocks(seen: EyeSeen, prefix: str = "") -> list[Block]:
     ]
 
 
-def _eye_remarks(setup: Setup, entries: tuple[EyeSeen, ...]) -> tuple[str, ...]:
+def _eye_remarks(setup: Setup, entries: tuple[EyeInSpace, ...]) -> tuple[str, ...]:
     worst = max((one.relative_difference or 0.0 for one in entries), default=0.0)
     if worst < 1e-9:
         return setup.remarks

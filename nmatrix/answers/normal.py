@@ -27,7 +27,7 @@ class NormalRequest:
 
 
 def normal(setup: Setup, request: NormalRequest) -> Report:
-    """Answer with the normal matrix of `linear(space_from_world @ M)` and the normals through it.
+    """Answer with the normal matrix of S · M, and with the normals through it.
 
     Examples
     --------

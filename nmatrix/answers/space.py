@@ -22,9 +22,8 @@ from nmatrix.report import (
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.cost import Cost, cost
 from nmatrix.spaces.light_and_eye import light_in
-from nmatrix.spaces.metric import metric
 from nmatrix.spaces.shaders import shader_pair
-from nmatrix.spaces.teaching_table import LESSONS, Row, table
+from nmatrix.spaces.shading_spaces import PROFILES, Row, SpaceProfile
 from nmatrix.spaces.uniforms import Request, Uniform, uniforms
 
 
@@ -41,16 +40,17 @@ def space(setup: Setup, request: Request) -> Report:
     listed = uniforms(maps, request)
     shaders = shader_pair(maps, request)
     quantities = _quantities(setup, chosen)
-    rows, counted, lesson = table(chosen), cost(maps, request), LESSONS[chosen]
+    profile, counted = PROFILES[chosen], cost(maps, request)
+    rows = profile.table()
     data: dict[str, Value] = {
         "space": chosen.value,
         **quantities,
         "table": [asdict(row) for row in rows],
         "uniforms": {uniform.name: uniform.value for uniform in listed},
         "cost": asdict(counted),
-        "pros": list(lesson.pros),
-        "cons": list(lesson.cons),
-        "used": lesson.used,
+        "pros": list(profile.pros),
+        "cons": list(profile.cons),
+        "used": profile.used,
         "vertex_shader": shaders[0],
         "fragment_shader": shaders[1],
     }
@@ -59,7 +59,7 @@ def space(setup: Setup, request: Request) -> Report:
         _table(rows),
         *(Quantity(key, value, _TITLES[key]) for key, value in quantities.items()),
         _cost_table(counted),
-        *_lesson_blocks(chosen),
+        *_lesson_blocks(profile),
         Heading("Uniforms"),
         *_uniform_blocks(listed),
         Code("glsl", shaders[0], "vertex shader"),
@@ -82,7 +82,7 @@ def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None
         "light_direction": seen.direction,
         "light_position": seen.position,
         "eye": maps.eye_in(chosen),
-        "metric": metric(maps, chosen),
+        "metric": maps.metric(chosen),
     }
 
 
@@ -122,12 +122,11 @@ def _cost_table(counted: Cost) -> Table:
     )
 
 
-def _lesson_blocks(chosen: Space) -> tuple[Block, ...]:
-    lesson = LESSONS[chosen]
+def _lesson_blocks(profile: SpaceProfile) -> tuple[Block, ...]:
     return (
-        *(Text(f"+ {pro}") for pro in lesson.pros),
-        *(Text(f"− {con}") for con in lesson.cons),
-        Text(f"Used in: {lesson.used}."),
+        *(Text(f"+ {pro}") for pro in profile.pros),
+        *(Text(f"− {con}") for con in profile.cons),
+        Text(f"Used in: {profile.used}."),
     )
 
 

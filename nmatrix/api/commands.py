@@ -8,9 +8,10 @@ from pathlib import Path
 
 from nmatrix.api.report import Report
 from nmatrix.api.setup import Part, Setup, setup_values, world_part
-from nmatrix.enums import Space, space_named
+from nmatrix.enums import Space
 from nmatrix.linear.values import named_file, number, refused, text, vector, whole
 from nmatrix.reading.arrays import read_matrix
+from nmatrix.spaces.shading_spaces import space_named
 
 NO_SETUP = Setup()
 

@@ -7,12 +7,13 @@ from pathlib import Path
 
 from nmatrix.api.report import Picture
 from nmatrix.api.setup import Setup, setup_values
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen, space_named
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.values import named_file, number, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.world import World
+from nmatrix.spaces.shading_spaces import space_named
 
 
 def render(

@@ -15,7 +15,6 @@ from nmatrix.enums import (
     Shading,
     Space,
     chosen,
-    space_named,
 )
 from nmatrix.linear.values import named_file, plain_value, real, refused, settle, vector
 from nmatrix.scene import setup
@@ -24,6 +23,7 @@ from nmatrix.scene.given import hand_of, lens_of, light_of, view_of, world_of
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
+from nmatrix.spaces.shading_spaces import space_named
 
 Part = Any  # a frozen value, a mapping of the options' names, or a matrix
 

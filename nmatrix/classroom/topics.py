@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
 
-from nmatrix.enums import Space
 from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Figure, Heading, Quantity, Table, Text, Verdict
 from nmatrix.scene.setup import Setup
+from nmatrix.spaces.shading_spaces import PROFILES, UNMOVED, USUAL_SPACES
 
 
 class Topic(StrEnum):
@@ -26,7 +26,6 @@ class Topic(StrEnum):
 
 
 USUAL = (Topic.RULE, Topic.WORKED, Topic.SPACES, Topic.PROOFS, Topic.PITFALLS)
-FOUR_SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
 PROOF_SIZE = (220, 220)
 
 
@@ -71,7 +70,7 @@ def _seen(setup: Setup) -> Table:
     from nmatrix.spaces.light_and_eye import light_in
 
     rows = []
-    for space in FOUR_SPACES[:3]:
+    for space in USUAL_SPACES[:3]:
         try:
             light, eye = light_in(setup.maps, space), setup.maps.eye_in(space)
         except NoAnswerError:  # a flattened world has no object space
@@ -90,16 +89,15 @@ def _short(vector: Sequence[float | Fraction] | None) -> str:
 
 def _spaces(setup: Setup) -> Part:
     """Return the table of each space: what must be moved, by what."""
-    from nmatrix.spaces.teaching_table import LESSONS, UNMOVED, table
-
     blocks: list[Block] = [Heading("What each shading space moves")]
-    for space in FOUR_SPACES:
-        moves = ((row.data, row.by) for row in table(space))
+    for space in USUAL_SPACES:
+        profile = PROFILES[space]
+        moves = ((row.data, row.by) for row in profile.table())
         rows = tuple((data, "as it is" if by == UNMOVED else by) for data, by in moves)
         blocks += [
             Table(("data", "moves by"), rows, f"{space.value[:1].upper()}{space.value[1:]} space")
         ]
-        blocks += [Text(f"For it: {LESSONS[space].pros[0]}. Against it: {LESSONS[space].cons[0]}.")]
+        blocks += [Text(f"For it: {profile.pros[0]}. Against it: {profile.cons[0]}.")]
     return Part(tuple(blocks))
 
 
@@ -145,7 +143,7 @@ def _cost(setup: Setup) -> Part:
     from nmatrix.spaces.uniforms import Request
 
     rows = []
-    for space in FOUR_SPACES:
+    for space in USUAL_SPACES:
         try:
             found = cost(setup.maps, Request(space))
         except NoAnswerError:  # a flattened world has no object space

@@ -18,7 +18,7 @@ from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import SPACE_SYNONYMS, Space, space_named
+from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
 from nmatrix.linear.rational import RationalMatrix
@@ -26,13 +26,15 @@ from nmatrix.reading.numbers import fractions, number
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
+from nmatrix.spaces.shading_spaces import SYNONYMS, space_named
 
 if TYPE_CHECKING:
     from nmatrix.report import Number
     from nmatrix.scene.scene import Scene, SceneObject
 
 SCENE, SPACE = "Scene", "Space"
-_NAMES = (*(space.value for space in Space), *SPACE_SYNONYMS)
+_NAMES = (*(space.value for space in Space), *SYNONYMS)
+_ANY_SPACE = f"{', '.join(list(Space)[:-1])} or {list(Space)[-1]}."
 
 
 def _complete_space(incomplete: str) -> list[str]:
@@ -43,7 +45,7 @@ SpaceArgument = Annotated[
     str | None,
     Argument(
         metavar="SPACE",
-        help="world, camera, object, static, light or custom.",
+        help=_ANY_SPACE,
         autocompletion=_complete_space,
         show_default=False,
     ),
@@ -60,7 +62,7 @@ class SpaceOptions:
             "--space",
             metavar="SPACE",
             autocompletion=_complete_space,
-            help="world, camera, object, static, light or custom.",
+            help=_ANY_SPACE,
             rich_help_panel=SPACE,
         ),
     ] = None

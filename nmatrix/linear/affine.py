@@ -1,4 +1,4 @@
-"""Building world matrices: move, turn, scale and shear, exact until one rounding at the end.
+"""World matrices: move, turn, scale and shear, exact until one rounding at the end.
 
 M = T(translate) · R · diag(scale) · H(shear), column vectors; rotations by the right-hand rule.
 """
@@ -27,7 +27,7 @@ AXES = "XYZ"
 
 
 def rotation_about(axis: str, turn: Angle | float) -> RationalMatrix:
-    """Return the 3×3 rotation about one axis (`X`, `Y` or `Z`) by an angle or by radians.
+    """Build the 3×3 rotation about one axis (`X`, `Y` or `Z`) by an angle or by radians.
 
     Examples
     --------
@@ -45,7 +45,7 @@ def rotation_about(axis: str, turn: Angle | float) -> RationalMatrix:
 
 
 def checked_order(order: str) -> str:
-    """Return the order if it is a permutation of XYZ (intrinsic) or of xyz (extrinsic).
+    """Refuse an order that is no permutation of XYZ (intrinsic) or of xyz (extrinsic).
 
     Raises
     ------
@@ -63,7 +63,7 @@ def checked_order(order: str) -> str:
 
 
 def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatrix:
-    """Return the 3×3 rotation by three angles, always given about x, y, z.
+    """Build the 3×3 rotation by three angles, always given about x, y, z.
 
     Capitals are intrinsic: the product reads as the order does, `XYZ` is Rx·Ry·Rz. Small letters
     are extrinsic: the product reads backwards, `xyz` is Rz·Ry·Rx.
@@ -79,7 +79,7 @@ def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatr
 
 
 def course_rotation(turns: Sequence[Angle], convention: Convention) -> RationalMatrix:
-    """Return the rotation that the course's library builds from its three angles.
+    """Build the rotation of the course's library from its three angles.
 
     Its first angle turns about y and its second about x; in the labs' version the y and z
     rotations turn the other way, too.
@@ -91,7 +91,7 @@ def course_rotation(turns: Sequence[Angle], convention: Convention) -> RationalM
 
 
 def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> RationalMatrix:
-    """Return the 3×3 rotation of a quaternion x, y, z, w of any length but zero, exactly.
+    """Build the 3×3 rotation of a quaternion x, y, z, w of any length but zero, exactly.
 
     Dividing by the squared length normalises without a root, so the result is rational.
 
@@ -152,7 +152,7 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
 
 
 def shear_matrix(shear: Sequence[float | Fraction]) -> RationalMatrix:
-    """Return H, which moves x along y (xy) and along z (xz), and y along z (yz)."""
+    """Build H, which moves x along y (xy) and along z (xz), and y along z (yz)."""
     xy, xz, yz = rational_vector(shear)
     return ((ONE, xy, xz), (ZERO, ONE, yz), (ZERO, ZERO, ONE))
 
@@ -163,7 +163,7 @@ def compose(
     shear: Sequence[float | Fraction] = (0, 0, 0),
     translate: Sequence[float | Fraction] = (0, 0, 0),
 ) -> RationalMatrix:
-    """Return M = T · R · diag(scale) · H as an exact 4×4 matrix.
+    """Build M = T · R · diag(scale) · H as an exact 4×4 matrix.
 
     Examples
     --------
@@ -179,5 +179,5 @@ def compose(
 
 
 def translation_matrix(offset: Sequence[float | Fraction]) -> RationalMatrix:
-    """Return the 4×4 matrix that moves points by the offset."""
+    """Build the 4×4 matrix that moves points by the offset."""
     return affine_matrix(identity(3), rational_vector(offset))

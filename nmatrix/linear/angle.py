@@ -30,7 +30,7 @@ class Angle:
 
     @classmethod
     def degrees(cls, value: float | Fraction) -> Angle:
-        """Return the angle of so many degrees.
+        """Make the angle of so many degrees.
 
         Exact at multiples of 90°, and where the sine or the cosine is ±½; elsewhere right to
         2⁻¹³⁰, however large the angle is: the reduction to ±45° is exact.
@@ -49,12 +49,12 @@ class Angle:
 
     @classmethod
     def radians(cls, value: float) -> Angle:
-        """Return the angle of so many radians, to the accuracy of the C library (1 ulp)."""
+        """Make the angle of so many radians, to the accuracy of the C library (1 ulp)."""
         size = real(value, "value")
         return cls(Fraction(sin(size)), Fraction(cos(size)))
 
     def half(self) -> Angle:
-        """Return half of an angle between 0 and 180°, from tan(θ/2) = sin θ / (1 + cos θ)."""
+        """Halve an angle between 0 and 180°, from tan(θ/2) = sin θ / (1 + cos θ)."""
         bits = BITS * 2
         squared = (1 + self.cosine) / 2
         cosine = Fraction(
@@ -91,7 +91,7 @@ class Angle:
 
 
 def as_angle(value: Angle | float) -> Angle:
-    """Return an angle from an `Angle` or from radians."""
+    """Take a plain number for radians."""
     return value if isinstance(value, Angle) else Angle.radians(value)
 
 
@@ -153,7 +153,7 @@ def arctangent(tangent: Fraction) -> Fraction:
 
 
 def exact_angle_between(a: Sequence[int], b: Sequence[int]) -> Fraction:
-    """Return the angle between two non-zero integer vectors of three in radians.
+    """Measure the angle between two non-zero integer vectors of three, in radians.
 
     tan = |a×b| / a·b, and |a×b|² = a² b² − (a·b)² is an integer: an angle that is small, or nearly
     half a turn, loses nothing.

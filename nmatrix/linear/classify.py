@@ -141,13 +141,13 @@ def _is_identity(linear_map: LinearMap, tau: Fraction) -> bool:
 
 
 def gram(linear_map: LinearMap) -> list[list[int]]:
-    """Return AᵀA of the integer entries: lengths and angles of the columns of A."""
+    """Compute AᵀA of the integer entries: lengths and angles of the columns of A."""
     columns = list(zip(*linear_map.entries, strict=True))
     return [[sum(x * y for x, y in zip(p, q, strict=True)) for q in columns] for p in columns]
 
 
 def condition(linear_map: LinearMap) -> Decimal | None:
-    """Return κ = σ₁/σ₃ to 30 digits and more, or None for a singular map.
+    """Compute κ = σ₁/σ₃ to 30 digits and more; None for a singular map.
 
     Examples
     --------
@@ -161,7 +161,7 @@ def condition(linear_map: LinearMap) -> Decimal | None:
 
 
 def worst_angle_deg(linear_map: LinearMap) -> float | None:
-    """Return the largest angle between A n and the right normal, over all n, in degrees.
+    """Compute the largest angle between A n and the right normal, over all n, in degrees.
 
     It is arctan((κ − 1/κ)/2), reached for n halfway between the directions that A stretches most
     and least; a map of rank 2 reaches 90°; below that there is no normal to compare with.

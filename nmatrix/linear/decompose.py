@@ -1,4 +1,4 @@
-"""Taking a world matrix apart: M = T(translate) · R · diag(scale) · H(shear).
+"""A world matrix taken apart: M = T(translate) · R · diag(scale) · H(shear).
 
 Gram and Schmidt on the columns a, b, c of the 3×3 block, in exact fractions: the shears are
 rational, the scales are single roots, and only R's angles need a rounded function.
@@ -41,7 +41,7 @@ class Parts:
 
 
 def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None:
-    """Return translation, rotation, scale and shear, or None for a singular matrix.
+    """Factor a matrix into translation, rotation, scale and shear; None if it is singular.
 
     A mirror puts one minus sign on the scale, on the axis that leaves the smallest rotation.
 
@@ -86,7 +86,7 @@ def _length(axis: RationalVector) -> Fraction:
 
 
 def quaternion_of(R: Rows) -> Three:
-    """Return the unit quaternion x, y, z, w (w ≥ 0) of a rotation, within a few ulp.
+    """Convert a rotation to its unit quaternion x, y, z, w (w ≥ 0), within a few ulp.
 
     Its largest component is taken first, so nothing cancels.
     """
@@ -111,7 +111,7 @@ def quaternion_of(R: Rows) -> Three:
 
 
 def angles_of(R: Rows, order: str = "XYZ") -> Three:
-    """Return the three angles about x, y, z in degrees that give R in this order.
+    """Convert a rotation to its angles about x, y, z in degrees, for this order.
 
     Where the middle angle is ±90° only the sum of the outer two is known; the last one is then 0.
     """

@@ -1,4 +1,4 @@
-"""How small a gap in depth a depth buffer can tell, at distances from near to far.
+"""The smallest gap in depth that a depth buffer can tell, at distances from near to far.
 
 z is the distance along the view direction, d(z) the window depth: a + c/z in a perspective view,
 a·z + c in a parallel one. The step is the spacing of stored depths at d over the slope |d′(z)|.
@@ -33,7 +33,7 @@ class DepthStep:
 
 
 def perspective_steps(near: float, far: float, depth: DepthRange) -> tuple[DepthStep, ...]:
-    """Return the table for seven distances in geometric steps from near to far.
+    """Tabulate a perspective view at seven distances, in geometric steps from near to far.
 
     Where far is infinite it ends at 10⁶ near, or at the largest float.
 
@@ -56,7 +56,7 @@ def perspective_steps(near: float, far: float, depth: DepthRange) -> tuple[Depth
 
 
 def orthographic_steps(near: float, far: float, depth: DepthRange) -> tuple[DepthStep, ...]:
-    """Return the table of a parallel view: arithmetic steps, since near may be zero or negative.
+    """Tabulate a parallel view in arithmetic steps, since near may be zero or negative.
 
     Examples
     --------

@@ -38,7 +38,7 @@ class LinearMap:
 
     @classmethod
     def of(cls, rows: Iterable[Iterable[float | Fraction]]) -> LinearMap:
-        """Return the map of nine floats or fractions, exactly.
+        """Make the map of nine floats or fractions, exactly.
 
         Examples
         --------
@@ -76,7 +76,7 @@ class LinearMap:
 
     @cached_property
     def rank(self) -> int:
-        """Return the rank: 3, or 2 while a cofactor is left, or 1 while an entry is left, or 0."""
+        """The rank: 3 if det ≠ 0, else 2 if a cofactor ≠ 0, else 1 if an entry ≠ 0, else 0."""
         if self.integer_determinant:
             return 3
         if any(map(any, self.cofactors)):
@@ -91,7 +91,7 @@ class LinearMap:
 
     @property
     def inverse_transpose(self) -> RationalMatrix:
-        """Return A⁻ᵀ = C / det A exactly, the matrix that carries normals.
+        """Return A⁻ᵀ = C / det A exactly, the matrix that transforms normals.
 
         Raises
         ------
@@ -121,7 +121,7 @@ class LinearMap:
         return self.inverse_transpose if self.integer_determinant else None
 
     def normal(self, normal_object: Sequence[float | Fraction]) -> Normal:
-        """Carry one normal through the map; every component is correctly rounded.
+        """Transform one normal to length one; every component is correctly rounded.
 
         A surface keeps its outward side, so the cofactors take the sign of the determinant; a
         map of rank 2 leaves a plane whose two sides are alike, and the direction is +C n.
@@ -139,20 +139,20 @@ class LinearMap:
         n, _ = integers(normal_object)
         if not any(n):
             return _undefined("the normal is the zero vector")
-        carried = _apply(self.cofactors, n)
-        if not any(carried):
+        transformed = _apply(self.cofactors, n)
+        if not any(transformed):
             return _undefined(self._why_no_normal())
         det = self.integer_determinant
         if det < 0:
-            carried = [-component for component in carried]
+            transformed = [-component for component in transformed]
         return Normal(
-            unit(carried),
+            unit(transformed),
             NormalStatus.OK if det else NormalStatus.TWO_SIDED,
             "" if det else "the map flattens space to a plane, and its two sides are alike",
         )
 
     def angle_without_deg(self, normal_object: Sequence[float | Fraction]) -> float | None:
-        """Return the angle in degrees between A n and the right normal, correctly rounded.
+        """Measure how far A n is off the right normal, in degrees, correctly rounded.
 
         None where one of them has no direction; a plane with two sides is off by 90° at most.
 
@@ -162,12 +162,12 @@ class LinearMap:
         0.0
         """
         n, _ = integers(normal_object)
-        moved, carried = _apply(self.entries, n), _apply(self.cofactors, n)
-        if not any(moved) or not any(carried):
+        moved, transformed = _apply(self.entries, n), _apply(self.cofactors, n)
+        if not any(moved) or not any(transformed):
             return None
         if self.integer_determinant < 0:
-            carried = [-component for component in carried]
-        error = exact_angle_between(moved, carried)
+            transformed = [-component for component in transformed]
+        error = exact_angle_between(moved, transformed)
         return nearest((error if self.integer_determinant else min(error, PI - error)) * DEGREES)
 
     def _why_no_normal(self) -> str:

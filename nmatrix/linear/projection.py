@@ -1,4 +1,4 @@
-"""Building projection matrices: `clip_from_camera` for every depth range, hand and direction of y.
+"""Projection matrices: `clip_from_camera` for every depth range, hand and direction of y.
 
 n is near, f far (which may be infinite: the limit is taken in the formula, exactly); g is −1
 where the camera looks down −z (right-handed) and +1 where it looks down +z, so w = g·z. The z row
@@ -97,7 +97,7 @@ def perspective(
     far: float,
     clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> Rows:
-    """Return the projection of a symmetric perspective view.
+    """Build the projection of a symmetric perspective view.
 
     The height of the view at distance 1 is 2·tan(fov/2); its width is `aspect` times that.
 
@@ -165,7 +165,7 @@ def _perspective_rows(
 
 
 def frustum(window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE) -> Rows:
-    """Return the projection of a perspective view through any rectangle of the near plane.
+    """Build the projection of a perspective view through any rectangle of the near plane.
 
     Examples
     --------
@@ -185,7 +185,7 @@ def frustum(window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_C
 def orthographic(
     window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
 ) -> Rows:
-    """Return the projection of a parallel view; near may be zero or behind the camera.
+    """Build the projection of a parallel view; near may be zero or behind the camera.
 
     Examples
     --------

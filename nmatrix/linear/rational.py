@@ -25,7 +25,7 @@ AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
 
 
 def rational_matrix(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
-    """Return every entry exactly; a float is a fraction whose denominator is a power of two.
+    """Take every entry exactly; a float is a fraction whose denominator is a power of two.
 
     Examples
     --------
@@ -36,7 +36,7 @@ def rational_matrix(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatri
 
 
 def rational_vector(values: Iterable[float | Fraction]) -> RationalVector:
-    """Return the exact value of every component."""
+    """Take every component exactly."""
     return tuple(Fraction(value) for value in values)
 
 
@@ -67,23 +67,23 @@ def _shown(entry: Fraction) -> Fraction:
 
 
 def identity(n: int) -> RationalMatrix:
-    """Return the n×n identity."""
+    """Build the n×n identity."""
     return tuple(tuple(ONE if i == j else ZERO for j in range(n)) for i in range(n))
 
 
 def diagonal(values: Sequence[Fraction]) -> RationalMatrix:
-    """Return the square matrix with these values on its diagonal."""
+    """Build the square matrix with these values on its diagonal."""
     n = len(values)
     return tuple(tuple(values[i] if i == j else ZERO for j in range(n)) for i in range(n))
 
 
 def transpose(A: Sequence[Sequence[Entry]]) -> tuple[tuple[Entry, ...], ...]:
-    """Return Aᵀ, of fractions or of any other entries."""
+    """Exchange rows and columns, of fractions or of any other entries."""
     return tuple(zip(*A, strict=True))
 
 
 def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
-    """Return a · b."""
+    """Compute a · b."""
     pairs = [(x, y) for x, y in zip(a, b, strict=True) if x and y]
     if len(pairs) < 2:  # most rows of most matrices here are nearly empty
         return pairs[0][0] * pairs[0][1] if pairs else ZERO
@@ -97,7 +97,7 @@ def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
 
 
 def cross(a: Sequence[Fraction], b: Sequence[Fraction]) -> RationalVector:
-    """Return a × b."""
+    """Compute a × b."""
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -106,12 +106,12 @@ def cross(a: Sequence[Fraction], b: Sequence[Fraction]) -> RationalVector:
 
 
 def apply(A: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
-    """Return A v."""
+    """Compute A v."""
     return tuple(dot(row, v) for row in A)
 
 
 def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
-    """Return the product of the matrices, from left to right.
+    """Multiply the matrices, from left to right.
 
     Examples
     --------
@@ -125,12 +125,12 @@ def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
 
 
 def minor(A: RationalMatrix, row: int, column: int) -> RationalMatrix:
-    """Return A without one row and one column."""
+    """Leave out one row and one column."""
     return tuple(r[:column] + r[column + 1 :] for i, r in enumerate(A) if i != row)
 
 
 def determinant(A: RationalMatrix) -> Fraction:
-    """Return det A by expansion along the first row (the sizes here are at most four).
+    """Compute det A by expansion along the first row (the sizes here are at most four).
 
     Examples
     --------
@@ -167,12 +167,12 @@ def adjugate(A: RationalMatrix) -> RationalMatrix:
 
 
 def scaled(A: RationalMatrix, factor: Fraction) -> RationalMatrix:
-    """Return every entry times the factor."""
+    """Multiply every entry by the factor."""
     return tuple(tuple(entry * factor for entry in row) for row in A)
 
 
 def inverse(A: RationalMatrix) -> RationalMatrix:
-    """Return A⁻¹ exactly, the adjugate over the determinant.
+    """Invert a matrix exactly: the adjugate over the determinant.
 
     Raises
     ------
@@ -207,30 +207,30 @@ def _affine_inverse(A: RationalMatrix) -> RationalMatrix:
 
 
 def inverse_transpose(A: RationalMatrix) -> RationalMatrix:
-    """Return A⁻ᵀ exactly, the matrix that carries normals."""
+    """Invert and transpose a matrix exactly: of a 3×3 block, the matrix that transforms normals."""
     return transpose(inverse(A))
 
 
 def linear_part(A: RationalMatrix) -> RationalMatrix:
-    """Return the 3×3 block that turns, scales and shears."""
+    """Take the 3×3 block that turns, scales and shears."""
     return tuple(row[:3] for row in A[:3])
 
 
 def translation(A: RationalMatrix) -> RationalVector:
-    """Return the first three entries of the fourth column."""
+    """Take the first three entries of the fourth column."""
     return tuple(row[3] for row in A[:3])
 
 
 def affine_matrix(
     block: RationalMatrix, offset: Sequence[Fraction] = (ZERO, ZERO, ZERO)
 ) -> RationalMatrix:
-    """Return the 4×4 matrix with this 3×3 block and this translation."""
+    """Build the 4×4 matrix with this 3×3 block and this translation."""
     rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
     return (*rows, AFFINE_ROW)
 
 
 def rank(A: RationalMatrix) -> int:
-    """Return the rank, by elimination without rounding.
+    """Count the independent rows, by elimination without rounding.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""One rounding at the end: exact integers and rationals to the nearest float64.
+"""One rounding at the end: exact integers and rationals to the nearest float64, or to decimals.
 
 u is 2⁻⁵³; a result that is correctly rounded is within half a unit in the last place.
 """
@@ -6,17 +6,18 @@ u is 2⁻⁵³; a result that is correctly rounded is within half a unit in the 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from decimal import Context, Decimal
 from fractions import Fraction
 from math import isqrt, lcm
 
 from nmatrix.errors import IllegalValueError
 
+DECIMALS_PER_BIT = 0.30103  # log10(2)
+FIXED_FROM = -4  # as in C's %g: smaller exponents are written as 1e-05
 ROOT_BITS = 66  # bits of the integer root: 53 to keep, one for the rounding, twelve to spare
 
 
 def nearest(value: Fraction) -> float:
-    """Return the float64 nearest to an exact value.
+    """Round an exact value to the nearest float64.
 
     Division of Python integers is correctly rounded, so this is too.
 
@@ -42,11 +43,11 @@ def nearest(value: Fraction) -> float:
 
 def _decimal_exponent(value: Fraction) -> int:
     bits = abs(value.numerator).bit_length() - value.denominator.bit_length()
-    return round(bits * 0.30103)
+    return round(bits * DECIMALS_PER_BIT)
 
 
 def over_root(numerator: int, square: int) -> float:
-    """Return `numerator / √square` correctly rounded, for integers and `square` > 0.
+    """Compute `numerator / √square` correctly rounded, for integers and `square` > 0.
 
     The square of the quotient is rational; its integer root carries more bits than a float and a
     last bit that says whether anything was cut off, so one rounding decides.
@@ -71,7 +72,7 @@ def over_root(numerator: int, square: int) -> float:
 
 
 def root(value: Fraction) -> float:
-    """Return √value correctly rounded.
+    """Compute √value correctly rounded.
 
     Raises
     ------
@@ -87,7 +88,7 @@ def root(value: Fraction) -> float:
 
 
 def nth_root(value: Fraction, degree: int) -> float:
-    """Return the root of any degree of a positive value, correctly rounded.
+    """Compute the root of any degree of a positive value, correctly rounded.
 
     As with a square root, an integer root with bits to spare and one last bit that says whether
     anything was cut off are enough for one rounding to decide.
@@ -117,22 +118,53 @@ def _integer_root(n: int, degree: int) -> int:
 
 
 def short_text(value: Fraction, digits: int) -> str:
-    """Return a number in a few digits for a sentence, also where it is beyond every float.
+    """Write a number in so many significant digits, correctly rounded, without trailing zeros.
+
+    It is rounded from its integers, so that a value beyond every float is written as well.
 
     Examples
     --------
     >>> short_text(Fraction(2, 3), 3), short_text(Fraction(10) ** 400, 3)
     ('0.667', '1e+400')
     """
-    try:
-        return f"{float(value):.{digits}g}"
-    except OverflowError:
-        rounded = Context(prec=digits).divide(Decimal(value.numerator), Decimal(value.denominator))
-        return f"{rounded.normalize():g}"
+    if not value:
+        return "0"
+    sign = "-" if value < 0 else ""
+    exponent, mantissa = _scientific(abs(value), digits)
+    return sign + _laid_out(mantissa, exponent, digits)
+
+
+def _scientific(size: Fraction, digits: int) -> tuple[int, str]:
+    """Return e and the decimal digits m of m₀.m₁m₂… × 10ᵉ, rounded half to even."""
+    bits = size.numerator.bit_length() - size.denominator.bit_length()
+    exponent = int(bits * DECIMALS_PER_BIT)
+    while size >= _power(exponent + 1):
+        exponent += 1
+    while size < _power(exponent):
+        exponent -= 1
+    whole = round(size * _power(digits - 1 - exponent))
+    if whole == 10**digits:
+        return exponent + 1, "1"
+    return exponent, str(whole).rstrip("0")
+
+
+def _power(exponent: int) -> Fraction:
+    return Fraction(10**exponent) if exponent >= 0 else Fraction(1, 10**-exponent)
+
+
+def _laid_out(mantissa: str, exponent: int, digits: int) -> str:
+    if FIXED_FROM <= exponent < 0:
+        return "0." + "0" * (-exponent - 1) + mantissa
+    if not 0 <= exponent < digits:
+        point = "." if len(mantissa) > 1 else ""
+        return f"{mantissa[0]}{point}{mantissa[1:]}e{exponent:+03d}"
+    padded = mantissa.ljust(exponent + 1, "0")
+    whole, rest = padded[: exponent + 1], padded[exponent + 1 :]
+    return f"{whole}.{rest}" if rest else whole
 
 
 def integers(values: Iterable[Fraction | float]) -> tuple[list[int], int]:
-    """Return the values as integers over one common denominator.
+    """Bring values to integers over one common denominator.
 
     Examples
     --------
@@ -145,7 +177,7 @@ def integers(values: Iterable[Fraction | float]) -> tuple[list[int], int]:
 
 
 def unit(direction: Sequence[int]) -> tuple[float, ...]:
-    """Return a non-zero integer vector at length one, every component correctly rounded.
+    """Normalise a non-zero integer vector, every component correctly rounded.
 
     Examples
     --------

@@ -12,7 +12,7 @@ from nmatrix.linear.rounding import integers, nearest
 
 
 def normalize(vector: Sequence[float]) -> tuple[float, ...]:
-    """Return the vector at length one, every component correctly rounded.
+    """Normalise a vector, every component correctly rounded.
 
     The components are integers over one power of two, so nothing over- or underflows, from
     5e-324 to 1.7e308.
@@ -33,7 +33,7 @@ def normalize(vector: Sequence[float]) -> tuple[float, ...]:
 
 
 def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
-    """Return the angle between two vectors in radians, correctly rounded.
+    """Measure the angle between two vectors in radians, correctly rounded.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
 
 
 def direction_from_angles(alpha: Angle, beta: Angle) -> tuple[float, ...]:
-    """Return the unit direction (cos α cos β, sin α, cos α sin β), each component rounded once.
+    """Build the unit direction (cos α cos β, sin α, cos α sin β), each component rounded once.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Building view matrices: `camera_from_world` by a target or by two angles, and its axes.
+"""View matrices: `camera_from_world` by a target or by two angles, and its axes.
 
 f is the view direction, r the camera's right, u its up; the rows of the matrix are r, u and −f
 (right-handed) or r, u and f (left-handed). Each entry is a quotient with one exact root, so each
@@ -43,7 +43,7 @@ def look_at(
     up: Sequence[float] = (0, 1, 0),
     handed: Handedness = Handedness.RIGHT,
 ) -> LookAt:
-    """Return the view matrix of a camera at `eye` that looks at `target`, in world units.
+    """Build the view matrix of a camera at `eye` that looks at `target`, in world units.
 
     The view direction is never altered. If `up` is exactly parallel to it, the world axis that is
     least aligned with it takes its place.
@@ -76,7 +76,7 @@ def look_at(
 def looking_along(
     eye: RationalVector, forward: RationalVector, up: RationalVector, handed: Handedness
 ) -> LookAt:
-    """Return the view matrix of a camera at `eye` that looks along `forward`."""
+    """Build the view matrix of a camera at `eye` that looks along `forward`."""
     if not any(up):
         raise NoAnswerError("up (0 0 0)", "it has no direction", f"try {quantity('up')} 0 1 0")
     right = cross(forward, up)
@@ -114,7 +114,7 @@ def first_person(
     roll: Angle | float = 0.0,
     convention: Convention = Convention.STANDARD,
 ) -> RationalMatrix:
-    """Return the exact view matrix Rz(−roll) · Rx(−elevation) · Ry(∓angle) · T(−eye).
+    """Build the exact view matrix Rz(−roll) · Rx(−elevation) · Ry(∓angle) · T(−eye).
 
     The angle turns to the left by the right-hand rule, and to the right in the course's labs
     (`polimi`). Elevation looks up.

@@ -1,14 +1,12 @@
-"""The one place where a number becomes characters: rounded for people, round-trip for machines."""
+"""Numbers as characters: rounded for people, round-trip for machines."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 from math import isfinite
 
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Number
-
-DECIMALS_PER_BIT = 0.30103  # log10(2)
-FIXED_FROM = -4  # as in C's %g: smaller exponents are written as 1e-05
 
 
 def float_or_none(value: Number) -> float | None:
@@ -41,7 +39,7 @@ def machine(value: Number) -> str | None:
 
 
 def significant(value: Number, digits: int) -> str:
-    """Return a number in so many significant digits, correctly rounded, without idle zeros.
+    """Return a number in so many significant digits, correctly rounded, without trailing zeros.
 
     Integers that count something stay whole; fractions are rounded from their integers, so that
     a value beyond every float is still shown.
@@ -52,44 +50,7 @@ def significant(value: Number, digits: int) -> str:
     ('0.6667', '0', '1e+600')
     """
     if isinstance(value, Fraction):
-        return _from_integers(value, digits)
+        return short_text(value, digits)
     if isinstance(value, int):
-        return str(int(value)) if abs(value) < 10**15 else _from_integers(Fraction(value), digits)
+        return str(int(value)) if abs(value) < 10**15 else short_text(Fraction(value), digits)
     return f"{float(value) + 0.0:.{digits}g}"
-
-
-def _from_integers(value: Fraction, digits: int) -> str:
-    if not value:
-        return "0"
-    sign = "-" if value < 0 else ""
-    exponent, mantissa = _scientific(abs(value), digits)
-    return sign + _laid_out(mantissa, exponent, digits)
-
-
-def _scientific(size: Fraction, digits: int) -> tuple[int, str]:
-    """Return e and the decimal digits m of m₀.m₁m₂… × 10ᵉ, rounded half to even."""
-    bits = size.numerator.bit_length() - size.denominator.bit_length()
-    exponent = int(bits * DECIMALS_PER_BIT)
-    while size >= _power(exponent + 1):
-        exponent += 1
-    while size < _power(exponent):
-        exponent -= 1
-    whole = round(size * _power(digits - 1 - exponent))
-    if whole == 10**digits:
-        return exponent + 1, "1"
-    return exponent, str(whole).rstrip("0")
-
-
-def _power(exponent: int) -> Fraction:
-    return Fraction(10**exponent) if exponent >= 0 else Fraction(1, 10**-exponent)
-
-
-def _laid_out(mantissa: str, exponent: int, digits: int) -> str:
-    if FIXED_FROM <= exponent < 0:
-        return "0." + "0" * (-exponent - 1) + mantissa
-    if not 0 <= exponent < digits:
-        point = "." if len(mantissa) > 1 else ""
-        return f"{mantissa[0]}{point}{mantissa[1:]}e{exponent:+03d}"
-    padded = mantissa.ljust(exponent + 1, "0")
-    whole, rest = padded[: exponent + 1], padded[exponent + 1 :]
-    return f"{whole}.{rest}" if rest else whole

@@ -1,1 +1,1 @@
-"""What people and programs type or paste, as exact numbers and matrices."""
+"""Readers of what people and programs type or paste: exact numbers and matrices."""

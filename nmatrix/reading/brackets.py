@@ -53,7 +53,7 @@ def list_notation(text: str, source: str) -> Notation:
 
 
 def numpy_notation(text: str, source: str) -> Notation:
-    """Return the arrays of a Python text by name; an array without one has the name "".
+    """Read the arrays of a Python text by name; an array without one has the name "".
 
     Raises
     ------

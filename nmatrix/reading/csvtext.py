@@ -11,16 +11,17 @@ from nmatrix.enums import Layout
 from nmatrix.reading.literal import unreadable
 from nmatrix.reading.notation import Notation
 
-_unreadable = partial(unreadable, next_step="write it with -f csv")
 HEADER = re.compile(r"\Akey,row,column,value\s*(\n|$)")
 LARGEST = 16  # rows or columns that are filled in
 _PLACE = re.compile(r"[0-9]{1,2}")
 
 Places = dict[tuple[int, int], str]
 
+_unreadable = partial(unreadable, next_step="write it with -f csv")
+
 
 def csv_notation(text: str, source: str) -> Notation:
-    r"""Return the matrices and vectors of a CSV report; their places say the layout.
+    r"""Read the matrices and vectors of a CSV report; their places fix the layout.
 
     Raises
     ------

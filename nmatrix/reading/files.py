@@ -17,7 +17,7 @@ _MARKS = (
 
 
 def existing_file(text: str) -> Path | None:
-    """Return the path that a text names, if there is something other than a folder.
+    """Find the file that a text names; None if there is none, or a folder.
 
     Pipes and devices count as files, for the sake of a shell's `<(…)`.
 
@@ -48,7 +48,7 @@ def is_folder(text: str) -> bool:
 
 
 def file_bytes(path: Path) -> bytes:
-    """Return the content of a file, if it is small enough to be a matrix or a report.
+    """Read a file that is small enough to be a matrix or a report.
 
     Raises
     ------
@@ -67,7 +67,7 @@ def file_bytes(path: Path) -> bytes:
 
 
 def decoded(content: bytes, source: str) -> str:
-    """Return bytes as text: UTF-8, or UTF-16 where a byte order mark says so.
+    """Decode bytes: UTF-8, or UTF-16 where a byte order mark says so.
 
     Raises
     ------

@@ -12,7 +12,6 @@ from nmatrix.reading.brackets import MOST
 from nmatrix.reading.literal import Tokens, unreadable
 from nmatrix.reading.notation import Notation
 
-_unreadable = partial(unreadable, next_step="write mat3(1, 0, 0, 0, 2, 0, 0, 0, 1)")
 CONSTRUCTOR = re.compile(r"\b(?:mat[234](?:x[234])?|vec[234])[ \t\n]*\(")
 _DECLARED = re.compile(
     r"\b(?P<type>mat[234](?:x[234])?|vec[234])[ \t]+(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})"
@@ -22,9 +21,11 @@ _TOKEN = re.compile(r"(?P<open>(?:mat|vec)[234](?:x[234])?\s*\()|[(),]|[^\s(),]+
 _COMMENT = re.compile(r"^[ \t]*//", re.MULTILINE)
 _SIZE = re.compile(r"(?:mat|vec)(?P<columns>[234])(?:x(?P<rows>[234]))?")
 
+_unreadable = partial(unreadable, next_step="write mat3(1, 0, 0, 0, 2, 0, 0, 0, 1)")
+
 
 def glsl_notation(text: str, source: str) -> Notation:
-    """Return the declared matrices and vectors of a GLSL text, or its one constructor.
+    """Read the declared matrices and vectors of a GLSL text, or its one constructor.
 
     Declarations inside `//` comments count: nmatrix writes the uniforms' values there.
 

@@ -11,8 +11,9 @@ from nmatrix.errors import quoted
 from nmatrix.reading.literal import Tokens, unreadable
 from nmatrix.reading.notation import Notation
 
-_unreadable = partial(unreadable, next_step='write {"world_from_object": [[…], …]} or pipe -f json')
 DEEPEST = 12  # levels of objects and lists that are looked into
+
+_unreadable = partial(unreadable, next_step='write {"world_from_object": [[…], …]} or pipe -f json')
 
 
 class _Digits(str):
@@ -22,7 +23,7 @@ class _Digits(str):
 
 
 def json_notation(text: str, source: str) -> Notation:
-    """Return the matrices and vectors of a JSON object, and the layout that it states.
+    """Read the matrices and vectors of a JSON object, and the layout that it states.
 
     Raises
     ------

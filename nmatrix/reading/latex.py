@@ -16,7 +16,7 @@ _FRACTION = re.compile(r"\\[td]?frac\{([+-]?[0-9]{1,4000})\}\{([+-]?[0-9]{1,4000
 
 
 def latex_notation(text: str, source: str) -> Notation:
-    r"""Return the matrices of a LaTeX text; a column of several numbers is a vector.
+    r"""Read the matrices of a LaTeX text; a column of several numbers is a vector.
 
     Raises
     ------

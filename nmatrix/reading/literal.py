@@ -51,7 +51,7 @@ class MatrixLiteral:
 
 
 def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLiteral:
-    """Return the matrix that rows of number texts spell.
+    """Read rows of number texts as a matrix.
 
     Nine or sixteen numbers in one row or column are a square matrix. In column-major layout each
     group of numbers is a column; vectors are what they are in either layout.

@@ -12,10 +12,11 @@ from nmatrix.reading import brackets, csvtext, glsl, jsontext, latex
 from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens, unreadable
 from nmatrix.reading.notation import Notation, chosen
 
-_unreadable = partial(unreadable, next_step="give it as text of at most 16 numbers")
 LONGEST = 4_000_000  # characters; a page of shaders and tables has some ten thousand
 
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
+
+_unreadable = partial(unreadable, next_step="give it as text of at most 16 numbers")
 
 
 def matrix_literal(
@@ -24,7 +25,7 @@ def matrix_literal(
     key: str | None = None,
     source: str = "",
 ) -> MatrixLiteral:
-    """Return the matrix that a text spells: rows, brackets, NumPy, GLSL, JSON, CSV or LaTeX.
+    """Read a matrix in any notation: rows, brackets, NumPy, GLSL, JSON, CSV or LaTeX.
 
     A text that says its own layout (GLSL, a JSON report, a CSV report) is believed; `layout` is
     for all others. `key` chooses among several matrices.

@@ -1,4 +1,4 @@
-"""What every notation comes down to: quantities by name, each as rows of number texts."""
+"""The content of any notation: quantities by name, each as rows of number texts."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Notation:
 
 
 def chosen(notation: Notation, key: str | None, source: str) -> Tokens:
-    """Return the quantity under a key, else the first that is usually meant, else the only one.
+    """Choose the quantity under a key, else the first that is usually meant, else the only one.
 
     Dots and underscores in keys are alike, since programs cannot name a value with dots.
 

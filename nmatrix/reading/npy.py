@@ -14,13 +14,14 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-_unreadable = partial(unreadable, next_step="save a 3×3 or 4×4 array of floats with np.save")
 MAGIC = b"\x93NUMPY"
 LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 
+_unreadable = partial(unreadable, next_step="save a 3×3 or 4×4 array of floats with np.save")
+
 
 def npy_literal(content: bytes, layout: Layout, source: str) -> MatrixLiteral:
-    """Return the array of a .npy file as a matrix, every float exact.
+    """Read the array of a .npy file as a matrix, every float exact.
 
     Raises
     ------

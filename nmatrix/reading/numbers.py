@@ -24,7 +24,7 @@ _SEPARATOR = re.compile(r"[ \t\r\n]*,[ \t\r\n]*|[ \t\r\n]+")
 
 
 def fraction(text: str, name: str = "number") -> Fraction:
-    """Return exactly the number that was typed, if a float64 lies near it.
+    """Read a number exactly as it was typed, if a float64 lies near it.
 
     The float test comes first, so that an exponent of a million never builds an integer.
 
@@ -53,7 +53,7 @@ def fraction(text: str, name: str = "number") -> Fraction:
 
 
 def number(text: str, name: str = "number") -> float:
-    """Return the float64 nearest to the number that was typed; −0 is 0.
+    """Read a number as the nearest float64; −0 is 0.
 
     Raises
     ------
@@ -69,7 +69,7 @@ def number(text: str, name: str = "number") -> float:
 
 
 def number_or_infinity(text: str, name: str = "number") -> float:
-    """Return a number, or infinity for the word `inf`, which only a far plane may be.
+    """Read a number, or the word `inf`, which only a far plane may be.
 
     Examples
     --------
@@ -80,7 +80,7 @@ def number_or_infinity(text: str, name: str = "number") -> float:
 
 
 def fractions(text: str, count: int, name: str) -> tuple[Fraction, ...]:
-    """Return so many exact numbers, separated by blanks or commas.
+    """Read so many exact numbers, separated by blanks or commas.
 
     Raises
     ------
@@ -105,7 +105,7 @@ def fractions(text: str, count: int, name: str) -> tuple[Fraction, ...]:
 
 
 def numbers(text: str, count: int, name: str) -> tuple[float, ...]:
-    """Return so many numbers as float64, separated by blanks or commas.
+    """Read so many numbers as float64, separated by blanks or commas.
 
     Raises
     ------

@@ -29,7 +29,7 @@ class Record:
 
 
 def records(name: str, needed: Sequence[str]) -> list[Record]:
-    """Return the rows of a file; empty lines are skipped, column names match in any case.
+    """Read the rows of a file; empty lines are skipped, column names match in any case.
 
     The separator is the comma, semicolon or tab that the header uses most.
 

@@ -12,7 +12,7 @@ from nmatrix.reading.literal import MatrixLiteral, unreadable
 
 
 def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
-    """Return an affine 4×4; nine numbers are its linear part.
+    """Take a matrix for an affine 4×4; nine numbers are its linear part.
 
     Raises
     ------
@@ -34,7 +34,7 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
 
 
 def as_linear(matrix: MatrixLiteral) -> MatrixLiteral:
-    """Return a 3×3: nine numbers as they are, or the linear part of an affine 4×4.
+    """Take a matrix for a 3×3: nine numbers as they are, or the linear part of an affine 4×4.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def as_linear(matrix: MatrixLiteral) -> MatrixLiteral:
 
 
 def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:
-    """Return a 4×4 of any sixteen numbers.
+    """Take a matrix for a projection: any sixteen numbers.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:
 
 
 def as_vector(matrix: MatrixLiteral) -> tuple[float, ...]:
-    """Return three or four numbers in one row or one column.
+    """Take a matrix for a vector: three or four numbers in one row or one column.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Where a MATRIX argument gets its matrix from: stdin, a file, or the argument itself.
+"""The matrix of a MATRIX argument: out of stdin, a file, or the argument itself.
 
 An existing file comes first, `-` is stdin, and `#KEY` behind either chooses one of its matrices.
 """
@@ -23,7 +23,7 @@ def matrix_source(
     stdin_text: Callable[[], str],
     layout: Layout = Layout.ROW_MAJOR,
 ) -> MatrixLiteral:
-    """Return the matrix that a MATRIX argument stands for.
+    """Read the matrix that a MATRIX argument stands for.
 
     `stdin_text` is called only for `-` or `-#KEY`.
 

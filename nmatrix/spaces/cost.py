@@ -1,4 +1,4 @@
-"""What a shading space costs: multiplications counted where they happen, and bytes of uniforms.
+"""The cost of a shading space: multiplications counted where they happen, and bytes of uniforms.
 
 Counted as mat4·vec4 16, mat3·vec3 9, dot 3, normalise 6, mat4·mat4 64, inverse transpose 30
 (nine 2×2 determinants, one dot, nine divisions).
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.shading_spaces import PROFILES, Place
 from nmatrix.spaces.uniforms import Needs, Request, needs, uniforms
 
 MAT4_VEC4, MAT3_VEC3, DOT, NORMALISE = 16, 9, 3, 6
@@ -33,8 +34,9 @@ def cost(maps: ExactMaps, request: Request) -> Cost:
 
     Examples
     --------
-    >>> from nmatrix.spaces.examples import tall_object
-    >>> world = cost(tall_object(), Request(Space.WORLD, reflection=Reflection.LAMBERT))
+    >>> from nmatrix.scene.setup import Light, Setup
+    >>> bulb = Setup(light=Light(position=(0, 3, 0))).maps
+    >>> world = cost(bulb, Request(Space.WORLD, reflection=Reflection.LAMBERT))
     >>> world.per_vertex_multiplications  # clip position, position, normal and its length
     47
     """
@@ -75,21 +77,23 @@ def _highlight(found: Needs, request: Request) -> int:
 
 
 def _per_object(found: Needs, request: Request) -> int:
-    if request.space is Space.STATIC:
+    profile = PROFILES[request.space]
+    if profile.vertices_in is not Space.OBJECT:
         return 0
     total = MAT4_MAT4
-    if found.moves_positions and request.space is not Space.WORLD:
+    if found.moves_positions and profile.symbol:
         total += MAT4_MAT4
     if found.moves_normals:
         total += INVERSE_TRANSPOSE
-    return total + (_lights_moved(found) if request.space is Space.OBJECT else 0)
+    return total + (_lights_moved(found) if profile.lights_moved is Place.OBJECT else 0)
 
 
 def _per_scene(found: Needs, request: Request) -> int:
     view = MAT4_MAT4
-    moves = request.space in (Space.CAMERA, Space.LIGHT, Space.CUSTOM)
-    eye = request.space is not Space.CAMERA
-    return view + (_lights_moved(found, eye=eye) if moves else 0)
+    profile = PROFILES[request.space]
+    if profile.lights_moved is not Place.SCENE:
+        return view
+    return view + _lights_moved(found, eye=not profile.eye_is_origin)
 
 
 def _lights_moved(found: Needs, *, eye: bool = True) -> int:

@@ -34,7 +34,7 @@ class LightInSpace:
 
 
 @dataclass(frozen=True)
-class EyeSeen:
+class EyeInSpace:
     """The eye in one space, and what the course's float64 formula makes of it."""
 
     space: Space
@@ -44,14 +44,16 @@ class EyeSeen:
 
 
 def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
-    """Return the light of the stage in a space.
+    """Bring the light into a space, by the vector rule and by the course's.
 
     Examples
     --------
     >>> # A light from above, seen by an object that is twice as tall: the vector rule halves y,
     >>> # the course's rule doubles it.
-    >>> from nmatrix.spaces.examples import tall_object
-    >>> seen = light_in(tall_object(), Space.OBJECT)
+    >>> from nmatrix.scene.setup import Light, Setup
+    >>> from nmatrix.scene.world import World
+    >>> tall = Setup(World(scale=(1, 2, 1)), light=Light(direction=(1, -1, 0)))
+    >>> seen = light_in(tall.maps, Space.OBJECT)
     >>> [float(component) for component in seen.direction_unnormalised]
     [1.0, -0.5, 0.0]
     """
@@ -70,15 +72,15 @@ def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
     )
 
 
-def eye_in(maps: ExactMaps, space: Space) -> EyeSeen:
-    """Return the eye of the stage in a space, exactly and by the course's formula.
+def eye_in(maps: ExactMaps, space: Space) -> EyeInSpace:
+    """Bring the eye into a space, exactly and by the course's formula.
 
     The course inverts the product V·M in floats and reads the last column; with a translation t
     that loses |t|/|x| units in the last place.
     """
     exact = maps.eye_in(space)
     course = _eye_by_inverse(maps, space)
-    return EyeSeen(
+    return EyeInSpace(
         space=space,
         eye=exact,
         eye_by_inverse_mv=course,
@@ -94,10 +96,7 @@ def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
     import numpy as np
 
     V = np.array(maps.camera_from_world.matrix)
-    S = maps.space_from_world(space)
-    world_from_space = np.array(
-        maps.world_from_object.matrix if space is Space.OBJECT else S.inverse().matrix
-    )
+    world_from_space = np.array(maps.space_from_world(space).inverse().matrix)
     with np.errstate(all="ignore"):
         try:
             found = np.linalg.inv(V @ world_from_space)[:3, 3]

@@ -1,4 +1,4 @@
-"""The GLSL of one shading space: a vertex and a fragment shader that say only what is needed.
+"""The GLSL of one shading space: a vertex and a fragment shader with only the terms it needs.
 
 n is the unit normal, l the unit vector to the light, v the unit vector to the eye, h the half
 vector, all in the shading space. Where the space is not rigid, lengths are taken back to the
@@ -11,13 +11,14 @@ from collections.abc import Sequence
 
 from nmatrix.enums import Reflection, Shading, Space
 from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.shading_spaces import PROFILES
 from nmatrix.spaces.uniforms import Needs, Request, Uniform, needs, uniforms
 
 VERTEX_UNIFORMS = ("clip_from_object", "space_from_object", "normal_matrix")
 
 
 def shader_pair(maps: ExactMaps, request: Request) -> tuple[str, str]:
-    """Return the vertex and the fragment shader as `#version 300 es` text.
+    """Write the vertex and the fragment shader as `#version 300 es` text.
 
     Per vertex (`gouraud`) or per fragment (`phong`), in the space asked for, with just the terms
     that the light and the reflection model call for.
@@ -42,7 +43,9 @@ def _declared(listed: Sequence[Uniform], *, vertex: bool) -> list[str]:
 
 
 def _attributes(space: Space) -> list[str]:
-    place = "world (baked)" if space is Space.STATIC else "object"
+    profile = PROFILES[space]
+    baked = "" if profile.vertices_in is Space.OBJECT else " (baked)"
+    place = f"{profile.mesh_space}{baked}"
     return [
         f"in vec3 vertex_position;  // {place} space",
         f"in vec3 vertex_normal;    // {place} space, unit length",

@@ -58,7 +58,7 @@ class Trace:
 
     @property
     def inside(self) -> bool:
-        """Return whether the vertex lies in the view volume, its faces included."""
+        """True if the vertex lies in the view volume, its faces included."""
         return not self.outside_planes
 
 
@@ -76,8 +76,11 @@ def trace(
 
     Examples
     --------
-    >>> from nmatrix.spaces.examples import tall_object
-    >>> found = trace(tall_object(), (0, 0, 0), None, ClipSpace(), Viewport(512, 512))
+    >>> from math import inf
+    >>> from nmatrix.scene.lens import Lens
+    >>> from nmatrix.scene.setup import Setup
+    >>> seen = Setup(lens=Lens(fov_degrees=90, near=1, far=inf)).maps  # the eye at 0 0 5
+    >>> found = trace(seen, (0, 0, 0), None, ClipSpace(), Viewport(512, 512))
     >>> [float(x) for x in found.clip], [float(x) for x in found.window]
     ([0.0, 0.0, 3.0, 5.0], [256.0, 256.0, 0.8])
     """
@@ -101,13 +104,13 @@ def trace(
 
 
 def outside_planes(point: RationalVector, clip: ClipSpace) -> tuple[str, ...]:
-    """Return the planes of the view volume that a clip-space point lies beyond, decided exactly."""
+    """List the planes of the view volume that a clip-space point lies beyond, decided exactly."""
     x, y, z, w = point
     if clip.clip_y is ClipY.DOWN:
         y = -y
     at_near, at_far = NDC_DEPTH[clip.depth]
     if at_near > at_far:
-        z, at_near, at_far = -z, -at_near, -at_far
+        z, at_near, at_far = -z, -at_near, -at_far  # so that depth grows away from the eye
     beyond = {
         "left": x < -w,
         "right": x > w,

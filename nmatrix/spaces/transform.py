@@ -74,7 +74,7 @@ class Transform:
 
     @property
     def name(self) -> str:
-        """Return the name that says where the map leads and where it comes from."""
+        """The name, target first: `camera_from_world`."""
         return f"{self.to}_from_{self.source}"
 
     @property
@@ -94,7 +94,7 @@ class Transform:
         return rf"$\mathtt{{{name}}} = \begin{{bmatrix}} {rows} \end{{bmatrix}}$"
 
     def __matmul__(self, other: Transform) -> Transform:
-        """Return this map after the other; the inner frames must be the same."""
+        """Compose two maps, the right one first; the inner frames must be the same."""
         if self.source is not other.to:
             raise FrameError(
                 f"{self.name} @ {other.name}",
@@ -104,7 +104,7 @@ class Transform:
         return Transform(self.to, other.source, rational.product(self.exact, other.exact))
 
     def inverse(self) -> Transform:
-        """Return the way back.
+        """Invert the map.
 
         Raises
         ------
@@ -135,12 +135,12 @@ class Transform:
         NoAnswerError
             If the map leaves this normal without an image.
         """
-        carried = self.linear_map.normal(_exact(normal, "normal"))
-        if carried.direction is None:
+        found = self.linear_map.normal(_exact(normal, "normal"))
+        if found.direction is None:
             raise NoAnswerError(
-                f"a normal through {self.name}", carried.reason, "give every axis a scale"
+                f"a normal through {self.name}", found.reason, "give every axis a scale"
             )
-        return carried.direction
+        return found.direction
 
     def exact_point(self, point: object) -> RationalVector:
         """Return the image of a point without rounding."""
@@ -158,4 +158,4 @@ def _exact(values: object, name: str) -> RationalVector:
 
 def _latex_number(value: float) -> str:
     mantissa, mark, exponent = f"{value:.6g}".partition("e")
-    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if mark else mantissa
+    return rf"{mantissa} \times 10^{{{int(exponent)}}}" if mark else mantissa

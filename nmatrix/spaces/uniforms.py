@@ -1,4 +1,4 @@
-"""What a shader for one space needs to be told, and which of it this scene calls for.
+"""The uniforms that a shader for one space needs, with the values that this scene gives them.
 
 The names here are the shaders' own: one list serves the sheet, the cost table and the GLSL.
 """
@@ -14,8 +14,8 @@ from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.spaces import metric
 from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.shading_spaces import PROFILES
 
 UniformValue = Fraction | RationalVector | RationalMatrix
 
@@ -30,7 +30,7 @@ BYTES = {"mat4": 64, "mat3": 36, "vec3": 12, "float": 4}
 
 @dataclass(frozen=True)
 class Request:
-    """Which shader is asked for."""
+    """The shader that is asked for."""
 
     space: Space
     shading: Shading = Shading.PHONG
@@ -46,13 +46,13 @@ class Request:
 
     @property
     def is_specular(self) -> bool:
-        """Return whether the eye matters."""
+        """True if the eye matters."""
         return self.reflection in (Reflection.PHONG, Reflection.BLINN_PHONG)
 
 
 @dataclass(frozen=True)
 class Needs:
-    """What this scene makes the shader compute; the rest is left out."""
+    """The terms that this scene makes the shader compute; the rest is left out."""
 
     position: bool
     moves_positions: bool
@@ -73,19 +73,19 @@ class Uniform:
 
     @property
     def bytes(self) -> int:
-        """Return its size as plain floats."""
+        """The size as plain floats."""
         return BYTES[self.kind]
 
 
 def needs(maps: ExactMaps, request: Request) -> Needs:
-    """Return what the scene calls for in this space."""
+    """Decide what the scene calls for in this space."""
     point_light = maps.light.position is not None
     position = point_light or request.is_specular
-    stays = request.space in (Space.OBJECT, Space.STATIC)
+    moves = PROFILES[request.space].moves_vertices
     return Needs(
         position=position,
-        moves_positions=position and not stays,
-        moves_normals=not stays,
+        moves_positions=position and moves,
+        moves_normals=moves,
         metric=not maps.is_rigid(request.space),
         directional=maps.light.direction is not None,
         point_light=point_light,
@@ -94,18 +94,16 @@ def needs(maps: ExactMaps, request: Request) -> Needs:
 
 
 def normal_space_from_object(maps: ExactMaps, space: Space) -> RationalMatrix:
-    """Return the inverse transpose of `space_from_object`, or its cofactors if it is singular.
+    """Build the normal matrix: the inverse transpose of `space_from_object`, or its cofactors.
 
-    The cofactors still give the normal of the plane that a map of rank 2 leaves.
+    The cofactors serve a singular map: they still give the normal of the plane that rank 2 leaves.
     """
     linear_map = maps.space_from_object(space).linear_map
-    if linear_map.integer_determinant:
-        return linear_map.inverse_transpose
-    return linear_map.cofactor_matrix
+    return linear_map.normal_matrix or linear_map.cofactor_matrix
 
 
 def uniforms(maps: ExactMaps, request: Request) -> tuple[Uniform, ...]:
-    """Return every uniform that the shader pair of this space reads, with its value."""
+    """List the uniforms that the shader pair of this space reads, with their values."""
     found = needs(maps, request)
     return tuple(
         Uniform(kind, name, value(maps, request))
@@ -133,7 +131,7 @@ def _light_position(maps: ExactMaps, request: Request) -> UniformValue:
 
 def _clip_from_vertex(maps: ExactMaps, request: Request) -> UniformValue:
     """Return P·V·M, or P·V where the vertices were baked into world space."""
-    if request.space is Space.STATIC:
+    if PROFILES[request.space].vertices_in is not Space.OBJECT:
         return rational.product(maps.clip_from_camera, maps.camera_from_world.exact)
     return maps.clip_from_object
 
@@ -159,13 +157,13 @@ _UNIFORMS: tuple[tuple[str, str, Wanted, Valued], ...] = (
         "mat3",
         "vector_world_from_space",
         lambda n: n.metric,
-        lambda maps, request: metric.vector_world_from_space(maps, request.space),
+        lambda maps, request: maps.vector_world_from_space(request.space),
     ),
     (
         "mat3",
         "normal_world_from_space",
         lambda n: n.metric,
-        lambda maps, request: metric.normal_world_from_space(maps, request.space),
+        lambda maps, request: maps.normal_world_from_space(request.space),
     ),
     ("vec3", "light_color", lambda _: True, lambda _, __: WHITE),
     ("vec3", "ambient_color", lambda _: True, lambda _, __: AMBIENT),

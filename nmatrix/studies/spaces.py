@@ -19,6 +19,7 @@ from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 from nmatrix.spaces.cost import cost
+from nmatrix.spaces.shading_spaces import PROFILES, USUAL_SPACES
 from nmatrix.spaces.uniforms import Request
 from nmatrix.studies.harness import Harness, Run
 from nmatrix.studies.measurements import Measurement, Task, Unit
@@ -26,13 +27,12 @@ from nmatrix.studies.measurements import Measurement, Task, Unit
 Array = NDArray[Any]
 
 VERTICES, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
-SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
 PLACE = World(rotate_degrees=(20, 30, 10), scale=(1, 2, 1))
 
 
 def tasks(harness: Harness, counts: tuple[int, ...]) -> list[Task]:
     """List the measurements: every space with every number of vertices."""
-    return [partial(_row, harness, count, space) for count in counts for space in SPACES]
+    return [partial(_row, harness, count, space) for count in counts for space in USUAL_SPACES]
 
 
 def _row(harness: Harness, count: int, space: Space) -> Measurement:
@@ -57,7 +57,7 @@ def _vertex_stage(scene: LoadedScene, body: Body, space: Space) -> Run:
 
     def run() -> None:
         clip[:, :3] @ positions + clip[:, 3:]
-        if space in (Space.WORLD, Space.CAMERA):
+        if PROFILES[space].moves_vertices:
             shaded.positions()
             shaded.normals(NormalRule.EXACT)
 

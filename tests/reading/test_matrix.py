@@ -210,7 +210,7 @@ COLUMNS = "1 0 0 0; 0 1 0 0; 0 0 1 0; 5 6 7 1"
 
 
 def test_a_transposed_affine_matrix_is_recognised_with_the_remedy() -> None:
-    hint = r"this looks column-major or row-vector: --input-layout column-major"
+    hint = r"this looks column-major or row-vector: input_layout column-major"
     for meant in (as_affine, as_linear):
         with pytest.raises(IllegalValueError, match=hint):
             meant(matrix_literal(COLUMNS))

@@ -21,7 +21,6 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector, to_floats
 from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.triangles.products import in_parts, moved
-from nmatrix.spaces import metric
 from nmatrix.spaces.exact_maps import ExactMaps
 
 Array = NDArray[Any]
@@ -100,8 +99,8 @@ class ShadingSpace:
         if not self.uses_metric:
             return Measure()
         return Measure(
-            as_array(metric.vector_world_from_space(self.maps, self.space)),
-            as_array(metric.normal_world_from_space(self.maps, self.space)),
+            as_array(self.maps.vector_world_from_space(self.space)),
+            as_array(self.maps.normal_world_from_space(self.space)),
         )
 
     @property
