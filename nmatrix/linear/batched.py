@@ -133,7 +133,7 @@ def _certified(A: Array, kind: NormalMatrixKind) -> Scaled:
 
 
 def _exact(A: Array, kind: NormalMatrixKind) -> Scaled:
-    """Compute the same from whole numbers, every entry correctly rounded."""
+    """Compute sign(det A)·C or C/det A from whole numbers, every entry correctly rounded."""
     found = Scaled(np.empty(A.shape), np.zeros(A.shape, np.int32))
     for i, matrix in enumerate(A.transpose(2, 0, 1).tolist()):
         one = LinearMap.of(matrix)
@@ -207,9 +207,9 @@ def _limits(dtype: DTypeLike) -> np.finfo[Any]:
 
 
 def _holds(limits: np.finfo[Any], values: Array) -> bool:
-    """Return whether every value is zero or a normal number of a type; what float64 holds, is."""
+    """Check that every value is zero or a normal number of a type."""
     if limits.dtype == np.float64:
-        return True
+        return True  # no level leaves the normal numbers of float64 without an exponent
     size, tiny = np.abs(values), float(limits.tiny)
     has_tiny = size.min() < tiny and ((size < tiny) & (size > 0)).any()
     return bool(size.max() <= float(limits.max) and not has_tiny)

@@ -114,7 +114,7 @@ def _error(
 
 
 def outside_window(A: Array) -> Array:
-    """Return which matrices (3, 3, N) have entries that are neither 0 nor within the window."""
+    """Find the matrices (3, 3, N) that have an entry neither 0 nor within the window."""
     size = np.abs(A)
     largest = size.max(axis=(0, 1))
     size[size == 0] = 1.0

@@ -160,7 +160,7 @@ def check_inverse(A: Array, found: Array, level: Level) -> None:
 
 @pytest.mark.usefixtures("_small_chunks")
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("dtype", (np.float16, *FLOATS))
 @pytest.mark.parametrize("level", Level)
 def test_oriented_matrices_keep_signs_and_entries_at_any_exponents(
     level: Level, dtype: type, name: str
@@ -174,7 +174,7 @@ def test_oriented_matrices_keep_signs_and_entries_at_any_exponents(
 
 @pytest.mark.usefixtures("_small_chunks")
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("dtype", (np.float16, *FLOATS))
 @pytest.mark.parametrize("level", Level)
 def test_inverse_transposes_are_right_or_refused_with_their_index(
     level: Level, dtype: type, name: str
