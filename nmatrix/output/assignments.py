@@ -82,6 +82,45 @@ def comment(text: str) -> str:
     return " ".join(text.split())
 
 
+def vector(entries: Vector) -> str:
+    """Write a vector in square brackets, as JavaScript and Python do.
+
+    Examples
+    --------
+    >>> vector((1.0, 0.5))
+    '[1.0, 0.5]'
+    """
+    return f"[{', '.join(machine(entry) or 'null' for entry in entries)}]"
+
+
+def matrix(rows: Matrix) -> str:
+    """Write a matrix as a list of rows, a row on each line.
+
+    Examples
+    --------
+    >>> print(matrix(((1, 0), (0, 1))))
+    [
+      [1, 0],
+      [0, 1],
+    ]
+    """
+    return "[\n" + "".join(f"  {vector(row)},\n" for row in rows) + "]"
+
+
+def flat(rows: Matrix) -> str:
+    """Write the rows one after the other in a single list, a row on each line.
+
+    Examples
+    --------
+    >>> print(flat(((1, 0), (0, 1))))
+    [
+      1, 0,
+      0, 1,
+    ]
+    """
+    return "[\n" + "".join(f"  {vector(row)[1:-1]},\n" for row in rows) + "]"
+
+
 def _assignment(leaf: Leaf) -> Assignment:
     value = leaf.value
     if value is None or isinstance(value, str):

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from nmatrix.output.numbers import machine, significant
 from nmatrix.output.options import Charset, OutputOptions
-from nmatrix.output.quantities import arranged, is_list, is_matrix, is_number, is_vector
-from nmatrix.report import Number, Report, Value
+from nmatrix.output.quantities import arranged, is_list, is_matrix, is_number, is_vector, members
+from nmatrix.report import Number, Report, Step, Value
 from nmatrix.version import __version__
 
 INDENT = "  "
@@ -62,6 +62,8 @@ class _Writer:
     def value(self, value: Value, key: str, depth: int) -> str:
         if is_matrix(value):
             value = arranged(value, self.options.layout)
+        if isinstance(value, Step):
+            value = members(value)
         if isinstance(value, Mapping):
             return self._object(value, key, depth)
         if is_vector(value):

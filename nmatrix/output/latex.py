@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nmatrix.output.charset import spelled
 from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.formulas.latex import bmatrix, latex
 from nmatrix.output.options import Charset, OutputOptions
+from nmatrix.output.style import spelled
 from nmatrix.report import Formula, Report
 
 _CHARACTERS = {
@@ -52,21 +53,6 @@ _EASTERN = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŔŕ
 def write(report: Report, options: OutputOptions) -> str:
     """Return the report as LaTeX."""
     return compose(report, Latex(options))
-
-
-def bmatrix(cells: Cells) -> str:
-    r"""Return rows of cells as an amsmath `bmatrix`.
-
-    Examples
-    --------
-    >>> print(bmatrix([["1", "0"], ["0", "2"]]))
-    \begin{bmatrix}
-      1 & 0 \\
-      0 & 2
-    \end{bmatrix}
-    """
-    body = " \\\\\n".join("  " + " & ".join(row) for row in cells)
-    return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
 
 
 def symbol(key: str) -> str:
@@ -130,7 +116,7 @@ class Latex(Dialect):
         return f"{head}\\begin{{tabular}}{{{'l' * len(columns)}}}\n{body}\n\\end{{tabular}}"
 
     def formula(self, formula: Formula) -> str:
-        return f"\\[\n{formula.latex}\n\\]"
+        return f"\\[\n{latex(formula.tree)}\n\\]"
 
     def code(self, language: str, text: str) -> str:
         return f"\\begin{{verbatim}}\n{text.rstrip()}\n\\end{{verbatim}}"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, Dialect, compose
-from nmatrix.output.latex import bmatrix, power_of_ten, symbol
+from nmatrix.output.formulas.latex import bmatrix, latex
+from nmatrix.output.latex import power_of_ten, symbol
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
 
@@ -41,7 +42,7 @@ class Markdown(Dialect):
         return f"{escaped(title)}\n\n{body}" if title else body
 
     def formula(self, formula: Formula) -> str:
-        return f"$$\n{formula.latex}\n$$"
+        return f"$$\n{latex(formula.tree)}\n$$"
 
     def code(self, language: str, text: str) -> str:
         return f"```{language}\n{text.rstrip()}\n```"

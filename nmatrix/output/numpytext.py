@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 from nmatrix.enums import Format, Layout
-from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
-from nmatrix.output.nested import matrix, vector
+from nmatrix.output.assignments import (
+    Assignment,
+    assignments,
+    comment,
+    matrix,
+    require_numbers,
+    vector,
+)
 from nmatrix.output.numbers import machine
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import arranged, is_matrix, is_number, is_vector

@@ -10,13 +10,12 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 from textwrap import wrap
 
-from nmatrix.output.charset import spelled
-from nmatrix.output.grid import draw_matrix, draw_vector
+from nmatrix.output.drawing import draw_matrix, draw_table, draw_vector
+from nmatrix.output.formulas.text import text as drawn
 from nmatrix.output.numbers import significant
 from nmatrix.output.options import Charset, OutputOptions
 from nmatrix.output.quantities import is_matrix, is_number, is_vector
-from nmatrix.output.style import Line, Span, Style, plain, printable, render
-from nmatrix.output.table import draw_table
+from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled
 from nmatrix.report import (
     Blank,
     Block,
@@ -202,7 +201,7 @@ class _Writer:
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:
-        text = self._spelled(block.text)
+        text = self._spelled(drawn(block))
         if "\n" in text:
             return [(INDENT, Span(line)) for line in text.splitlines()]
         return [(INDENT, Span(line)) for line in self._wrapped(text, 2)]

@@ -52,7 +52,7 @@ def a_picture() -> bytes:
 
 
 def everything(word: str = "word") -> Document:
-    formula = Formula("a = b", "a = b", "<math alttext='a'><mi>a</mi></math>", "a = b", "a is b")
+    formula = Formula(("a = b",))
     blocks = (
         Heading(word),
         Text(word),

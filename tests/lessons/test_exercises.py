@@ -17,15 +17,19 @@ from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Kind
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
 from nmatrix.lessons.exercises.tracing import UNDIVIDED
+from nmatrix.output.formulas.text import text as drawn
 from nmatrix.report import Formula, Text
 
 SIZE = len(Kind)
 
 
+def lines(blocks) -> str:
+    shown = (block for block in blocks if isinstance(block, (Text, Formula)))
+    return "\n".join(drawn(one) if isinstance(one, Formula) else one.text for one in shown)
+
+
 def said(one: Exercise) -> str:
-    return "\n".join(
-        block.text for block in (*one.task, *one.key) if isinstance(block, (Text, Formula))
-    )
+    return lines((*one.task, *one.key))
 
 
 def judged_rightly(one: Exercise) -> None:
@@ -129,7 +133,7 @@ def test_numbers_are_small_enough_for_hand_work() -> None:
 
 def test_the_key_is_not_on_the_sheet() -> None:
     for one in exercises(SIZE, Sheet("9", "Cy")):
-        task = "\n".join(block.text for block in one.task if isinstance(block, (Text, Formula)))
+        task = lines(one.task)
         assert "answer = " not in task or one.kind is Kind.MISTAKE
         assert "Answer: " not in task
 

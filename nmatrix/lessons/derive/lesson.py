@@ -54,7 +54,7 @@ def derive(case: str, world: World | None = None) -> Report:
     Examples
     --------
     >>> found = derive("mirror")
-    >>> all(step["verified"] for step in found.data["cases"][0]["steps"])
+    >>> all(step.verified for step in found.data["cases"][0]["steps"])
     True
     """
     lessons = [_lesson(name, world if i == 0 else None) for i, name in enumerate(chosen(case))]
@@ -70,7 +70,12 @@ def _lesson(name: str, world: World | None) -> Report:
     """Return a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
     steps, conclusion = LESSONS[name]()
     blocks: tuple[Block, ...] = (Heading(TITLES[name]), *steps, Verdict(conclusion))
-    data = {"case": name, "title": TITLES[name], "steps": _data(steps), "conclusion": conclusion}
+    data: dict[str, Value] = {
+        "case": name,
+        "title": TITLES[name],
+        "steps": steps,
+        "conclusion": conclusion,
+    }
     if world is None:
         return Report("derive", data, blocks)
     own = own_matrix(world)
@@ -78,19 +83,7 @@ def _lesson(name: str, world: World | None) -> Report:
     told = verdict(kind)
     return Report(
         "derive",
-        {**data, "steps": _data([*steps, *own]), "own_conclusion": told},
+        {**data, "steps": [*steps, *own], "own_conclusion": told},
         (*blocks, Heading("Your matrix"), *own, Verdict(told)),
         (*world.remarks, *transform_remarks(kind)),
     )
-
-
-def _data(steps: list[Step]) -> list[Value]:
-    return [
-        {
-            "text": one.formula.text,
-            "latex": one.formula.latex,
-            "because": one.because,
-            "verified": one.verified,
-        }
-        for one in steps
-    ]

@@ -11,7 +11,7 @@ from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
 from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind, Option, listed
 from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.exercises.writing import equation, written
+from nmatrix.lessons.notation import formula, written
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, diagonal, product, transpose
@@ -70,10 +70,10 @@ def short_cut(draws: Draws, number: int) -> Exercise:
         for i, text in enumerate((yes, lengths, angles))
     )
     task = (
-        equation("A = ", A),
+        formula("A = ", A),
         Text("Is it legal to multiply normals by A itself, and to normalise?"),
     )
-    return _choice(number, Kind.SHORTCUT, task, options, right, (equation("Aᵀ · A = ", size),))
+    return _choice(number, Kind.SHORTCUT, task, options, right, (formula("Aᵀ · A = ", size),))
 
 
 def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
@@ -105,11 +105,11 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     what = "the world matrix" if subject is Subject.WORLD else "the normal matrix"
     task: tuple[Block, ...] = (
         Text(f"An object is {told}. For {what} Sam writes"),
-        equation("answer = ", by_mistake[made]),
+        formula("answer = ", by_mistake[made]),
         Text(CONVENTION if subject is Subject.WORLD else f"{CONVENTION} {UP_TO_LENGTH}"),
         Text("What do you tell Sam?"),
     )
-    key = (equation("right = ", judge.right), Text(MISTAKES[made].did))
+    key = (formula("right = ", judge.right), Text(MISTAKES[made].did))
     return _choice(number, Kind.MISTAKE, task, options, right, key)
 
 

@@ -11,7 +11,7 @@ from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.exercises.writing import column, equation, typed, written
+from nmatrix.lessons.notation import column, formula, typed, written
 from nmatrix.linear.rational import (
     RationalMatrix,
     cofactor,
@@ -53,8 +53,8 @@ def world_matrix(draws: Draws, number: int) -> Exercise | None:
     S = diagonal(rational_vector(world.scale))
     t = rational_vector(world.translate)
     steps = (
-        equation("R = ", R, ", S = ", S, ", t = ", column(t)),
-        equation("R · S = ", product(R, S)),
+        formula("R = ", R, ", S = ", S, ", t = ", column(t)),
+        formula("R · S = ", product(R, S)),
     )
     return _computed(number, Kind.WORLD, question, task, planned, steps)
 
@@ -68,7 +68,7 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     question = Question(Subject.NORMAL, Setup(world))
     A = linear(world.world_from_object)
     task = (
-        equation("A = ", A),
+        formula("A = ", A),
         Text("is the 3×3 block of a world matrix. By which matrix are its normals multiplied?"),
         Text("Three rows of three numbers; any positive multiple counts."),
     )
@@ -79,9 +79,9 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     )
     C, det = cofactor(A), determinant(A)
     steps = (
-        equation("C = ", C),
-        equation(f"det A = {written(det)}"),
-        equation("A⁻ᵀ = C / det A"),
+        formula("C = ", C),
+        formula(f"det A = {written(det)}"),
+        formula("A⁻ᵀ = C / det A"),
     )
     return _computed(number, Kind.NORMAL, question, task, planned, steps)
 
@@ -105,7 +105,7 @@ def light_in_camera(draws: Draws, number: int) -> Exercise | None:
     )
     V = setup.camera.camera_from_world
     steps = (
-        equation("V = ", V),
+        formula("V = ", V),
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
     )
     planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
@@ -129,7 +129,7 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
     away = tuple(Fraction(e) - x for e, x in zip(eye, t, strict=True))
     steps = (
         Text("Subtract first, then undo the 3×3 block: A x = e − t."),
-        equation("e − t = ", column(away)),
+        formula("e − t = ", column(away)),
     )
     planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
     return _computed(number, Kind.EYE, question, task, planned, steps)
@@ -146,14 +146,14 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
     question = Question(Subject.NORMAL, Setup(world), normal=tuple(n))
     A = linear(world.world_from_object)
     task = (
-        equation("A = ", A, ", n = ", column([Fraction(x) for x in n])),
+        formula("A = ", A, ", n = ", column([Fraction(x) for x in n])),
         Text(
             "A is the 3×3 block of a world matrix, n the outward normal of a surface. In which "
             "direction does the normal point after the map?"
         ),
         Text("Three numbers; any positive multiple counts, and where A flattens, either sign."),
     )
-    steps: tuple[Block, ...] = (equation("C = ", cofactor(A)),)
+    steps: tuple[Block, ...] = (formula("C = ", cofactor(A)),)
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
         return _computed(number, Kind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told)))
@@ -235,4 +235,4 @@ def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
 
 def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
     """Return the right answer for the key."""
-    return equation("answer = ", column(right[0]) if is_vector else right)
+    return formula("answer = ", column(right[0]) if is_vector else right)

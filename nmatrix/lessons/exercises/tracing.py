@@ -15,7 +15,7 @@ from nmatrix.lessons.check.wrong import WrongAnswer
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
 from nmatrix.lessons.exercises.matrices import MOVES
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.exercises.writing import column, equation, typed, written
+from nmatrix.lessons.notation import column, formula, typed, written
 from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector, apply
 from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
@@ -133,8 +133,8 @@ def _key(setup: Setup, point: RationalVector, right: RationalVector) -> tuple[Bl
     P: RationalMatrix = maps.clip_from_camera
     clip = apply(P, camera)
     return (
-        equation("world = ", column(world[:3]), ", camera = ", column(camera[:3])),
-        equation("P = ", P, ", clip = ", column(clip)),
+        formula("world = ", column(world[:3]), ", camera = ", column(camera[:3])),
+        formula("P = ", P, ", clip = ", column(clip)),
         Text("Divide by the fourth number, w."),
-        equation("answer = ", column(right[:3])),
+        formula("answer = ", column(right[:3])),
     )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, blocks_in
+from nmatrix.output.formulas.spoken import matrix_in_words, spoken
+from nmatrix.output.formulas.typst import matrix, typst
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
 from nmatrix.output.typst import Typst, escaped
@@ -68,10 +70,8 @@ class TypstPage(Typst):
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         """Return a matrix under its name."""
-        rows = "; ".join(", ".join(row) for row in cells)
         about = f"#block(sticky: true)[{escaped(title)}]\n" if title else ""
-        said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
-        return about + _equation(f'#raw("{key}") = mat(delim: "[", {rows})', said)
+        return about + _equation(f'#raw("{key}") = {matrix(cells)}', matrix_in_words(key, cells))
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Return a table whose first row is its head."""
@@ -83,7 +83,7 @@ class TypstPage(Typst):
 
     def formula(self, formula: Formula) -> str:
         """Return a formula with its sentence."""
-        return _equation(formula.typst, formula.spoken)
+        return _equation(typst(formula.tree), spoken(formula.tree))
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Return a step that stays together on a page."""
