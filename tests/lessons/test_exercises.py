@@ -9,7 +9,8 @@ import pytest
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.question import Subject
 from nmatrix.lessons.exercises import scheme
 from nmatrix.lessons.exercises import sheet as sheets
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
@@ -59,12 +60,12 @@ def test_the_draws_are_those_of_the_documented_scheme() -> None:
     raw = random.Random(seed)
     draws = Draws(Sheet("7", "Zoe\u0308", b"salt"), 4, 0)
     assert SCHEME == "nmatrix/1"
-    assert [draws.below(1000) for _ in range(5)] == [int(raw.random() * 1000) for _ in range(5)]
+    assert [draws.randbelow(1000) for _ in range(5)] == [int(raw.random() * 1000) for _ in range(5)]
 
 
 def test_golden_draws_never_change() -> None:
     draws = Draws(Sheet("1", "Ada"), 1, 0)
-    assert [draws.below(1000) for _ in range(6)] == GOLDEN_DRAWS
+    assert [draws.randbelow(1000) for _ in range(6)] == GOLDEN_DRAWS
     assert [one.right for one in exercises(SIZE, Sheet("1", "Ada"))] == GOLDEN_ANSWERS
 
 
@@ -85,7 +86,7 @@ GOLDEN_ANSWERS = [
 
 def test_neighbouring_parts_do_not_run_into_each_other() -> None:
     def first(*parts: object) -> int:
-        return Draws(Sheet(*parts), 1, 0).below(10**9)  # type: ignore[arg-type]
+        return Draws(Sheet(*parts), 1, 0).randbelow(10**9)  # type: ignore[arg-type]
 
     assert first("12", "3") != first("1", "23")
     assert first("1", "a", b"b") != first("1", "ab", b"")
@@ -139,12 +140,9 @@ def test_the_key_is_not_on_the_sheet() -> None:
 
 
 def test_a_planned_mistake_is_found_by_its_rule_and_not_by_its_text(monkeypatch) -> None:
-    from nmatrix.lessons.check import wrong
-    from nmatrix.lessons.check.question import Subject
-
     one = exercise(2, Sheet("1", "x"))
     planned = {each.mistake: each.text for each in one.planned}
-    monkeypatch.delitem(wrong.RULES[Subject.NORMAL], MistakeId.NOT_TRANSPOSED)
+    monkeypatch.delitem(MISTAKES[MistakeId.NOT_TRANSPOSED].slips, Subject.NORMAL)
     assert isinstance(one.grader, Computed)
     afresh = Computed(Judge(one.grader.question))
     assert afresh.judge(planned[MistakeId.NOT_TRANSPOSED]).mistake != "not-transposed"

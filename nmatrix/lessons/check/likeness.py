@@ -14,7 +14,7 @@ from nmatrix.lessons.check.tolerance import (
     A_TWENTIETH,
     NOISE,
     RELATIVE,
-    Off,
+    EntryDifference,
     Zero,
     yardsticks,
 )
@@ -94,24 +94,24 @@ class Likeness:
         return all(off.zero != Zero.NONE and off.difference <= off.place / 2 for off in entries)
 
     @cached_property
-    def _entries(self) -> dict[Place, Off]:
+    def _entries(self) -> dict[Place, EntryDifference]:
         rulers = yardsticks(self.wanted, is_vector=self.question.is_vector)
         largest = max(abs(entry) for row in self.wanted for entry in row)
         coarsest = A_TWENTIETH * largest if self.question.any_length else ONE
         rows = zip(self.given, self.wanted, self.last_places, rulers, strict=True)
-        found: dict[Place, Off] = {}
+        found: dict[Place, EntryDifference] = {}
         for i, row in enumerate(rows):
             for j, (given, wanted, place, yardstick) in enumerate(zip(*row, strict=True)):
                 zero = _zero(given, place, i)
                 off, counted = abs(given - wanted), min(place, coarsest)
-                found[i, j] = Off(off, counted, yardstick, largest, zero)
+                found[i, j] = EntryDifference(off, counted, yardstick, largest, zero)
         return found
 
-    def _numbers(self) -> Iterator[tuple[Fraction, Fraction, Off]]:
+    def _numbers(self) -> Iterator[tuple[Fraction, Fraction, EntryDifference]]:
         for (i, j), off in self._entries.items():
             yield self.given[i][j], self.wanted[i][j], off
 
-    def _where(self, said: Callable[[Off], bool]) -> tuple[Place, ...]:
+    def _where(self, said: Callable[[EntryDifference], bool]) -> tuple[Place, ...]:
         return tuple(place for place, off in self._entries.items() if off.difference and said(off))
 
 

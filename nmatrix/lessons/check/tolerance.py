@@ -42,7 +42,7 @@ class Zero(Enum):
 
 
 @dataclass(frozen=True)
-class Off:
+class EntryDifference:
     """How far one entry of an answer is off, and what that is held against.
 
     `place` is one unit of the last decimal that counts, `largest` the largest entry of all.
@@ -65,7 +65,7 @@ class Off:
         A half beside a translation of 5,000, typed as 0.51 and as 0.60.
 
         >>> place, half, all_ = Fraction(1, 100), Fraction(1, 2), Fraction(5000)
-        >>> [Off(off, place, half, all_, Zero.NONE).is_near()
+        >>> [EntryDifference(off, place, half, all_, Zero.NONE).is_near()
         ...  for off in (Fraction(1, 100), Fraction(1, 10))]
         [True, False]
         """

@@ -56,7 +56,7 @@ def short_cut(draws: Draws, number: int) -> Exercise:
     yes = "yes: the columns are perpendicular and equally long"
     lengths = "no: the columns are perpendicular, but not equally long"
     angles = "no: the columns are not perpendicular"
-    kind = draws.below(4)
+    kind = draws.randbelow(4)
     A = _block(draws, kind)
     right = (0, 0, 1, 2)[kind]
     size = product(transpose(A), A)
@@ -80,7 +80,7 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     """Show a wrong answer and ask which mistake it holds."""
     quarter = draws.choice((90, -90))
     scale = draws.several(SCALES, 3)
-    move = tuple(Fraction(1 + draws.below(4)) for _ in range(3))
+    move = tuple(Fraction(1 + draws.randbelow(4)) for _ in range(3))
     angles = tuple(Fraction(quarter if i == 2 else 0) for i in range(3))
     world = World(translate=move, rotate_degrees=angles, scale=scale)
     subject = draws.choice((Subject.WORLD, Subject.NORMAL))
@@ -92,7 +92,7 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     chosen = draws.several(near, CHOICES)
     if len({by_mistake[one] for one in chosen}) < CHOICES:
         return None
-    right = draws.below(CHOICES)
+    right = draws.randbelow(CHOICES)
     made = chosen[right]
     options = tuple(
         Option(MISTAKES[one].did, MISTAKES[one].rule if one is made else OTHER_NUMBERS, one)

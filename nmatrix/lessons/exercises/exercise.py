@@ -40,7 +40,7 @@ class Grader(Protocol):
 
 
 @dataclass(frozen=True)
-class Planned:
+class ExpectedMistake:
     """A wrong answer that is expected, as it might be typed."""
 
     mistake: MistakeId
@@ -62,7 +62,7 @@ class Exercise:
     key: tuple[Block, ...]
     right: str
     grader: Grader
-    planned: tuple[Planned, ...] = ()
+    planned: tuple[ExpectedMistake, ...] = ()
 
     @property
     def title(self) -> str:

@@ -9,7 +9,7 @@ from nmatrix.enums import Space
 from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake, Kind
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import column, formula, typed, written
 from nmatrix.linear.rational import (
@@ -63,7 +63,7 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     """Ask for the normal matrix of a scale and a shear."""
     scale = draws.several(SCALES, 3)
     shear = [Fraction(0)] * 3
-    shear[draws.below(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
+    shear[draws.randbelow(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
     world = World(scale=scale, shear=tuple(shear))
     question = Question(Subject.NORMAL, Setup(world))
     A = linear(world.world_from_object)
@@ -89,9 +89,9 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
 def light_in_camera(draws: Draws, number: int) -> Exercise | None:
     """Ask for a light's position in camera space, beside an object that must not matter."""
     world, told = _placed(draws)
-    axis, side = draws.below(2), draws.choice((-1, 1))
+    axis, side = draws.randbelow(2), draws.choice((-1, 1))
     eye = [Fraction(0)] * 3
-    eye[(0, 2)[axis]] = side * Fraction(3 + draws.below(4))
+    eye[(0, 2)[axis]] = side * Fraction(3 + draws.randbelow(4))
     light = tuple(draws.choice(MOVES) for _ in range(3))
     setup = Setup(world, View(eye=tuple(eye)), light=Light(position=light))
     question = Question(Subject.LIGHT, setup, Space.CAMERA, light=LightPart.POSITION)
@@ -138,8 +138,8 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
 def mirrored(draws: Draws, number: int) -> Exercise | None:
     """Ask for an outward normal through a turned mirror, or through a flattening."""
     scale = list(draws.several(SCALES[1:4], 3))
-    place = draws.below(3)
-    is_flat = draws.below(2) == 1
+    place = draws.randbelow(3)
+    is_flat = draws.randbelow(2) == 1
     scale[place] = Fraction(0) if is_flat else -scale[place]
     n = [draws.choice(MOVES) for _ in range(3)]
     world = World(rotate_degrees=_quarter_turn(draws), scale=tuple(scale))
@@ -177,7 +177,7 @@ def _placed(draws: Draws) -> tuple[World, str]:
 
 def _quarter_turn(draws: Draws) -> Vector:
     """Return angles about x, y and z in degrees, one of them a quarter turn."""
-    axis, turn = draws.below(3), draws.choice(QUARTERS)
+    axis, turn = draws.randbelow(3), draws.choice(QUARTERS)
     return tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
 
 
@@ -214,16 +214,18 @@ def _computed(
     )
 
 
-def _shown_mistakes(judge: Judge, planned: tuple[MistakeId, ...]) -> tuple[Planned, ...] | None:
-    """Return the first answer of each planned mistake, if all of them show and differ."""
-    found: list[Planned] = []
+def _shown_mistakes(
+    judge: Judge, planned: tuple[MistakeId, ...]
+) -> tuple[ExpectedMistake, ...] | None:
+    """Make each planned mistake once; None where one does not show, or two look alike."""
+    found: list[ExpectedMistake] = []
     for mistake in planned:
         values = (one.value for one in judge.singles if one.mistakes == (mistake,))
         texts = (typed((value[0][:3],) if judge.question.is_vector else value) for value in values)
         named = next((text for text in texts if _is_named(judge, mistake, text)), None)
         if named is None or named in (one.text for one in found):
             return None
-        found.append(Planned(mistake, named))
+        found.append(ExpectedMistake(mistake, named))
     return tuple(found)
 
 

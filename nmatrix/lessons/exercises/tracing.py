@@ -8,11 +8,10 @@ from fractions import Fraction
 
 from nmatrix.lessons.check.hints import Hint
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
-from nmatrix.lessons.check.slips import lens as lens_slips
 from nmatrix.lessons.check.wrong import WrongAnswer
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake, Kind
 from nmatrix.lessons.exercises.matrices import MOVES
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import column, formula, typed, written
@@ -29,7 +28,7 @@ PLANNED = (MistakeId.ASPECT_INVERTED, MistakeId.HORIZONTAL_FOV)
 
 def trace(draws: Draws, number: int) -> Exercise | None:
     """Ask for the normalised device coordinates of a vertex."""
-    scale, further = Fraction(draws.choice((1, 2))), draws.below(4)
+    scale, further = Fraction(draws.choice((1, 2))), draws.randbelow(4)
     point = tuple(Fraction(draws.choice((-2, -1, 1, 2))) for _ in range(3))
     move = tuple(draws.choice(MOVES[1:5]) for _ in range(2))
     world = World(translate=(*move, 0), scale=(scale, scale, scale))
@@ -39,7 +38,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     wrong = [
         WrongAnswer((mistake,), (_ndc(one, point),))
         for mistake in PLANNED
-        for one in _slipped(mistake, setup)
+        for one in _misread(mistake, setup)
     ]
     if any(abs(x) > 1 for x in right[:3]):
         return None  # the vertex should be seen
@@ -55,7 +54,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
         _key(setup, point, right),
         typed((right[:3],)),
         _Divided(judge),
-        tuple(Planned(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
+        tuple(ExpectedMistake(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
     )
 
 
@@ -102,13 +101,11 @@ def _ndc(setup: Setup, point: RationalVector) -> RationalVector:
     return (*(x / clip[3] for x in clip[:3]), ONE)
 
 
-def _slipped(mistake: MistakeId, setup: Setup) -> Iterator[Setup]:
-    slip = {
-        MistakeId.ASPECT_INVERTED: lens_slips.aspect_inverted,
-        MistakeId.HORIZONTAL_FOV: lens_slips.horizontal_fov,
-    }[mistake]
-    for one in slip(setup):
-        yield replace(setup, lens=one.lens)
+def _misread(mistake: MistakeId, setup: Setup) -> Iterator[Setup]:
+    made = MISTAKES[mistake].made_in(Question(Subject.PROJECTION, setup))
+    assert made is not None  # the lens of this exercise has an angle
+    for describe in made.describe:
+        yield from describe(setup)
 
 
 def _task(setup: Setup, point: RationalVector) -> tuple[Text, ...]:
