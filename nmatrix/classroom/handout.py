@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 
 from nmatrix.classroom.topics import Part, Topic, part
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
-from nmatrix.output.pages.document import Document, PageFormat, Paper
-from nmatrix.output.pages.write import WITH_PICTURES_BESIDE, write
+from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, Document, PageFormat, Paper, write
 from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
 from nmatrix.scene.setup import Setup
 from nmatrix.version import __version__

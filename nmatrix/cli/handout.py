@@ -112,7 +112,7 @@ def handout(
     if options.key and not has_exercises:
         raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
     if options.to is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_typst
+        from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
     setup = Groups(world, view, lens, light, space, scene=scene).setup(everywhere)
@@ -134,10 +134,10 @@ def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
     from nmatrix.classroom.handout import pictures_beside, written
 
     if plan.kind is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_names
+        from nmatrix.output.pages.page_pdf import check_names
 
         check_names([of.student or ""])
-    from nmatrix.output.pages.write import WITH_PICTURES_BESIDE
+    from nmatrix.output.pages.document import WITH_PICTURES_BESIDE
 
     path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")
     key = path.with_name(f"{path.stem}-key{path.suffix}")

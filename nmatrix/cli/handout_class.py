@@ -60,7 +60,7 @@ def _check_names(names: Sequence[str], executor: Executor | None) -> None:
 
     A process that has used Typst must not be forked: its threads would be missing in the copies.
     """
-    from nmatrix.output.pages.pdf import check_names
+    from nmatrix.output.pages.page_pdf import check_names
 
     if executor is None:
         check_names(names)

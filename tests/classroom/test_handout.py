@@ -17,8 +17,7 @@ from nmatrix.classroom.roster import slug, students
 from nmatrix.classroom.topics import Topic
 from nmatrix.cli.app import run
 from nmatrix.lessons.exercises.scheme import Sheet
-from nmatrix.output.pages.document import Document, PageFormat, Paper
-from nmatrix.output.pages.write import write
+from nmatrix.output.pages.document import Document, PageFormat, Paper, write
 from nmatrix.raster.image import png
 from nmatrix.reading.records import records_of
 from nmatrix.report import (

@@ -12,8 +12,7 @@ import pytest
 
 from nmatrix.cli.app import run
 from nmatrix.cli.catalogue import COMMANDS
-
-FORMATS = ["text", "json", "csv", "latex", "markdown", "mathml", "typst", "glsl", "js", "numpy"]
+from nmatrix.enums import Format
 
 
 class Result:
@@ -71,7 +70,7 @@ def test_json_has_exactly_the_keys_of_the_contract(nmatrix, line: str) -> None:
 
 
 @pytest.mark.parametrize("line", [line for line in KEYS if "derive" not in line])
-@pytest.mark.parametrize("format_", FORMATS)
+@pytest.mark.parametrize("format_", Format)
 def test_every_format_of_every_command(nmatrix, line: str, format_: str) -> None:
     found = nmatrix(*line.split(), "-f", format_)
     assert found.code == 0, found.err

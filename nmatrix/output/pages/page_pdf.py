@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 
 from nmatrix.errors import IllegalValueError, MissingPackageError
 from nmatrix.output.pages.document import Document
-from nmatrix.output.pages.typ import typ
+from nmatrix.output.pages.page_typst import typ
 from nmatrix.report import Text
 
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
