@@ -23,7 +23,7 @@ from nmatrix.output.pages.document import PageFormat, Paper
 from nmatrix.report import Block, Report, Text, Verdict
 
 if TYPE_CHECKING:
-    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.topics import Topic
 
 HELP = {
@@ -104,7 +104,7 @@ def handout(
     everywhere: Everywhere,
 ) -> None:
     """Write a handout."""
-    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.topics import Topic
 
     topics = options.chosen_topics()
@@ -117,7 +117,7 @@ def handout(
         check_typst()
     setup = Groups(world, view, lens, light, space, scene=scene).setup(everywhere)
     count = options.count() if has_exercises else 0
-    plan = Plan(topics, setup, count, options.to, options.paper, options.key)
+    plan = HandoutPlan(topics, setup, count, options.to, options.paper, options.key)
     if options.roster is None:
         files = _one(plan, options, of)
         made = len(files)
@@ -129,9 +129,9 @@ def handout(
     show(_report(files, made, options), everywhere)
 
 
-def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
+def _one(plan: HandoutPlan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
     """Write one sheet, its pictures where they stand beside it, and its key."""
-    from nmatrix.classroom.handout import pictures_beside, written
+    from nmatrix.classroom.handout import pictures_beside, student_files
 
     if plan.kind is PageFormat.PDF:
         from nmatrix.output.pages.page_pdf import check_names
@@ -144,7 +144,7 @@ def _one(plan: Plan, options: HandoutOptions, of: SheetOptions) -> list[Path]:
     refuse_existing([path, key] if plan.with_key else [path], force=options.force)
     has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
     plan = replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else "")
-    found = written(plan, of.sheet)
+    found = student_files(plan, of.sheet)
     contents = [(path, found.sheet)]
     if found.key is not None:
         contents.append((key, found.key))

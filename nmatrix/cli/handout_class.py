@@ -16,13 +16,19 @@ from nmatrix.output.pages.document import PageFormat
 from nmatrix.reading.records import records
 
 if TYPE_CHECKING:
-    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.manifest import Manifest
     from nmatrix.classroom.run import Job
 
 
 def write_class(
-    plan: Plan, roster: str, folder: Path, of: SheetOptions, workers: WorkerOptions, *, force: bool
+    plan: HandoutPlan,
+    roster: str,
+    folder: Path,
+    of: SheetOptions,
+    workers: WorkerOptions,
+    *,
+    force: bool,
 ) -> tuple[list[Path], int]:
     """Write what is missing of a class's sheets into a folder.
 

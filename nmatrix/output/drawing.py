@@ -213,7 +213,7 @@ def _column(cells: list[str], *, number: bool) -> list[str]:
 def _widths(
     columns: Sequence[str], cells: list[list[str]], numeric: Sequence[bool], limit: int
 ) -> list[int] | None:
-    """Return column widths within the limit, taking room from the widest words first."""
+    """Fit the columns into the limit, taking room from the widest words first."""
     widths = [
         max(len(name), *(len(cell) for cell in column))
         for name, column in zip(columns, cells, strict=True)

@@ -51,17 +51,17 @@ _EASTERN = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŔŕ
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as LaTeX."""
+    """Write the report as LaTeX."""
     return compose(report, Latex(options))
 
 
 def symbol(key: str) -> str:
-    """Return a key as a formula's name."""
+    """Write a key as a formula's name."""
     return rf"\mathtt{{{key.replace('_', chr(92) + '_')}}}"
 
 
 def power_of_ten(number: str) -> str:
-    r"""Return a number with its exponent as mathematics writes it.
+    r"""Write the exponent of a number as mathematics does.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def power_of_ten(number: str) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Return text that LaTeX shows as it is, also where its fonts lack a character.
+    r"""Escape text, so that LaTeX shows it as it is, also where its fonts lack a character.
 
     Examples
     --------
@@ -84,7 +84,7 @@ def escaped(text: str) -> str:
 
 
 def _in_latin(mark: str) -> str:
-    """Return a letter that LaTeX's fonts have as it is, any other character spelled in ASCII."""
+    """Keep a letter that LaTeX's fonts have, and spell any other character in ASCII."""
     if mark.isascii() or (mark.isalpha() and mark <= "ÿ") or mark in _EASTERN:
         return mark if mark.isprintable() else " "
     return "".join(_CHARACTERS.get(c, c) for c in spelled(mark, Charset.ASCII))

@@ -12,7 +12,7 @@ from nmatrix.report import Formula, Report
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as Markdown."""
+    """Write the report as Markdown."""
     return compose(report, Markdown(options))
 
 
@@ -61,5 +61,5 @@ class Markdown(Dialect):
 
 
 def escaped(text: str) -> str:
-    """Return text that this format shows as it is."""
+    """Escape text, so that Markdown shows it as it is."""
     return "".join(f"\\{c}" if c in "\\`*_{}[]<>#|$" else c for c in text)

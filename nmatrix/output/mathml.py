@@ -18,12 +18,12 @@ _PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as HTML with MathML."""
+    """Write the report as HTML with MathML."""
     return compose(report, MathML(options))
 
 
 def prose(text: str) -> str:
-    r"""Return words for a page; exponents by markup, since not every font has ᵀ where it belongs.
+    r"""Write words for a page; exponents by markup, since not every font has ᵀ where it belongs.
 
     A matrix and its vector stay on one line.
 

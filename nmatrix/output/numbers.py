@@ -12,7 +12,7 @@ FIXED_FROM = -4  # as in C's %g: smaller exponents are written as 1e-05
 
 
 def nearest(value: Number) -> float | None:
-    """Return the float64 nearest to a number, or None outside the float64 range.
+    """Round a number to the nearest float64; None outside its range.
 
     Dividing integers rounds correctly in Python; −0 becomes 0.
 
@@ -28,12 +28,12 @@ def nearest(value: Number) -> float | None:
     return found + 0.0 if isfinite(found) else None
 
 
-def machine(value: Number) -> str | None:
-    """Return the shortest text that reads back as the same float64; None outside its range.
+def round_trip_text(value: Number) -> str | None:
+    """Write the shortest text that reads back as the same float64; None outside its range.
 
     Examples
     --------
-    >>> machine(0.1), machine(Fraction(1, 4)), machine(7)
+    >>> round_trip_text(0.1), round_trip_text(Fraction(1, 4)), round_trip_text(7)
     ('0.1', '0.25', '7')
     """
     rounded = nearest(value)
@@ -43,7 +43,7 @@ def machine(value: Number) -> str | None:
 
 
 def significant(value: Number, digits: int) -> str:
-    """Return a number in so many significant digits, correctly rounded, without idle zeros.
+    """Write so many significant digits, correctly rounded, without trailing zeros.
 
     Integers that count something stay whole; fractions are rounded from their integers, so that
     a value beyond every float is still shown.
@@ -69,7 +69,7 @@ def _from_integers(value: Fraction, digits: int) -> str:
 
 
 def _scientific(size: Fraction, digits: int) -> tuple[int, str]:
-    """Return e and the decimal digits m of m₀.m₁m₂… × 10ᵉ, rounded half to even."""
+    """Find e and the decimal digits m of m₀.m₁m₂… × 10ᵉ, rounded half to even."""
     bits = size.numerator.bit_length() - size.denominator.bit_length()
     exponent = int(bits * DECIMALS_PER_BIT)
     while size >= _power(exponent + 1):

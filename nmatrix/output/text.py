@@ -47,7 +47,7 @@ MARKS = {
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as lines of at most `options.width` columns.
+    """Write the report in lines of at most `options.width` columns.
 
     Examples
     --------
@@ -65,14 +65,14 @@ def write(report: Report, options: OutputOptions) -> str:
 
 
 def _grouping(block: Block) -> tuple[str, int]:
-    """Return what neighbours must share to stand without an empty line between them."""
+    """Group neighbours that stand without an empty line between them."""
     if isinstance(block, Quantity) and not is_matrix(block.value):
         return ("quantities", 0)
     return (type(block).__name__, id(block))
 
 
 def _parted(parts: Iterable[list[Line]]) -> Iterator[Line]:
-    """Give the lines of all parts, with an empty line between two parts."""
+    """Put an empty line between two parts."""
     first = True
     for part in parts:
         if part and not first:
@@ -167,7 +167,7 @@ class _Writer:
         return lines
 
     def _values(self, block: Quantity, indent: int) -> list[Line]:
-        """Return a scalar, a vector or a word, on as many lines as it needs."""
+        """Write a scalar, a vector or a word, on as many lines as it needs."""
         value, unit = block.value, self._spelled(f" {block.unit}" if block.unit else "")
         if is_vector(value):
             room = OutputOptions(

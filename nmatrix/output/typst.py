@@ -14,7 +14,7 @@ _LISTLIKE = re.compile(r"^(\s*(?:[0-9]+)?)([-+.])", re.MULTILINE)
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as Typst."""
+    """Write the report as Typst."""
     return compose(report, Typst(options))
 
 
@@ -64,6 +64,6 @@ class Typst(Dialect):
 
 
 def escaped(text: str) -> str:
-    """Return text that Typst shows as it is, also where a line begins like a list."""
+    """Escape text, so that Typst shows it as it is, also where a line begins like a list."""
     shown = "".join(f"\\{c}" if c in "\\#$*_`<>@[]=~/\"'" else c for c in text)
     return _LISTLIKE.sub(r"\1\\\2", shown)

@@ -97,7 +97,7 @@ class Mistake:
 
 
 def _for(slip: Slip, *subjects: Subject) -> dict[Subject, Slip]:
-    """Give several subjects the same slip."""
+    """Let the same slip happen to several subjects."""
     return dict.fromkeys(subjects, slip)
 
 

@@ -55,7 +55,7 @@ class EntryDifference:
     zero: Zero
 
     def is_near(self) -> bool:
-        """Return whether the entry counts as right.
+        """Decide if the entry counts as right.
 
         It may be off by one unit of its last place, at least two decimals counted (by half a unit,
         where one is much beside the yardstick), or by 5e-4 of the largest entry of all.
@@ -74,11 +74,11 @@ class EntryDifference:
         )
 
     def is_near_a_mistake(self) -> bool:
-        """Return whether the entry counts as that of a mistake: among its own kind alone."""
+        """Decide if the entry counts as that of a mistake: among its own kind alone."""
         return self._is_near_in_digits() or self.difference <= RELATIVE * self.yardstick
 
     def is_rounded(self) -> bool:
-        """Return whether every digit that was typed is right."""
+        """Decide if every digit that was typed is right."""
         return self._is_half(self.place) or self.difference <= NOISE * self.yardstick
 
     def _is_near_in_digits(self) -> bool:
@@ -88,7 +88,7 @@ class EntryDifference:
         return self.difference <= COARSEST * self.yardstick or self._is_half(place)
 
     def _is_half(self, place: Fraction) -> bool:
-        """Return whether the entry is off by half a unit, and no zero hides what matters.
+        """Decide if the entry is at most half a unit off, and no zero hides what matters.
 
         0.00 is a rounded number, and a bare 0 is none: it may not stand for the largest of its
         kind, and 0.00 not for the largest of all.
@@ -99,7 +99,7 @@ class EntryDifference:
 
 
 def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
-    """Return the largest entry of each entry's kind; where all of a kind are zero, at most 1.
+    """Take the largest entry of each entry's kind; where all of a kind are zero, at most 1.
 
     Examples
     --------

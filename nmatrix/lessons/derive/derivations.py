@@ -17,7 +17,7 @@ from nmatrix.lessons.derive.symbols import (
     generic_vector,
     polynomials,
 )
-from nmatrix.lessons.derive.worst_angle import nothing_is_worse
+from nmatrix.lessons.derive.worst_angle import worst_angle_bounds_all
 from nmatrix.lessons.notation import formula
 from nmatrix.linear import rational
 from nmatrix.report import Step
@@ -25,7 +25,7 @@ from nmatrix.report import Step
 
 def rule() -> tuple[list[Step], str]:
     """Derive N = A⁻ᵀ from the one thing that a normal is: perpendicular to every tangent."""
-    return [*_demand(), *_solution(), _worst_angle(), *nothing_is_worse()], (
+    return [*_demand(), *_solution(), _worst_angle(), *worst_angle_bounds_all()], (
         "Normals move by the inverse transpose of the 3×3 block: n′ = sign(det A) · C n, at "
         "length one; where det A = 0 it is C n, with either sign. A itself does only where "
         "AᵀA = s² I."
@@ -33,7 +33,7 @@ def rule() -> tuple[list[Step], str]:
 
 
 def _demand() -> list[Step]:
-    """Say what a normal is, how tangents move, and what that asks of N."""
+    """Define a normal, move its tangents, and state what that asks of N."""
     M, free, t, n, p, d = polynomials()
     moved_t, moved_n = rational.apply(M, t), rational.apply(free, n)
     far_end, near_end = rational.apply(M, _plus(p, t)), rational.apply(M, p)

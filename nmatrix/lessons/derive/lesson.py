@@ -14,7 +14,7 @@ from nmatrix.lessons.derive import (
     reflecting,
 )
 from nmatrix.lessons.derive.cases import TITLES, chosen
-from nmatrix.lessons.derive.users_matrix import own_matrix
+from nmatrix.lessons.derive.users_matrix import users_matrix
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear.classify import classify
 from nmatrix.report import Block, Heading, Report, Step, Value, Verdict
@@ -41,7 +41,7 @@ LESSONS: dict[str, Lesson] = {
 
 
 def derive(case: str, world: World | None = None) -> Report:
-    """Return the lessons that a word stands for, every step proved.
+    """Prove every step of the lessons that a word stands for.
 
     With a world, its own matrix follows the first lesson in exact numbers: fractions stay
     fractions, and 30° gives √3/2. What holds for it is said apart from what the lesson shows.
@@ -67,7 +67,7 @@ def derive(case: str, world: World | None = None) -> Report:
 
 
 def _lesson(name: str, world: World | None) -> Report:
-    """Return a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
+    """Teach a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
     steps, conclusion = LESSONS[name]()
     blocks: tuple[Block, ...] = (Heading(TITLES[name]), *steps, Verdict(conclusion))
     data: dict[str, Value] = {
@@ -78,7 +78,7 @@ def _lesson(name: str, world: World | None) -> Report:
     }
     if world is None:
         return Report("derive", data, blocks)
-    own = own_matrix(world)
+    own = users_matrix(world)
     kind = replace(classify(world.exact, SYMBOLIC), kind_exact=True)
     told = verdict(kind)
     return Report(

@@ -156,7 +156,7 @@ def eye() -> tuple[list[Step], str]:
 
 
 def _by_product(A_: sp.Matrix, e: sp.Matrix, t: sp.Matrix) -> sp.Matrix:
-    """Return (V M)⁻¹ (0, 0, 0, 1) for a view that only moves: V = T(−e)."""
+    """Compute (V M)⁻¹ (0, 0, 0, 1) for a view that only moves: V = T(−e)."""
     K, det = cofactors(A_), determinant(A_)
     moved = t - e  # the last column of V·M
     return -K.T * moved / det

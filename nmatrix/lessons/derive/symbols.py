@@ -12,21 +12,21 @@ if TYPE_CHECKING:
 
 
 def generic_matrix(name: str = "a") -> sp.Matrix:
-    """Return a 3×3 matrix of nine symbols."""
+    """Make a 3×3 matrix of nine symbols."""
     import sympy as sp
 
     return sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"{name}{i + 1}{j + 1}"))
 
 
 def generic_vector(name: str) -> sp.Matrix:
-    """Return a column of three symbols."""
+    """Make a column of three symbols."""
     import sympy as sp
 
     return sp.Matrix([sp.Symbol(f"{name}{axis}") for axis in "xyz"])
 
 
 def cofactors(A: sp.Matrix) -> sp.Matrix:
-    """Return the cofactor matrix: its rows are cross products of the rows of A."""
+    """Build the cofactor matrix: its rows are cross products of the rows of A."""
     import sympy as sp
 
     a, b, c = (A.row(i) for i in range(3))
@@ -34,12 +34,12 @@ def cofactors(A: sp.Matrix) -> sp.Matrix:
 
 
 def determinant(A: sp.Matrix) -> sp.Expr:
-    """Return det A, the first row times its cofactors."""
+    """Compute det A, the first row times its cofactors."""
     return A.row(0).dot(cofactors(A).row(0))
 
 
 def polynomials() -> list[Any]:
-    """Return two matrices and four vectors whose entries are free variables of one ring.
+    """Make two matrices and four vectors whose entries are free variables of one ring.
 
     Polynomials are kept in one canonical form, so an identity holds exactly if both sides are
     equal; no simplification has to find it.

@@ -18,7 +18,7 @@ TYPED = "your matrix, exactly as it was typed"
 OF_UNIT_LENGTH = "your matrix, exactly; the quaternion was brought to length one"
 
 
-def own_matrix(world: World) -> list[Step]:
+def users_matrix(world: World) -> list[Step]:
     """Put a world's 3×3 block into the rule, in exact numbers."""
     import sympy as sp
 
@@ -71,11 +71,11 @@ class Named:
         }
 
     def __call__(self, expression: sp.Basic) -> sp.Basic:
-        """Return an expression with the names in it."""
+        """Put the names into an expression."""
         return expression.xreplace(self.names)
 
     def steps(self) -> list[Step]:
-        """Say which angle each pair of names belongs to."""
+        """Define each pair of names by its angle."""
         import sympy as sp
 
         return [self._pair(sp.cos(angle), sp.sin(angle)) for angle in self.angles]
@@ -99,7 +99,7 @@ def _equation(name: sp.Symbol, value: sp.Expr) -> str:
 
 
 def _typed(degrees: sp.Rational) -> str:
-    """Return degrees as a short decimal, if they are one."""
+    """Write degrees as a short decimal, if they are one."""
     short = f"{float(degrees):g}"
     exact = Fraction(int(degrees.p), int(degrees.q))
     return short if Fraction(short) == exact else str(exact)
@@ -124,7 +124,7 @@ def _translation(M: sp.Matrix, normal_matrix: sp.Matrix, named: Named) -> list[S
 
 
 def exact_matrix(world: World) -> sp.Matrix:
-    """Return the 4×4 matrix of a world with SymPy's own sines and cosines."""
+    """Build the 4×4 matrix of a world with SymPy's own sines and cosines."""
     import sympy as sp
 
     rows = world.exact_by(_turn)
@@ -140,7 +140,7 @@ def _turn(degrees: Number) -> Angle:
 
 
 def tidy(expression: sp.Expr) -> sp.Expr:
-    """Return an expression without needless roots, sines and products."""
+    """Simplify an expression: no needless roots, sines and products."""
     import sympy as sp
 
     if not expression.has(sp.sin, sp.cos):

@@ -12,7 +12,7 @@ from nmatrix.linear import rational
 from nmatrix.report import Step
 
 
-def nothing_is_worse() -> list[Step]:
+def worst_angle_bounds_all() -> list[Step]:
     """Prove tan θ ≤ (κ − 1/κ)/2 for every normal."""
     return [_product(), _by_lengths(), _between(), _together()]
 

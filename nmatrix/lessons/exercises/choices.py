@@ -128,7 +128,7 @@ NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
 
 
 def _block(draws: Draws, kind: int) -> RationalMatrix:
-    """Return a turn with a uniform scale, a mirror of one, a stretch, or a shear."""
+    """Draw a turn with a uniform scale, a mirror of one, a stretch, or a shear."""
     turn = rotation_about(draws.choice("XYZ"), Angle.degrees(draws.choice((90, 180, 270))))
     if kind == 0:
         s = draws.choice(SCALES)

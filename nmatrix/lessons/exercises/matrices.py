@@ -163,7 +163,7 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
 
 
 def _placed(draws: Draws) -> tuple[World, str]:
-    """Return a world of three parts, and the sentence that tells it."""
+    """Draw a world of three parts, with the sentence that describes it."""
     move = tuple(draws.choice(MOVES) for _ in range(3))
     angles = _quarter_turn(draws)
     scale = draws.several(SCALES, 3)
@@ -176,7 +176,7 @@ def _placed(draws: Draws) -> tuple[World, str]:
 
 
 def _quarter_turn(draws: Draws) -> Vector:
-    """Return angles about x, y and z in degrees, one of them a quarter turn."""
+    """Draw angles about x, y and z in degrees, one of them a quarter turn."""
     axis, turn = draws.randbelow(3), draws.choice(QUARTERS)
     return tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
 
@@ -193,7 +193,7 @@ def _computed(
     planned: tuple[MistakeId, ...],
     steps: tuple[Block, ...] = (),
 ) -> Exercise | None:
-    """Return the exercise, or None where a planned mistake would not show in these numbers."""
+    """Make the exercise; None where a planned mistake would not show in these numbers."""
     judge = Judge(question)
     wrong = _shown_mistakes(judge, planned)
     if wrong is None:
@@ -236,5 +236,5 @@ def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
 
 
 def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
-    """Return the right answer for the key."""
+    """Write the right answer for the key."""
     return formula("answer = ", column(right[0]) if is_vector else right)

@@ -77,7 +77,7 @@ class _Divided(Computed):
     """Numbers that must have been divided by w: of four, the last one is 1."""
 
     def judge(self, text: str) -> Judgement:
-        """Return the judgement of numbers."""
+        """Judge numbers."""
         answer = self.answer(text)
         found = self.by.judge(answer)
         w = answer.rows[0][3:] or (ONE,)

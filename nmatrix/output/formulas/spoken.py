@@ -61,7 +61,7 @@ FUNCTIONS = {
 
 
 def spoken(node: Node) -> str:
-    """Print a tree as it is read aloud.
+    """Read a tree aloud.
 
     Examples
     --------
@@ -99,7 +99,7 @@ def _name(name: Name) -> str:
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
-    """Say each piece; a length after another thing multiplies it."""
+    """Read each piece aloud; a length after another thing multiplies it."""
     for i, item in enumerate(items):
         if i and _is_length(item) and not isinstance(items[i - 1], Sign):
             yield "times"
@@ -113,7 +113,7 @@ def _is_length(node: Node) -> bool:
 
 
 def _power(base: Node, exponent: str) -> str:
-    """Say a power; of a length or a function it comes before what they are of."""
+    """Read a power aloud; of a length or a function it comes before what they are of."""
     said = POWERS.get(exponent) or f"to the power {exponent}"
     if isinstance(base, Fence) and base.bars and exponent == "2":
         return f"the squared length of {_grouped(base.inside)}"
@@ -123,14 +123,14 @@ def _power(base: Node, exponent: str) -> str:
 
 
 def _whole(node: Node) -> str:
-    """Say a base so that its end is heard before the exponent."""
+    """Read a base aloud so that its end is heard before the exponent."""
     if isinstance(node, Fence) and isinstance(node.inside, Row):
         return f"the group {spoken(node.inside)} end of group"
     return spoken(node)
 
 
 def _grouped(node: Node) -> str:
-    """Say a piece so that its end is heard, if it is a sum or a product."""
+    """Read a piece aloud so that its end is heard, if it is a sum or a product."""
     is_long = isinstance(node, Row) and any(isinstance(one, Sign) for one in node.items)
     return f"the group {spoken(node)} end of group," if is_long else spoken(node)
 
