@@ -22,7 +22,7 @@ from nmatrix.formula import (
     Sign,
 )
 
-SIGNS = {
+SIGNS = {  # a sign that is missing here is a fault of ours, and not to be printed as it is
     APART: r",\; ",
     ",": ", ",
     "=": " = ",
