@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 
 from nmatrix.lessons.check.hints import Hint
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
@@ -45,7 +46,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     if len({right, *(one.value[0] for one in wrong)}) <= len(wrong):
         return None
     undivided = Hint((_clip(setup, point),), UNDIVIDED)
-    judge = _Known(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
+    judge = _TraceJudge(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
     return Exercise(
         number,
         Kind.TRACE,
@@ -58,18 +59,33 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     )
 
 
-class _Known(Judge):
-    """A judge whose answers are given, not those of its question."""
+@dataclass(frozen=True)
+class _TraceJudge(Judge):
+    """A judge of a traced vertex, which is no answer to a question of `check`."""
 
-    def __init__(
-        self,
-        question: Question,
-        right: RationalVector,
-        wrong: tuple[WrongAnswer, ...],
-        undivided: Hint,
-    ) -> None:
-        super().__init__(question)
-        self.__dict__.update(right=(right,), singles=wrong, doubles=(), hints=(undivided,))
+    ndc: RationalVector
+    mistaken: tuple[WrongAnswer, ...]
+    undivided: Hint
+
+    @cached_property
+    def right(self) -> RationalMatrix:
+        """The vertex in normalised device coordinates, with w = 1."""
+        return (self.ndc,)
+
+    @cached_property
+    def singles(self) -> tuple[WrongAnswer, ...]:
+        """The vertex seen through mistaken lenses."""
+        return self.mistaken
+
+    @cached_property
+    def doubles(self) -> tuple[WrongAnswer, ...]:
+        """No pairs: the numbers are chosen so that each mistake shows by itself."""
+        return ()
+
+    @cached_property
+    def hints(self) -> tuple[Hint, ...]:
+        """The clip coordinates, where the division was forgotten."""
+        return (self.undivided,)
 
 
 @dataclass(frozen=True)
