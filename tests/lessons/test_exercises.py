@@ -14,14 +14,14 @@ from nmatrix.lessons.check.question import Subject
 from nmatrix.lessons.exercises import scheme
 from nmatrix.lessons.exercises import sheet as sheets
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Kind
+from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, ExerciseKind
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
 from nmatrix.lessons.exercises.tracing import UNDIVIDED
 from nmatrix.output.formulas.text import text as drawn
 from nmatrix.report import Formula, Text
 
-SIZE = len(Kind)
+SIZE = len(ExerciseKind)
 
 
 def lines(blocks) -> str:
@@ -95,7 +95,7 @@ def test_neighbouring_parts_do_not_run_into_each_other() -> None:
 
 def test_a_sheet_takes_turns_through_all_kinds_and_does_not_depend_on_its_length() -> None:
     ten = exercises(SIZE, Sheet("3", "Bo"))
-    assert [one.kind for one in ten] == list(Kind)
+    assert [one.kind for one in ten] == list(ExerciseKind)
     assert exercises(4, Sheet("3", "Bo")) == ten[:4]
     assert exercise(13, Sheet("3", "Bo")).kind is ten[2].kind
 
@@ -135,7 +135,7 @@ def test_numbers_are_small_enough_for_hand_work() -> None:
 def test_the_key_is_not_on_the_sheet() -> None:
     for one in exercises(SIZE, Sheet("9", "Cy")):
         task = lines(one.task)
-        assert "answer = " not in task or one.kind is Kind.MISTAKE
+        assert "answer = " not in task or one.kind is ExerciseKind.MISTAKE
         assert "Answer: " not in task
 
 
@@ -180,7 +180,7 @@ def test_attempts_that_do_not_show_their_mistakes_are_drawn_again(monkeypatch) -
         return original(draws, number) if len(built) > 3 else None
 
     monkeypatch.setattr(sheets, "KINDS", (reluctant,))
-    assert exercise(1, Sheet("1", "Ada")).kind is Kind.WORLD
+    assert exercise(1, Sheet("1", "Ada")).kind is ExerciseKind.WORLD
     assert len(built) == 4
 
 

@@ -8,7 +8,7 @@ from nmatrix.lessons.check.judge import Judge
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind, Option, listed
+from nmatrix.lessons.exercises.exercise import Choice, Exercise, ExerciseKind, Option, listed
 from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import formula, written
@@ -48,7 +48,9 @@ def which_space(draws: Draws, number: int) -> Exercise:
             "which space is the result?"
         ),
     )
-    return _choice(number, Kind.WHICH_SPACE, task, options, list(SPACE_OPTIONS).index(space))
+    return _choice(
+        number, ExerciseKind.WHICH_SPACE, task, options, list(SPACE_OPTIONS).index(space)
+    )
 
 
 def short_cut(draws: Draws, number: int) -> Exercise:
@@ -73,7 +75,9 @@ def short_cut(draws: Draws, number: int) -> Exercise:
         formula("A = ", A),
         Text("Is it legal to multiply normals by A itself, and to normalise?"),
     )
-    return _choice(number, Kind.SHORTCUT, task, options, right, (formula("Aᵀ · A = ", size),))
+    return _choice(
+        number, ExerciseKind.SHORTCUT, task, options, right, (formula("Aᵀ · A = ", size),)
+    )
 
 
 def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
@@ -110,7 +114,7 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
         Text("What do you tell Sam?"),
     )
     key = (formula("right = ", judge.right), Text(MISTAKES[made].did))
-    return _choice(number, Kind.MISTAKE, task, options, right, key)
+    return _choice(number, ExerciseKind.MISTAKE, task, options, right, key)
 
 
 def concept(draws: Draws, number: int) -> Exercise:
@@ -119,7 +123,7 @@ def concept(draws: Draws, number: int) -> Exercise:
     options = [Option(text, because) for text, because in (right, *wrong)]
     order = draws.shuffled(range(len(options)))
     shuffled = tuple(options[i] for i in order)
-    return _choice(number, Kind.CONCEPT, (Text(question),), shuffled, order.index(0))
+    return _choice(number, ExerciseKind.CONCEPT, (Text(question),), shuffled, order.index(0))
 
 
 CHOICES = 4
@@ -146,7 +150,7 @@ def _block(draws: Draws, kind: int) -> RationalMatrix:
 
 def _choice(
     number: int,
-    kind: Kind,
+    kind: ExerciseKind,
     task: tuple[Block, ...],
     options: tuple[Option, ...],
     right: int,

@@ -16,7 +16,7 @@ from nmatrix.lessons.check.question import Question
 from nmatrix.report import Block
 
 
-class Kind(StrEnum):
+class ExerciseKind(StrEnum):
     """The kinds, in the order in which a sheet takes turns."""
 
     WORLD = "world matrix"
@@ -56,7 +56,7 @@ class Exercise:
     """
 
     number: int
-    kind: Kind
+    kind: ExerciseKind
     task: tuple[Block, ...]
     cells: tuple[int, int]
     key: tuple[Block, ...]

@@ -9,7 +9,7 @@ from nmatrix.enums import Space
 from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake, Kind
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind, ExpectedMistake
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import column, formula, typed, written
 from nmatrix.linear.rational import (
@@ -56,7 +56,7 @@ def world_matrix(draws: Draws, number: int) -> Exercise | None:
         formula("R = ", R, ", S = ", S, ", t = ", column(t)),
         formula("R · S = ", product(R, S)),
     )
-    return _computed(number, Kind.WORLD, question, task, planned, steps)
+    return _computed(number, ExerciseKind.WORLD, question, task, planned, steps)
 
 
 def normal_matrix(draws: Draws, number: int) -> Exercise | None:
@@ -83,7 +83,7 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
         formula(f"det A = {written(det)}"),
         formula("A⁻ᵀ = C / det A"),
     )
-    return _computed(number, Kind.NORMAL, question, task, planned, steps)
+    return _computed(number, ExerciseKind.NORMAL, question, task, planned, steps)
 
 
 def light_in_camera(draws: Draws, number: int) -> Exercise | None:
@@ -109,7 +109,7 @@ def light_in_camera(draws: Draws, number: int) -> Exercise | None:
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
     )
     planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
-    return _computed(number, Kind.LIGHT, question, task, planned, steps)
+    return _computed(number, ExerciseKind.LIGHT, question, task, planned, steps)
 
 
 def eye_in_object(draws: Draws, number: int) -> Exercise | None:
@@ -132,7 +132,7 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
         formula("e − t = ", column(away)),
     )
     planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
-    return _computed(number, Kind.EYE, question, task, planned, steps)
+    return _computed(number, ExerciseKind.EYE, question, task, planned, steps)
 
 
 def mirrored(draws: Draws, number: int) -> Exercise | None:
@@ -156,10 +156,14 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
     steps: tuple[Block, ...] = (formula("C = ", cofactor(A)),)
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
-        return _computed(number, Kind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told)))
+        return _computed(
+            number, ExerciseKind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told))
+        )
     told = "det A < 0: the outward normal is −C n, a positive multiple of the inverse transpose's."
     planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
-    return _computed(number, Kind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told)))
+    return _computed(
+        number, ExerciseKind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told))
+    )
 
 
 def _placed(draws: Draws) -> tuple[World, str]:
@@ -187,7 +191,7 @@ def _listed(values: Iterable[Number]) -> str:
 
 def _computed(
     number: int,
-    kind: Kind,
+    kind: ExerciseKind,
     question: Question,
     task: tuple[Block, ...],
     planned: tuple[MistakeId, ...],

@@ -12,7 +12,7 @@ from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.wrong import WrongAnswer
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake, Kind
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind, ExpectedMistake
 from nmatrix.lessons.exercises.matrices import MOVES
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import column, formula, typed, written
@@ -49,7 +49,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     judge = _TraceJudge(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
     return Exercise(
         number,
-        Kind.TRACE,
+        ExerciseKind.TRACE,
         _task(setup, point),
         (3, 1),
         _key(setup, point, right),
