@@ -9,20 +9,20 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError
+from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError, quantity
 from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
 from nmatrix.scene.setup import Setup
 
 SHOWN_DIGITS = 6
-NO_WORLD = "M is the identity here: no --translate, --rotate, --scale, --shear or matrix was given."
-NO_VIEW = "The usual camera is meant: no --eye, --target or angle was given."
-NO_LENS = "The usual lens is meant: no --fov, --aspect, --near or --far was given."
+NO_WORLD = "M is the identity here: no place, turn, scale, shear or matrix was given."
+NO_VIEW = "The usual camera is meant: no eye, target or angle was given."
+NO_LENS = "The usual lens is meant: no field of view, aspect, near or far was given."
 WRONG = "✗"
 VECTOR_COLUMNS = ("x", "y", "z", "w")
 MATRIX_COLUMNS = ("column 1", "column 2", "column 3", "column 4")
@@ -89,9 +89,9 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
         parts = [part for part in parts if part is LightPart.DIRECTION]
     if not parts:
         raise IllegalValueError(
-            "--unit with a light position",
+            f"{quantity('unit')} with a light position",
             "only a direction has a length to bring to 1",
-            "leave --unit out, or give --light-direction X Y Z",
+            f"leave {quantity('unit')} out, or give {quantity('light_direction')} X Y Z",
         )
     return tuple(replace(question, light=part) for part in parts)
 
@@ -196,4 +196,4 @@ def _marked(question: Question, answer: Answer, found: Judgement) -> Table:
 
 
 def _cell(entry: Fraction, *, is_wrong: bool) -> str:
-    return in_short(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")
+    return short_text(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")

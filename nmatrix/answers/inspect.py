@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nmatrix.enums import Kind
-from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
@@ -188,5 +188,5 @@ def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError
     if not told:
         return None
     return CheckFailedError(
-        f"--fail-on {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
+        f"{quantity('fail_on')} {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
     )

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.enums import NormalMethod, Space
+from nmatrix.enums import Space
 from nmatrix.linear import rational
-from nmatrix.linear.rules import normal_rule
 from nmatrix.report import (
     Block,
     Code,
@@ -78,7 +77,7 @@ def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None
     return {
         "space_from_world": maps.space_from_world(chosen).exact,
         "space_from_object": moved.exact,
-        "normal_matrix": normal_rule(NormalMethod.EXACT, moved.linear_map),
+        "normal_matrix": moved.linear_map.normal_matrix,
         "clip_from_object": maps.clip_from_object,
         "light_direction": seen.direction,
         "light_position": seen.position,

@@ -56,7 +56,7 @@ def _fractions(value: Value) -> str:
 
 def _remarks(value: Value, arithmetic: Arithmetic) -> tuple[str, ...]:
     if arithmetic is Arithmetic.FLOAT:
-        return ("Every operation was rounded to float64 (--float).",)
+        return ("Every operation was rounded to float64.",)
     if not value.exact:
         return ("A root or a sine in it is irrational: it is not exact where terms cancel.",)
     return ()

@@ -11,7 +11,7 @@ from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
 from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Kind, Value, each
-from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
 from nmatrix.reading.numbers import fraction
 
 Names = Mapping[str, Value]
@@ -110,7 +110,9 @@ class _Evaluation:
         if name in FUNCTIONS:
             raise self._fault(node, name, f"it is a function: write {name}(…)")
         known = ", ".join(self.names) or "none"
-        raise self._fault(node, f"name {name[:20]}", f"the names are {known}; --let adds more")
+        raise self._fault(
+            node, f"name {name[:20]}", f"the names are {known}; {quantity('let')} adds more"
+        )
 
     def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
         values = [self.value_of(element) for element in elements]

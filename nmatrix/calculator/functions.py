@@ -13,8 +13,7 @@ from math import isqrt
 from nmatrix.calculator.values import Kind, Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import affine, rational, rounding
-from nmatrix.linear.angle import PI, Angle
-from nmatrix.linear.arctangent import angle_between
+from nmatrix.linear.angle import DEGREES, Angle, exact_angle_between
 
 ROOT_BITS = 280
 EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
@@ -83,7 +82,7 @@ def _require_size(value: Value, size: int, what: str) -> None:
 
 def _linear(M: Value) -> Value:
     _require_size(M, 4, "a 4×4 matrix")
-    return Value(rational.linear(M.matrix), M.exact)
+    return Value(rational.linear_part(M.matrix), M.exact)
 
 
 def _translation(M: Value) -> Value:
@@ -142,7 +141,7 @@ def _angle(a: Value, b: Value) -> Value:
     if square in RATIONAL_ANGLES:
         sharp = RATIONAL_ANGLES[square]
         return Value(Fraction(sharp if cosine >= 0 else 180 - sharp), a.exact and b.exact)
-    return Value(angle_between(p, q) * 180 / PI, exact=False)
+    return Value(exact_angle_between(p, q) * DEGREES, exact=False)
 
 
 def _same_size(a: Value, b: Value) -> None:
@@ -160,7 +159,7 @@ def _rotate(axis: str) -> Compute:
     def compute(turn: Value) -> Value:
         turned = affine.rotation_about(axis, Angle.degrees(turn.scalar))
         exact = turn.exact and turn.scalar % EXACT_TURNS == 0
-        return Value(rational.affine(turned), exact)
+        return Value(rational.affine_matrix(turned), exact)
 
     return compute
 
@@ -199,7 +198,9 @@ FUNCTIONS: dict[str, Function] = {
         _M, "the cofactors over the determinant", _of_square(rational.inverse_transpose)
     ),
     "cofactor": Function(
-        _M, "each entry is a signed determinant of what is left", _of_square(rational.cofactor)
+        _M,
+        "each entry is a signed determinant of what is left",
+        _of_square(rational.cofactor_matrix),
     ),
     "adjugate": Function(_M, "the cofactors, transposed", _of_square(rational.adjugate)),
     "det": Function(_M, "a row times its cofactors", _of_square(rational.determinant)),
@@ -219,8 +220,10 @@ FUNCTIONS: dict[str, Function] = {
     "rotate_y": Function(_S, "a rotation about y, in degrees", _rotate("Y")),
     "rotate_z": Function(_S, "a rotation about z, in degrees", _rotate("Z")),
     "translate": Function(_V, "a translation", _build(affine.translation_matrix)),
-    "scale": Function(_V, "a scale", _build(lambda v: rational.affine(rational.diagonal(v)))),
+    "scale": Function(
+        _V, "a scale", _build(lambda v: rational.affine_matrix(rational.diagonal(v)))
+    ),
     "shear": Function(
-        _V, "a shear xy, xz, yz", _build(lambda v: rational.affine(affine.shear_matrix(v)))
+        _V, "a shear xy, xz, yz", _build(lambda v: rational.affine_matrix(affine.shear_matrix(v)))
     ),
 }

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import nearest
 
@@ -99,7 +99,9 @@ def _significant(x: Fraction) -> Fraction:
 def _checked_size(x: Fraction) -> Fraction:
     if _bits(x) > LARGEST_BITS:
         raise IllegalValueError(
-            "its fraction", f"it takes {_bits(x)} bits, {LARGEST_BITS} are kept", "try --float"
+            "its fraction",
+            f"it takes {_bits(x)} bits, {LARGEST_BITS} are kept",
+            f"try {quantity('float')}",
         )
     return x
 

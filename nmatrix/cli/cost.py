@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.reading.numbers import number
 
 if TYPE_CHECKING:

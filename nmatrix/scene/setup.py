@@ -7,11 +7,13 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
-from nmatrix.linear.angle import Angle
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
+from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
+from nmatrix.linear.values import number, real, settle, vector
 from nmatrix.linear.vectors import direction_from_angles, normalize
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
@@ -29,6 +31,17 @@ class Light:
     direction: Vector | None = None
     angles_degrees: tuple[float, float] | None = None
     position: Vector | None = None
+
+    def __post_init__(self) -> None:
+        read: dict[str, object] = {}
+        if self.direction is not None:
+            read["direction"] = vector(self.direction, 3, "light_direction")
+        if self.angles_degrees is not None:
+            alpha, beta = turns(self.angles_degrees, 2, "light_angles")
+            read["angles_degrees"] = (real(alpha, "light_angles"), real(beta, "light_angles"))
+        if self.position is not None:
+            read["position"] = vector(self.position, 3, "light_position")
+        settle(self, **read)
 
     def placed(self) -> WorldLight:
         """Return the light in world space; nothing given means the default direction.
@@ -53,7 +66,7 @@ class Light:
             raise NoAnswerError(
                 "light direction (0 0 0)",
                 "light that travels nowhere lights nothing",
-                "try --light-direction -1 -1 -1",
+                f"try {quantity('light_direction')} -1 -1 -1",
             )
         return rational_vector(self.direction)
 
@@ -72,6 +85,13 @@ class Setup:
     light: Light = field(default_factory=Light)
     space_matrix: RationalMatrix | None = None
     tolerance: float | Fraction = BUILT
+
+    def __post_init__(self) -> None:
+        if self.space_matrix is not None:
+            settle(self, space_matrix=read_affine(self.space_matrix, "space_matrix"))
+        if not 0 <= number(self.tolerance, "tolerance") < 1:
+            named = f"{quantity('tolerance')} ({self.tolerance})"
+            raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")
 
     @cached_property
     def camera(self) -> PlacedCamera:

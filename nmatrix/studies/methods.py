@@ -15,9 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Level
-from nmatrix.linear.batched import normal_matrices_by_row
-from nmatrix.linear.certified import certified_normals
-from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.batched import transform_normals
 
 Array = NDArray[Any]
 Carry = Callable[[Array, Array], Array]
@@ -42,24 +40,16 @@ class Method:
             return self.carry(A, n)
 
 
-def exact(A: Array, n: Array) -> Array:
-    """Use whole numbers, one matrix after the other; correctly rounded."""
-    found = np.zeros(n.shape)
-    for i, (matrix, normal) in enumerate(zip(A.tolist(), n.tolist(), strict=True)):
-        found[i] = LinearMap.of(matrix).normal(normal).direction or (0.0, 0.0, 0.0)
-    return found
+def _ours(level: Level) -> Carry:
+    """Return nmatrix's own way at one level."""
 
+    def carry(A: Array, n: Array) -> Array:
+        found = np.empty(n.shape)
+        for part, normals in transform_normals(A, n, level):
+            found[part] = normals.directions.T
+        return found
 
-def certified(A: Array, n: Array) -> Array:
-    """Use compensated cofactors; what their bound does not settle goes on to whole numbers."""
-    turned = np.ascontiguousarray(A.transpose(1, 2, 0), np.float64)
-    return certified_normals(turned, np.ascontiguousarray(n.T, np.float64)).normals.T
-
-
-def guarded(A: Array, n: Array) -> Array:
-    """Use plain cofactors where they are as good as an inverse, else compensated ones."""
-    matrices = normal_matrices_by_row(A, np.empty(A.shape), Level.GUARDED)
-    return _unit(_times(matrices, n))
+    return carry
 
 
 def inverse(A: Array, n: Array) -> Array:
@@ -149,9 +139,9 @@ def float16_cofactor(A: Array, n: Array) -> Array:
 
 
 METHODS: tuple[Method, ...] = (
-    Method("exact", "whole numbers, correctly rounded", exact, is_ours=True),
-    Method("certified", "compensated cofactors with a bound", certified, is_ours=True),
-    Method("guarded", "plain cofactors under a guard", guarded),
+    Method("exact", "whole numbers, correctly rounded", _ours(Level.EXACT), is_ours=True),
+    Method("certified", "compensated cofactors with a bound", _ours(Level.CERTIFIED), is_ours=True),
+    Method("guarded", "plain cofactors under a guard", _ours(Level.GUARDED)),
     Method("inverse", "np.linalg.inv(A).T", inverse),
     Method("solve", "np.linalg.solve(A.T, n)", solve),
     Method("qr", "QR and back substitution", by_qr),

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.linear.angle import exact_angle_between
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import angle, integers
+from nmatrix.linear.rounding import integers, nearest
 from nmatrix.studies.harness import SEED, Harness
 from nmatrix.studies.methods import METHODS, Method, method
 from nmatrix.studies.rows import Row, Task
@@ -106,7 +107,7 @@ def errors(carried: Array, family: Family) -> Errors:
         elif not any(found):
             wrong["zero"] += 1
         else:
-            angles.append(angle(true, integers([Fraction(x) for x in found])[0]))
+            angles.append(nearest(exact_angle_between(true, integers(found)[0])))
             wrong["flipped"] += angles[-1] > pi / 2
     return Errors(max(angles, default=0.0), median(angles) if angles else 0.0, **wrong)
 

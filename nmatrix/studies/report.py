@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
 from nmatrix.studies.harness import Ratio, machine
 from nmatrix.studies.normals import ONE
@@ -126,7 +126,7 @@ WRONG = {
 
 
 def _short(value: float | None) -> str:
-    return "" if value is None else in_short(Fraction(value), 2 if value < 10 else 3)
+    return "" if value is None else short_text(Fraction(value), 2 if value < 10 else 3)
 
 
 def _wrong(row: Row) -> str:

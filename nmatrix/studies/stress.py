@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-from nmatrix.errors import CheckFailedError, IllegalValueError
-from nmatrix.linear.rounding import in_short
+from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Report, Table, Text, Value
 from nmatrix.report import Verdict as Sentence
 from nmatrix.studies.hardcases import (
@@ -55,7 +55,9 @@ def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
         near = get_close_matches(name.upper(), ids, 1)
         hint = f"did you mean {near[0]}?" if near else f"try {ids[0]}"
         raise IllegalValueError(
-            f"--case ({name[:20]})", f"there are {len(ids)}, {ids[0]} to {ids[-1]}", hint
+            f"{quantity('case')} ({name[:20]})",
+            f"there are {len(ids)}, {ids[0]} to {ids[-1]}",
+            hint,
         )
     return found
 
@@ -136,7 +138,7 @@ def _answer(case: Case) -> str:
     if case.expected is None:
         return "there is none, and that must be said"
     scale = max(map(abs, case.expected)) if case.is_direction else 1
-    numbers = ", ".join(in_short(x / (scale or 1), 6) for x in case.expected)
+    numbers = ", ".join(short_text(x / (scale or 1), 6) for x in case.expected)
     about = ", at any positive length" if case.is_direction else ""
     return f"({numbers}){about}" if len(case.expected) > 1 else numbers
 

@@ -11,10 +11,10 @@ from collections.abc import Callable
 from statistics import median
 
 import numpy as np
+from nmatrix.linear.carrying import carried_by_column, carried_by_row
 
 from nmatrix.enums import Level
 from nmatrix.linear.batched import normal_matrices, normal_matrices_by_row
-from nmatrix.linear.carrying import carried_by_column, carried_by_row
 
 Run = Callable[[], object]
 

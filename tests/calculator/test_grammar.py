@@ -16,9 +16,9 @@ from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.rational import rational
+from nmatrix.linear.rational import rational_matrix
 
-NAMES = {"M": Value(rational([[1, 0, 0, 5], [0, 2, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))}
+NAMES = {"M": Value(rational_matrix([[1, 0, 0, 5], [0, 2, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))}
 AT_ONCE = 0.5  # seconds on a slow machine; a power tower or an eager parser takes minutes
 
 HUGE = {

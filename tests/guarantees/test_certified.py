@@ -15,10 +15,11 @@ import pytest
 import nmatrix
 from nmatrix.enums import Level
 from nmatrix.linear import certified, compensated
+from nmatrix.linear.angle import exact_angle_between
 from nmatrix.linear.certified import STATUSES, certified_normals
 from nmatrix.linear.compensated import AFTER, NEXT, UNIT, cofactors, two_product
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import angle, integers
+from nmatrix.linear.rounding import integers, nearest
 
 Array = np.ndarray
 
@@ -146,7 +147,7 @@ def true_angle(linear_map: LinearMap, normal: Array, found: Array) -> float:
     carried = [
         sign * sum(c * x for c, x in zip(row, n, strict=True)) for row in linear_map.cofactors
     ]
-    return angle(integers(carried)[0], integers([Fraction(x) for x in found.tolist()])[0])
+    return nearest(exact_angle_between(integers(carried)[0], integers(found.tolist())[0]))
 
 
 def check_normals(A: Array, n: Array, compute: Callable = certified_normals) -> None:

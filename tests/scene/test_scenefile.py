@@ -12,7 +12,7 @@ import pytest
 
 from nmatrix.enums import DepthRange, Handedness, Space
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.rational import inverse_transpose, linear, product, to_floats
+from nmatrix.linear.rational import inverse_transpose, linear_part, product, to_floats
 from nmatrix.linear.vectors import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
@@ -99,8 +99,8 @@ def test_a_turn_under_a_stretched_parent_is_a_shear_rounded_once(tmp_path: Path)
     above, below = read(tmp_path, text).objects
     exact = product(above.world_from_object, World(rotate_degrees=(0, 0, 30)).exact)
     assert to_floats(below.world_from_object) == to_floats(exact)
-    normal_matrix = inverse_transpose(linear(below.world_from_object))
-    assert normal_matrix != linear(below.world_from_object)
+    normal_matrix = inverse_transpose(linear_part(below.world_from_object))
+    assert normal_matrix != linear_part(below.world_from_object)
 
 
 def test_copies_share_one_geometry_and_the_material(tmp_path: Path) -> None:

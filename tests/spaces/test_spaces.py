@@ -28,7 +28,7 @@ WORLDS = {
     "mirror": World(scale=(-1, 3, 2), rotate_degrees=(5, 0, 70)),
 }
 SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.LIGHT, Space.CUSTOM)
-SKEWED = rational.rational([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
+SKEWED = rational.rational_matrix([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
 
 
 def scene(world: World, light: Light) -> Setup:
@@ -44,7 +44,7 @@ def lambert(scene: Setup, space: Space, point: RationalVector, normal: RationalV
     """n·l over lengths measured by the metric's factors, in the coordinates of a space."""
     maps = scene.maps
     moved = maps.space_from_object(space)
-    n = rational.apply(rational.inverse_transpose(rational.linear(moved.exact)), normal)
+    n = rational.apply(rational.inverse_transpose(rational.linear_part(moved.exact)), normal)
     position = light_in(maps, space).position
     assert position is not None
     p = moved.exact_point(point)

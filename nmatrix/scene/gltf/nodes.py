@@ -19,7 +19,7 @@ import msgspec
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.affine import compose, rotation_from_quaternion
-from nmatrix.linear.rational import RationalMatrix, identity, product, rational, to_floats
+from nmatrix.linear.rational import RationalMatrix, identity, product, rational_matrix, to_floats
 from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
@@ -107,7 +107,7 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         except NoAnswerError as error:
             raise _bad(path, index, record, str(error)) from None
         try:
-            worlds[index] = rational(to_floats(product(above, local[index])))
+            worlds[index] = rational_matrix(to_floats(product(above, local[index])))
         except IllegalValueError as error:
             raise _bad(path, index, record, str(error)) from None
         if off:
@@ -155,7 +155,7 @@ def _local(path: Path, index: int, record: NodeRecord) -> tuple[RationalMatrix, 
         rows = list(zip(*columns, strict=True))
         if tuple(rows[3]) != (0, 0, 0, 1):
             raise _bad(path, index, record, "its matrix does not end in 0 0 0 1")
-        return rational(rows), False
+        return rational_matrix(rows), False
     quaternion = record.rotation or [0, 0, 0, 1]
     length = sum(component * component for component in quaternion) ** 0.5
     turned = rotation_from_quaternion(quaternion)

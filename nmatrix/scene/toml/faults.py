@@ -12,8 +12,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.quote import quoted
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.scene.toml.records import Table
 
 Record = TypeVar("Record", bound=Table)

@@ -8,9 +8,8 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading.files import file_bytes
-from nmatrix.reading.quote import quoted
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.scene import Scene

@@ -7,7 +7,13 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Convention
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.rational import RationalMatrix, affine, product, rational, to_floats
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    affine_matrix,
+    product,
+    rational_matrix,
+    to_floats,
+)
 from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.light import EYE, WORLD
 from nmatrix.scene.material import DEFAULT_MATERIAL, Material
@@ -106,7 +112,7 @@ def _parents_first(by_name: Mapping[str, Entry]) -> list[Entry]:
 def _under(entry: Entry, above: RationalMatrix | None, own: World) -> RationalMatrix:
     """Return the world matrix, rounded once, under the parent's."""
     try:
-        return rational(to_floats(world_under(above, own).exact))
+        return rational_matrix(to_floats(world_under(above, own).exact))
     except NMatrixError as error:
         raise entry.place.refused("its place", str(error), "") from None
 
@@ -174,14 +180,14 @@ def matrix_of(place: Place, key: str, rows: Sequence[Sequence[float]]) -> Ration
     size = len(rows)
     if size not in (3, LARGEST_MATRIX) or any(len(row) != size for row in rows):
         raise place.fault(key, "it is three rows of three numbers or four rows of four")
-    exact = rational(rows)
+    exact = rational_matrix(rows)
     if size == LARGEST_MATRIX and tuple(rows[3]) != (0, 0, 0, 1):
         raise place.refused(
             f"{key} (last row {' '.join(f'{x:g}' for x in rows[3])})",
             "an affine matrix ends in 0 0 0 1",
             "write rows, not columns",
         )
-    return exact if size == LARGEST_MATRIX else affine(exact)
+    return exact if size == LARGEST_MATRIX else affine_matrix(exact)
 
 
 def _origin(entry: Entry, drawn: Mapping[str, Entry]) -> Entry:

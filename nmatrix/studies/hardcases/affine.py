@@ -13,8 +13,8 @@ from nmatrix.enums import NormalRule
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.compensated import cofactors
 from nmatrix.linear.projection import perspective
-from nmatrix.linear.rational import rational
-from nmatrix.linear.rules import carrier
+from nmatrix.linear.rational import rational_matrix
+from nmatrix.linear.rules import normal_transform
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.shapes import as_affine
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own, spelled
@@ -33,7 +33,7 @@ def _moved(by: float) -> Array:
 
 def by_rule(rule: NormalRule, M: Array, n: Sequence[float]) -> list[float]:
     """Return what one of the rules that people use makes of a normal, at length one."""
-    found = carrier(rule, rational(M.tolist()))
+    found = normal_transform(rule, rational_matrix(M.tolist()))
     assert found is not None  # the cases are invertible
     matrix = np.array([[float(x) for x in row] for row in found.matrix])
     carried = (matrix @ [*n, found.w])[: found.components]

@@ -14,7 +14,7 @@ from nmatrix.enums import DepthRange, Frame
 from nmatrix.linear.affine import compose, rotation, translation_matrix
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
-from nmatrix.linear.rational import RationalMatrix, rational, rational_vector, to_floats
+from nmatrix.linear.rational import RationalMatrix, rational_matrix, rational_vector, to_floats
 from nmatrix.raster.triangles.canvas import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
@@ -124,9 +124,9 @@ def _concatenated() -> Case:
     """P·V·M of an object and a camera that are both far away, in float32 and rounded once."""
     far = 2.0**20
     turn = [Angle.degrees(d) for d in (20, 30, 40)]
-    M = rational(to_floats(compose(rotation(turn), (1, 1, 1), translate=(far, 1, -far))))
+    M = rational_matrix(to_floats(compose(rotation(turn), (1, 1, 1), translate=(far, 1, -far))))
     V = translation_matrix((-far, 0, far - 5))
-    P = rational(perspective(Angle.degrees(30), 1.0, NEAR, inf))
+    P = rational_matrix(perspective(Angle.degrees(30), 1.0, NEAR, inf))
     point = (0.25, 0.5, -0.125)
     maps = ExactMaps(
         Transform(Frame.WORLD, Frame.OBJECT, M),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nmatrix.linear.affine import compose, rotation
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import linear, product, to_floats
+from nmatrix.linear.rational import linear_part, product, to_floats
 from nmatrix.studies.hardcases.case import Case, Contestant, spelled
 from nmatrix.studies.hardcases.oracle import exact_rows, true_normal
 from nmatrix.studies.methods import METHODS, Method
@@ -59,7 +59,7 @@ def _turned(*scale: float | Fraction) -> Array:
     second = compose(
         rotation([Angle.degrees(35), Angle.degrees(-20), Angle.degrees(50)]), (1, 1, 1)
     )
-    return np.array(to_floats(linear(product(block, second))))
+    return np.array(to_floats(linear_part(product(block, second))))
 
 
 def _smallest(A: Array) -> Vector:
