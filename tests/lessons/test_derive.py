@@ -200,7 +200,8 @@ MUTANTS = {
     "a metric without its inverse": (lighting, "cofactors", lambda A: A, lighting.metric),
     "nothing is equal": (reflecting, "equal", lambda *_: False, reflecting.reflection),
     "a bound from other cofactors": (
-        bound.rational, "cofactor_matrix", lambda A: A, lambda: (bound.worst_angle_bounds_all(), ""),
+        bound.rational, "cofactor_matrix", lambda A: A,
+        lambda: (bound.worst_angle_bounds_all(), ""),
     ),
 }  # fmt: skip
 
