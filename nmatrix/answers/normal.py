@@ -1,4 +1,4 @@
-"""`nmatrix normal`: the normal matrix of a map, and what becomes of each normal."""
+"""`nmatrix normal`: the normal matrix of a map, and normals carried through it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nmatrix.scene.setup import Setup
 
 @dataclass(frozen=True)
 class NormalRequest:
-    """Which normals, in which space, and by which of the `NORMAL_METHODS`."""
+    """The normals to carry, the space to carry them to, and one of the `NORMAL_METHODS`."""
 
     normals: tuple[Vector, ...] = ()
     space: Space = Space.WORLD
@@ -136,7 +136,7 @@ def _failure(found: Classification, answered: Sequence[_Answered]) -> NoAnswerEr
     for one in answered:
         if one.image.status is NormalStatus.UNDEFINED:
             shown = " ".join(f"{float(component):g}" for component in one.given)
-            next_step = "choose another normal" if found.rank == 2 else TWO_AXES
+            next_step = "choose another normal" if found.rank >= 2 else TWO_AXES
             return NoAnswerError(f"normal ({shown})", one.image.reason, next_step)
     if not answered and found.rank <= 1:
         return NoAnswerError(

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from nmatrix.enums import Effect
+from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.emit import shaders
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
-from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.report import (
+    Block,
+    Code,
+    Heading,
+    Report,
+    Table,
+    Text,
+    Value,
+    Verdict,
+)
 from nmatrix.scene.open import scene_of
 
 PASSES = "main"
@@ -22,7 +31,7 @@ def plan_of_file(path: Path) -> Report:
 
 
 def plan(found: Plan) -> Report:
-    """Return the plan of a scene as a report, with the shaders of its first object.
+    """Answer with the plan of a scene, and the shaders of its first object.
 
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
@@ -59,7 +68,7 @@ def _counted(count: int, what: str) -> str:
 
 
 def _row(effect: Effect, found: Plan) -> dict[str, Value]:
-    """Return one effect's decision over all bodies."""
+    """Sum up one effect's decisions over all bodies."""
     decisions = _decisions(effect, found)
     on = [one for one in decisions if one.on]
     chosen = on[0] if on else max(decisions, key=lambda one: one.bound)
@@ -83,7 +92,7 @@ def _decisions(effect: Effect, found: Plan) -> list[Decision]:
 
 
 def _light_row(i: int, found: Plan) -> dict[str, Value]:
-    """Return whether a light lights anything."""
+    """Sum up which bodies a light can reach."""
     placed = found.loaded.lights[i]
     decisions = [
         one for body in found.bodies for one in body.light_decisions if one.placed is placed
@@ -98,7 +107,7 @@ def _light_row(i: int, found: Plan) -> dict[str, Value]:
         "name": f"light {placed.light.name}",
         "on": bool(on) or not decisions,
         "because": because,
-        "kind": "exact",
+        "kind": LeftOut.EXACT.value,
         "bound": 0.0,
         "needs": ["position"] if placed.position is not None else [],
     }

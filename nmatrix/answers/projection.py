@@ -1,4 +1,4 @@
-"""`nmatrix projection`: the projection matrix, and what depth a buffer can tell."""
+"""`nmatrix projection`: the projection matrix, and the smallest gaps that depth resolves."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def projection(setup: Setup) -> Report:
 
 
 def _steps(lens: Lens) -> tuple[DepthStep, ...] | None:
-    """Return the table of depth steps; a matrix that was given says nothing of near and far."""
+    """Compute the depth steps, which a matrix that was given does not determine."""
     if lens.matrix is not None:
         return None
     steps = perspective_steps if lens.ortho is None else orthographic_steps

@@ -14,6 +14,7 @@ from nmatrix.raster.proofs.catalogue import entry
 from nmatrix.raster.proofs.frames import Job
 from nmatrix.report import Block, Figure, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, Settings
@@ -60,6 +61,10 @@ def proof_job(
 
     A world and a view that are the usual ones leave the proof its own.
     """
+    settings = choices.over(Settings(size=PANEL))
+    width, height = settings.size
+    is_free = setup.lens.aspect == Lens().aspect
+    lens = replace(setup.lens, aspect=width / height) if is_free else setup.lens
     return Job(
         name,
         brief=Brief(
@@ -67,9 +72,9 @@ def proof_job(
             mesh,
             None if setup.world == World() else setup.world,
             None if setup.view == View() else setup.view,
-            setup.lens,
+            lens,
             scene_lights(setup.light),
-            choices.over(Settings(size=PANEL)),
+            settings,
             choices.reflection or Reflection.LAMBERT,
             clock,
         ),

@@ -29,7 +29,7 @@ from nmatrix.spaces.uniforms import Request, Uniform, uniforms
 
 
 def space(setup: Setup, request: Request) -> Report:
-    """Answer with what a shading space needs, by what, where, and at what price.
+    """Answer with the transforms, uniforms, cost and shaders of a shading space.
 
     Examples
     --------
@@ -70,7 +70,7 @@ def space(setup: Setup, request: Request) -> Report:
 
 
 def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None]:
-    """Return every matrix and vector of the sheet, under its key."""
+    """Compute every matrix and vector of the sheet, under its key."""
     maps = setup.maps
     seen = light_in(maps, chosen)
     moved = maps.space_from_object(chosen)

@@ -60,7 +60,7 @@ _TITLES = {
 
 
 def _blocks(data: Mapping[str, Vector | Matrix], found: Classification) -> tuple[Block, ...]:
-    """Return every quantity in the order of the data, under three headings."""
+    """List every quantity in the order of the data, under three headings."""
     blocks: list[Block] = []
     for key, value in data.items():
         if key in _HEADINGS:
@@ -74,7 +74,7 @@ def camera_axes(
 ) -> tuple[Vector, ...]:
     """Return the world directions that the camera calls right, up and forward, at length one.
 
-    They are the columns of V⁻¹; where V is rigid its rows say the same, already rounded once.
+    They are the columns of V⁻¹; where V is rigid they are its rows, already rounded once.
     """
     block = rational.linear_part(camera_from_world)
     axes = block if found.is_rigid else rational.transpose(rational.inverse(block))

@@ -1,4 +1,4 @@
-"""`nmatrix world`: the world matrix, what kind of map it is, its parts, its normal matrix."""
+"""`nmatrix world`: the world matrix, its kind, its parts, and its normal matrix."""
 
 from __future__ import annotations
 

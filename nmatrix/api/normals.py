@@ -98,7 +98,9 @@ def normal_matrix(
     asked, how = chosen(NormalMatrixKind, kind, "kind"), chosen(Level, level, "level")
     given = arrays.matrices(A, "A")[..., :3, :3]
     found = arrays.room(out, given.shape, arrays.native(given))
-    source, target = _as_batches(arrays.apart(given, found), found, axes=2)
+    source, target = arrays.apart(given, found), found
+    if given.ndim == 2:
+        source, target = source[None], target[None]
     with np.errstate(all="ignore"):
         for line in arrays.lines(source.shape[:-2]):
             bad = batched.normal_matrices(source[line], target[line], asked, how)
@@ -106,11 +108,6 @@ def normal_matrix(
                 index = arrays.place(line, bad)
                 raise _no_inverse(target[index], index[: given.ndim - 2])
     return found
-
-
-def _as_batches(*given: Array, axes: int) -> list[Array]:
-    """Give an axis of length one to arrays that have nothing but their own axes."""
-    return [one[None] if one.ndim == axes else one for one in given]
 
 
 def _no_inverse(found: Array, index: arrays.Index) -> NMatrixError:

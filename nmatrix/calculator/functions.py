@@ -1,4 +1,4 @@
-"""The calculator's functions: name, what they take, and the rule that a student would quote.
+"""The calculator's functions: their names, arguments, and the rules that a student would quote.
 
 A root, a sine or an angle that is not rational is carried to 2⁻¹³⁰ and marked as not exact.
 """
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
 
-from nmatrix.calculator.values import Kind, Value
+from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import affine, rational, rounding
 from nmatrix.linear.angle import DEGREES, Angle, exact_angle_between
@@ -26,26 +26,37 @@ RATIONAL_ANGLES = {
     Fraction(1): 0,
 }
 
+_WORDS = {
+    ValueKind.SCALAR: "a number",
+    ValueKind.VECTOR: "a vector",
+    ValueKind.MATRIX: "a matrix",
+}
+
 Compute = Callable[..., Value]
 
 
 @dataclass(frozen=True)
 class Function:
-    """One function: the kinds of its arguments, its rule in words, and how to compute it."""
+    """One function: the kinds of its arguments, its rule in words, and its computation.
 
-    takes: tuple[Kind, ...]
+    A function that gathers takes three numbers in the place of a vector, too.
+    """
+
+    takes: tuple[ValueKind, ...]
     rule: str
     compute: Compute
+    gathers: bool = False
 
     @property
     def wanted(self) -> str:
-        """Return the kinds of the arguments in words."""
-        words = {Kind.SCALAR: "a number", Kind.VECTOR: "a vector", Kind.MATRIX: "a matrix"}
-        return " and ".join(words[kind] for kind in self.takes)
+        """The kinds of the arguments in words."""
+        if self.gathers:
+            return "three numbers or a vector"
+        return " and ".join(_WORDS[kind] for kind in self.takes)
 
 
 def exact_root(square: Fraction) -> Value:
-    """Return √square: exact if it is rational, else right to 2⁻¹³⁰ of itself.
+    """Take a square root: exact if it is rational, else right to 2⁻¹³⁰ of itself.
 
     Examples
     --------
@@ -164,12 +175,14 @@ def _rotate(axis: str) -> Compute:
     return compute
 
 
-def _build(make: Callable[[rational.RationalVector], rational.RationalMatrix]) -> Compute:
+def _builder(
+    rule: str, make: Callable[[rational.RationalVector], rational.RationalMatrix]
+) -> Function:
     def compute(v: Value) -> Value:
         _require_size(v, 3, "three numbers")
         return Value(make(v.vector), v.exact)
 
-    return compute
+    return Function((ValueKind.VECTOR,), rule, compute, gathers=True)
 
 
 def _trace_of(A: rational.RationalMatrix) -> Fraction:
@@ -186,8 +199,8 @@ def _rank(A: Value) -> Value:
     return Value(Fraction(rational.rank(A.matrix)))
 
 
-_M, _V, _S = (Kind.MATRIX,), (Kind.VECTOR,), (Kind.SCALAR,)
-_VV = (Kind.VECTOR, Kind.VECTOR)
+_M, _V, _S = (ValueKind.MATRIX,), (ValueKind.VECTOR,), (ValueKind.SCALAR,)
+_VV = (ValueKind.VECTOR, ValueKind.VECTOR)
 
 FUNCTIONS: dict[str, Function] = {
     "inverse": Function(_M, "the adjugate over the determinant", _of_square(rational.inverse)),
@@ -219,11 +232,9 @@ FUNCTIONS: dict[str, Function] = {
     "rotate_x": Function(_S, "a rotation about x, in degrees", _rotate("X")),
     "rotate_y": Function(_S, "a rotation about y, in degrees", _rotate("Y")),
     "rotate_z": Function(_S, "a rotation about z, in degrees", _rotate("Z")),
-    "translate": Function(_V, "a translation", _build(affine.translation_matrix)),
-    "scale": Function(
-        _V, "a scale", _build(lambda v: rational.affine_matrix(rational.diagonal(v)))
-    ),
-    "shear": Function(
-        _V, "a shear xy, xz, yz", _build(lambda v: rational.affine_matrix(affine.shear_matrix(v)))
+    "translate": _builder("a translation", affine.translation_matrix),
+    "scale": _builder("a scale", lambda v: rational.affine_matrix(rational.diagonal(v))),
+    "shear": _builder(
+        "a shear xy, xz, yz", lambda v: rational.affine_matrix(affine.shear_matrix(v))
     ),
 }

@@ -84,9 +84,9 @@ def normal_matrices(A: Array, out: Array, kind: NormalMatrixKind, level: Level) 
         return _guarded(planes, room, kind)
     compute = _exact if level is Level.EXACT else _certified
     for part in chunks(len(A), CHUNK):
-        bad = _put(compute(_float64(planes[:, :, part]), kind), room[:, :, part], kind)
-        if bad is not None:
-            return int(part.start) + bad
+        bad = part.start + _put(compute(_float64(planes[:, :, part]), kind), room[:, :, part], kind)
+        if len(bad):
+            return int(bad[0])
     return None
 
 
@@ -108,17 +108,16 @@ def _guarded(A: Array, out: Array, kind: NormalMatrixKind) -> int | None:
             at.append(part.start + doubtful)
             waiting.append(_float64(some[:, :, doubtful]))
             found.mantissa[:, :, doubtful] = 0.0
-        bad = _put(found, room, kind)
-        first = count if bad is None else int(part.start) + bad
+        bad = part.start + _put(found, room, kind)
         places = np.concatenate(at)
-        if len(places) >= ENOUGH or (len(places) and (part.stop == count or first < count)):
+        if len(places) and (len(places) >= ENOUGH or part.stop == count or len(bad)):
             again = np.empty((3, 3, len(places)), out.dtype)
-            bad = _put(_certified(np.concatenate(waiting, axis=2), kind), again, kind)
+            certified = _certified(np.concatenate(waiting, axis=2), kind)
+            bad = np.append(bad, places[_put(certified, again, kind)])
             out[:, :, places] = again
-            first = first if bad is None else min(first, int(places[bad]))
             at, waiting = at[:1], waiting[:1]
-        if first < count:
-            return first
+        if len(bad):
+            return int(bad.min())
     return None
 
 
@@ -160,17 +159,15 @@ def _quotient(top: int, bottom: int) -> float:
         return np.inf
 
 
-def _put(found: Scaled, out: Array, kind: NormalMatrixKind) -> int | None:
-    """Round results to the type of `out`; return the first place that is not finite there."""
+def _put(found: Scaled, out: Array, kind: NormalMatrixKind) -> Array:
+    """Round results to the type of `out`; return the places that are not finite there."""
     if kind is NormalMatrixKind.ORIENTED:
-        values = within_range(found, out.dtype)
-    else:
-        values = np.ldexp(*found) if found.exponent.any() else found.mantissa
+        np.add(within_range(found, out.dtype), 0.0, out=out, casting="same_kind")
+        return np.empty(0, np.intp)
+    values = np.ldexp(*found) if found.exponent.any() else found.mantissa
     np.add(values, 0.0, out=out, casting="same_kind")  # no zero is negative
-    if kind is NormalMatrixKind.ORIENTED:
-        return None
     bad = ~np.isfinite(values if out.dtype == values.dtype else out)
-    return int(np.flatnonzero(bad.any(axis=(0, 1)))[0]) if bad.any() else None
+    return np.flatnonzero(bad.any(axis=(0, 1)))
 
 
 def within_range(found: Scaled, dtype: DTypeLike) -> Array:

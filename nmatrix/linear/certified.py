@@ -79,6 +79,8 @@ def certified_normals(A: Array, n: Array) -> Normals:
     directions /= np.sqrt((carried * carried).sum(axis=0))
     directions += 0.0  # no zero is negative
     status = np.where(sign == 0, TWO_SIDED, OK).astype(np.int8)
+    nothing = ~carried.any(axis=0)
+    directions[:, nothing], status[nothing] = 0.0, UNDEFINED
     for i in np.flatnonzero(~(bound <= TOLERANCE)).tolist():
         found = LinearMap.of(A[:, :, i].tolist()).normal(n[:, i].tolist())
         directions[:, i] = found.direction or (0.0, 0.0, 0.0)
@@ -90,12 +92,18 @@ def determinant_signs(A: Array, C: Scaled) -> Array:
     """Compute the exact signs of determinants: −1, 0 or 1.
 
     Expanded along a row, det = Σ aⱼ Cⱼ; three terms within 3u each, added up: 6u of their sizes.
-    Whole numbers decide where that is not enough.
+    Pairs of floats, then whole numbers, decide where that is not enough.
     """
     terms = _terms(Scaled(C.mantissa[0], C.exponent[0]), A[0])
     total = terms[0] + terms[1] + terms[2]
     sign = np.sign(total)
-    for i in np.flatnonzero(~(np.abs(total) > 8 * UNIT * np.abs(terms).sum(axis=0))).tolist():
+    size = np.abs(terms).sum(axis=0)
+    unsure = np.flatnonzero(~((np.abs(total) > 8 * UNIT * size) | (size == 0)))
+    if len(unsure):
+        total, error = _determinants_in_pairs(A[:, :, unsure])
+        sign[unsure] = np.sign(total)
+        unsure = unsure[~(np.abs(total) > 2 * error)]
+    for i in unsure.tolist():
         sign[i] = LinearMap.of(A[:, :, i].tolist()).determinant_sign
     return np.asarray(sign)
 
@@ -111,17 +119,23 @@ def determinants(A: Array) -> Scaled:
     >>> np.ldexp(*found).tolist()
     [2.0]
     """
-    some, of_one_size = _largest_near_one(A)
-    total, error = _row_in_pairs(some, 0, some[0])
+    total, error = _determinants_in_pairs(A)
     mantissa, exponent = np.frexp(total)
     exponent += 3 * np.frexp(np.abs(A).max(axis=(0, 1)))[1]
-    unsure = ~of_one_size | ~(error < np.abs(total) * 2.0**-60)
+    unsure = ~(error < np.abs(total) * 2.0**-60)
     for i in np.flatnonzero(unsure).tolist():
         exact = LinearMap.of(A[:, :, i].tolist())
         bits = exact.integer_determinant.bit_length()
         mantissa[i] = exact.integer_determinant / (1 << bits)
         exponent[i] = bits - 3 * (exact.denominator.bit_length() - 1)
     return Scaled(mantissa, exponent)
+
+
+def _determinants_in_pairs(A: Array) -> tuple[Array, Array]:
+    """Compute determinants of matrices scaled to a largest entry near 1, and bound their errors."""
+    some, of_one_size = _largest_near_one(A)
+    total, error = _row_in_pairs(some, 0, some[0])
+    return total, np.where(of_one_size, error, np.inf)
 
 
 def _largest_near_one(A: Array) -> tuple[Array, Array]:
@@ -154,14 +168,16 @@ def _leaves_window(n: Array) -> bool:
 
 
 def _summed(C: Scaled, n: Array) -> tuple[Array, Array]:
-    """Compute C·n up to a scale for each column, and the bound on its angle."""
+    """Compute C·n up to a scale for each column, and the bound on its angle; 0 for no direction."""
     terms = _terms(C, n)
     carried = terms[:, 0] + terms[:, 1]
     carried += terms[:, 2]
     size = np.abs(terms).sum(axis=1)
     largest = np.abs(carried).max(axis=0)
     scale = np.where(largest > 0, largest, 1.0)
-    return carried / scale, _angle_bound(5.01 * UNIT, size / scale, carried / scale)
+    bound = _angle_bound(5.01 * UNIT, size / scale, carried / scale)
+    bound[~size.any(axis=0)] = 0.0  # every term is zero, and so is their sum
+    return carried / scale, bound
 
 
 def _angle_bound(relative: float, size: Array, carried: Array) -> Array:

@@ -1,6 +1,6 @@
 """Plain cofactors of many 3×3 matrices, as fast as arrays go, and where they may fall short.
 
-u is 2⁻⁵³, L the largest entry of A. A plain cofactor is off by at most 4u·L². |det A| ≥ 2⁻¹⁰·L³
+u is 2⁻⁵³, L the largest entry of A. A plain cofactor is off by at most 4u·L². |det A| > 2⁻¹⁰·L³
 bounds that by 2¹⁴u·max|C|, because |det A| ≤ 3·L·max|C|, and puts the sign of the determinant
 beyond doubt. Matrices that fail the question are *doubtful* and left to the certified level.
 Decisions and results do not depend on the scale of A: entries whose cubes might leave the range of
@@ -138,10 +138,10 @@ class Workspace:
         out -= self.products
 
     def _doubtful(self) -> Array:
-        """Find where |det A| < 2⁻¹⁰·L³."""
+        """Find where |det A| ≤ 2⁻¹⁰·L³."""
         largest, least = self.size, self.products[0]
         np.multiply(largest, largest, out=least)
         least *= largest
         least *= STEEP
         np.abs(self.determinant, out=largest)
-        return np.asarray(~(largest >= least) | (least == 0))
+        return np.asarray(~(largest > least))

@@ -36,7 +36,9 @@ def number(value: object, name: str) -> Number:
         return float(plain)
     if isinstance(plain, int) and not isinstance(plain, bool):
         return int(plain)
-    if isinstance(plain, Rational | Decimal) and not isinstance(plain, bool) and isfinite(plain):
+    if isinstance(plain, Rational) and not isinstance(plain, bool):
+        return Fraction(plain)
+    if isinstance(plain, Decimal) and plain.is_finite():
         return Fraction(plain)
     raise refused(value, name, "it is not a finite real number", "give a number")
 

@@ -1,4 +1,4 @@
-"""The setup: one object, one camera, one lens, one light; frozen, and staged for the spaces."""
+"""The setup: one object, one camera, one lens, one light, and the exact maps between them."""
 
 from __future__ import annotations
 
@@ -12,16 +12,15 @@ from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.values import number, real, settle, vector
-from nmatrix.linear.vectors import direction_from_angles, normalize
+from nmatrix.linear.vectors import direction_from_angles
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
-
-DEFAULT_DIRECTION: Vector = (-1, -1, -1)  # as a unit vector
 
 
 @dataclass(frozen=True)
@@ -44,7 +43,7 @@ class Light:
         settle(self, **read)
 
     def placed(self) -> WorldLight:
-        """Return the light in world space; nothing given means the default direction.
+        """Return the light in world space; nothing given means daylight.
 
         Raises
         ------
@@ -61,7 +60,7 @@ class Light:
             alpha, beta = map(Angle.degrees, self.angles_degrees)
             return rational_vector(direction_from_angles(alpha, beta))
         if self.direction is None:
-            return None if self.position is not None else _default_direction()
+            return None if self.position is not None else rational_vector(DAYLIGHT.direction)
         if not any(self.direction):
             raise NoAnswerError(
                 "light direction (0 0 0)",
@@ -69,10 +68,6 @@ class Light:
                 f"try {quantity('light_direction')} -1 -1 -1",
             )
         return rational_vector(self.direction)
-
-
-def _default_direction() -> RationalVector:
-    return rational_vector(normalize([float(component) for component in DEFAULT_DIRECTION]))
 
 
 @dataclass(frozen=True)
@@ -128,5 +123,5 @@ class Setup:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what the world and the camera have to say, each sentence once."""
+        """Return the remarks of the world and the camera, each sentence once."""
         return tuple(dict.fromkeys((*self.world.remarks, *self.camera.remarks)))

@@ -10,7 +10,7 @@ from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle, turns
-from nmatrix.linear.rational import RationalMatrix, rounded_for_display
+from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
 from nmatrix.linear.values import settle, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
@@ -125,9 +125,22 @@ class World:
         """
         return rounded_for_display(self.exact)
 
+    def under(self, world_from_parent: RationalMatrix | None) -> World:
+        """Return the place in the world of an object that stands here under its parent, exactly.
+
+        Examples
+        --------
+        >>> above = World(scale=(1, 2, 1)).world_from_object
+        >>> int(World(translate=(0, 3, 0)).under(above).world_from_object[1][3])
+        6
+        """
+        if world_from_parent is None:
+            return self
+        return World(convention=self.convention, matrix=product(world_from_parent, self.exact))
+
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what a reader must know about the convention."""
+        """Return a sentence about the convention, unless it is the standard one."""
         if self.convention is Convention.POLIMI:
             return (_POLIMI_REMARK,)
         if self.convention is Convention.POLIMI_ASSIGNMENTS:

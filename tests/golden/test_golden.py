@@ -40,7 +40,6 @@ DEPTHS = {
     "ZO": DepthRange.ZERO_TO_ONE,
     "reversed": DepthRange.REVERSED,
 }
-Args = dict[str, Any]
 I4 = rational.identity(4)
 
 
@@ -197,7 +196,7 @@ def scene(record: dict[str, Any]) -> Any:
     P = rational.rational_matrix(perspective(Angle.degrees(Fraction(fov) / 2), aspect, near, far))
     d = rational.rational_vector(direction_from_angles(*map(Angle.degrees, a["light_dir_deg"])))
     p = rational.rational_vector(a["light_pos"])
-    staged = maps(W, V, P, direction=d, position=p)
+    exact = maps(W, V, P, direction=d, position=p)
     WV = rational.product(V, W)
     return {
         "W": W,
@@ -206,22 +205,22 @@ def scene(record: dict[str, Any]) -> Any:
         "WV": WV,
         "WVP": rational.product(P, WV),
         "light_dir_world": d,
-        "spaces": {space.value: in_space(staged, space) for space in THREE_SPACES},
+        "spaces": {space.value: in_space(exact, space) for space in THREE_SPACES},
     }
 
 
 THREE_SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT)
 
 
-def in_space(staged: ExactMaps, space: Space) -> dict[str, Any]:
-    seen = light_in(staged, space)
-    moved = staged.space_from_object(space)
+def in_space(maps: ExactMaps, space: Space) -> dict[str, Any]:
+    seen = light_in(maps, space)
+    moved = maps.space_from_object(space)
     found = {
         "vertex_matrix": moved.exact,
         "normal_matrix": moved.linear_map.inverse_transpose,
         "light_dir": seen.direction,
         "light_pos": seen.position,
-        "eye_pos": eye_in(staged, space).eye,
+        "eye_pos": eye_in(maps, space).eye,
     }
     if space is Space.OBJECT:
         del found["light_dir"]

@@ -1,4 +1,4 @@
-"""Interpolation against exact fractions: weights to 8u (G15), and sums where the plan has them."""
+"""Interpolation against exact fractions: weights to 8u, and sums where the plan has them."""
 
 from __future__ import annotations
 

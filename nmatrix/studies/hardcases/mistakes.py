@@ -1,4 +1,4 @@
-"""M1, M4 to M6: the mistakes that teaching material makes."""
+"""The mistakes that teaching material makes."""
 
 from __future__ import annotations
 

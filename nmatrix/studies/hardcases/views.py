@@ -1,4 +1,4 @@
-"""E1 to E6: views along up, and eyes far away."""
+"""Views along up, and eyes far away."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _eye_case(id_: str, far: float) -> Case:
 
 
 def _orbit() -> Case:
-    """E4: straight up, where up × forward is zero; right follows from the azimuth."""
+    """Look straight up, where up × forward is zero; the azimuth still gives right."""
     turn = Angle.degrees(30)
 
     def ours() -> list[float]:
