@@ -10,16 +10,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from nmatrix.errors import NMatrixError
+
+if TYPE_CHECKING:
+    from nmatrix.formula import Row, TypedRows
 
 Number = int | float | Fraction
 Vector = tuple[Number, ...]
 Matrix = tuple[Vector, ...]
 Cells = tuple[Number | str | bool | None, ...]
-Value = (
-    None | bool | str | Number | Sequence["Value"] | Mapping[str, "Value"]
-)  # what JSON can say, with exact fractions
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class Text:
 
 @dataclass(frozen=True)
 class Verdict:
-    """The one line that a reader in a hurry should see."""
+    """The one-line conclusion."""
 
     text: str
 
@@ -64,13 +66,24 @@ class Table:
 
 @dataclass(frozen=True)
 class Formula:
-    """One formula as ready strings, one for each way to show it."""
+    """Words as one types them and matrices of such words, side by side.
 
-    text: str
-    latex: str
-    mathml: str = ""
-    typst: str = ""
-    spoken: str = ""
+    `parts` is what text shows; every other notation is printed from the tree that they spell.
+
+    Examples
+    --------
+    >>> Formula(("n = ", (("1/2",), ("−1",)))).tree.items[0]
+    Name(text='n')
+    """
+
+    parts: tuple[str | TypedRows, ...]
+
+    @cached_property
+    def tree(self) -> Row:
+        """The formula as mathematics."""
+        from nmatrix.formula import parse_parts  # most reports have no formula
+
+        return parse_parts(self.parts)
 
 
 @dataclass(frozen=True)
@@ -126,6 +139,9 @@ class PageBreak:
 Block = (
     Heading | Text | Verdict | Quantity | Table | Formula | Step | Code | Figure | Blank | PageBreak
 )
+
+# What JSON can say, with exact fractions; a step is an object of four keys.
+Value = None | bool | str | Number | Step | Sequence["Value"] | Mapping[str, "Value"]
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,10 @@ import reference
 import transcripts
 
 import nmatrix
+from nmatrix.enums import Format
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+
+DOCS = Path(__file__).parents[1] / "docs"
 
 
 @pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda page: page.name)
@@ -29,6 +33,19 @@ def test_python_blocks_hold(page: Path) -> None:
 def test_links_lead_somewhere(page: Path) -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
         assert (page.parent / target).exists(), target
+
+
+@pytest.mark.parametrize("format_", Format)
+def test_every_output_format_is_documented(format_: Format) -> None:
+    assert f"\n| `{format_}` | " in DOCS.joinpath("for-engineers.md").read_text()
+
+
+@pytest.mark.parametrize("mistake", MistakeId)
+def test_every_mistake_is_documented_and_counted(mistake: MistakeId) -> None:
+    page = DOCS.joinpath("mistakes.md").read_text()
+    told = MISTAKES[mistake]
+    assert f"\n| `{mistake}` | {told.did} | `{told.command}` |\n" in page
+    assert re.search(rf"\n\| `{mistake}` \| \d+ \| \d+ \| \d+ \|\n", page)
 
 
 def test_a_changed_output_is_noticed() -> None:

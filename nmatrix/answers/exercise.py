@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping
 from nmatrix.answers.check import judged, judgement_data
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.lessons.check.judge import Judgement, Outcome
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
 from nmatrix.report import Block, Heading, Report, Text, Verdict
 
-COMMANDS = {Kind.TRACE: "trace"}  # where the question's own is not the one that answers it
+COMMANDS = {ExerciseKind.TRACE: "trace"}  # where the question's own is not the one that answers it
 
 
 def check_exercise(number: int, sheet: Sheet, text: str) -> Report:

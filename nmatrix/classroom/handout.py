@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 
 from nmatrix.classroom.topics import Part, Topic, part
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
-from nmatrix.output.pages.document import Document, PageFormat, Paper
-from nmatrix.output.pages.write import WITH_PICTURES_BESIDE, write
+from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, Document, PageFormat, Paper, write
 from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
 from nmatrix.scene.setup import Setup
 from nmatrix.version import __version__
@@ -24,7 +23,7 @@ TITLE = "Normals, spaces and lights"
 
 
 @dataclass(frozen=True)
-class Plan:
+class HandoutPlan:
     """What every sheet of a run has in common."""
 
     topics: tuple[Topic, ...]
@@ -37,39 +36,39 @@ class Plan:
 
     @property
     def note(self) -> str:
-        """Return the small print."""
+        """The small print."""
         return f"nmatrix {__version__}, exercises by the scheme {SCHEME}"
 
 
 @dataclass(frozen=True)
-class Written:
+class StudentFiles:
     """The files of one student: the sheet, and the key if it was asked for."""
 
     sheet: bytes
     key: bytes | None
 
 
-def written(plan: Plan, sheet: Sheet) -> Written:
-    """Return the files of one student."""
+def student_files(plan: HandoutPlan, sheet: Sheet) -> StudentFiles:
+    """Make the files of one student."""
     document = handout(plan, sheet)
     key = write(key_of(plan, sheet), plan.kind) if plan.with_key else None
-    return Written(write(document, plan.kind), key)
+    return StudentFiles(write(document, plan.kind), key)
 
 
-def pictures_beside(plan: Plan) -> dict[str, bytes]:
-    """Return the pictures that lie beside every sheet, by name; HTML and PDF hold theirs."""
+def pictures_beside(plan: HandoutPlan) -> dict[str, bytes]:
+    """Draw the pictures that lie beside every sheet, by name; HTML and PDF hold theirs."""
     return dict(_theory(plan)[1]) if plan.kind in WITH_PICTURES_BESIDE else {}
 
 
-def handout(plan: Plan, sheet: Sheet) -> Document:
-    """Return the sheet of one student."""
+def handout(plan: HandoutPlan, sheet: Sheet) -> Document:
+    """Compose the sheet of one student."""
     theory, pictures = _theory(plan)
     blocks = (*theory, *_asked(plan, sheet))
     return Document(TITLE, blocks, _whose(plan, sheet), pictures, plan.note, plan.paper)
 
 
-def _theory(plan: Plan) -> tuple[list[Block], dict[str, bytes]]:
-    """Return what all sheets of a run have in common, and its pictures."""
+def _theory(plan: HandoutPlan) -> tuple[list[Block], dict[str, bytes]]:
+    """Compose the part that all sheets of a run have in common, with its pictures."""
     blocks: list[Block] = []
     pictures: dict[str, bytes] = {}
     for topic in plan.topics:
@@ -80,8 +79,8 @@ def _theory(plan: Plan) -> tuple[list[Block], dict[str, bytes]]:
     return blocks, pictures
 
 
-def key_of(plan: Plan, sheet: Sheet) -> Document:
-    """Return the worked answers to a student's exercises."""
+def key_of(plan: HandoutPlan, sheet: Sheet) -> Document:
+    """Compose the worked answers to a student's exercises."""
     blocks: list[Block] = []
     for one in _exercises(plan.exercises, sheet):
         blocks += [Heading(one.title), *one.key]
@@ -105,7 +104,7 @@ def _beside(block: Block, prefix: str) -> Block:
     return replace(block, path=prefix + block.path) if isinstance(block, Figure) else block
 
 
-def _asked(plan: Plan, sheet: Sheet) -> Iterator[Block]:
+def _asked(plan: HandoutPlan, sheet: Sheet) -> Iterator[Block]:
     if Topic.EXERCISES in plan.topics:
         for one in _exercises(plan.exercises, sheet):
             yield Heading(one.title)
@@ -115,7 +114,7 @@ def _asked(plan: Plan, sheet: Sheet) -> Iterator[Block]:
 
 
 def _how_to_check(sheet: Sheet) -> Iterator[Block]:
-    """Say how an answer is checked; a salted sheet is checked by whoever has the salt."""
+    """Explain the check of an answer; a salted sheet is checked by whoever has the salt."""
     yield Heading("Are your answers right?")
     if sheet.salt:
         yield Text("This sheet is part of a graded test: your teacher has what checks it.")
@@ -129,14 +128,14 @@ def _how_to_check(sheet: Sheet) -> Iterator[Block]:
 
 
 def _in_quotes(word: str) -> str:
-    """Return a word as every shell takes it: plain, or in double quotes if that is enough."""
+    """Quote a word for every shell: plain, or in double quotes if that is enough."""
     if word.isascii() and word.replace("-", "").isalnum():
         return word
     is_tame = all(c.isalnum() or c in " ,.'-" for c in word)
     return f'"{word}"' if is_tame else shlex.quote(word)
 
 
-def _whose(plan: Plan, sheet: Sheet) -> str:
+def _whose(plan: HandoutPlan, sheet: Sheet) -> str:
     if Topic.EXERCISES not in plan.topics:
         return sheet.student
     name = sheet.student or "Name: ____________________"

@@ -6,7 +6,7 @@ import json
 from dataclasses import asdict, dataclass
 from hashlib import blake2b
 
-from nmatrix.classroom.handout import Plan
+from nmatrix.classroom.handout import HandoutPlan
 from nmatrix.classroom.roster import Student, file_names, stem_of
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.lessons.exercises.scheme import SCHEME
@@ -33,12 +33,12 @@ class Manifest:
     students: tuple[str, ...]
 
     def text(self) -> bytes:
-        """Return it as a file."""
+        """Write it as a file."""
         return (json.dumps(asdict(self), indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def manifest(plan: Plan, seed: str, salt: bytes, students: tuple[Student, ...]) -> Manifest:
-    """Return the manifest of a run."""
+def manifest(plan: HandoutPlan, seed: str, salt: bytes, students: tuple[Student, ...]) -> Manifest:
+    """Record a run."""
     return Manifest(
         SCHEME,
         __version__,
@@ -82,7 +82,7 @@ def check_same(wanted: Manifest, found: bytes, folder: str) -> None:
 
 
 def files_of(found: bytes) -> frozenset[str]:
-    """Return the names of the sheets and keys that the run of a manifest wrote.
+    """Name the sheets and keys that the run of a manifest wrote.
 
     What is no manifest of ours wrote none.
     """

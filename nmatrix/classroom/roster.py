@@ -24,7 +24,7 @@ class Student:
 
 
 def students(records: Iterable[Record], source: str) -> tuple[Student, ...]:
-    """Return the students of a list, in its order.
+    """Read the students of a list, in its order.
 
     Raises
     ------
@@ -49,18 +49,18 @@ def students(records: Iterable[Record], source: str) -> tuple[Student, ...]:
 
 
 def stem_of(place: int, name: str) -> str:
-    """Return how the names of a student's files begin: the place in the list, and the name."""
+    """Begin the names of a student's files: the place in the list, and the name."""
     return f"{place + 1:04}-{slug(name)}"
 
 
 def file_names(stem: str, ending: str, *, with_key: bool) -> tuple[str, ...]:
-    """Return the names of a student's files: the sheet, then the key."""
+    """Name a student's files: the sheet, then the key."""
     sheet = f"{stem}.{ending}"
     return (sheet, f"{stem}-key.{ending}") if with_key else (sheet,)
 
 
 def slug(name: str) -> str:
-    """Return a name in the plain letters that every file system knows.
+    """Spell a name in the plain letters that every file system knows.
 
     Examples
     --------

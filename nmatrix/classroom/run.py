@@ -13,7 +13,7 @@ from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from itertools import islice
 
-from nmatrix.classroom.handout import Plan, Written, written
+from nmatrix.classroom.handout import HandoutPlan, StudentFiles, student_files
 from nmatrix.classroom.roster import Student, file_names
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.lessons.exercises.scheme import Sheet
@@ -25,24 +25,24 @@ AT_ONCE = 64  # jobs that wait for a worker: enough to keep many busy, few enoug
 class Job:
     """One student's sheet."""
 
-    plan: Plan
+    plan: HandoutPlan
     student: Student
     seed: str
     salt: bytes
 
     @property
     def files(self) -> tuple[str, ...]:
-        """Return the names of the files that it makes: the sheet, then the key."""
+        """The names of the files that it makes: the sheet, then the key."""
         return file_names(self.student.stem, self.plan.kind.value, with_key=self.plan.with_key)
 
 
-def run(job: Job) -> tuple[Job, Written]:
+def run(job: Job) -> tuple[Job, StudentFiles]:
     """Make one student's files."""
-    return job, written(job.plan, Sheet(job.seed, job.student.name, job.salt))
+    return job, student_files(job.plan, Sheet(job.seed, job.student.name, job.salt))
 
 
-def finished(jobs: Sequence[Job], executor: Executor | None) -> Iterator[tuple[Job, Written]]:
-    """Give the files of every student, in whatever order they are done.
+def finished(jobs: Sequence[Job], executor: Executor | None) -> Iterator[tuple[Job, StudentFiles]]:
+    """Make the files of every student, in whatever order they are done.
 
     Raises
     ------
@@ -62,9 +62,9 @@ def finished(jobs: Sequence[Job], executor: Executor | None) -> Iterator[tuple[J
         ) from None
 
 
-def _finished_by(jobs: Sequence[Job], executor: Executor) -> Iterator[tuple[Job, Written]]:
+def _finished_by(jobs: Sequence[Job], executor: Executor) -> Iterator[tuple[Job, StudentFiles]]:
     left = iter(jobs)
-    waiting: set[Future[tuple[Job, Written]]] = {
+    waiting: set[Future[tuple[Job, StudentFiles]]] = {
         executor.submit(run, job) for job in islice(left, AT_ONCE)
     }
     while waiting:

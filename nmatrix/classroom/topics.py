@@ -38,7 +38,7 @@ class Part:
 
 
 def part(topic: Topic, setup: Setup) -> Part:
-    """Return a topic for a scene; exercises belong to a student and are not made here."""
+    """Compose a topic for a scene; exercises belong to a student and are not made here."""
     return PARTS[topic](setup)
 
 
@@ -49,7 +49,7 @@ def _rule(setup: Setup) -> Part:
 
 
 def _worked(setup: Setup) -> Part:
-    """Return the matrices of the given scene, and its light and eye in each space."""
+    """Show the matrices of the given scene, and its light and eye in each space."""
     from nmatrix.answers.view import view
     from nmatrix.answers.world import world
 
@@ -65,7 +65,7 @@ def _is(block: Block, key: str) -> bool:
 
 
 def _seen(setup: Setup) -> Table:
-    """Return the light and the eye in each space that there is."""
+    """Tabulate the light and the eye in each space that there is."""
     from nmatrix.errors import NoAnswerError
     from nmatrix.spaces.light_and_eye import light_in
 
@@ -88,7 +88,7 @@ def _short(vector: Sequence[float | Fraction] | None) -> str:
 
 
 def _spaces(setup: Setup) -> Part:
-    """Return the table of each space: what must be moved, by what."""
+    """Tabulate for each space what must be moved, by what."""
     blocks: list[Block] = [Heading("What each shading space moves")]
     for space in USUAL_SPACES:
         profile = PROFILES[space]
@@ -102,7 +102,7 @@ def _spaces(setup: Setup) -> Part:
 
 
 def _proofs(setup: Setup) -> Part:
-    """Return two proof images with their numbers in the alternative text."""
+    """Draw two proof images with their numbers in the alternative text."""
     from dataclasses import replace
 
     from nmatrix.raster.proofs.brief import Brief
@@ -137,7 +137,7 @@ def _pitfalls(setup: Setup) -> Part:
 
 
 def _cost(setup: Setup) -> Part:
-    """Return counted work; a time would be another one tomorrow."""
+    """Count the work; a time would be another one tomorrow."""
     from nmatrix.errors import NoAnswerError
     from nmatrix.spaces.cost import cost
     from nmatrix.spaces.uniforms import Request

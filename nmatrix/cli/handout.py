@@ -25,7 +25,7 @@ from nmatrix.report import Block, Report, Text, Verdict
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
-    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.manifest import Manifest
     from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
@@ -107,7 +107,7 @@ def handout(
     common: CommonOptions,
 ) -> None:
     """Write a handout."""
-    from nmatrix.classroom.handout import Plan
+    from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.topics import Topic
 
     topics = options.chosen_topics()
@@ -115,12 +115,12 @@ def handout(
     if options.key and not has_exercises:
         raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
     if options.to is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_typst
+        from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
     setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
     count = options.count() if has_exercises else 0
-    plan = Plan(topics, setup, count, options.to, options.paper, options.key)
+    plan = HandoutPlan(topics, setup, count, options.to, options.paper, options.key)
     if options.roster is None:
         files = _one(plan, options, sheet)
         made = len(files)
@@ -132,22 +132,22 @@ def handout(
     show(_report(files, made, options), common)
 
 
-def _one(plan: Plan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:
+def _one(plan: HandoutPlan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:
     """Write one sheet, its pictures where they stand beside it, and its key."""
-    from nmatrix.classroom.handout import pictures_beside, written
+    from nmatrix.classroom.handout import pictures_beside, student_files
 
     if plan.kind is PageFormat.PDF:
-        from nmatrix.output.pages.pdf import check_names
+        from nmatrix.output.pages.page_pdf import check_names
 
         check_names([sheet.student or ""])
-    from nmatrix.output.pages.write import WITH_PICTURES_BESIDE
+    from nmatrix.output.pages.document import WITH_PICTURES_BESIDE
 
     path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")
     key = path.with_name(f"{path.stem}-key{path.suffix}")
     refuse_existing([path, key] if plan.with_key else [path], force=options.force)
     has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
     plan = replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else "")
-    found = written(plan, sheet.identity)
+    found = student_files(plan, sheet.identity)
     contents = [(path, found.sheet)]
     if found.key is not None:
         contents.append((key, found.key))
@@ -165,7 +165,7 @@ def _is_there(path: Path, content: bytes) -> bool:
 
 
 def _write_class(
-    plan: Plan,
+    plan: HandoutPlan,
     roster: str,
     folder: Path,
     sheet: SheetOptions,
@@ -206,7 +206,7 @@ def _check_names(names: Sequence[str], executor: Executor | None) -> None:
 
     A process that has used Typst must not be forked: its threads would be missing in the copies.
     """
-    from nmatrix.output.pages.pdf import check_names
+    from nmatrix.output.pages.page_pdf import check_names
 
     if executor is None:
         check_names(names)

@@ -1,4 +1,4 @@
-"""The sentences that several answers share: what kind of map this is, and what follows."""
+"""The sentences that several answers share on kinds of maps."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _MIRRORED = {
 
 
 def transform_data(found: Classification) -> dict[str, Value]:
-    """Return the JSON keys that describe a map."""
+    """Describe a map under the keys of the data."""
     return {
         "determinant": found.linear_map.determinant,
         "determinant_sign": found.determinant_sign,
@@ -39,7 +39,7 @@ def transform_data(found: Classification) -> dict[str, Value]:
 
 
 def transform_blocks(found: Classification) -> tuple[Block, ...]:
-    """Return the determinant, the rank, the condition and the verdict."""
+    """Show the determinant, the rank, the condition and the verdict."""
     linear_map = found.linear_map
     blocks: list[Block] = [
         Quantity("determinant", linear_map.determinant, "determinant"),
@@ -52,7 +52,7 @@ def transform_blocks(found: Classification) -> tuple[Block, ...]:
 
 
 def verdict(found: Classification) -> str:
-    """Return one sentence: kind, mirror, and whether it holds exactly."""
+    """Conclude in one sentence: kind, mirror, exact or to rounding."""
     meaning = _MIRRORED[found.kind] if found.mirrored else _MEANING[found.kind]
     sentence = f"This is {meaning}"
     if found.kind is Kind.SINGULAR:
@@ -65,7 +65,7 @@ def verdict(found: Classification) -> str:
 
 
 def transform_remarks(found: Classification) -> tuple[str, ...]:
-    """Return the teaching part for this kind of map."""
+    """Explain the consequences of this kind of map."""
     remarks = []
     if found.kind is Kind.SINGULAR:
         remarks.append(_singular_remark(found.rank))

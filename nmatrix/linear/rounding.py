@@ -28,7 +28,7 @@ def nearest(value: Fraction) -> float:
 
     Examples
     --------
-    >>> nearest(Fraction(1, 3))
+    >>> float_or_none(Fraction(1, 3))
     0.3333333333333333
     """
     try:

@@ -1,4 +1,4 @@
-"""The numbers of a report as named values of a program: what js, numpy and glsl have in common."""
+"""The numbers of a report as named values of a program, for js, numpy and glsl."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Format
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.output.numbers import machine, significant
+from nmatrix.output.numbers import round_trip_text, significant
 from nmatrix.output.quantities import Leaf, is_matrix, is_number, is_vector, leaves
 from nmatrix.report import Matrix, Number, Report, Value, Vector
 
@@ -32,7 +32,7 @@ class Assignment:
 
 
 def assignments(data: Mapping[str, Value]) -> Iterator[Assignment]:
-    """Give every number, vector, matrix, truth value and null of the data a name.
+    """Name every number, vector, matrix, truth value and null of the data.
 
     Words are left out: a program computes with numbers.
 
@@ -47,7 +47,7 @@ def assignments(data: Mapping[str, Value]) -> Iterator[Assignment]:
 
 
 def identifier(key: str) -> str:
-    """Return a dotted key as a name that GLSL, JavaScript and Python all accept.
+    """Turn a dotted key into a name that GLSL, JavaScript and Python all accept.
 
     Examples
     --------
@@ -78,15 +78,54 @@ def require_numbers(report: Report, chosen: Format) -> None:
 
 
 def comment(text: str) -> str:
-    """Return a text that stays inside a one-line comment."""
+    """Bring a text onto one line, for a comment."""
     return " ".join(text.split())
+
+
+def vector(entries: Vector) -> str:
+    """Write a vector in square brackets, as JavaScript and Python do.
+
+    Examples
+    --------
+    >>> vector((1.0, 0.5))
+    '[1.0, 0.5]'
+    """
+    return f"[{', '.join(round_trip_text(entry) or 'null' for entry in entries)}]"
+
+
+def matrix(rows: Matrix) -> str:
+    """Write a matrix as a list of rows, a row on each line.
+
+    Examples
+    --------
+    >>> print(matrix(((1, 0), (0, 1))))
+    [
+      [1, 0],
+      [0, 1],
+    ]
+    """
+    return "[\n" + "".join(f"  {vector(row)},\n" for row in rows) + "]"
+
+
+def flat(rows: Matrix) -> str:
+    """Write the rows one after the other in a single list, a row on each line.
+
+    Examples
+    --------
+    >>> print(flat(((1, 0), (0, 1))))
+    [
+      1, 0,
+      0, 1,
+    ]
+    """
+    return "[\n" + "".join(f"  {vector(row)[1:-1]},\n" for row in rows) + "]"
 
 
 def _assignment(leaf: Leaf) -> Assignment:
     value = leaf.value
     if value is None or isinstance(value, str):
         return Assignment(identifier(leaf.key), None, f"{leaf.key} is null")
-    outside = next((entry for entry in _numbers(value) if machine(entry) is None), None)
+    outside = next((entry for entry in _numbers(value) if round_trip_text(entry) is None), None)
     if outside is not None:
         shown = significant(outside, 6)
         note = f"{leaf.key} holds {shown}, outside the range of float64"

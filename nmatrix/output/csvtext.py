@@ -12,7 +12,7 @@ from io import StringIO
 
 from nmatrix.enums import Layout
 from nmatrix.output.jsontext import outside_remark
-from nmatrix.output.numbers import machine, significant
+from nmatrix.output.numbers import round_trip_text, significant
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
 from nmatrix.report import Report, Table, Value
@@ -23,7 +23,7 @@ HEADER = ("key", "row", "column", "value")
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as comma-separated values with a header.
+    """Write the report as comma-separated values with a header.
 
     Scalars have neither row nor column, vectors a row; absent things have an empty value. An
     answer that is a list of rows is written as that.
@@ -38,7 +38,7 @@ def write(report: Report, options: OutputOptions) -> str:
     outside = [
         outside_remark(key, significant(value, options.digits))
         for key, _, _, value in _entries(report.data, options.layout)
-        if is_number(value) and machine(value) is None
+        if is_number(value) and round_trip_text(value) is None
     ]
     whole: dict[str, Value] = {
         "command": report.command,
@@ -84,5 +84,5 @@ def _cell(value: Value) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if is_number(value):
-        return machine(value) or ""
+        return round_trip_text(value) or ""
     return str(value)

@@ -40,82 +40,82 @@ class Dialect(ABC):
 
     @abstractmethod
     def heading(self, text: str) -> str:
-        """Return a heading."""
+        """Write a heading."""
 
     @abstractmethod
     def paragraph(self, text: str) -> str:
-        """Return a paragraph."""
+        """Write a paragraph."""
 
     @abstractmethod
     def strong(self, text: str) -> str:
-        """Return the one line for a reader in a hurry."""
+        """Write the one-line conclusion."""
 
     @abstractmethod
     def matrix(self, key: str, title: str, cells: Cells) -> str:
-        """Return a matrix, or a vector as one column, under its key."""
+        """Write a matrix, or a vector as one column, under its key."""
 
     @abstractmethod
     def scalar(self, key: str, title: str, value: str) -> str:
-        """Return a number or a word under its key."""
+        """Write a number or a word under its key."""
 
     @abstractmethod
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Return a table."""
+        """Write a table."""
 
     @abstractmethod
     def formula(self, formula: Formula) -> str:
-        """Return a formula that stands by itself."""
+        """Write a formula that stands by itself."""
 
     @abstractmethod
     def code(self, language: str, text: str) -> str:
-        """Return program text."""
+        """Write program text."""
 
     @abstractmethod
     def remarks(self, remarks: Sequence[str]) -> str:
-        """Return the remarks as a list."""
+        """Write the remarks as a list."""
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
-        """Return one line of a derivation, with its reason."""
+        """Write one line of a derivation, with its reason."""
         mark = "proved" if verified else "NOT PROVED"
         return f"{self.formula(formula)}\n\n{self.paragraph(f'{because} ({mark})')}"
 
     def figure(self, figure: Figure) -> str:
-        """Return a picture; where pictures cannot stand, the sentence in its place."""
+        """Write a picture; where pictures cannot stand, the sentence in its place."""
         return self.paragraph(figure.alternative)
 
     def blank(self, rows: int, columns: int) -> str:
-        """Return room for an answer."""
+        """Leave room for an answer."""
         return self.table("", [" "] * columns, [[" "] * columns] * (rows - 1))
 
     def page_break(self) -> str:
-        """Return the end of a printed page, where the format has pages."""
+        """End a printed page, where the format has pages."""
         return ""
 
     def number(self, text: str) -> str:
-        """Return a formatted number as this format writes it inside a matrix."""
+        """Write a formatted number inside a matrix."""
         return text
 
     def inline(self, text: str) -> str:
-        """Return a formatted number as this format writes it in a sentence or a table."""
+        """Write a formatted number in a sentence or a table."""
         return text
 
     @abstractmethod
     def words(self, text: str) -> str:
-        """Return a text escaped, so that it is shown as it is."""
+        """Escape a text, so that it is shown as it is."""
 
     def document(self, body: str) -> str:
-        """Return the body with whatever must stand around it."""
+        """Put around the body whatever the format needs."""
         return body
 
 
 def blocks_in(blocks: Sequence[Block], dialect: Dialect) -> str:
-    """Return some blocks in a dialect, parted by empty lines."""
+    """Write some blocks in a dialect, parted by empty lines."""
     written = (_block(block, dialect).rstrip("\n") for block in blocks)
     return "\n\n".join(part for part in written if part)
 
 
 def sections(blocks: Sequence[Block]) -> Iterator[tuple[Block, ...]]:
-    """Give the blocks from one heading to the next."""
+    """Part blocks at their headings."""
     found: list[Block] = []
     for block in blocks:
         if isinstance(block, Heading) and found:
@@ -127,15 +127,15 @@ def sections(blocks: Sequence[Block]) -> Iterator[tuple[Block, ...]]:
 
 
 def compose(report: Report, dialect: Dialect) -> str:
-    """Return the whole report in a dialect, ending in a newline."""
-    parts = [_block(block, dialect) for block in (*report.blocks, *_untold(report))]
+    """Write the whole report in a dialect, ending in a newline."""
+    parts = [_block(block, dialect) for block in (*report.blocks, *_not_shown_yet(report))]
     if report.remarks:
         parts.append(dialect.remarks(report.remarks))
     return dialect.document("\n\n".join(part.rstrip("\n") for part in parts)) + "\n"
 
 
-def _untold(report: Report) -> Iterator[Quantity]:
-    """Give the matrices and vectors of the data that no block shows under their key."""
+def _not_shown_yet(report: Report) -> Iterator[Quantity]:
+    """Find the matrices and vectors of the data that no block shows under their key."""
     told = {block.key for block in report.blocks if isinstance(block, Quantity)}
     for leaf in leaves(report.data):
         if leaf.key not in told and (is_matrix(leaf.value) or is_vector(leaf.value)):

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from nmatrix.enums import Format
 from nmatrix.linear.rational import transpose
 from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
-from nmatrix.output.numbers import float_or_none, machine
+from nmatrix.output.numbers import float_or_none, round_trip_text
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import is_matrix, is_number, is_vector
 from nmatrix.report import Code, Matrix, Number, Report, Vector
@@ -19,7 +19,7 @@ OUTSIDE = "  // outside the range of float32"
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report's shaders and uniform values, or else its numbers as constants.
+    """Write the report's shaders and uniform values, or else its numbers as constants.
 
     GLSL fills a matrix column by column, so `mat3(1, 2, 3, …)` begins with the first column.
 
@@ -49,7 +49,7 @@ def write(report: Report, options: OutputOptions) -> str:
 
 
 def _uniforms(report: Report) -> list[str]:
-    """Return the values that the shaders' uniforms have, as comments."""
+    """Write the values of the shaders' uniforms as comments."""
     values = report.data.get("uniforms")
     if not isinstance(values, Mapping):
         return []
@@ -69,7 +69,7 @@ def _statement(each: Assignment, qualifier: str) -> str:
 
 
 def _typed(value: bool | Number | Vector | Matrix, name: str) -> tuple[str, str, Vector]:  # noqa: FBT001 - data
-    """Return the declaration, the initial value and the floats in it."""
+    """Write the declaration and the initial value; the third part is the floats in it."""
     if is_matrix(value):
         return _matrix(value, name)
     if is_vector(value):
@@ -100,6 +100,6 @@ def _list(entries: Vector) -> str:
 
 
 def _literal(value: Number) -> str:
-    """Return a float literal; GLSL ES knows no silent step from int to float."""
-    text = machine(float(value)) or "0.0"
+    """Write a float literal; GLSL ES knows no silent step from int to float."""
+    text = round_trip_text(float(value)) or "0.0"
     return text if "." in text or "e" in text else f"{text}.0"

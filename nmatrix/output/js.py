@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 from nmatrix.enums import Format, Layout
-from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
-from nmatrix.output.nested import flat, matrix, vector
-from nmatrix.output.numbers import machine
+from nmatrix.output.assignments import (
+    Assignment,
+    assignments,
+    comment,
+    flat,
+    matrix,
+    require_numbers,
+    vector,
+)
+from nmatrix.output.numbers import round_trip_text
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import arranged, is_matrix, is_number, is_vector
 from nmatrix.report import Report
@@ -18,7 +25,7 @@ _LAYOUTS = {
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return a constant for every number, vector and matrix under its key.
+    """Write a constant for every number, vector and matrix under its key.
 
     Raises
     ------
@@ -49,5 +56,5 @@ def _constant(each: Assignment, layout: Layout) -> str:
     elif isinstance(value, bool):
         written = "true" if value else "false"
     else:
-        written = (machine(value) if is_number(value) else None) or "null"
+        written = (round_trip_text(value) if is_number(value) else None) or "null"
     return f"const {each.name} = {written};"

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 
-from nmatrix.output.numbers import machine, significant
+from nmatrix.output.numbers import round_trip_text, significant
 from nmatrix.output.options import Charset, OutputOptions
-from nmatrix.output.quantities import arranged, is_list, is_matrix, is_number, is_vector
-from nmatrix.report import Number, Report, Value
+from nmatrix.output.quantities import arranged, is_list, is_matrix, is_number, is_vector, members
+from nmatrix.report import Number, Report, Step, Value
 from nmatrix.version import __version__
 
 INDENT = "  "
@@ -16,7 +16,7 @@ LINE = 88  # an object that fits is kept on one line
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    r"""Return the report as one JSON object.
+    r"""Write the report as one JSON object.
 
     A number outside the float64 range becomes null, and a remark names it. In column-major
     layout matrices (2 to 4 rows of numbers) are written transposed; nothing else changes.
@@ -44,7 +44,7 @@ def write(report: Report, options: OutputOptions) -> str:
 
 
 def outside_remark(key: str, shown: str) -> str:
-    """Return the sentence that goes with a null."""
+    """Explain a null."""
     return f"{key} is {shown}, outside the range of float64: null here; the text format shows it."
 
 
@@ -62,6 +62,8 @@ class _Writer:
     def value(self, value: Value, key: str, depth: int) -> str:
         if is_matrix(value):
             value = arranged(value, self.options.layout)
+        if isinstance(value, Step):
+            value = members(value)
         if isinstance(value, Mapping):
             return self._object(value, key, depth)
         if is_vector(value):
@@ -93,7 +95,7 @@ class _Writer:
         return "[\n" + ",\n".join(lines) + f"\n{INDENT * depth}]"
 
     def _number(self, value: Number, key: str) -> str:
-        written = machine(value)
+        written = round_trip_text(value)
         if written is None:
             self.outside.append((key, significant(value, self.options.digits)))
         return "null" if written is None else written
@@ -108,5 +110,5 @@ def _joined(opening: str, lines: list[str], closing: str, depth: int) -> str:
 
 
 def _encodable(text: str) -> bool:
-    """Say whether UTF-8 can hold the text; names of files may hold halves of characters."""
+    """Try UTF-8 on a text; names of files may hold halves of characters."""
     return not any("\ud800" <= character <= "\udfff" for character in text)

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nmatrix.output.charset import spelled
 from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.formulas.latex import bmatrix, latex
 from nmatrix.output.options import Charset, OutputOptions
+from nmatrix.output.style import spelled
 from nmatrix.report import Formula, Report
 
 _CHARACTERS = {
@@ -50,32 +51,17 @@ _EASTERN = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŔŕ
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as LaTeX."""
+    """Write the report as LaTeX."""
     return compose(report, Latex(options))
 
 
-def bmatrix(cells: Cells) -> str:
-    r"""Return rows of cells as an amsmath `bmatrix`.
-
-    Examples
-    --------
-    >>> print(bmatrix([["1", "0"], ["0", "2"]]))
-    \begin{bmatrix}
-      1 & 0 \\
-      0 & 2
-    \end{bmatrix}
-    """
-    body = " \\\\\n".join("  " + " & ".join(row) for row in cells)
-    return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
-
-
 def symbol(key: str) -> str:
-    """Return a key as a formula's name."""
+    """Write a key as a formula's name."""
     return rf"\mathtt{{{key.replace('_', chr(92) + '_')}}}"
 
 
 def power_of_ten(number: str) -> str:
-    r"""Return a number with its exponent as mathematics writes it.
+    r"""Write the exponent of a number as mathematics does.
 
     Examples
     --------
@@ -87,7 +73,7 @@ def power_of_ten(number: str) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Return text that LaTeX shows as it is, also where its fonts lack a character.
+    r"""Escape text, so that LaTeX shows it as it is, also where its fonts lack a character.
 
     Examples
     --------
@@ -98,7 +84,7 @@ def escaped(text: str) -> str:
 
 
 def _in_latin(mark: str) -> str:
-    """Return a letter that LaTeX's fonts have as it is, any other character spelled in ASCII."""
+    """Keep a letter that LaTeX's fonts have, and spell any other character in ASCII."""
     if mark.isascii() or (mark.isalpha() and mark <= "ÿ") or mark in _EASTERN:
         return mark if mark.isprintable() else " "
     return "".join(_CHARACTERS.get(c, c) for c in spelled(mark, Charset.ASCII))
@@ -130,7 +116,7 @@ class Latex(Dialect):
         return f"{head}\\begin{{tabular}}{{{'l' * len(columns)}}}\n{body}\n\\end{{tabular}}"
 
     def formula(self, formula: Formula) -> str:
-        return f"\\[\n{formula.latex}\n\\]"
+        return f"\\[\n{latex(formula.tree)}\n\\]"
 
     def code(self, language: str, text: str) -> str:
         return f"\\begin{{verbatim}}\n{text.rstrip()}\n\\end{{verbatim}}"

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, Dialect, compose
-from nmatrix.output.latex import bmatrix, power_of_ten, symbol
+from nmatrix.output.formulas.latex import bmatrix, latex
+from nmatrix.output.latex import power_of_ten, symbol
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as Markdown."""
+    """Write the report as Markdown."""
     return compose(report, Markdown(options))
 
 
@@ -41,7 +42,7 @@ class Markdown(Dialect):
         return f"{escaped(title)}\n\n{body}" if title else body
 
     def formula(self, formula: Formula) -> str:
-        return f"$$\n{formula.latex}\n$$"
+        return f"$$\n{latex(formula.tree)}\n$$"
 
     def code(self, language: str, text: str) -> str:
         return f"```{language}\n{text.rstrip()}\n```"
@@ -60,5 +61,5 @@ class Markdown(Dialect):
 
 
 def escaped(text: str) -> str:
-    """Return text that this format shows as it is."""
+    """Escape text, so that Markdown shows it as it is."""
     return "".join(f"\\{c}" if c in "\\`*_{}[]<>#|$" else c for c in text)

@@ -6,12 +6,11 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.formulas.mathml import equation, mathml, matrix
+from nmatrix.output.formulas.spoken import matrix_in_words, spoken
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
-
-OPEN = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 
 _RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")
 _PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
@@ -19,12 +18,12 @@ _PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as HTML with MathML."""
+    """Write the report as HTML with MathML."""
     return compose(report, MathML(options))
 
 
 def prose(text: str) -> str:
-    r"""Return words for a page; exponents by markup, since not every font has ᵀ where it belongs.
+    r"""Write words for a page; exponents by markup, since not every font has ᵀ where it belongs.
 
     A matrix and its vector stay on one line.
 
@@ -50,12 +49,9 @@ class MathML(Dialect):
         return f"<p><strong>{prose(text)}</strong></p>"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
-        rows = "".join(f"<mtr>{''.join(map(_cell, row))}</mtr>" for row in cells)
-        table = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
         about = f"<p>{prose(title)}</p>\n" if title else ""
-        said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
-        head = f'{OPEN} alttext="{escape(said)}">'
-        return f"{about}{head}<mi>{escape(key)}</mi><mo>=</mo>{table}</math>"
+        body = f"<mi>{escape(key)}</mi><mo>=</mo>{matrix([list(map(_cell, row)) for row in cells])}"
+        return about + equation(body, matrix_in_words(key, cells))
 
     def scalar(self, key: str, title: str, value: str) -> str:
         return f"<p>{prose(title or key)}: {value}</p>"
@@ -67,13 +63,7 @@ class MathML(Dialect):
         return f"<table>{caption}<tr>{head}</tr>{body}</table>"
 
     def formula(self, formula: Formula) -> str:
-        if not formula.mathml:
-            raise IllegalValueError(
-                f"{quantity('format')} (mathml)",
-                "these formulas are not written in MathML",
-                "use latex or markdown",
-            )
-        return formula.mathml
+        return equation(mathml(formula.tree), spoken(formula.tree))
 
     def code(self, language: str, text: str) -> str:
         return f'<pre><code class="language-{escape(language)}">{escape(text)}</code></pre>'
@@ -92,4 +82,4 @@ def _cell(text: str) -> str:
     if mark:
         power = f"<msup><mn>10</mn><mn>{str(int(exponent)).replace('-', '−')}</mn></msup>"
         number = f"<mrow>{number}<mo>×</mo>{power}</mrow>"
-    return f"<mtd>{number}</mtd>"
+    return number

@@ -10,7 +10,7 @@ from nmatrix.report import Number
 
 
 def float_or_none(value: Number) -> float | None:
-    """Return the float64 nearest to a number, or None outside the float64 range; −0 becomes 0.
+    """Round a number to the nearest float64; None outside its range; −0 becomes 0.
 
     Examples
     --------
@@ -24,12 +24,12 @@ def float_or_none(value: Number) -> float | None:
     return found + 0.0 if isfinite(found) else None
 
 
-def machine(value: Number) -> str | None:
-    """Return the shortest text that reads back as the same float64; None outside its range.
+def round_trip_text(value: Number) -> str | None:
+    """Write the shortest text that reads back as the same float64; None outside its range.
 
     Examples
     --------
-    >>> machine(0.1), machine(Fraction(1, 4)), machine(7)
+    >>> round_trip_text(0.1), round_trip_text(Fraction(1, 4)), round_trip_text(7)
     ('0.1', '0.25', '7')
     """
     rounded = float_or_none(value)
@@ -39,7 +39,7 @@ def machine(value: Number) -> str | None:
 
 
 def significant(value: Number, digits: int) -> str:
-    """Return a number in so many significant digits, correctly rounded, without trailing zeros.
+    """Write so many significant digits, correctly rounded, without trailing zeros.
 
     Integers that count something stay whole; fractions are rounded from their integers, so that
     a value beyond every float is still shown.

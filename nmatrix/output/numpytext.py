@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from nmatrix.enums import Format, Layout
-from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
-from nmatrix.output.nested import matrix, vector
-from nmatrix.output.numbers import machine
+from nmatrix.output.assignments import (
+    Assignment,
+    assignments,
+    comment,
+    matrix,
+    require_numbers,
+    vector,
+)
+from nmatrix.output.numbers import round_trip_text
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.quantities import arranged, is_matrix, is_number, is_vector
 from nmatrix.report import Report
@@ -13,7 +19,7 @@ from nmatrix.version import __version__
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return an assignment for every number, vector and matrix under its key.
+    """Write an assignment for every number, vector and matrix under its key.
 
     Raises
     ------
@@ -47,5 +53,5 @@ def _statement(each: Assignment, layout: Layout) -> str:
     elif isinstance(value, bool):
         written = str(value)
     else:
-        written = (machine(value) if is_number(value) else None) or "None"
+        written = (round_trip_text(value) if is_number(value) else None) or "None"
     return f"{each.name} = {written}"

@@ -14,7 +14,7 @@ RESET = "\x1b[0m"
 
 
 def preview(image: Array, columns: int, *, in_colour: bool) -> str:
-    """Return an 8-bit image (height, width, 3) as lines of at most so many characters.
+    """Draw an 8-bit image (height, width, 3) in lines of at most so many characters.
 
     Examples
     --------
@@ -33,7 +33,7 @@ def preview(image: Array, columns: int, *, in_colour: bool) -> str:
 
 
 def _resized(image: Array, rows: int, columns: int) -> Array:
-    """Return the mean colour of every cell of a grid."""
+    """Average the colours in every cell of a grid."""
     row = np.linspace(0, image.shape[0], rows + 1).astype(int)
     column = np.linspace(0, image.shape[1], columns + 1).astype(int)
     across = np.add.reduceat(image.astype(float), column[:-1], axis=1)
@@ -51,6 +51,6 @@ def _halves(upper: Array, lower: Array) -> str:
 
 
 def _ramp(row: Array, _: Array) -> str:
-    """Return darker characters for darker cells, as ink on paper."""
+    """Draw darker characters for darker cells, as ink on paper."""
     dark = 1 - row.mean(axis=1) / 255
     return "".join(RAMP[round(one * (len(RAMP) - 1))] for one in dark.tolist())

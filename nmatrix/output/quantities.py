@@ -9,13 +9,13 @@ from typing import TypeGuard
 
 from nmatrix.enums import Layout
 from nmatrix.linear.rational import transpose
-from nmatrix.report import Matrix, Number, Value, Vector
+from nmatrix.report import Matrix, Number, Step, Value, Vector
 
 LARGEST_MATRIX = 4
 
 
 def is_number(value: object) -> TypeGuard[Number]:
-    """Say whether a value is a number; a bool is not.
+    """Recognise a number; a bool is none.
 
     Examples
     --------
@@ -26,17 +26,17 @@ def is_number(value: object) -> TypeGuard[Number]:
 
 
 def is_list(value: object) -> TypeGuard[Sequence[Value]]:
-    """Say whether a value is a sequence other than a string."""
+    """Recognise a sequence other than a string."""
     return isinstance(value, Sequence) and not isinstance(value, str)
 
 
 def is_vector(value: object) -> TypeGuard[Vector]:
-    """Say whether a value is a list of at least one number, and of nothing else."""
+    """Recognise a list of at least one number, and of nothing else."""
     return is_list(value) and len(value) > 0 and all(is_number(entry) for entry in value)
 
 
 def is_matrix(value: object) -> TypeGuard[Matrix]:
-    """Say whether a value is a matrix: 2 to 4 rows of equally many numbers, 1 to 4 of them.
+    """Recognise a matrix: 2 to 4 rows of equally many numbers, 1 to 4 of them.
 
     Examples
     --------
@@ -53,7 +53,7 @@ def is_matrix(value: object) -> TypeGuard[Matrix]:
 
 
 def arranged(matrix: Matrix, layout: Layout) -> Matrix:
-    """Return the rows to write down, one after the other, for a layout."""
+    """Order the entries as a layout wants them: the rows to write down one after the other."""
     return transpose(matrix) if layout is Layout.COLUMN_MAJOR else matrix
 
 
@@ -63,6 +63,26 @@ class Leaf:
 
     key: str
     value: bool | str | Number | Vector | Matrix | None
+
+
+def members(step: Step) -> dict[str, Value]:
+    """Spread a step of a derivation over the keys that it has in the data.
+
+    Examples
+    --------
+    >>> from nmatrix.report import Formula
+    >>> members(Step(Formula(("A = I",)), "nothing moves", verified=True))["latex"]
+    'A = I'
+    """
+    from nmatrix.output.formulas.latex import latex
+    from nmatrix.output.formulas.text import text
+
+    return {
+        "text": text(step.formula),
+        "latex": latex(step.formula.tree),
+        "because": step.because,
+        "verified": step.verified,
+    }
 
 
 def leaves(data: Mapping[str, Value], prefix: str = "") -> Iterator[Leaf]:
@@ -78,6 +98,8 @@ def leaves(data: Mapping[str, Value], prefix: str = "") -> Iterator[Leaf]:
 
 
 def _leaves_of(key: str, value: Value) -> Iterator[Leaf]:
+    if isinstance(value, Step):
+        value = members(value)
     if isinstance(value, Mapping):
         yield from leaves(value, f"{key}.")
     elif is_matrix(value) or is_vector(value):

@@ -1,4 +1,4 @@
-"""Text made of styled pieces, and the few terminal colours that nmatrix uses.
+"""What a terminal can show: text in styled pieces, few colours, and ASCII where it knows no more.
 
 A line is a tuple of spans; its width is counted before any colour goes in.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from nmatrix.output.options import Colour
+from nmatrix.output.options import Charset, Colour
 
 RESET = "\x1b[0m"
 
@@ -26,6 +26,68 @@ class Style(StrEnum):
     BAD = "\x1b[1;31m"
 
 
+_ASCII = str.maketrans(
+    {
+        "−": "-",
+        "–": "-",
+        "—": "-",
+        "·": "*",
+        "×": "x",
+        "÷": "/",
+        "√": "sqrt",
+        "°": " deg",
+        "±": "+-",
+        "≤": "<=",
+        "≥": ">=",
+        "≠": "!=",
+        "≈": "~",
+        "→": "->",
+        "⇒": "=>",
+        "⇔": "<=>",
+        "ᵀ": "^T",
+        "⁻": "^-",
+        "¹": "1",
+        "²": "^2",
+        "³": "^3",
+        "⁴": "^4",
+        "∞": "inf",
+        "‖": "|",
+        "⊥": " perpendicular to ",
+        "∈": " in ",
+        "∉": " not in ",
+        "…": "...",
+        "’": "'",
+        "“": '"',
+        "”": '"',
+        "α": "alpha",
+        "β": "beta",
+        "γ": "gamma",
+        "δ": "delta",
+        "ε": "epsilon",
+        "θ": "theta",
+        "κ": "kappa",
+        "λ": "lambda",
+        "μ": "mu",
+        "π": "pi",
+        "σ": "sigma",
+        "τ": "tau",
+        "φ": "phi",
+        "⎡": "[",
+        "⎢": "[",
+        "⎣": "[",
+        "⎤": "]",
+        "⎥": "]",
+        "⎦": "]",
+        "│": "|",
+        "─": "-",
+        "•": "*",
+        "✓": "ok",
+        "✗": "(wrong)",
+        "₁": "1",
+        "₂": "2",
+        "₃": "3",
+    }
+)
 AXES = {"x": Style.X, "y": Style.Y, "z": Style.Z}
 
 
@@ -41,12 +103,12 @@ Line = tuple[Span, ...]
 
 
 def plain(text: str) -> Line:
-    """Return a line in ordinary text."""
+    """Make a line of ordinary text."""
     return (Span(text),)
 
 
 def width(line: Line) -> int:
-    """Return how many columns a line takes.
+    """Count the columns that a line takes.
 
     Examples
     --------
@@ -57,7 +119,7 @@ def width(line: Line) -> int:
 
 
 def render(line: Line, colour: Colour) -> str:
-    """Return a line as characters, with escapes only where colour is wanted.
+    """Turn a line into characters, with escapes only where colour is wanted.
 
     Examples
     --------
@@ -75,7 +137,7 @@ def _coloured(span: Span) -> str:
 
 
 def printable(text: str) -> str:
-    r"""Return a text without control characters, which could repaint a terminal.
+    r"""Spell out control characters, which could repaint a terminal.
 
     Examples
     --------
@@ -88,3 +150,17 @@ def printable(text: str) -> str:
         mark if mark.isprintable() or mark == "\n" else mark.encode("unicode_escape").decode()
         for mark in text
     )
+
+
+def spelled(text: str, charset: Charset) -> str:
+    """Write a text in the characters that the terminal has.
+
+    Examples
+    --------
+    >>> spelled("A⁻ᵀ is 90° − θ", Charset.ASCII)
+    'A^-T is 90 deg - theta'
+    """
+    if charset is Charset.UNICODE or text.isascii():
+        return text
+    known = text.replace("⁻ᵀ", "^-T").translate(_ASCII)
+    return known.encode("ascii", "backslashreplace").decode("ascii")

@@ -10,13 +10,12 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 from textwrap import wrap
 
-from nmatrix.output.charset import spelled
-from nmatrix.output.grid import draw_matrix, draw_vector
+from nmatrix.output.drawing import draw_matrix, draw_table, draw_vector
+from nmatrix.output.formulas.text import text as drawn
 from nmatrix.output.numbers import significant
 from nmatrix.output.options import Charset, OutputOptions
 from nmatrix.output.quantities import is_matrix, is_number, is_vector
-from nmatrix.output.style import Line, Span, Style, plain, printable, render
-from nmatrix.output.table import draw_table
+from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled
 from nmatrix.report import (
     Blank,
     Block,
@@ -48,7 +47,7 @@ MARKS = {
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as lines of at most `options.width` columns.
+    """Write the report in lines of at most `options.width` columns.
 
     Examples
     --------
@@ -66,14 +65,14 @@ def write(report: Report, options: OutputOptions) -> str:
 
 
 def _grouping(block: Block) -> tuple[str, int]:
-    """Return what neighbours must share to stand without an empty line between them."""
+    """Group neighbours that stand without an empty line between them."""
     if isinstance(block, Quantity) and not is_matrix(block.value):
         return ("quantities", 0)
     return (type(block).__name__, id(block))
 
 
 def _parted(parts: Iterable[list[Line]]) -> Iterator[Line]:
-    """Give the lines of all parts, with an empty line between two parts."""
+    """Put an empty line between two parts."""
     first = True
     for part in parts:
         if part and not first:
@@ -168,7 +167,7 @@ class _Writer:
         return lines
 
     def _values(self, block: Quantity, indent: int) -> list[Line]:
-        """Return a scalar, a vector or a word, on as many lines as it needs."""
+        """Write a scalar, a vector or a word, on as many lines as it needs."""
         value, unit = block.value, self._spelled(f" {block.unit}" if block.unit else "")
         if is_vector(value):
             room = OutputOptions(
@@ -202,7 +201,7 @@ class _Writer:
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:
-        text = self._spelled(block.text)
+        text = self._spelled(drawn(block))
         if "\n" in text:
             return [(INDENT, Span(line)) for line in text.splitlines()]
         return [(INDENT, Span(line)) for line in self._wrapped(text, 2)]

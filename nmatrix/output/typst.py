@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.documents import Cells, Dialect, compose
+from nmatrix.output.formulas.typst import matrix, typst
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
 
@@ -14,7 +14,7 @@ _LISTLIKE = re.compile(r"^(\s*(?:[0-9]+)?)([-+.])", re.MULTILINE)
 
 
 def write(report: Report, options: OutputOptions) -> str:
-    """Return the report as Typst."""
+    """Write the report as Typst."""
     return compose(report, Typst(options))
 
 
@@ -31,9 +31,8 @@ class Typst(Dialect):
         return f"*{escaped(text)}*"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
-        rows = "; ".join(", ".join(row) for row in cells)
         about = f"{escaped(title)}\n" if title else ""
-        return f'{about}$ #raw("{key}") = mat(delim: "[", {rows}) $'
+        return f'{about}$ #raw("{key}") = {matrix(cells)} $'
 
     def scalar(self, key: str, title: str, value: str) -> str:
         return f"{escaped(title or key)}: {value}"
@@ -45,13 +44,7 @@ class Typst(Dialect):
         return f"{head}#table(columns: {len(columns)}, {', '.join(cells)})"
 
     def formula(self, formula: Formula) -> str:
-        if not formula.typst:
-            raise IllegalValueError(
-                f"{quantity('format')} (typst)",
-                "these formulas are not written in Typst",
-                "use latex or markdown",
-            )
-        return f"$ {formula.typst} $"
+        return f"$ {typst(formula.tree)} $"
 
     def code(self, language: str, text: str) -> str:
         return f"```{language}\n{text.rstrip()}\n```"
@@ -71,6 +64,6 @@ class Typst(Dialect):
 
 
 def escaped(text: str) -> str:
-    """Return text that Typst shows as it is, also where a line begins like a list."""
+    """Escape text, so that Typst shows it as it is, also where a line begins like a list."""
     shown = "".join(f"\\{c}" if c in "\\#$*_`<>@[]=~/\"'" else c for c in text)
     return _LISTLIKE.sub(r"\1\\\2", shown)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from nmatrix.classroom.handout import Plan, written
+from nmatrix.classroom.handout import HandoutPlan, student_files
 from nmatrix.classroom.topics import Topic
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.scene.setup import Setup
@@ -15,9 +15,9 @@ A4_AT_96_DPI = 794 - 2 * 68  # pixels between the margins
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
-    plan = Plan(tuple(Topic), Setup(World(scale=(1, 2, 1))), 10)
+    plan = HandoutPlan(tuple(Topic), Setup(World(scale=(1, 2, 1))), 10)
     path = tmp_path_factory.mktemp("handout") / "sheet.html"
-    path.write_bytes(written(plan, Sheet("1", "Ada")).sheet)
+    path.write_bytes(student_files(plan, Sheet("1", "Ada")).sheet)
     return path
 
 

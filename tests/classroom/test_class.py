@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from nmatrix.classroom import run as running
-from nmatrix.classroom.handout import Plan, handout, written
+from nmatrix.classroom.handout import HandoutPlan, handout, student_files
 from nmatrix.classroom.manifest import files_of
 from nmatrix.classroom.topics import Topic
 from nmatrix.cli import workers
@@ -27,7 +27,7 @@ from nmatrix.scene.setup import Setup
 pytestmark = pytest.mark.usefixtures("own_folder")
 
 LINE = "handout --exercises 1 -o out --roster"
-SHEETS = Plan((Topic.EXERCISES,), Setup(), 1)
+SHEETS = HandoutPlan((Topic.EXERCISES,), Setup(), 1)
 
 
 def roster(*names: str) -> str:
@@ -111,13 +111,15 @@ def test_a_name_that_a_pdf_cannot_print_is_told_before_anything_is_written(nmatr
 def test_every_printed_page_says_whose_it_is() -> None:
     name = 'Ada "</style>" B.'
     sheet = Sheet("7", name)
-    page = written(SHEETS, sheet).sheet.decode()
+    page = student_files(SHEETS, sheet).sheet.decode()
     style = page.partition("<style>")[2].partition("</style>")[0]
     content = re.search(r'@bottom-left \{ content: "([^"]*)"', style)
     assert content is not None
     assert re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1]) == f"{name} · seed 7"
     for kind in (PageFormat.TYP, PageFormat.TEX):
-        head = written(Plan((Topic.EXERCISES,), Setup(), 1, kind), Sheet("7", "Zoe")).sheet.decode()
+        head = student_files(
+            HandoutPlan((Topic.EXERCISES,), Setup(), 1, kind), Sheet("7", "Zoe")
+        ).sheet.decode()
         assert re.search(r"(footer: context|markright)[^$]*Zoe", head)
 
 

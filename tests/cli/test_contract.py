@@ -203,8 +203,8 @@ def test_version(nmatrix) -> None:
 def loaded(line: str) -> set[str]:
     code = (
         "import sys; from nmatrix.cli.app import run; code = run(sys.argv[1:]);"
-        "sys.stderr.write('LOADED ' + ' '.join(m for m in ('numpy', 'sympy', 'rich', 'matplotlib')"
-        " if m in sys.modules))"
+        "heavy = ('numpy', 'sympy', 'rich', 'matplotlib', 'nmatrix.formula');"
+        "sys.stderr.write('LOADED ' + ' '.join(m for m in heavy if m in sys.modules))"
     )
     done = subprocess.run(
         [sys.executable, "-c", code, *shlex.split(line)],
@@ -220,6 +220,7 @@ def loaded(line: str) -> set[str]:
     [
         ("--help", set()),
         ("world --scale 1 2 1", set()),
+        ("world -f json", set()),
         ("derive", {"sympy"}),
         ("calc 'det(M)'", set()),
     ],

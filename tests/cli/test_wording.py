@@ -32,9 +32,7 @@ def test_only_a_rotation_is_called_one(nmatrix, sign: int) -> None:
 
 
 @pytest.mark.parametrize("method", NORMAL_METHODS)
-def test_how_far_a_itself_is_off_does_not_depend_on_the_method(
-    nmatrix, method: NormalRule
-) -> None:
+def test_how_far_a_itself_is_off_does_not_depend_on_the_method(nmatrix, method: NormalRule) -> None:
     for scale, off in (("-1 1 1", 0.0), ("-1 2 1", 36.86989764584402)):
         line = f"normal --scale {scale} --normal 1 1 0 --method {method} -f json"
         found = nmatrix(line).data["normals"][0]

@@ -3,26 +3,29 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import sqrt
 
 import pytest
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
-from nmatrix.lessons.derive.cases import TITLES
+from nmatrix.lessons.derive import examples, lighting, reflecting
+from nmatrix.lessons.derive import worst_angle as bound
+from nmatrix.lessons.derive.cases import TITLES, chosen
 from nmatrix.lessons.derive.lesson import LESSONS, derive
 from nmatrix.lessons.derive.steps import equal
 from nmatrix.lessons.derive.users_matrix import exact_matrix
 from nmatrix.linear import rational
-from nmatrix.report import Step
+from nmatrix.output.quantities import members
 from nmatrix.scene.world import World
 
 
 def steps(case: str, world: World | None = None) -> list[dict]:
-    return [step for one in derive(case, world).data["cases"] for step in one["steps"]]
+    return [members(step) for one in derive(case, world).data["cases"] for step in one["steps"]]
 
 
-def test_every_title_has_its_lesson() -> None:
-    assert set(TITLES) == set(LESSONS)
+def test_every_title_has_its_lesson_and_all_stands_for_every_one() -> None:
+    assert tuple(TITLES) == tuple(LESSONS) == chosen("all")
 
 
 @pytest.mark.parametrize("case", TITLES)
@@ -30,22 +33,6 @@ def test_every_step_is_proved(case: str) -> None:
     found = steps(case)
     assert len(found) >= 2
     assert all(step["verified"] is True for step in found), found
-    for step in found:
-        assert step["latex"].isascii(), "pdflatex reads no other signs in formulas"
-        assert step["latex"].count(r"\begin{") == step["latex"].count(r"\end{")
-        assert step["latex"].count("{") == step["latex"].count("}")
-
-
-@pytest.mark.parametrize("case", TITLES)
-def test_mathml_is_well_formed_and_holds_every_matrix(case: str) -> None:
-    from xml.etree import ElementTree
-
-    for block in derive(case).blocks:
-        if isinstance(block, Step):
-            tree = ElementTree.fromstring(block.formula.mathml)
-            tables = sum(1 for node in tree.iter() if node.tag.endswith("mtable"))
-            assert tables == block.formula.latex.count("\\begin{bmatrix}")
-            assert tables == block.formula.typst.count("mat(")
 
 
 def test_a_wrong_cofactor_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -180,3 +167,76 @@ def test_long_rows_of_zeros_are_powers_of_ten(scale, shown) -> None:
     found = steps("rule", World(scale=scale))
     assert any(shown in step["text"] for step in found)
     assert all("0" * 15 not in step["text"] + step["latex"] for step in found)
+
+
+def test_the_three_shades_are_those_of_floats() -> None:
+    n, light = (1 / sqrt(2), 1 / sqrt(2), 0), (0.3, 0.9, 0.2)
+    world = (n[0], 4 * n[1], 0)
+
+    def cosine(a, b):
+        dot = sum(x * y for x, y in zip(a, b, strict=True))
+        return dot / sqrt(sum(x * x for x in a)) / sqrt(sum(x * x for x in b))
+
+    for found, closed in (
+        (cosine(world, light), 39 / sqrt(1598)),
+        (cosine(n, (0.3, 0.225, 0.2)), 21 / (17 * sqrt(2))),
+        (cosine(n, (0.3, 3.6, 0.2)), 39 / sqrt(2618)),
+    ):
+        assert found == pytest.approx(closed, rel=1e-12)
+
+
+def unproved(lesson) -> int:
+    return [one.verified for one in lesson()[0]].count(False)
+
+
+MUTANTS = {
+    "light by another rule": (lighting, "adjugate", lambda A: A, lighting.lightdirection),
+    "a length by another metric": (
+        lighting, "product", lambda A, B: B, lighting.lightdirection,
+    ),
+    "the eye by other cofactors": (
+        lighting, "cofactors", lambda A: A.T, lighting.eye,
+    ),
+    "a metric without its inverse": (lighting, "cofactors", lambda A: A, lighting.metric),
+    "nothing is equal": (reflecting, "equal", lambda *_: False, reflecting.reflection),
+    "a bound from other cofactors": (
+        bound.rational, "cofactor_matrix", lambda A: A,
+        lambda: (bound.worst_angle_bounds_all(), ""),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MUTANTS)
+def test_a_broken_link_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    module, attribute, mutant, lesson = MUTANTS[name]
+    assert unproved(lesson) == 0
+    monkeypatch.setattr(module, attribute, mutant)
+    assert unproved(lesson) > 0
+
+
+def test_another_angle_is_not_proved() -> None:
+    import sympy as sp
+
+    wrong, right = sp.Matrix([1, 2, 0]), sp.Matrix([2, 1, 0])
+    assert examples._angle_between(wrong, right, sp.Rational(3, 4)).verified
+    assert not examples._angle_between(wrong, right, sp.Rational(2, 3)).verified
+    assert not examples._angle_between(sp.Matrix([5, 7, 1]), right, sp.Rational(3, 4)).verified
+
+
+def test_the_bound_is_not_proved_for_another_power() -> None:
+    import sympy as sp
+
+    first, some, third = sp.symbols("a b c", positive=True)
+    gap = first**2 + third**2 - some**2 - first * third / some
+    assert not equal(gap * some**2, (first**2 - some**2) * (some**2 - third**2))
+
+
+def test_ones_own_matrix_follows_once() -> None:
+    found = derive("all", World(scale=(1, 2, 1))).data["cases"]
+    own = [i for i, case in enumerate(found) for one in case["steps"] if "your" in one.because]
+    assert set(own) == {0}
+
+
+def test_a_misspelled_case_is_guessed() -> None:
+    with pytest.raises(ValueError, match="did you mean lightdirection"):
+        chosen("lightdirecton")

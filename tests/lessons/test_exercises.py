@@ -9,23 +9,28 @@ import pytest
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.question import Subject
 from nmatrix.lessons.exercises import scheme
 from nmatrix.lessons.exercises import sheet as sheets
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Kind
+from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, ExerciseKind
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
 from nmatrix.lessons.exercises.tracing import UNDIVIDED
+from nmatrix.output.formulas.text import text as drawn
 from nmatrix.report import Formula, Text
 
-SIZE = len(Kind)
+SIZE = len(ExerciseKind)
+
+
+def lines(blocks) -> str:
+    shown = (block for block in blocks if isinstance(block, (Text, Formula)))
+    return "\n".join(drawn(one) if isinstance(one, Formula) else one.text for one in shown)
 
 
 def said(one: Exercise) -> str:
-    return "\n".join(
-        block.text for block in (*one.task, *one.key) if isinstance(block, (Text, Formula))
-    )
+    return lines((*one.task, *one.key))
 
 
 def judged_rightly(one: Exercise) -> None:
@@ -55,12 +60,12 @@ def test_the_draws_are_those_of_the_documented_scheme() -> None:
     raw = random.Random(seed)
     draws = Draws(Sheet("7", "Zoe\u0308", b"salt"), 4, 0)
     assert SCHEME == "nmatrix/1"
-    assert [draws.below(1000) for _ in range(5)] == [int(raw.random() * 1000) for _ in range(5)]
+    assert [draws.randbelow(1000) for _ in range(5)] == [int(raw.random() * 1000) for _ in range(5)]
 
 
 def test_golden_draws_never_change() -> None:
     draws = Draws(Sheet("1", "Ada"), 1, 0)
-    assert [draws.below(1000) for _ in range(6)] == GOLDEN_DRAWS
+    assert [draws.randbelow(1000) for _ in range(6)] == GOLDEN_DRAWS
     assert [one.right for one in exercises(SIZE, Sheet("1", "Ada"))] == GOLDEN_ANSWERS
 
 
@@ -81,7 +86,7 @@ GOLDEN_ANSWERS = [
 
 def test_neighbouring_parts_do_not_run_into_each_other() -> None:
     def first(*parts: object) -> int:
-        return Draws(Sheet(*parts), 1, 0).below(10**9)  # type: ignore[arg-type]
+        return Draws(Sheet(*parts), 1, 0).randbelow(10**9)  # type: ignore[arg-type]
 
     assert first("12", "3") != first("1", "23")
     assert first("1", "a", b"b") != first("1", "ab", b"")
@@ -90,7 +95,7 @@ def test_neighbouring_parts_do_not_run_into_each_other() -> None:
 
 def test_a_sheet_takes_turns_through_all_kinds_and_does_not_depend_on_its_length() -> None:
     ten = exercises(SIZE, Sheet("3", "Bo"))
-    assert [one.kind for one in ten] == list(Kind)
+    assert [one.kind for one in ten] == list(ExerciseKind)
     assert exercises(4, Sheet("3", "Bo")) == ten[:4]
     assert exercise(13, Sheet("3", "Bo")).kind is ten[2].kind
 
@@ -129,18 +134,15 @@ def test_numbers_are_small_enough_for_hand_work() -> None:
 
 def test_the_key_is_not_on_the_sheet() -> None:
     for one in exercises(SIZE, Sheet("9", "Cy")):
-        task = "\n".join(block.text for block in one.task if isinstance(block, (Text, Formula)))
-        assert "answer = " not in task or one.kind is Kind.MISTAKE
+        task = lines(one.task)
+        assert "answer = " not in task or one.kind is ExerciseKind.MISTAKE
         assert "Answer: " not in task
 
 
 def test_a_planned_mistake_is_found_by_its_rule_and_not_by_its_text(monkeypatch) -> None:
-    from nmatrix.lessons.check import wrong
-    from nmatrix.lessons.check.question import Subject
-
     one = exercise(2, Sheet("1", "x"))
     planned = {each.mistake: each.text for each in one.planned}
-    monkeypatch.delitem(wrong.RULES[Subject.NORMAL], MistakeId.NOT_TRANSPOSED)
+    monkeypatch.delitem(MISTAKES[MistakeId.NOT_TRANSPOSED].slips, Subject.NORMAL)
     assert isinstance(one.grader, Computed)
     afresh = Computed(Judge(one.grader.question))
     assert afresh.judge(planned[MistakeId.NOT_TRANSPOSED]).mistake != "not-transposed"
@@ -178,7 +180,7 @@ def test_attempts_that_do_not_show_their_mistakes_are_drawn_again(monkeypatch) -
         return original(draws, number) if len(built) > 3 else None
 
     monkeypatch.setattr(sheets, "KINDS", (reluctant,))
-    assert exercise(1, Sheet("1", "Ada")).kind is Kind.WORLD
+    assert exercise(1, Sheet("1", "Ada")).kind is ExerciseKind.WORLD
     assert len(built) == 4
 
 

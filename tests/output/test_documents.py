@@ -9,7 +9,6 @@ from xml.etree import ElementTree
 import pytest
 
 from nmatrix.enums import Format
-from nmatrix.errors import IllegalValueError
 from nmatrix.output import OutputOptions, write
 from nmatrix.report import (
     Code,
@@ -26,7 +25,7 @@ from nmatrix.report import (
 
 DOCUMENTS = [Format.LATEX, Format.MARKDOWN, Format.MATHML, Format.TYPST]
 NASTY = "50% of A_1 & B^2 {x} <b> $y$ #z ~ \\w | *s* [l](u) κ√ → “é”"
-FORMULA = Formula("a = b", "a = b", "<math><mi>a</mi></math>", "a = b")
+FORMULA = Formula(("a = b",))
 DATA = {
     "world_from_object": ((1.0, 2e-30), (0.0, -3.5)),
     "parts": {"translate": (1.0, 2.0, 3.0)},
@@ -117,10 +116,3 @@ def test_typst_matrices() -> None:
     assert 'mat(delim: "[", 1, 2 times 10^(-30); 0, -3.5) $' in text
     assert 'mat(delim: "[", 1; 2; 3) $' in text
     assert "determinant: $1 times 10^(600)$" in text
-
-
-@pytest.mark.parametrize("format_", [Format.MATHML, Format.TYPST])
-def test_a_formula_without_this_notation_is_refused(format_: Format) -> None:
-    report = Report("derive", {}, (Formula("a", "a"),))
-    with pytest.raises(IllegalValueError, match=r"use latex or markdown"):
-        write(report, OutputOptions(format_))

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nmatrix.output import Charset, Colour, OutputOptions, write
-from nmatrix.output.grid import aligned, draw_matrix
+from nmatrix.output.drawing import aligned, draw_matrix
 from nmatrix.output.style import render
 from nmatrix.report import (
     Block,
@@ -109,7 +109,7 @@ def test_a_vector_too_wide_for_a_row_is_a_column() -> None:
 @given(WORDS, st.lists(st.tuples(WORDS, FLOATS), min_size=1, max_size=3))
 @settings(max_examples=80, deadline=None)
 def test_prose_tables_and_steps_keep_the_width(words: str, rows: list) -> None:
-    formula = Formula(words or "x", "")
+    formula = Formula((words or "x",))
     found = text_of(
         Heading(words or "x"),
         Text(words),
@@ -129,7 +129,7 @@ def test_a_table_that_cannot_fit_becomes_records() -> None:
 
 
 def test_a_failed_proof_is_not_called_ok() -> None:
-    formula = Formula("x = y", "x = y")
+    formula = Formula(("x = y",))
     for charset, good, bad in (
         (Charset.UNICODE, "✓", "✗ not proved"),
         (Charset.ASCII, "ok", "NOT PROVED"),

@@ -1,1 +1,1 @@
-"""Say which mistake an answer holds: the right answer, every known wrong one, and a comparison."""
+"""The judgement of an answer: the right one, every known wrong one, and a comparison."""

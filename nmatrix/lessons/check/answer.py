@@ -1,4 +1,4 @@
-"""A student's answer: the exact numbers as they were typed, and how far they claim to go."""
+"""A student's answer: the exact numbers as they were typed, and how many digits were given."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Answer:
 
     @cached_property
     def last_places(self) -> RationalMatrix:
-        """Return one unit of the last decimal of each number; a fraction is exact and has none.
+        """One unit of the last decimal of each number; a fraction is exact and has none.
 
         Examples
         --------
@@ -50,7 +50,7 @@ class Answer:
 
     @cached_property
     def floats(self) -> Rows | None:
-        """Return the numbers in float64, for a first look; None where one is beyond."""
+        """The numbers in float64, for a first look; None where one is beyond."""
         try:
             return to_floats(self.rows)
         except IllegalValueError:
@@ -58,12 +58,12 @@ class Answer:
 
     @cached_property
     def coarsest(self) -> float:
-        """Return the largest unit of a last place that counts."""
+        """The largest unit of a last place that counts."""
         return float(max(min(place, FEWEST) for row in self.last_places for place in row))
 
 
 def read_answer(text: str, question: Question, layout: Layout = Layout.ROW_MAJOR) -> Answer:
-    """Return the answer that a text spells, in any notation that matrices have.
+    """Read an answer in any notation that matrices have.
 
     Raises
     ------
@@ -80,7 +80,7 @@ def read_answer(text: str, question: Question, layout: Layout = Layout.ROW_MAJOR
 
 
 def shaped(literal: MatrixLiteral, question: Question) -> Answer:
-    """Return numbers in the shape of a question: a matrix, or one row of three or four."""
+    """Bring numbers into the shape of a question: a matrix, or one row of three or four."""
     rows, decimals, size = literal.rows_exact, literal.decimals, literal.shape
     if question.is_vector:
         flat = tuple(entry for row in rows for entry in row)
@@ -106,7 +106,7 @@ def shaped(literal: MatrixLiteral, question: Question) -> Answer:
 
 
 def with_w_one(row: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
-    """Return a point of four numbers divided by its w, unless that is 0."""
+    """Divide a point of four numbers by its w, unless that is 0."""
     w = row[3]
     return row if w in (0, ONE) else tuple(entry / w for entry in row)
 

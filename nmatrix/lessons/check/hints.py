@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from nmatrix.enums import Space
-from nmatrix.lessons.check.question import Question, Subject, light_vector, setting
+from nmatrix.lessons.check.question import Question, Subject, light_vector, right_matrices
 from nmatrix.linear.rational import (
     ONE,
     ZERO,
@@ -35,7 +35,7 @@ class Hint:
 
 
 def hints(question: Question) -> Iterator[Hint]:
-    """Give what an answer may be that no mistake with a name explains.
+    """List numbers that no mistake with a name explains.
 
     Examples
     --------
@@ -50,7 +50,9 @@ def hints(question: Question) -> Iterator[Hint]:
     elif question.subject is Subject.WORLD:
         yield from _of_worlds(question)
     elif question.subject is Subject.VIEW:
-        yield Hint(affine_matrix(linear_part(setting(question).camera_from_world)), NO_TRANSLATION)
+        yield Hint(
+            affine_matrix(linear_part(right_matrices(question).camera_from_world)), NO_TRANSLATION
+        )
 
 
 def _of_vectors(question: Question) -> Iterator[Hint]:
@@ -58,13 +60,13 @@ def _of_vectors(question: Question) -> Iterator[Hint]:
     if question.space is not space:
         yield Hint((before,), NOT_MOVED.format(space=space))
     if question.space is Space.OBJECT and before[3] == ONE:
-        away = translation(setting(question).world_from_object)
+        away = translation(right_matrices(question).world_from_object)
         moved = (x - t for x, t in zip(before[:3], away, strict=True))
         yield Hint(((*moved, ONE),), HALF_UNDONE)
 
 
 def _not_moved(question: Question) -> tuple[RationalVector, Space]:
-    """Return what is to be moved, with its w, and the space that it comes in."""
+    """Take what is to be moved, with its w, and the space that it comes in."""
     if question.subject is Subject.EYE:
         return (*rational_vector(question.setup.camera.eye), ONE), Space.WORLD
     if question.subject is Subject.LIGHT:

@@ -70,7 +70,7 @@ class Judgement:
 
     @property
     def mistake(self) -> str | None:
-        """Return the id, or two joined by a plus sign."""
+        """The id, or two joined by a plus sign."""
         return "+".join(self.mistakes) or None
 
 
@@ -82,17 +82,17 @@ class Judge:
 
     @cached_property
     def right(self) -> RationalMatrix:
-        """Return the right answer."""
+        """The right answer."""
         return right_answer(self.question)
 
     @cached_property
     def singles(self) -> tuple[WrongAnswer, ...]:
-        """Return the wrong answers of single mistakes that differ from the right one."""
+        """The wrong answers of single mistakes that differ from the right one."""
         return tuple(self._distinct(single_mistakes(self.question)))
 
     @cached_property
     def doubles(self) -> tuple[WrongAnswer, ...]:
-        """Return the wrong answers of two mistakes, but not what a single one gives as well."""
+        """The wrong answers of two mistakes, but not what a single one gives as well."""
         known = {_shape(self.question, one.value) for one in self.singles}
         return tuple(
             one
@@ -102,11 +102,11 @@ class Judge:
 
     @cached_property
     def hints(self) -> tuple[Hint, ...]:
-        """Return what else an answer may show."""
+        """Numbers that an answer may be although no mistake with a name gives them."""
         return tuple(hints(self.question))
 
     def judge(self, answer: Answer) -> Judgement:
-        """Return the judgement of an answer.
+        """Judge an answer.
 
         Examples
         --------
@@ -133,7 +133,7 @@ class Judge:
         return self._unknown(answer, found, names)
 
     def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
-        """Return whether a mistake gives every digit of an answer that is only close to right."""
+        """Prefer a mistake that gives every digit of an answer which is only close to right."""
         if found.to_the_digit or self.question.tolerance is not None:
             return False
         return any(alike.to_the_digit for _, alike in self._alike(answer, self.singles))
@@ -173,7 +173,7 @@ class Judge:
     def _explanation(
         self, answer: Answer, first: tuple[MistakeId, ...], others: Sequence[tuple[MistakeId, ...]]
     ) -> str:
-        """Return what was done and the rules broken; and what else would have given this."""
+        """Tell what was done, the rules broken, and what else would have given this."""
         sentences = [MISTAKES[one].explanation for one in first]
         alike = [" ".join(MISTAKES[one].did for one in other) for other in others]
         hint = self._hint(answer)
@@ -182,7 +182,7 @@ class Judge:
         return " ".join([*sentences, *(f"Or, with the same numbers here: {did}" for did in alike)])
 
     def _named(self, answer: Answer, wrong: tuple[WrongAnswer, ...]) -> Names:
-        """Return the mistakes whose numbers these are: to every digit, or else nearly."""
+        """Name the mistakes whose numbers these are: to every digit, or else nearly."""
         alike = list(self._alike(answer, wrong))
         to_the_digit = {one.mistakes: None for one, found in alike if found.to_the_digit}
         return to_the_digit or {one.mistakes: None for one, _ in alike}
@@ -197,7 +197,7 @@ class Judge:
                     yield one, found
 
     def _only_length(self, answer: Answer) -> bool:
-        """Return whether a unit vector was asked for, and the length is all that is wrong."""
+        """Recognise a vector of which only the length is wrong, where length one was asked for."""
         free = replace(self.question, unit=False)
         return self.question.unit and is_alike(answer, self.right, free)
 
@@ -222,7 +222,7 @@ class Judge:
         return next((one.sentence for one in alike), None)
 
     def _distinct(self, wrong: Iterator[WrongAnswer]) -> Iterator[WrongAnswer]:
-        """Give the wrong answers that are not the right one, each value of a mistake once."""
+        """Leave out what is right by chance, and values that the same mistake gave before."""
         right = _shape(self.question, self.right)
         seen: set[tuple[tuple[MistakeId, ...], RationalMatrix]] = set()
         for one in wrong:
@@ -233,7 +233,7 @@ class Judge:
 
 
 def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:
-    """Return a value in a form that is the same for all values that count as the same."""
+    """Bring a value into a form that is the same for all values that count as the same."""
     if not question.any_length:
         return value
     largest = max(abs(entry) for row in value for entry in row)

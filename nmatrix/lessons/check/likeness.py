@@ -14,7 +14,7 @@ from nmatrix.lessons.check.tolerance import (
     A_TWENTIETH,
     NOISE,
     RELATIVE,
-    Off,
+    EntryDifference,
     Zero,
     yardsticks,
 )
@@ -40,19 +40,19 @@ class Likeness:
 
     @property
     def alike(self) -> bool:
-        """Return whether every entry is near enough to be right."""
+        """Whether every entry is near enough to be right."""
         return not self.wrong
 
     @property
     def alike_as_a_mistake(self) -> bool:
-        """Return whether every entry is near enough for a mistake to be named."""
+        """Whether every entry is near enough for a mistake to be named."""
         if self.question.tolerance is not None:
             return self.alike
         return all(off.is_near_a_mistake() for off in self._entries.values())
 
     @cached_property
     def to_the_digit(self) -> bool:
-        """Return whether every digit that was typed is the value's, at some length if it is free.
+        """Whether every digit that was typed is the value's, at some length if it is free.
 
         Each entry leaves an interval of factors; there is one if they have a point in common.
         """
@@ -71,12 +71,12 @@ class Likeness:
 
     @cached_property
     def difference(self) -> Fraction:
-        """Return the largest difference of two entries."""
+        """The largest difference of two entries."""
         return max(off.difference for off in self._entries.values())
 
     @cached_property
     def wrong(self) -> tuple[Place, ...]:
-        """Return the entries that are too far off."""
+        """The entries that are too far off."""
         tolerance = self.question.tolerance
         if tolerance is not None:
             return self._where(lambda off: off.difference > tolerance)
@@ -84,34 +84,34 @@ class Likeness:
 
     @cached_property
     def unrounded(self) -> tuple[Place, ...]:
-        """Return the entries that are not the value's, rounded to the digits that were typed."""
+        """The entries that are not the value's, rounded to the digits that were typed."""
         return self._where(lambda off: not off.is_rounded())
 
     @property
     def lacks_only_digits(self) -> bool:
-        """Return whether every wrong entry is a zero that a number was rounded to."""
+        """Whether every wrong entry is a zero that a number was rounded to."""
         entries = (self._entries[place] for place in self.wrong)
         return all(off.zero != Zero.NONE and off.difference <= off.place / 2 for off in entries)
 
     @cached_property
-    def _entries(self) -> dict[Place, Off]:
+    def _entries(self) -> dict[Place, EntryDifference]:
         rulers = yardsticks(self.wanted, is_vector=self.question.is_vector)
         largest = max(abs(entry) for row in self.wanted for entry in row)
         coarsest = A_TWENTIETH * largest if self.question.any_length else ONE
         rows = zip(self.given, self.wanted, self.last_places, rulers, strict=True)
-        found: dict[Place, Off] = {}
+        found: dict[Place, EntryDifference] = {}
         for i, row in enumerate(rows):
             for j, (given, wanted, place, yardstick) in enumerate(zip(*row, strict=True)):
                 zero = _zero(given, place, i)
                 off, counted = abs(given - wanted), min(place, coarsest)
-                found[i, j] = Off(off, counted, yardstick, largest, zero)
+                found[i, j] = EntryDifference(off, counted, yardstick, largest, zero)
         return found
 
-    def _numbers(self) -> Iterator[tuple[Fraction, Fraction, Off]]:
+    def _numbers(self) -> Iterator[tuple[Fraction, Fraction, EntryDifference]]:
         for (i, j), off in self._entries.items():
             yield self.given[i][j], self.wanted[i][j], off
 
-    def _where(self, said: Callable[[Off], bool]) -> tuple[Place, ...]:
+    def _where(self, said: Callable[[EntryDifference], bool]) -> tuple[Place, ...]:
         return tuple(place for place, off in self._entries.items() if off.difference and said(off))
 
 
@@ -158,13 +158,13 @@ def likeness_to_known(answer: Answer, value: RationalMatrix, question: Question)
 
 
 def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
-    """Return whether an answer and a value are the same to the digits given."""
+    """Compare an answer and a value to the digits given."""
     found = likeness_to_known(answer, value, question)
     return found is not None and found.alike
 
 
 def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool:
-    """Return False only if an answer and a value are surely different, at the price of floats."""
+    """Rule out a value by a cheap comparison in floats; True says nothing yet."""
     given = answer.floats
     if given is None or value is None or len(given[0]) != len(value[0]):
         return True
@@ -207,7 +207,7 @@ def _at(
 
 
 def _factors(given: RationalMatrix, value: RationalMatrix) -> Iterator[Fraction]:
-    """Give the positive factors worth trying, least squares first."""
+    """Try positive factors, least squares first."""
     squares = _least_squares(given, value)
     if squares > 0:
         yield squares

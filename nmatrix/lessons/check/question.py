@@ -87,24 +87,24 @@ class Question:
 
     @property
     def is_direction(self) -> bool:
-        """Return whether a vector without a place is asked for."""
+        """Whether a vector without a place is asked for."""
         if self.subject is Subject.NORMAL:
             return self.normal is not None
         return self.subject is Subject.LIGHT and self.light is LightPart.DIRECTION
 
     @property
     def is_vector(self) -> bool:
-        """Return whether a direction or a point is asked for, not a matrix."""
+        """Whether a direction or a point is asked for, not a matrix."""
         return self.is_direction or self.subject in (Subject.LIGHT, Subject.EYE)
 
     @property
     def any_length(self) -> bool:
-        """Return whether the answer counts up to a positive factor."""
+        """Whether the answer counts up to a positive factor."""
         return not self.unit and (self.is_direction or self.subject is Subject.NORMAL)
 
 
 @dataclass(frozen=True)
-class Setting:
+class Matrices:
     """The matrices that an answer is computed from; a mistake may replace one of them."""
 
     world_from_object: RationalMatrix
@@ -113,12 +113,12 @@ class Setting:
 
     @property
     def space_from_object(self) -> RationalMatrix:
-        """Return S·M."""
+        """S·M."""
         return product(self.space_from_world, self.world_from_object)
 
 
-def setting(question: Question) -> Setting:
-    """Return the right matrices of a question.
+def right_matrices(question: Question) -> Matrices:
+    """Build M, V and S as they should be.
 
     Raises
     ------
@@ -127,7 +127,7 @@ def setting(question: Question) -> Setting:
     """
     M = _world_from_object(question.setup.world)
     V = _camera_from_world(question.setup.view)
-    return Setting(M, V, _space_from_world(question, M, V))
+    return Matrices(M, V, _space_from_world(question, M, V))
 
 
 @lru_cache(maxsize=256)  # two mistakes at once leave most of a scene as one of them does
@@ -141,7 +141,7 @@ def _camera_from_world(view: View) -> RationalMatrix:
 
 
 def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) -> RationalMatrix:
-    """Return S; the stage, which also builds the projection, only where it must be asked."""
+    """Build S; the exact maps, which also build the projection, only where they must be asked."""
     space = question.space
     if space in (Space.WORLD, Space.STATIC):
         return identity(4)
@@ -153,7 +153,7 @@ def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) 
 
 
 def right_answer(question: Question) -> RationalMatrix:
-    """Return the right answer exactly: a matrix, or a vector as one row x, y, z, w.
+    """Compute the right answer exactly: a matrix, or a vector as one row x, y, z, w.
 
     Raises
     ------
@@ -169,11 +169,11 @@ def right_answer(question: Question) -> RationalMatrix:
     """
     if question.subject is Subject.EYE:
         return ((*question.setup.maps.eye_in(question.space), ONE),)
-    return finished(question, raw_answer(question, setting(question)))
+    return finished(question, raw_answer(question, right_matrices(question)))
 
 
-def raw_answer(question: Question, by: Setting) -> RationalMatrix:
-    """Return the answer of these matrices before a direction is brought to length one."""
+def raw_answer(question: Question, by: Matrices) -> RationalMatrix:
+    """Compute the answer of these matrices before a direction is brought to length one."""
     S = by.space_from_world
     if question.subject is Subject.WORLD:
         return by.world_from_object
@@ -189,7 +189,7 @@ def raw_answer(question: Question, by: Setting) -> RationalMatrix:
 
 
 def light_vector(question: Question) -> RationalVector:
-    """Return the light's direction or position in world space, with its w.
+    """Take the light's direction or position in world space, with its w.
 
     Raises
     ------
@@ -208,7 +208,7 @@ def light_vector(question: Question) -> RationalVector:
 
 
 def finished(question: Question, raw: RationalMatrix) -> RationalMatrix:
-    """Return an answer as it is asked for: a direction at length one, if a unit is wanted."""
+    """Bring a direction to length one, if a unit vector is asked for."""
     if not question.unit or not question.is_vector:
         return raw
     *direction, w = raw[0]

@@ -42,7 +42,7 @@ class Zero(Enum):
 
 
 @dataclass(frozen=True)
-class Off:
+class EntryDifference:
     """How far one entry of an answer is off, and what that is held against.
 
     `place` is one unit of the last decimal that counts, `largest` the largest entry of all.
@@ -55,7 +55,7 @@ class Off:
     zero: Zero
 
     def is_near(self) -> bool:
-        """Return whether the entry counts as right.
+        """Decide if the entry counts as right.
 
         It may be off by one unit of its last place, at least two decimals counted (by half a unit,
         where one is much beside the yardstick), or by 5e-4 of the largest entry of all.
@@ -65,7 +65,7 @@ class Off:
         A half beside a translation of 5,000, typed as 0.51 and as 0.60.
 
         >>> place, half, all_ = Fraction(1, 100), Fraction(1, 2), Fraction(5000)
-        >>> [Off(off, place, half, all_, Zero.NONE).is_near()
+        >>> [EntryDifference(off, place, half, all_, Zero.NONE).is_near()
         ...  for off in (Fraction(1, 100), Fraction(1, 10))]
         [True, False]
         """
@@ -74,11 +74,11 @@ class Off:
         )
 
     def is_near_a_mistake(self) -> bool:
-        """Return whether the entry counts as that of a mistake: among its own kind alone."""
+        """Decide if the entry counts as that of a mistake: among its own kind alone."""
         return self._is_near_in_digits() or self.difference <= RELATIVE * self.yardstick
 
     def is_rounded(self) -> bool:
-        """Return whether every digit that was typed is right."""
+        """Decide if every digit that was typed is right."""
         return self._is_half(self.place) or self.difference <= NOISE * self.yardstick
 
     def _is_near_in_digits(self) -> bool:
@@ -88,7 +88,7 @@ class Off:
         return self.difference <= COARSEST * self.yardstick or self._is_half(place)
 
     def _is_half(self, place: Fraction) -> bool:
-        """Return whether the entry is off by half a unit, and no zero hides what matters.
+        """Decide if the entry is at most half a unit off, and no zero hides what matters.
 
         0.00 is a rounded number, and a bare 0 is none: it may not stand for the largest of its
         kind, and 0.00 not for the largest of all.
@@ -99,7 +99,7 @@ class Off:
 
 
 def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
-    """Return the largest entry of each entry's kind; where all of a kind are zero, at most 1.
+    """Take the largest entry of each entry's kind; where all of a kind are zero, at most 1.
 
     Examples
     --------

@@ -25,7 +25,7 @@ ALL = "all"
 
 
 def chosen(case: str) -> tuple[str, ...]:
-    """Return the cases that a word stands for.
+    """Choose the cases that a word stands for.
 
     Raises
     ------

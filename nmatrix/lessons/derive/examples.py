@@ -4,19 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.derive.notation import (
-    A_INVERSE_T,
-    DET,
-    EQUALS,
-    IDENTITY,
-    NOT_EQUAL,
-    A,
-    Words,
-    formula,
-    words,
-)
 from nmatrix.lessons.derive.steps import equal, step
 from nmatrix.lessons.derive.symbols import cofactors, determinant
+from nmatrix.lessons.notation import formula
 from nmatrix.report import Step
 
 if TYPE_CHECKING:
@@ -32,23 +22,17 @@ def rotation() -> tuple[list[Step], str]:
     circle = (c, s)
     steps = [
         step(
-            formula(words("R"), EQUALS, R, words(",  c² + s² = 1", r",\; c^2 + s^2 = 1")),
+            formula("R = ", R, ",  c² + s² = 1"),
             "a rotation by θ about z, with c = cos θ and s = sin θ",
             proved=equal(determinant(R), sp.Integer(1), circle),
         ),
         step(
-            formula(words("Rᵀ R", r"R^{\mathsf T} R"), EQUALS, IDENTITY),
+            formula("Rᵀ R = I"),
             "its columns have length one and are perpendicular",
             proved=equal(R.T * R, sp.eye(3), circle),
         ),
         step(
-            formula(
-                words("R⁻ᵀ", r"R^{-\mathsf T}"),
-                EQUALS,
-                words("(Rᵀ)ᵀ", r"(R^{\mathsf T})^{\mathsf T}"),
-                EQUALS,
-                words("R"),
-            ),
+            formula("R⁻ᵀ = (Rᵀ)ᵀ = R"),
             "so the inverse is the transpose, and transposing twice changes nothing",
             proved=equal(cofactors(R), R, circle),
         ),
@@ -67,12 +51,12 @@ def uniform() -> tuple[list[Step], str]:
     A_ = k * sp.eye(3)
     return [
         step(
-            formula(A, EQUALS, A_, words(",  "), A_INVERSE_T, EQUALS, sp.eye(3) / k),
+            formula("A = ", A_, ",  A⁻ᵀ = ", sp.eye(3) / k),
             "the inverse transpose divides where A multiplies",
             proved=equal(A_.T * (sp.eye(3) / k), sp.eye(3)),
         ),
         step(
-            formula(A, EQUALS, words("k² · ", r"k^2 \,"), A_INVERSE_T),
+            formula("A = k² · A⁻ᵀ"),
             "both are multiples of the identity: the direction is the same, normalise the length",
             proved=equal(A_, k**2 * (sp.eye(3) / k)),
         ),
@@ -87,7 +71,7 @@ def nonuniform() -> tuple[list[Step], str]:
     S, inverse = sp.diag(a, b, c), sp.diag(1 / a, 1 / b, 1 / c)
     steps = [
         step(
-            formula(A, EQUALS, S, words(",  "), A_INVERSE_T, EQUALS, inverse),
+            formula("A = ", S, ",  A⁻ᵀ = ", inverse),
             "a diagonal matrix is its own transpose, and its inverse divides",
             proved=equal(S.T * inverse, sp.eye(3)),
         ),
@@ -113,22 +97,13 @@ def _on_tangents_and_lengths() -> list[Step]:
     between = (long + short) / 2
     return [
         step(
-            formula(
-                _dot("A⁻ᵀ n", r"A^{-\mathsf T} n", of="A⁻ᵀ t"), EQUALS, wrong, NOT_EQUAL, words("0")
-            ),
+            formula("(A⁻ᵀ t) · (A⁻ᵀ n) = ", wrong, " ≠ 0"),
             "tangents and bitangents are vectors and move by A: by the normals' rule they are no "
             "longer perpendicular to them",
             proved=wrong != 0,
         ),
         step(
-            formula(
-                words("1/2 · ", r"\tfrac12"),
-                long,
-                words(" + 1/2 · ", r" + \tfrac12"),
-                short,
-                EQUALS,
-                between,
-            ),
+            formula("1/2 · ", long, " + 1/2 · ", short, " = ", between),
             "half way between normals of lengths 2 and 1 lies a vector that leans to the longer "
             "one: normalise before and after interpolation",
             proved=equal(between, long / 2 + short / 2) and between[0] != between[1],
@@ -145,12 +120,12 @@ def shear() -> tuple[list[Step], str]:
     K = cofactors(H)
     steps = [
         step(
-            formula(A, EQUALS, H, words(",  "), DET, EQUALS, words("1")),
+            formula("A = ", H, ",  det A = 1"),
             "a shear keeps volume",
             proved=equal(determinant(H), sp.Integer(1)),
         ),
         step(
-            formula(A_INVERSE_T, EQUALS, K),
+            formula("A⁻ᵀ = ", K),
             "its inverse transpose shears y along x, and with the other sign",
             proved=equal(H.T * K, sp.eye(3)),
         ),
@@ -171,16 +146,7 @@ def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix, tangent: sp.Expr) 
 
 def _chosen(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> Step:
     return step(
-        formula(
-            A,
-            EQUALS,
-            A_,
-            words(",  n = ", r",\; n = "),
-            n,
-            words(",  t = ", r",\; t = "),
-            t,
-            words(",  t · n = 0", r",\; t \cdot n = 0"),
-        ),
+        formula("A = ", A_, ",  n = ", n, ",  t = ", t, ",  t · n = 0"),
         "take one such matrix, a normal, and a tangent perpendicular to it",
         proved=t.dot(n) == 0,
     )
@@ -191,19 +157,12 @@ def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> 
     wrong_dot, right_dot = moved_t.dot(wrong), moved_t.dot(right)
     return [
         step(
-            formula(_dot("A n"), EQUALS, wrong_dot, NOT_EQUAL, words("0")),
+            formula("(A t) · (A n) = ", wrong_dot, " ≠ 0"),
             "moved by A the normal is no longer perpendicular to the moved tangent",
             proved=wrong_dot != 0,
         ),
         step(
-            formula(
-                words("A⁻ᵀ n = ", r"A^{-\mathsf T} n = "),
-                right,
-                words(",  "),
-                _dot("A⁻ᵀ n", r"A^{-\mathsf T} n"),
-                EQUALS,
-                right_dot,
-            ),
+            formula("A⁻ᵀ n = ", right, ",  (A t) · (A⁻ᵀ n) = ", right_dot),
             "moved by the inverse transpose it is",
             proved=right_dot == 0,
         ),
@@ -213,12 +172,7 @@ def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> 
 def _angle_between(wrong: sp.Matrix, right: sp.Matrix, tangent: sp.Expr) -> Step:
     """Prove tan θ = |a × b| / (a · b) to be the number that is claimed."""
     return step(
-        formula(words("tan θ", r"\tan\theta"), EQUALS, tangent),
+        formula("tan θ = ", tangent),
         "θ is the angle between the two",
         proved=equal(wrong.cross(right).norm() / wrong.dot(right), tangent),
     )
-
-
-def _dot(text: str, latex: str | None = None, of: str = "A t") -> Words:
-    left = of.replace("⁻ᵀ", r"^{-\mathsf T}")
-    return words(f"({of}) · ({text})", rf"({left}) \cdot ({latex or text})")

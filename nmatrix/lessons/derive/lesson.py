@@ -14,7 +14,7 @@ from nmatrix.lessons.derive import (
     reflecting,
 )
 from nmatrix.lessons.derive.cases import TITLES, chosen
-from nmatrix.lessons.derive.users_matrix import own_matrix
+from nmatrix.lessons.derive.users_matrix import users_matrix
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear.classify import classify
 from nmatrix.report import Block, Heading, Report, Step, Value, Verdict
@@ -41,7 +41,7 @@ LESSONS: dict[str, Lesson] = {
 
 
 def derive(case: str, world: World | None = None) -> Report:
-    """Return the lessons that a word stands for, every step proved.
+    """Prove every step of the lessons that a word stands for.
 
     With a world, its own matrix follows the first lesson in exact numbers: fractions stay
     fractions, and 30° gives √3/2. What holds for it is said apart from what the lesson shows.
@@ -54,7 +54,7 @@ def derive(case: str, world: World | None = None) -> Report:
     Examples
     --------
     >>> found = derive("mirror")
-    >>> all(step["verified"] for step in found.data["cases"][0]["steps"])
+    >>> all(step.verified for step in found.data["cases"][0]["steps"])
     True
     """
     lessons = [_lesson(name, world if i == 0 else None) for i, name in enumerate(chosen(case))]
@@ -67,30 +67,23 @@ def derive(case: str, world: World | None = None) -> Report:
 
 
 def _lesson(name: str, world: World | None) -> Report:
-    """Return a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
+    """Teach a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
     steps, conclusion = LESSONS[name]()
     blocks: tuple[Block, ...] = (Heading(TITLES[name]), *steps, Verdict(conclusion))
-    data = {"case": name, "title": TITLES[name], "steps": _data(steps), "conclusion": conclusion}
+    data: dict[str, Value] = {
+        "case": name,
+        "title": TITLES[name],
+        "steps": steps,
+        "conclusion": conclusion,
+    }
     if world is None:
         return Report("derive", data, blocks)
-    own = own_matrix(world)
+    own = users_matrix(world)
     kind = replace(classify(world.exact, SYMBOLIC), kind_exact=True)
     told = verdict(kind)
     return Report(
         "derive",
-        {**data, "steps": _data([*steps, *own]), "own_conclusion": told},
+        {**data, "steps": [*steps, *own], "own_conclusion": told},
         (*blocks, Heading("Your matrix"), *own, Verdict(told)),
         (*world.remarks, *transform_remarks(kind)),
     )
-
-
-def _data(steps: list[Step]) -> list[Value]:
-    return [
-        {
-            "text": one.formula.text,
-            "latex": one.formula.latex,
-            "because": one.because,
-            "verified": one.verified,
-        }
-        for one in steps
-    ]

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.derive.notation import EQUALS, IDENTITY, IMPLIES, NOT_EQUAL, A, formula, words
 from nmatrix.lessons.derive.steps import equal, step
 from nmatrix.lessons.derive.symbols import (
     cofactors,
@@ -17,6 +16,7 @@ from nmatrix.lessons.derive.symbols import (
     generic_vector,
     polynomials,
 )
+from nmatrix.lessons.notation import formula
 from nmatrix.linear.rational import adjugate, apply, cofactor_matrix, dot, product, transpose
 from nmatrix.report import Step
 
@@ -39,24 +39,13 @@ def _the_rule() -> list[Step]:
     measured = apply(adjugate(product(transpose(M), M)), n)  # (AᵀA)⁻¹ n, times det A twice
     return [
         step(
-            formula(
-                words("(A⁻ᵀ n) · l", r"(A^{-\mathsf T} n) \cdot l"),
-                EQUALS,
-                words("n · (A⁻¹ l)", r"n \cdot (A^{-1} l)"),
-            ),
+            formula("(A⁻ᵀ n) · l = n · (A⁻¹ l)"),
             "the product of a normal and a direction is the same in both spaces, if the normal "
             "moves by the inverse transpose and the direction by the inverse",
             proved=dot(world, light) == dot(n, moved),
         ),
         step(
-            formula(
-                words("cos θ", r"\cos\theta"),
-                EQUALS,
-                words(
-                    "(n · (A⁻¹ l)) / (|A⁻ᵀ n| |l|)",
-                    r"\frac{n \cdot (A^{-1} l)}{|A^{-\mathsf T} n|\,|l|}",
-                ),
-            ),
+            formula("cos θ = (n · (A⁻¹ l)) / (|A⁻ᵀ n| |l|)"),
             "so the exact cosine needs one more length, that of A⁻ᵀ n, whose square is "
             "nᵀ (AᵀA)⁻¹ n: the metric",
             proved=dot(world, world) == dot(n, measured),
@@ -76,7 +65,7 @@ def _in_numbers() -> list[Step]:
     by_inverse = _cosine(n, quarter.inv() * light)
     return [
         step(
-            formula(A, EQUALS, quarter, words(",  n = "), n, words(",  l = "), light),
+            formula("A = ", quarter, ",  n = ", n, ",  l = ", light),
             "a flattened object, a normal half way up, and l, which points to a light above",
             proved=n.dot(n) == 1,
         ),
@@ -97,20 +86,14 @@ def _shade(
     other: sp.Expr | None = None,
     swap: tuple[int, int] | None = None,
 ) -> Step:
-    """Return a step with a cosine in closed form."""
+    """Put a cosine into closed form."""
     import sympy as sp
 
     closed = sp.Rational(*swap) / sp.sqrt(2) if swap else sp.Integer(top) / sp.sqrt(under)
     text = f"{swap[0]} / ({swap[1]} √2)" if swap else f"{top} / √{under}"
-    latex = (
-        rf"\frac{{{swap[0]}}}{{{swap[1]}\sqrt 2}}"
-        if swap
-        else rf"\frac{{{top}}}{{\sqrt{{{under}}}}}"
-    )
-    about = words(f" = {sp.N(closed, 4)}")
     is_other = other is None or not equal(cosine**2, other**2)
     return step(
-        formula(words("cos θ", r"\cos\theta"), EQUALS, words(text, latex), about),
+        formula(f"cos θ = {text} = {sp.N(closed, 4)}"),
         because,
         proved=equal(cosine**2, closed**2) and cosine.is_positive is True and is_other,
     )
@@ -128,22 +111,12 @@ def _in_camera_space() -> list[Step]:
     mirrored, scaled = sp.diag(-1, 1, 1) * R, 2 * R
     return [
         step(
-            formula(
-                words("Vᵀ V", r"V^{\mathsf T} V"),
-                EQUALS,
-                IDENTITY,
-                IMPLIES,
-                words("V⁻ᵀ = V", r"V^{-\mathsf T} = V"),
-            ),
+            formula("Vᵀ V = I  ⇒  V⁻ᵀ = V"),
             "a view that turns and mirrors is its own inverse transpose: there both rules agree",
             proved=all(equal(one.T * one, sp.eye(3), (c, s)) for one in (R, mirrored)),
         ),
         step(
-            formula(
-                words("V = 2 R", "V = 2 R"),
-                IMPLIES,
-                words("V⁻ᵀ l ≠ V l", r"V^{-\mathsf T} l \neq V l"),
-            ),
+            formula("V = 2 R  ⇒  V⁻ᵀ l ≠ V l"),
             "a view that scales is not: a direction still moves by V, and only a normal by V⁻ᵀ",
             proved=not equal(scaled.T * scaled, sp.eye(3), (c, s)),
         ),
@@ -159,21 +132,17 @@ def eye() -> tuple[list[Step], str]:
     far = 1e16
     steps = [
         step(
-            formula(words("A x + t = e"), words(",  "), words("A x = e − t")),
+            formula("A x + t = e,  A x = e − t"),
             "the eye x of object space is the point that the world matrix takes to the eye e",
             proved=equal(M * x + t, e),
         ),
         step(
-            formula(
-                words("(V M)⁻¹ (0, 0, 0, 1)", r"(V M)^{-1} (0, 0, 0, 1)"),
-                EQUALS,
-                words("A⁻¹ (e − t)", r"A^{-1} (e - t)"),
-            ),
+            formula("(V M)⁻¹ (0, 0, 0, 1) = A⁻¹ (e − t)"),
             "the course's formula is the same point: the eye is the origin of camera space",
             proved=equal(course, x),
         ),
         step(
-            formula(words("fl(10¹⁶ + 3) − 10¹⁶ = 4", r"\mathrm{fl}(10^{16} + 3) - 10^{16} = 4")),
+            formula("fl(10¹⁶ + 3) − 10¹⁶ = 4"),
             "in float64 it is not (fl rounds): V·M adds and cancels numbers of the size of t, so "
             "its last digits are lost before the inverse looks; e − t, subtracted first, is "
             "rounded once",
@@ -187,7 +156,7 @@ def eye() -> tuple[list[Step], str]:
 
 
 def _by_product(A_: sp.Matrix, e: sp.Matrix, t: sp.Matrix) -> sp.Matrix:
-    """Return (V M)⁻¹ (0, 0, 0, 1) for a view that only moves: V = T(−e)."""
+    """Compute (V M)⁻¹ (0, 0, 0, 1) for a view that only moves: V = T(−e)."""
     K, det = cofactors(A_), determinant(A_)
     moved = t - e  # the last column of V·M
     return -K.T * moved / det
@@ -208,16 +177,12 @@ def _measured() -> list[Step]:
     K, det = cofactors(B), determinant(B)
     return [
         step(
-            formula(
-                words("u · v", r"u \cdot v"),
-                EQUALS,
-                words("(B u)ᵀ (B⁻ᵀ B⁻¹) (B v)", r"(B u)^{\mathsf T} (B^{-\mathsf T} B^{-1}) (B v)"),
-            ),
+            formula("u · v = (B u)ᵀ (B⁻ᵀ B⁻¹) (B v)"),
             "vectors that were moved by B keep their products if B⁻ᵀ B⁻¹ measures them",
             proved=equal((K.T * (B * u)).dot(K.T * (B * v)), det**2 * u.dot(v)),
         ),
         step(
-            formula(words("|n|² = |Bᵀ (B⁻ᵀ n)|²", r"|n|^2 = |B^{\mathsf T} (B^{-\mathsf T} n)|^2")),
+            formula("|n|² = |Bᵀ (B⁻ᵀ n)|²"),
             "normals moved by B⁻ᵀ keep theirs if B Bᵀ does: apply Bᵀ and take the length",
             proved=equal((B.T * (K * n)).dot(B.T * (K * n)), det**2 * n.dot(n)),
         ),
@@ -233,17 +198,17 @@ def _read_off() -> list[Step]:
     moved_a, moved_b = half * a, half * b
     return [
         step(
-            formula(words("B = "), half, words(",  a = "), a, words(",  b = "), b),
+            formula("B = ", half, ",  a = ", a, ",  b = ", b),
             "take a stretch by two, and two vectors that are perpendicular",
             proved=a.dot(b) == 0,
         ),
         step(
-            formula(words("(B a) · (B b) = −3"), NOT_EQUAL, words("a · b = 0")),
+            formula("(B a) · (B b) = −3 ≠ a · b = 0"),
             "read off the coordinates of the space they are not",
             proved=moved_a.dot(moved_b) == -3,
         ),
         step(
-            formula(words("|B b|² = 5", "|B b|^2 = 5"), NOT_EQUAL, words("|b|² = 2", "|b|^2 = 2")),
+            formula("|B b|² = 5 ≠ |b|² = 2"),
             "lengths change too: a cosine made of them is wrong without the metric",
             proved=moved_b.dot(moved_b) == 5 and b.dot(b) == 2,
         ),

@@ -4,18 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.derive.notation import (
-    A_INVERSE_T,
-    DET,
-    EQUALS,
-    NOT_EQUAL,
-    A,
-    C,
-    formula,
-    words,
-)
 from nmatrix.lessons.derive.steps import equal, step
 from nmatrix.lessons.derive.symbols import cofactors, determinant
+from nmatrix.lessons.notation import formula
 from nmatrix.report import Step
 
 if TYPE_CHECKING:
@@ -30,17 +21,17 @@ def mirror() -> tuple[list[Step], str]:
     K = cofactors(A_)
     steps = [
         step(
-            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, words("−1", "-1")),
+            formula("A = ", A_, ",  det A = −1"),
             "a mirror in the plane x = 0",
             proved=equal(determinant(A_), sp.Integer(-1)),
         ),
         step(
-            formula(A_INVERSE_T, EQUALS, A_, EQUALS, A),
+            formula("A⁻ᵀ = ", A_, " = A"),
             "AᵀA = I, so the inverse transpose is A itself",
             proved=equal(A_.T * A_, sp.eye(3)),
         ),
         step(
-            formula(C, EQUALS, K, EQUALS, words("−"), A_INVERSE_T),
+            formula("C = ", K, " = −A⁻ᵀ"),
             "the cofactors carry the determinant's sign",
             proved=equal(K, -A_),
         ),
@@ -59,26 +50,18 @@ def _on_one_normal(A_: sp.Matrix, K: sp.Matrix) -> list[Step]:
     n, u, v = (sp.eye(3).col(i) for i in range(3))
     return [
         step(
-            formula(C, words(" n"), EQUALS, K * n, NOT_EQUAL, A_ * n),
+            formula("C n = ", K * n, " ≠ ", A_ * n),
             "for n = (1, 0, 0), outward on the right, C n still points right: inwards now",
             proved=equal(K * n, n) and not equal(K * n, A_ * n),
         ),
         step(
-            formula(
-                words("(A u) × (A v)", r"(A u) \times (A v)"),
-                EQUALS,
-                words("C (u × v)", r"C\,(u \times v)"),
-                EQUALS,
-                K * u.cross(v),
-            ),
+            formula("(A u) × (A v) = C (u × v) = ", K * u.cross(v)),
             "the edges u = (0, 1, 0) and v = (0, 0, 1) of a triangle span n; their product moves "
             "by C: seen from outside the winding has flipped",
             proved=equal((A_ * u).cross(A_ * v), K * u.cross(v)),
         ),
         step(
-            formula(
-                words("sign(det A) · C n", r"\operatorname{sign}(\det A)\, C n"), EQUALS, -K * n
-            ),
+            formula("sign(det A) · C n = ", -K * n),
             "with the sign the outward normal stays outward",
             proved=equal(-K * n, A_ * n),
         ),
@@ -95,22 +78,22 @@ def singular() -> tuple[list[Step], str]:
     edge = sp.Matrix([1, 0, 0])
     steps = [
         step(
-            formula(A, EQUALS, A_, words(",  "), DET, EQUALS, words("0")),
+            formula("A = ", A_, ",  det A = 0"),
             "y is lost: nothing undoes that, there is no inverse",
             proved=equal(determinant(A_), sp.Integer(0)),
         ),
         step(
-            formula(C, EQUALS, K),
+            formula("C = ", K),
             "the cofactors exist all the same",
             proved=equal(A_.T * K, sp.zeros(3, 3)),
         ),
         step(
-            formula(C, n, EQUALS, K * n),
+            formula("C", n, " = ", K * n),
             "every normal that leaned to y becomes the plane's own normal, ±y: two-sided",
             proved=equal(K * n, sp.Matrix([0, sp.Rational(4, 5), 0])),
         ),
         step(
-            formula(C, edge, EQUALS, K * edge),
+            formula("C", edge, " = ", K * edge),
             "a normal in the plane belongs to a patch that has become a line: undefined",
             proved=equal(K * edge, sp.zeros(3, 1)),
         ),

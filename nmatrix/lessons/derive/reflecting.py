@@ -5,9 +5,9 @@ n is a normal, l the vector to the light, v the vector to the eye, p a position 
 
 from __future__ import annotations
 
-from nmatrix.lessons.derive.notation import EQUALS, formula, words
 from nmatrix.lessons.derive.steps import equal, step
 from nmatrix.lessons.derive.symbols import generic_matrix, generic_vector
+from nmatrix.lessons.notation import formula, written
 from nmatrix.report import Step
 
 
@@ -25,21 +25,12 @@ def _reflected() -> list[Step]:
     r = 2 * n.dot(light) / square * n - light
     return [
         step(
-            formula(
-                words("r = 2 (n · l) n / |n|² − l", r"r = \frac{2 (n \cdot l)}{|n|^2}\, n - l")
-            ),
+            formula("r = 2 (n · l) n / |n|² − l"),
             "r is as long as l and leans to the other side of n by the same angle",
             proved=equal(r.dot(r), light.dot(light)) and equal(r.dot(n), light.dot(n)),
         ),
         step(
-            formula(
-                words("r · v", r"r \cdot v"),
-                EQUALS,
-                words(
-                    "2 (n · l) (n · v) / |n|² − l · v",
-                    r"\frac{2 (n \cdot l)(n \cdot v)}{|n|^2} - l \cdot v",
-                ),
-            ),
+            formula("r · v = 2 (n · l) (n · v) / |n|² − l · v"),
             "so a highlight needs these products: n · l and n · v are the same in every space, "
             "l · v and |n|² are measured by the metric",
             proved=equal(r.dot(v), 2 * n.dot(light) * n.dot(v) / square - light.dot(v)),
@@ -54,14 +45,12 @@ def _half_vector() -> list[Step]:
     half, leaning = light + v, 5 * light + v
     return [
         step(
-            formula(words("h = l / |l| + v / |v|", r"h = \frac{l}{|l|} + \frac{v}{|v|}")),
+            formula("h = l / |l| + v / |v|"),
             "the half vector is a sum of unit vectors: it makes the same angle with both",
             proved=equal(half.dot(light), half.dot(v)),
         ),
         step(
-            formula(
-                words("(5 l + v) · l ≠ (5 l + v) · v", r"(5 l + v) \cdot l \neq (5 l + v) \cdot v")
-            ),
+            formula("(5 l + v) · l ≠ (5 l + v) · v"),
             "a sum of vectors of different lengths leans to the longer one",
             proved=not equal(leaning.dot(light), leaning.dot(v)),
         ),
@@ -75,14 +64,10 @@ def _gate() -> Step:
     n, light, v = sp.Matrix([0, 0, 1]), sp.Matrix([3, 0, -4]) / 5, sp.Matrix([-12, 0, 5]) / 13
     r = 2 * n.dot(light) * n - light
     products = [n.dot(light), n.dot(v), light.dot(v), r.dot(v)]
-    names = (r"n \cdot l", r"n \cdot v", r"l \cdot v", r"r \cdot v")
-    found = [
-        part
-        for name, value, end in zip(names, products, (",  ", ",  ", ",  ", ""), strict=True)
-        for part in (words(name.replace(r"\cdot", "·"), name), EQUALS, value, words(end))
-    ]
+    names = ("n · l", "n · v", "l · v", "r · v")
+    values = (f"{name} = {written(value)}" for name, value in zip(names, products, strict=True))
     return step(
-        formula(*found),
+        formula(",  ".join(values)),
         "for n = (0, 0, 1), l = (3/5, 0, −4/5), v = (−12/13, 0, 5/13): l is behind the surface, "
         "v before it, and r · v is positive all the same: gate the highlight on n · l, not on "
         "r · v; 0⁰ must not glow",
@@ -94,7 +79,7 @@ def _towards_the_eye() -> Step:
     R, e, x = generic_matrix("r"), generic_vector("e"), generic_vector("x")
     p = R * x - R * e  # V = R · T(−e) takes x to p, and the eye e to the origin
     return step(
-        formula(words("v = −p / |p|", r"v = -\frac{p}{|p|}")),
+        formula("v = −p / |p|"),
         "in camera space the eye is the origin, so the vector to it is minus the position",
         proved=equal(R * (e - x), -p),
     )

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def equal(left: sp.Basic, right: sp.Basic, unit_circle: Sequence[sp.Symbol] = ()) -> bool:
-    """Return whether two expressions or matrices are equal as polynomials and surds.
+    """Decide if two expressions or matrices are equal as polynomials and surds.
 
     `unit_circle` holds a pair c, s with c² + s² = 1; the sine and cosine of one angle are such a
     pair by themselves.
@@ -24,7 +24,7 @@ def equal(left: sp.Basic, right: sp.Basic, unit_circle: Sequence[sp.Symbol] = ()
 
 
 def reduced(expression: sp.Expr, pairs: Sequence[tuple[sp.Symbol, sp.Symbol]] = ()) -> sp.Expr:
-    """Return the normal form of a numerator; it is 0 exactly if the expression is 0."""
+    """Bring the numerator into its normal form; it is 0 exactly if the expression is 0."""
     import sympy as sp
 
     top = sp.fraction(sp.together(expression))[0]
@@ -32,12 +32,12 @@ def reduced(expression: sp.Expr, pairs: Sequence[tuple[sp.Symbol, sp.Symbol]] = 
 
 
 def is_zero(expression: sp.Expr) -> bool:
-    """Return whether an expression in surds, sines and cosines is zero."""
+    """Decide if an expression in surds, sines and cosines is zero."""
     return bool(reduced(expression) == 0)
 
 
 def normal_form(polynomial: sp.Expr, pairs: Sequence[tuple[sp.Symbol, sp.Symbol]] = ()) -> sp.Expr:
-    """Return a polynomial in sines and cosines modulo c² + s² = 1 for every angle in it.
+    """Reduce a polynomial in sines and cosines modulo c² + s² = 1 for every angle in it.
 
     One division with remainder for each angle; a search for a trigonometric simplification does
     not end for the sines and cosines of several angles.
@@ -57,5 +57,5 @@ def normal_form(polynomial: sp.Expr, pairs: Sequence[tuple[sp.Symbol, sp.Symbol]
 
 
 def step(shown: Formula, because: str, *, proved: bool) -> Step:
-    """Return a step with the verdict of its proof."""
+    """Put a formula, its reason and the verdict of its proof together."""
     return Step(shown, because, bool(proved))

@@ -14,28 +14,28 @@ if TYPE_CHECKING:
 
 
 def generic_matrix(name: str = "a") -> sp.Matrix:
-    """Return a 3×3 matrix of nine symbols."""
+    """Make a 3×3 matrix of nine symbols."""
     import sympy as sp
 
     return sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"{name}{i + 1}{j + 1}"))
 
 
 def generic_vector(name: str) -> sp.Matrix:
-    """Return a column of three symbols."""
+    """Make a column of three symbols."""
     import sympy as sp
 
     return sp.Matrix([sp.Symbol(f"{name}{axis}") for axis in "xyz"])
 
 
 def cofactors(A: sp.Matrix) -> sp.Matrix:
-    """Return the cofactor matrix, by the very function that computes with fractions."""
+    """Build the cofactor matrix, by the very function that computes with fractions."""
     import sympy as sp
 
     return sp.Matrix(rational.cofactor_matrix(_rows(A)))
 
 
 def determinant(A: sp.Matrix) -> sp.Expr:
-    """Return det A, by the very function that computes with fractions."""
+    """Compute det A, by the very function that computes with fractions."""
     return rational.determinant(_rows(A))
 
 
@@ -44,7 +44,7 @@ def _rows(A: sp.Matrix) -> tuple[tuple[Any, ...], ...]:
 
 
 def polynomials() -> list[Any]:
-    """Return two matrices and four vectors whose entries are free variables of one ring.
+    """Make two matrices and four vectors whose entries are free variables of one ring.
 
     Polynomials are kept in one canonical form, so an identity holds exactly if both sides are
     equal; no simplification has to find it.

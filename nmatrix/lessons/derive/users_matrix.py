@@ -5,19 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.derive.notation import (
-    A_INVERSE_T,
-    APART,
-    DET,
-    EQUALS,
-    A,
-    C,
-    Part,
-    formula,
-    words,
-)
 from nmatrix.lessons.derive.steps import equal, is_zero, normal_form, step
 from nmatrix.lessons.derive.symbols import cofactors, determinant
+from nmatrix.lessons.notation import formula, written
 from nmatrix.linear.angle import Angle
 from nmatrix.report import Number, Step
 from nmatrix.scene.world import World
@@ -28,7 +18,7 @@ TYPED = "your matrix, exactly as it was typed"
 OF_UNIT_LENGTH = "your matrix, exactly; the quaternion was brought to length one"
 
 
-def own_matrix(world: World) -> list[Step]:
+def users_matrix(world: World) -> list[Step]:
     """Put a world's 3×3 block into the rule, in exact numbers."""
     import sympy as sp
 
@@ -38,13 +28,13 @@ def own_matrix(world: World) -> list[Step]:
     named = Named(A_)
     steps = [
         step(
-            formula(A, EQUALS, named(A_), APART, DET, EQUALS, named(det)),
+            formula("A = ", named(A_), ",  det A = ", named(det)),
             TYPED if world.quaternion is None else OF_UNIT_LENGTH,
             proved=equal(determinant(A_), det),
         ),
         *named.steps(),
         step(
-            formula(C, EQUALS, named(K)),
+            formula("C = ", named(K)),
             "its cofactors",
             proved=equal(A_.T * K, det * sp.eye(3)),
         ),
@@ -54,12 +44,12 @@ def own_matrix(world: World) -> list[Step]:
         left = "C is what is left" if rank == 2 else "C is zero as well"
         because = f"det A = 0 and the rank is {rank}: no inverse transpose; {left}"
         proved = rank < 3 and K.is_zero_matrix is (rank < 2)
-        return [*steps, step(formula(DET, EQUALS, det), because, proved=proved)]
+        return [*steps, step(formula("det A = ", det), because, proved=proved)]
     normal_matrix = (K / det).applyfunc(tidy)
     return [
         *steps,
         step(
-            formula(A_INVERSE_T, EQUALS, named(normal_matrix)),
+            formula("A⁻ᵀ = ", named(normal_matrix)),
             "your normal matrix: the cofactors over the determinant",
             proved=equal(A_.T * normal_matrix, sp.eye(3)),
         ),
@@ -81,11 +71,11 @@ class Named:
         }
 
     def __call__(self, expression: sp.Basic) -> sp.Basic:
-        """Return an expression with the names in it."""
+        """Put the names into an expression."""
         return expression.xreplace(self.names)
 
     def steps(self) -> list[Step]:
-        """Say which angle each pair of names belongs to."""
+        """Define each pair of names by its angle."""
         import sympy as sp
 
         return [self._pair(sp.cos(angle), sp.sin(angle)) for angle in self.angles]
@@ -94,23 +84,22 @@ class Named:
         c, s = self.names[cosine], self.names[sine]
         back = {c: cosine, s: sine}
         return step(
-            formula(*_equation(c, cosine), APART, *_equation(s, sine)),
+            formula(f"{_equation(c, cosine)},  {_equation(s, sine)}"),
             "no short roots: they keep a name",
             proved=bool((c**2 + s**2).xreplace(back).simplify() == 1),
         )
 
 
-def _equation(name: sp.Symbol, value: sp.Expr) -> tuple[Part, ...]:
-    """Return `c₁ = cos(20°)`."""
+def _equation(name: sp.Symbol, value: sp.Expr) -> str:
+    """Write `c₁ = cos(20°)`."""
     import sympy as sp
 
     degrees = _typed(sp.Rational(value.args[0] * 180 / sp.pi))
-    called = value.func.__name__
-    return name, EQUALS, words(f"{called}({degrees}°)", rf"\{called}({degrees}^\circ)")
+    return f"{written(name)} = {value.func.__name__}({degrees}°)"
 
 
 def _typed(degrees: sp.Rational) -> str:
-    """Return degrees as a short decimal, if they are one."""
+    """Write degrees as a short decimal, if they are one."""
     short = f"{float(degrees):g}"
     exact = Fraction(int(degrees.p), int(degrees.q))
     return short if Fraction(short) == exact else str(exact)
@@ -126,7 +115,7 @@ def _translation(M: sp.Matrix, normal_matrix: sp.Matrix, named: Named) -> list[S
     row = (-(normal_matrix.T * t)).applyfunc(tidy).T
     return [
         step(
-            formula(words("−(A⁻¹ t)ᵀ", r"-(A^{-1} t)^{\mathsf T}"), EQUALS, named(row)),
+            formula("−(A⁻¹ t)ᵀ = ", named(row)),
             "your translation: the first three numbers of the last row of M⁻ᵀ, where normals "
             "never meet it",
             proved=equal(A_ * row.T + t, sp.zeros(3, 1)),
@@ -135,7 +124,7 @@ def _translation(M: sp.Matrix, normal_matrix: sp.Matrix, named: Named) -> list[S
 
 
 def exact_matrix(world: World) -> sp.Matrix:
-    """Return the 4×4 matrix of a world with SymPy's own sines and cosines."""
+    """Build the 4×4 matrix of a world with SymPy's own sines and cosines."""
     import sympy as sp
 
     rows = world.exact_by(_turn)
@@ -151,7 +140,7 @@ def _turn(degrees: Number) -> Angle:
 
 
 def tidy(expression: sp.Expr) -> sp.Expr:
-    """Return an expression without needless roots, sines and products."""
+    """Simplify an expression: no needless roots, sines and products."""
     import sympy as sp
 
     if not expression.has(sp.sin, sp.cos):

@@ -8,10 +8,10 @@ from nmatrix.lessons.check.judge import Judge
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import Choice, Exercise, Kind, Option, listed
+from nmatrix.lessons.exercises.exercise import Choice, Exercise, ExerciseKind, Option, listed
 from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.exercises.writing import equation, written
+from nmatrix.lessons.notation import formula, written
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, diagonal, product, transpose
@@ -48,7 +48,9 @@ def which_space(draws: Draws, number: int) -> Exercise:
             "which space is the result?"
         ),
     )
-    return _choice(number, Kind.WHICH_SPACE, task, options, list(SPACE_OPTIONS).index(space))
+    return _choice(
+        number, ExerciseKind.WHICH_SPACE, task, options, list(SPACE_OPTIONS).index(space)
+    )
 
 
 def short_cut(draws: Draws, number: int) -> Exercise:
@@ -56,7 +58,7 @@ def short_cut(draws: Draws, number: int) -> Exercise:
     yes = "yes: the columns are perpendicular and equally long"
     lengths = "no: the columns are perpendicular, but not equally long"
     angles = "no: the columns are not perpendicular"
-    kind = draws.below(4)
+    kind = draws.randbelow(4)
     A = _block(draws, kind)
     right = (0, 0, 1, 2)[kind]
     size = product(transpose(A), A)
@@ -70,17 +72,19 @@ def short_cut(draws: Draws, number: int) -> Exercise:
         for i, text in enumerate((yes, lengths, angles))
     )
     task = (
-        equation("A = ", A),
+        formula("A = ", A),
         Text("Is it legal to multiply normals by A itself, and to normalise?"),
     )
-    return _choice(number, Kind.SHORTCUT, task, options, right, (equation("Aᵀ · A = ", size),))
+    return _choice(
+        number, ExerciseKind.SHORTCUT, task, options, right, (formula("Aᵀ · A = ", size),)
+    )
 
 
 def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     """Show a wrong answer and ask which mistake it holds."""
     quarter = draws.choice((90, -90))
     scale = draws.several(SCALES, 3)
-    move = tuple(Fraction(1 + draws.below(4)) for _ in range(3))
+    move = tuple(Fraction(1 + draws.randbelow(4)) for _ in range(3))
     angles = tuple(Fraction(quarter if i == 2 else 0) for i in range(3))
     world = World(translate=move, rotate_degrees=angles, scale=scale)
     subject = draws.choice((Subject.WORLD, Subject.NORMAL))
@@ -92,7 +96,7 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     chosen = draws.several(near, CHOICES)
     if len({by_mistake[one] for one in chosen}) < CHOICES:
         return None
-    right = draws.below(CHOICES)
+    right = draws.randbelow(CHOICES)
     made = chosen[right]
     options = tuple(
         Option(MISTAKES[one].did, MISTAKES[one].rule if one is made else OTHER_NUMBERS, one)
@@ -105,12 +109,12 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
     what = "the world matrix" if subject is Subject.WORLD else "the normal matrix"
     task: tuple[Block, ...] = (
         Text(f"An object is {told}. For {what} Sam writes"),
-        equation("answer = ", by_mistake[made]),
+        formula("answer = ", by_mistake[made]),
         Text(CONVENTION if subject is Subject.WORLD else f"{CONVENTION} {UP_TO_LENGTH}"),
         Text("What do you tell Sam?"),
     )
-    key = (equation("right = ", judge.right), Text(MISTAKES[made].did))
-    return _choice(number, Kind.MISTAKE, task, options, right, key)
+    key = (formula("right = ", judge.right), Text(MISTAKES[made].did))
+    return _choice(number, ExerciseKind.MISTAKE, task, options, right, key)
 
 
 def concept(draws: Draws, number: int) -> Exercise:
@@ -119,7 +123,7 @@ def concept(draws: Draws, number: int) -> Exercise:
     options = [Option(text, because) for text, because in (right, *wrong)]
     order = draws.shuffled(range(len(options)))
     shuffled = tuple(options[i] for i in order)
-    return _choice(number, Kind.CONCEPT, (Text(question),), shuffled, order.index(0))
+    return _choice(number, ExerciseKind.CONCEPT, (Text(question),), shuffled, order.index(0))
 
 
 CHOICES = 4
@@ -128,7 +132,7 @@ NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
 
 
 def _block(draws: Draws, kind: int) -> RationalMatrix:
-    """Return a turn with a uniform scale, a mirror of one, a stretch, or a shear."""
+    """Draw a turn with a uniform scale, a mirror of one, a stretch, or a shear."""
     turn = rotation_about(draws.choice("XYZ"), Angle.degrees(draws.choice((90, 180, 270))))
     if kind == 0:
         s = draws.choice(SCALES)
@@ -146,7 +150,7 @@ def _block(draws: Draws, kind: int) -> RationalMatrix:
 
 def _choice(
     number: int,
-    kind: Kind,
+    kind: ExerciseKind,
     task: tuple[Block, ...],
     options: tuple[Option, ...],
     right: int,

@@ -16,7 +16,7 @@ from nmatrix.lessons.check.question import Question
 from nmatrix.report import Block
 
 
-class Kind(StrEnum):
+class ExerciseKind(StrEnum):
     """The kinds, in the order in which a sheet takes turns."""
 
     WORLD = "world matrix"
@@ -35,12 +35,12 @@ class Grader(Protocol):
     """What tells right from wrong."""
 
     def judge(self, text: str) -> Judgement:
-        """Return the judgement of a typed answer."""
+        """Judge a typed answer."""
         ...
 
 
 @dataclass(frozen=True)
-class Planned:
+class ExpectedMistake:
     """A wrong answer that is expected, as it might be typed."""
 
     mistake: MistakeId
@@ -56,21 +56,21 @@ class Exercise:
     """
 
     number: int
-    kind: Kind
+    kind: ExerciseKind
     task: tuple[Block, ...]
     cells: tuple[int, int]
     key: tuple[Block, ...]
     right: str
     grader: Grader
-    planned: tuple[Planned, ...] = ()
+    planned: tuple[ExpectedMistake, ...] = ()
 
     @property
     def title(self) -> str:
-        """Return its heading."""
+        """The heading."""
         return f"{self.number}. {self.kind.value[:1].upper()}{self.kind.value[1:]}"
 
     def judge(self, text: str) -> Judgement:
-        """Return the judgement of a typed answer.
+        """Judge a typed answer.
 
         Raises
         ------
@@ -96,15 +96,15 @@ class Computed:
 
     @property
     def question(self) -> Question:
-        """Return what is asked for."""
+        """The quantity that is asked for."""
         return self.by.question
 
     def answer(self, text: str) -> Answer:
-        """Return the numbers."""
+        """Read the numbers."""
         return read_answer(text, self.question)
 
     def judge(self, text: str) -> Judgement:
-        """Return the judgement of numbers."""
+        """Judge numbers."""
         return self.by.judge(self.answer(text))
 
 
@@ -125,7 +125,7 @@ class Option:
 
     @property
     def names(self) -> set[str]:
-        """Return what it may be called, in small letters."""
+        """Its names, in small letters."""
         names = {self.text.lower().rstrip("."), *self.aliases}
         if self.mistake is not None:
             names |= {self.mistake.value, self.mistake.value.replace("-", " ")}
@@ -141,11 +141,11 @@ class Choice:
 
     @property
     def letter(self) -> str:
-        """Return the letter of the right one."""
+        """The letter of the right one."""
         return LETTERS[self.right]
 
     def judge(self, text: str) -> Judgement:
-        """Return the judgement of a choice."""
+        """Judge a choice."""
         chosen = self._chosen(text)
         right = ((Fraction(self.right + 1),),)
         if chosen == self.right:
@@ -160,7 +160,7 @@ class Choice:
         )
 
     def _chosen(self, text: str) -> int:
-        """Return the place of the one option that is meant: by letter, by name, by its beginning.
+        """Find the one option that is meant: by letter, by name, by its beginning.
 
         Raises
         ------
@@ -183,11 +183,11 @@ class Choice:
 
 
 def _begins(option: Option, typed: str) -> bool:
-    """Return whether an option begins with these whole words."""
+    """Compare the beginning of an option with these whole words."""
     words, first = typed.rstrip(",:").split(), option.text.lower().split()
     return bool(words) and [word.rstrip(",:") for word in first[: len(words)]] == words
 
 
 def listed(options: Sequence[Option]) -> str:
-    """Return options as lines with their letters."""
+    """List options with their letters, one on a line."""
     return "\n".join(f"{LETTERS[i]}) {option.text}" for i, option in enumerate(options))

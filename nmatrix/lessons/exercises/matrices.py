@@ -9,9 +9,9 @@ from nmatrix.enums import Space
 from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind, ExpectedMistake
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.exercises.writing import column, equation, typed, written
+from nmatrix.lessons.notation import column, formula, typed, written
 from nmatrix.linear.rational import (
     RationalMatrix,
     cofactor_matrix,
@@ -53,22 +53,22 @@ def world_matrix(draws: Draws, number: int) -> Exercise | None:
     S = diagonal(rational_vector(world.scale))
     t = rational_vector(world.translate)
     steps = (
-        equation("R = ", R, ", S = ", S, ", t = ", column(t)),
-        equation("R · S = ", product(R, S)),
+        formula("R = ", R, ", S = ", S, ", t = ", column(t)),
+        formula("R · S = ", product(R, S)),
     )
-    return _computed(number, Kind.WORLD, question, task, planned, steps)
+    return _computed(number, ExerciseKind.WORLD, question, task, planned, steps)
 
 
 def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     """Ask for the normal matrix of a scale and a shear."""
     scale = draws.several(SCALES, 3)
     shear = [Fraction(0)] * 3
-    shear[draws.below(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
+    shear[draws.randbelow(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
     world = World(scale=scale, shear=tuple(shear))
     question = Question(Subject.NORMAL, Setup(world))
     A = linear_part(world.world_from_object)
     task = (
-        equation("A = ", A),
+        formula("A = ", A),
         Text("is the 3×3 block of a world matrix. By which matrix are its normals multiplied?"),
         Text("Three rows of three numbers; any positive multiple counts."),
     )
@@ -79,19 +79,19 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     )
     C, det = cofactor_matrix(A), determinant(A)
     steps = (
-        equation("C = ", C),
-        equation(f"det A = {written(det)}"),
-        equation("A⁻ᵀ = C / det A"),
+        formula("C = ", C),
+        formula(f"det A = {written(det)}"),
+        formula("A⁻ᵀ = C / det A"),
     )
-    return _computed(number, Kind.NORMAL, question, task, planned, steps)
+    return _computed(number, ExerciseKind.NORMAL, question, task, planned, steps)
 
 
 def light_in_camera(draws: Draws, number: int) -> Exercise | None:
     """Ask for a light's position in camera space, beside an object that must not matter."""
     world, told = _placed(draws)
-    axis, side = draws.below(2), draws.choice((-1, 1))
+    axis, side = draws.randbelow(2), draws.choice((-1, 1))
     eye = [Fraction(0)] * 3
-    eye[(0, 2)[axis]] = side * Fraction(3 + draws.below(4))
+    eye[(0, 2)[axis]] = side * Fraction(3 + draws.randbelow(4))
     light = tuple(draws.choice(MOVES) for _ in range(3))
     setup = Setup(world, View(eye=tuple(eye)), light=Light(position=light))
     question = Question(Subject.LIGHT, setup, Space.CAMERA, light=LightPart.POSITION)
@@ -105,11 +105,11 @@ def light_in_camera(draws: Draws, number: int) -> Exercise | None:
     )
     V = setup.camera.camera_from_world
     steps = (
-        equation("V = ", V),
+        formula("V = ", V),
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
     )
     planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
-    return _computed(number, Kind.LIGHT, question, task, planned, steps)
+    return _computed(number, ExerciseKind.LIGHT, question, task, planned, steps)
 
 
 def eye_in_object(draws: Draws, number: int) -> Exercise | None:
@@ -129,41 +129,45 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
     away = tuple(Fraction(e) - x for e, x in zip(eye, t, strict=True))
     steps = (
         Text("Subtract first, then undo the 3×3 block: A x = e − t."),
-        equation("e − t = ", column(away)),
+        formula("e − t = ", column(away)),
     )
     planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
-    return _computed(number, Kind.EYE, question, task, planned, steps)
+    return _computed(number, ExerciseKind.EYE, question, task, planned, steps)
 
 
 def mirrored(draws: Draws, number: int) -> Exercise | None:
     """Ask for an outward normal through a turned mirror, or through a flattening."""
     scale = list(draws.several(SCALES[1:4], 3))
-    place = draws.below(3)
-    is_flat = draws.below(2) == 1
+    place = draws.randbelow(3)
+    is_flat = draws.randbelow(2) == 1
     scale[place] = Fraction(0) if is_flat else -scale[place]
     n = [draws.choice(MOVES) for _ in range(3)]
     world = World(rotate_degrees=_quarter_turn(draws), scale=tuple(scale))
     question = Question(Subject.NORMAL, Setup(world), normal=tuple(n))
     A = linear_part(world.world_from_object)
     task = (
-        equation("A = ", A, ", n = ", column([Fraction(x) for x in n])),
+        formula("A = ", A, ", n = ", column([Fraction(x) for x in n])),
         Text(
             "A is the 3×3 block of a world matrix, n the outward normal of a surface. In which "
             "direction does the normal point after the map?"
         ),
         Text("Three numbers; any positive multiple counts, and where A flattens, either sign."),
     )
-    steps: tuple[Block, ...] = (equation("C = ", cofactor_matrix(A)),)
+    steps: tuple[Block, ...] = (formula("C = ", cofactor_matrix(A)),)
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
-        return _computed(number, Kind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told)))
+        return _computed(
+            number, ExerciseKind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told))
+        )
     told = "det A < 0: the outward normal is −C n, a positive multiple of the inverse transpose's."
     planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
-    return _computed(number, Kind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told)))
+    return _computed(
+        number, ExerciseKind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told))
+    )
 
 
 def _placed(draws: Draws) -> tuple[World, str]:
-    """Return a world of three parts, and the sentence that tells it."""
+    """Draw a world of three parts, with the sentence that describes it."""
     move = tuple(draws.choice(MOVES) for _ in range(3))
     angles = _quarter_turn(draws)
     scale = draws.several(SCALES, 3)
@@ -176,8 +180,8 @@ def _placed(draws: Draws) -> tuple[World, str]:
 
 
 def _quarter_turn(draws: Draws) -> Vector:
-    """Return angles about x, y and z in degrees, one of them a quarter turn."""
-    axis, turn = draws.below(3), draws.choice(QUARTERS)
+    """Draw angles about x, y and z in degrees, one of them a quarter turn."""
+    axis, turn = draws.randbelow(3), draws.choice(QUARTERS)
     return tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
 
 
@@ -187,13 +191,13 @@ def _listed(values: Iterable[Number]) -> str:
 
 def _computed(
     number: int,
-    kind: Kind,
+    kind: ExerciseKind,
     question: Question,
     task: tuple[Block, ...],
     planned: tuple[MistakeId, ...],
     steps: tuple[Block, ...] = (),
 ) -> Exercise | None:
-    """Return the exercise, or None where a planned mistake would not show in these numbers."""
+    """Make the exercise; None where a planned mistake would not show in these numbers."""
     judge = Judge(question)
     wrong = _shown_mistakes(judge, planned)
     if wrong is None:
@@ -214,16 +218,18 @@ def _computed(
     )
 
 
-def _shown_mistakes(judge: Judge, planned: tuple[MistakeId, ...]) -> tuple[Planned, ...] | None:
-    """Return the first answer of each planned mistake, if all of them show and differ."""
-    found: list[Planned] = []
+def _shown_mistakes(
+    judge: Judge, planned: tuple[MistakeId, ...]
+) -> tuple[ExpectedMistake, ...] | None:
+    """Make each planned mistake once; None where one does not show, or two look alike."""
+    found: list[ExpectedMistake] = []
     for mistake in planned:
         values = (one.value for one in judge.singles if one.mistakes == (mistake,))
         texts = (typed((value[0][:3],) if judge.question.is_vector else value) for value in values)
         named = next((text for text in texts if _is_named(judge, mistake, text)), None)
         if named is None or named in (one.text for one in found):
             return None
-        found.append(Planned(mistake, named))
+        found.append(ExpectedMistake(mistake, named))
     return tuple(found)
 
 
@@ -234,5 +240,5 @@ def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
 
 
 def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
-    """Return the right answer for the key."""
-    return equation("answer = ", column(right[0]) if is_vector else right)
+    """Write the right answer for the key."""
+    return formula("answer = ", column(right[0]) if is_vector else right)

@@ -29,7 +29,7 @@ class Sheet:
 
     @property
     def parts(self) -> tuple[bytes, ...]:
-        """Return what is hashed; names that look alike in Unicode are alike."""
+        """The parts that are hashed; names that look alike in Unicode are alike."""
         name = normalize("NFC", " ".join(self.student.split()))
         return (SCHEME.encode(), self.salt, self.seed.strip().encode(), name.encode())
 
@@ -51,19 +51,19 @@ class Draws:
         digest = blake2b(counted, digest_size=16).digest()
         self._random = random.Random(int.from_bytes(digest, "big"))
 
-    def below(self, count: int) -> int:
-        """Return a whole number from 0 to count − 1."""
+    def randbelow(self, count: int) -> int:
+        """Draw a whole number from 0 to count − 1."""
         return int(self._random.random() * count)
 
     def choice(self, items: Sequence[Item]) -> Item:
-        """Return one of some items."""
-        return items[self.below(len(items))]
+        """Draw one of some items."""
+        return items[self.randbelow(len(items))]
 
     def several(self, items: Sequence[Item], count: int) -> tuple[Item, ...]:
-        """Return so many different items, in a drawn order."""
+        """Draw so many different items, in a drawn order."""
         left = list(items)
-        return tuple(left.pop(self.below(len(left))) for _ in range(count))
+        return tuple(left.pop(self.randbelow(len(left))) for _ in range(count))
 
     def shuffled(self, items: Sequence[Item]) -> tuple[Item, ...]:
-        """Return all items in a drawn order."""
+        """Draw an order of all items."""
         return self.several(items, len(items))

@@ -26,7 +26,7 @@ KINDS: tuple[Build, ...] = (
 
 
 def exercise(number: int, sheet: Sheet) -> Exercise:
-    """Return one exercise of a sheet; it does not depend on how many there are.
+    """Make one exercise of a sheet; it does not depend on how many there are.
 
     Raises
     ------
@@ -51,5 +51,5 @@ def exercise(number: int, sheet: Sheet) -> Exercise:
 
 
 def exercises(count: int, sheet: Sheet) -> tuple[Exercise, ...]:
-    """Return the first exercises of a sheet."""
+    """Make the first exercises of a sheet."""
     return tuple(exercise(number, sheet) for number in range(1, count + 1))

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 
 from nmatrix.lessons.check.hints import Hint
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
-from nmatrix.lessons.check.slips import lens as lens_slips
 from nmatrix.lessons.check.wrong import WrongAnswer
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, Kind, Planned
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind, ExpectedMistake
 from nmatrix.lessons.exercises.matrices import MOVES
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.exercises.writing import column, equation, typed, written
+from nmatrix.lessons.notation import column, formula, typed, written
 from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector, apply
 from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
@@ -29,7 +29,7 @@ PLANNED = (MistakeId.ASPECT_INVERTED, MistakeId.HORIZONTAL_FOV)
 
 def trace(draws: Draws, number: int) -> Exercise | None:
     """Ask for the normalised device coordinates of a vertex."""
-    scale, further = Fraction(draws.choice((1, 2))), draws.below(4)
+    scale, further = Fraction(draws.choice((1, 2))), draws.randbelow(4)
     point = tuple(Fraction(draws.choice((-2, -1, 1, 2))) for _ in range(3))
     move = tuple(draws.choice(MOVES[1:5]) for _ in range(2))
     world = World(translate=(*move, 0), scale=(scale, scale, scale))
@@ -39,38 +39,53 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     wrong = [
         WrongAnswer((mistake,), (_ndc(one, point),))
         for mistake in PLANNED
-        for one in _slipped(mistake, setup)
+        for one in _misread(mistake, setup)
     ]
     if any(abs(x) > 1 for x in right[:3]):
         return None  # the vertex should be seen
     if len({right, *(one.value[0] for one in wrong)}) <= len(wrong):
         return None
     undivided = Hint((_clip(setup, point),), UNDIVIDED)
-    judge = _Known(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
+    judge = _TraceJudge(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
     return Exercise(
         number,
-        Kind.TRACE,
+        ExerciseKind.TRACE,
         _task(setup, point),
         (3, 1),
         _key(setup, point, right),
         typed((right[:3],)),
         _Divided(judge),
-        tuple(Planned(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
+        tuple(ExpectedMistake(one.mistakes[0], typed((one.value[0][:3],))) for one in wrong),
     )
 
 
-class _Known(Judge):
-    """A judge whose answers are given, not those of its question."""
+@dataclass(frozen=True)
+class _TraceJudge(Judge):
+    """A judge of a traced vertex, which is no answer to a question of `check`."""
 
-    def __init__(
-        self,
-        question: Question,
-        right: RationalVector,
-        wrong: tuple[WrongAnswer, ...],
-        undivided: Hint,
-    ) -> None:
-        super().__init__(question)
-        self.__dict__.update(right=(right,), singles=wrong, doubles=(), hints=(undivided,))
+    ndc: RationalVector
+    mistaken: tuple[WrongAnswer, ...]
+    undivided: Hint
+
+    @cached_property
+    def right(self) -> RationalMatrix:
+        """The vertex in normalised device coordinates, with w = 1."""
+        return (self.ndc,)
+
+    @cached_property
+    def singles(self) -> tuple[WrongAnswer, ...]:
+        """The vertex seen through mistaken lenses."""
+        return self.mistaken
+
+    @cached_property
+    def doubles(self) -> tuple[WrongAnswer, ...]:
+        """No pairs: the numbers are chosen so that each mistake shows by itself."""
+        return ()
+
+    @cached_property
+    def hints(self) -> tuple[Hint, ...]:
+        """The clip coordinates, where the division was forgotten."""
+        return (self.undivided,)
 
 
 @dataclass(frozen=True)
@@ -78,7 +93,7 @@ class _Divided(Computed):
     """Numbers that must have been divided by w: of four, the last one is 1."""
 
     def judge(self, text: str) -> Judgement:
-        """Return the judgement of numbers."""
+        """Judge numbers."""
         answer = self.answer(text)
         found = self.by.judge(answer)
         w = answer.rows[0][3:] or (ONE,)
@@ -102,13 +117,11 @@ def _ndc(setup: Setup, point: RationalVector) -> RationalVector:
     return (*(x / clip[3] for x in clip[:3]), ONE)
 
 
-def _slipped(mistake: MistakeId, setup: Setup) -> Iterator[Setup]:
-    slip = {
-        MistakeId.ASPECT_INVERTED: lens_slips.aspect_inverted,
-        MistakeId.HORIZONTAL_FOV: lens_slips.horizontal_fov,
-    }[mistake]
-    for one in slip(setup):
-        yield replace(setup, lens=one.lens)
+def _misread(mistake: MistakeId, setup: Setup) -> Iterator[Setup]:
+    made = MISTAKES[mistake].made_in(Question(Subject.PROJECTION, setup))
+    assert made is not None  # the lens of this exercise has an angle
+    for describe in made.describe:
+        yield from describe(setup)
 
 
 def _task(setup: Setup, point: RationalVector) -> tuple[Text, ...]:
@@ -133,8 +146,8 @@ def _key(setup: Setup, point: RationalVector, right: RationalVector) -> tuple[Bl
     P: RationalMatrix = maps.clip_from_camera
     clip = apply(P, camera)
     return (
-        equation("world = ", column(world[:3]), ", camera = ", column(camera[:3])),
-        equation("P = ", P, ", clip = ", column(clip)),
+        formula("world = ", column(world[:3]), ", camera = ", column(camera[:3])),
+        formula("P = ", P, ", clip = ", column(clip)),
         Text("Divide by the fourth number, w."),
-        equation("answer = ", column(right[:3])),
+        formula("answer = ", column(right[:3])),
     )

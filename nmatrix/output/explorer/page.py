@@ -43,7 +43,7 @@ STRETCHED = World(scale=(1, 2, 1))  # calls for everything that a shader may nee
 
 
 def page(setup: Setup) -> bytes:
-    """Return the page for a scene.
+    """Write the page for a scene.
 
     Raises
     ------
@@ -67,7 +67,7 @@ def page(setup: Setup) -> bytes:
 
 
 def page_data(setup: Setup) -> dict[str, Any]:
-    """Return what the script works with."""
+    """Collect the data that the script works with."""
     maps = setup.maps
     light = maps.light
     return {
@@ -95,7 +95,7 @@ def page_data(setup: Setup) -> dict[str, Any]:
 
 
 def _start(setup: Setup) -> dict[str, float | str]:
-    """Return where the sliders stand."""
+    """Place the sliders."""
     scale, rotate, shear = _sliders(setup)
     direction = _float3(setup.maps.light.direction or DOWNWARDS)
     start: dict[str, float | str] = {"rule": "none", "space": "world", "shape": "torus"}
@@ -105,7 +105,7 @@ def _start(setup: Setup) -> dict[str, float | str]:
 
 
 def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
-    """Return scale, angles about x, y, z and shear of the world."""
+    """Take scale, angles about x, y, z and shear of the world."""
     world = setup.world
     plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
     if world == plain:
@@ -136,7 +136,7 @@ def _shaders(setup: Setup) -> dict[str, dict[str, Any]]:
 
 
 def _options(setup: Setup) -> list[str]:
-    """Return the rest of a command that shows the same scene."""
+    """Write the rest of a command that shows the same scene."""
     view, lens, light = setup.view, setup.lens, setup.maps.light
     found = []
     if view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT:

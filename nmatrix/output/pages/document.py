@@ -1,10 +1,11 @@
-"""What is printed: a title, blocks, pictures, and the paper that it goes on."""
+"""What is printed: a title, blocks, pictures, the paper that it goes on, and the file of it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import assert_never
 
 from nmatrix.output.documents import sections
 from nmatrix.report import Blank, Block, PageBreak
@@ -25,6 +26,9 @@ class PageFormat(StrEnum):
     TYP = "typ"
     TEX = "tex"
     MD = "md"
+
+
+WITH_PICTURES_BESIDE = (PageFormat.TYP, PageFormat.TEX, PageFormat.MD)
 
 
 @dataclass(frozen=True)
@@ -51,7 +55,31 @@ class Document:
     paper: Paper = Paper.A4
 
     def sections(self) -> Iterator[tuple[tuple[Block, ...], bool]]:
-        """Give the blocks of each section, and whether a page must not part it: an exercise."""
+        """Part the blocks at headings; an exercise, which is True, must stay on one page."""
         for section in sections(self.blocks):
             has_room = any(isinstance(block, Blank) for block in section)
             yield section, has_room and not any(isinstance(one, PageBreak) for one in section)
+
+
+def write(document: Document, kind: PageFormat) -> bytes:
+    """Write a document as one file; only the writer of its format is loaded.
+
+    Raises
+    ------
+    MissingPackageError
+        For PDF without Typst.
+    """
+    match kind:
+        case PageFormat.HTML:
+            from nmatrix.output.pages.page_html import html as found
+        case PageFormat.PDF:
+            from nmatrix.output.pages.page_pdf import pdf as found
+        case PageFormat.TYP:
+            from nmatrix.output.pages.page_typst import typ as found
+        case PageFormat.TEX:
+            from nmatrix.output.pages.page_latex import tex as found
+        case PageFormat.MD:
+            from nmatrix.output.pages.page_markdown import md as found
+        case _:
+            assert_never(kind)
+    return found(document)

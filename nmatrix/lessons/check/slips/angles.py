@@ -1,6 +1,6 @@
 """Mistakes with angles: their unit, their order, their sign, the convention they belong to.
 
-Each takes a scene and gives the scenes that the mistake makes of it.
+Each takes a scene and yields the scenes that the mistake makes of it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nmatrix.scene.world import World
 
 
 def degrees_as_radians(setup: Setup) -> Iterator[Setup]:
-    """Give the scene whose angles are the same numbers in radians, group by group and at once."""
+    """Take angles for radians, group by group and at once."""
     world, view, light = _radians_world(setup.world), _radians_view(setup.view), setup.light
     if light.angles_degrees is not None:
         light = _radians_light(light)
@@ -33,7 +33,7 @@ def degrees_as_radians(setup: Setup) -> Iterator[Setup]:
 
 
 def rotation_order(setup: Setup) -> Iterator[Setup]:
-    """Give the scenes whose rotations are multiplied in every other order."""
+    """Multiply rotations in every other order."""
     world = _standard(setup.world)
     if world is not None:
         for order in permutations(AXES):
@@ -44,7 +44,7 @@ def rotation_order(setup: Setup) -> Iterator[Setup]:
 
 
 def rotation_sign(setup: Setup) -> Iterator[Setup]:
-    """Give the scenes in which some of the angles turn the other way."""
+    """Turn some of the angles the other way."""
     world, angles = setup.world, setup.view.angles
     if world.matrix is None and world.quaternion is not None:
         x, y, z, w = world.quaternion
@@ -58,7 +58,7 @@ def rotation_sign(setup: Setup) -> Iterator[Setup]:
 
 
 def polimi_angles_swapped(setup: Setup) -> Iterator[Setup]:
-    """Give the scenes whose angles are taken by another convention than the one asked for."""
+    """Take angles by another convention than the one asked for."""
     world, view = setup.world, setup.view
     if world.matrix is None and world.quaternion is None:
         for convention in Convention:
@@ -90,12 +90,12 @@ def _radians_light(light: Light) -> Light:
 
 
 def _radians(values: Vector) -> Vector:
-    """Return the degrees of so many radians."""
+    """Convert radians to degrees."""
     return tuple(degrees(float(value)) for value in values)
 
 
 def _signs(values: Vector) -> Iterator[Vector]:
-    """Give the values with every choice of signs but the given one; a zero has no sign."""
+    """Choose signs in every way but the given one; a zero has no sign."""
     choices = [(value, -value) if value else (value,) for value in values]
     yield from list(product(*choices))[1:]
 
@@ -105,7 +105,7 @@ def _first_person(values: Vector) -> FirstPerson:
 
 
 def _standard(world: World) -> World | None:
-    """Return the same world in the standard convention, if three angles describe it."""
+    """Describe a world in the standard convention, if three angles describe it."""
     if world.matrix is not None or world.quaternion is not None:
         return None
     x, y, z = world.rotate_degrees

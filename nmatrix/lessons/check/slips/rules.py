@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from nmatrix.enums import NormalRule
-from nmatrix.lessons.check.mistakes import MistakeId
-from nmatrix.lessons.check.question import LightPart, Question, Setting, light_vector
+from nmatrix.lessons.check.computation import Rule
+from nmatrix.lessons.check.question import LightPart, Matrices, Question, light_vector
 from nmatrix.linear.rational import (
     ONE,
     ZERO,
@@ -19,20 +21,15 @@ from nmatrix.linear.rounding import integers, over_root
 from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.report import Vector
 
-NORMAL_RULES = {
-    MistakeId.NOT_TRANSPOSED: NormalRule.NOT_TRANSPOSED,
-    MistakeId.NOT_INVERTED: NormalRule.NOT_INVERTED,
-    MistakeId.USED_WORLD_MATRIX: NormalRule.NONE,
-    MistakeId.COFACTOR_SIGN: NormalRule.COFACTOR,
-    MistakeId.TRANSLATED: NormalRule.TRANSLATED,
-    MistakeId.FOUR_COMPONENT_NORMALISE: NormalRule.FOUR_COMPONENT,
-}
 _OF_VECTORS = (NormalRule.TRANSLATED, NormalRule.FOUR_COMPONENT)  # not seen in a 3×3 matrix
 
 
-def by_normal_rule(mistake: MistakeId, question: Question, by: Setting) -> RationalMatrix | None:
-    """Return what a wrong rule makes of a normal, or its 3×3 matrix."""
-    rule = NORMAL_RULES[mistake]
+def normal_by(rule: NormalRule) -> Rule:
+    """Move a normal by another rule than the right one, or take the 3×3 block of that rule."""
+    return partial(_normal_by, rule)
+
+
+def _normal_by(rule: NormalRule, question: Question, by: Matrices) -> RationalMatrix | None:
     if question.normal is None and rule in _OF_VECTORS:
         return None
     if rule is NormalRule.FOUR_COMPONENT and not question.unit:
@@ -47,16 +44,16 @@ def by_normal_rule(mistake: MistakeId, question: Question, by: Setting) -> Ratio
     return _carried(found, question.normal)
 
 
-def course_light_rule(question: Question, by: Setting) -> RationalMatrix | None:
-    """Return the light direction by the inverse transpose of S."""
+def course_light_rule(question: Question, by: Matrices) -> RationalMatrix | None:
+    """Move the light direction by the inverse transpose of S."""
     B = linear_part(by.space_from_world)
     if not _is_light_direction(question) or determinant(B) == 0:
         return None
     return ((*apply(inverse_transpose(B), light_vector(question)[:3]), ZERO),)
 
 
-def direction_as_point(question: Question, by: Setting) -> RationalMatrix | None:
-    """Return the light direction moved with w = 1."""
+def direction_as_point(question: Question, by: Matrices) -> RationalMatrix | None:
+    """Move the light direction with w = 1."""
     if not _is_light_direction(question):
         return None
     return (apply(by.space_from_world, (*light_vector(question)[:3], ONE)),)

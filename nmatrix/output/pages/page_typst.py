@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, blocks_in
+from nmatrix.output.formulas.spoken import matrix_in_words, spoken
+from nmatrix.output.formulas.typst import matrix, typst
 from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
 from nmatrix.output.typst import Typst, escaped
@@ -15,7 +17,7 @@ SIZES = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 
 
 def typ(document: Document) -> bytes:
-    """Return the document as Typst source."""
+    """Write the document as Typst source."""
     page = TypstPage(OutputOptions())
     body = "\n\n".join(
         f"{TOGETHER}[\n{blocks_in(section, page)}\n]" if whole else blocks_in(section, page)
@@ -52,7 +54,7 @@ def typ(document: Document) -> bytes:
 
 
 def quoted(text: str) -> str:
-    r"""Return text as a string of Typst.
+    r"""Write text as a string of Typst.
 
     Examples
     --------
@@ -67,14 +69,12 @@ class TypstPage(Typst):
     """How a page writes each kind of block; every formula says what it looks like."""
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
-        """Return a matrix under its name."""
-        rows = "; ".join(", ".join(row) for row in cells)
+        """Write a matrix under its name."""
         about = f"#block(sticky: true)[{escaped(title)}]\n" if title else ""
-        said = f"{key} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
-        return about + _equation(f'#raw("{key}") = mat(delim: "[", {rows})', said)
+        return about + _equation(f'#raw("{key}") = {matrix(cells)}', matrix_in_words(key, cells))
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Return a table whose first row is its head."""
+        """Write a table whose first row is its head."""
         head = ", ".join(f"[*{escaped(column)}*]" for column in columns)
         cells = ", ".join(f"[{cell}]" for row in rows for cell in row)
         widths = ", ".join(["auto"] * (len(columns) - 1) + ["1fr"])
@@ -82,27 +82,27 @@ class TypstPage(Typst):
         return f"{about}#table(columns: ({widths},), table.header({head}), {cells})"
 
     def formula(self, formula: Formula) -> str:
-        """Return a formula with its sentence."""
-        return _equation(formula.typst, formula.spoken)
+        """Write a formula with its sentence."""
+        return _equation(typst(formula.tree), spoken(formula.tree))
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
-        """Return a step that stays together on a page."""
+        """Write a step that stays together on a page."""
         mark = "✓" if verified else "not proved:"
         reason = f"#pad(left: 1.2em)[#text(fill: luma(30%))[{mark} {escaped(because)}]]"
         return f"{TOGETHER}[\n{self.formula(formula)}\n{reason}\n]"
 
     def inline(self, text: str) -> str:
-        """Return a number in a sentence, which a screen reader reads as it is."""
+        """Write a number in a sentence, which a screen reader reads as it is."""
         mantissa, mark, exponent = text.partition("e")
         return f"{mantissa} · 10#super[{int(exponent)}]" if mark else text
 
     def figure(self, figure: Figure) -> str:
-        """Return a picture with its alternative text."""
+        """Write a picture with its alternative text."""
         image = f"image({quoted(figure.path)}, alt: {quoted(figure.alternative)}, width: 100%)"
         return f"#figure({image}, caption: [{escaped(figure.caption)}], numbering: none)"
 
     def blank(self, rows: int, columns: int) -> str:
-        """Return empty cells between brackets."""
+        """Leave empty cells between brackets."""
         cells = ", ".join(["[]"] * rows * columns)
         widths = ", ".join(["16mm"] * columns)
         thin = "0.4pt + luma(60%)"
@@ -112,7 +112,7 @@ class TypstPage(Typst):
         return f"#table(columns: ({widths},), rows: 8mm, stroke: {stroke}, {cells})"
 
     def page_break(self) -> str:
-        """Return the end of a page."""
+        """End a page."""
         return "#pagebreak(weak: true)"
 
 

@@ -3,42 +3,40 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from html import escape
 
-from nmatrix.lessons.formulas.parse import APART, FUNCTIONS, RAISED
-from nmatrix.lessons.formulas.tree import (
+from nmatrix.formula import (
+    APART,
+    FUNCTIONS,
     Fence,
-    Fraction,
     Grid,
     Name,
     Node,
-    Number,
+    Numeral,
     Power,
+    Quotient,
     Root,
     Row,
     Sign,
 )
 
-MATH = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
 WIDE = '<mspace width="1em"></mspace>'
-LOWERED = "₀₁₂₃₄₅₆₇₈₉"
-RAISED_UP = str.maketrans(LOWERED, "0123456789")
-PLAIN = str.maketrans(RAISED, "0123456789−⊤′s")
 
 
 def mathml(node: Node) -> str:
-    """Return the elements of a tree.
+    """Print a tree as elements.
 
     Examples
     --------
-    >>> from nmatrix.lessons.formulas.parse import parse
+    >>> from nmatrix.formula import parse
     >>> mathml(parse("A⁻ᵀ"))
     '<msup><mi>A</mi><mrow><mo>−</mo><mi>⊤</mi></mrow></msup>'
     """
     match node:
-        case Name(text):
-            found = f"<mi>{escape(text)}</mi>" if text in FUNCTIONS else _letters(text)
-        case Number(text):
+        case Name():
+            found = _name(node)
+        case Numeral(text):
             found = f"<mn>{escape(text)}</mn>"
         case Sign(text):
             found = f"<mo>,</mo>{WIDE}" if text == APART else f"<mo>{escape(text)}</mo>"
@@ -46,7 +44,7 @@ def mathml(node: Node) -> str:
             found = f"<mrow>{''.join(_spaced(items))}</mrow>"
         case Power(base, exponent):
             found = f"<msup>{mathml(base)}{_exponent(exponent)}</msup>"
-        case Fraction(top, bottom):
+        case Quotient(top, bottom):
             found = f"<mfrac>{mathml(top)}{mathml(bottom)}</mfrac>"
         case Root(inside):
             found = f"<msqrt>{mathml(inside)}</msqrt>"
@@ -54,17 +52,30 @@ def mathml(node: Node) -> str:
             left, right = ("|", "|") if bars else ("(", ")")
             found = f"<mrow><mo>{left}</mo>{mathml(inside)}<mo>{right}</mo></mrow>"
         case Grid(rows):
-            lines = "".join(f"<mtr>{_cells(row)}</mtr>" for row in rows)
-            found = f"<mrow><mo>[</mo><mtable>{lines}</mtable><mo>]</mo></mrow>"
+            found = matrix([list(map(mathml, row)) for row in rows])
     return found
 
 
-def _cells(row: tuple[Node, ...]) -> str:
-    return "".join(f"<mtd>{mathml(cell)}</mtd>" for cell in row)
+def equation(body: str, said: str) -> str:
+    """Put elements on a line of their own, with the sentence that is heard in their place."""
+    head = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
+    return f'{head} alttext="{escape(said)}">{body}</math>'
+
+
+def matrix(cells: Sequence[Sequence[str]]) -> str:
+    """Put printed cells into square brackets.
+
+    Examples
+    --------
+    >>> matrix([["<mn>1</mn>"]])
+    '<mrow><mo>[</mo><mtable><mtr><mtd><mn>1</mn></mtd></mtr></mtable><mo>]</mo></mrow>'
+    """
+    rows = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in cells)
+    return f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
 
 
 def _spaced(items: tuple[Node, ...]) -> list[str]:
-    """Return pieces with a thin space after the name of a function."""
+    """Print pieces with a thin space after the name of a function."""
     found = []
     for item in items:
         found.append(mathml(item))
@@ -73,18 +84,18 @@ def _spaced(items: tuple[Node, ...]) -> list[str]:
     return found
 
 
-def _letters(text: str) -> str:
-    """Return one letter in italics; a word stands upright, x, y, z behind a letter below it."""
-    if text[1:] and text[1] in LOWERED:
-        number = text[1:].translate(RAISED_UP)
-        return f"<msub><mi>{text[0]}</mi><mn>{number}</mn></msub>"
-    if len(text) == 2 and text[1] in "xyz":
-        return f"<msub><mi>{text[0]}</mi><mi>{text[1]}</mi></msub>"
-    return f"<mi>{escape(text)}</mi>" if len(text) == 1 else f"<mtext>{escape(text)}</mtext>"
+def _name(name: Name) -> str:
+    """Print one letter in italics and a word upright."""
+    letter, below = name.letter_and_index
+    if below:
+        kind = "mn" if below.isdigit() else "mi"
+        return f"<msub><mi>{letter}</mi><{kind}>{below}</{kind}></msub>"
+    is_symbol = len(letter) == 1 or letter in FUNCTIONS
+    return f"<mi>{escape(letter)}</mi>" if is_symbol else f"<mtext>{escape(letter)}</mtext>"
 
 
 def _exponent(text: str) -> str:
-    parts = re.findall(r"[0-9]+|.", text.translate(PLAIN).replace("-", "−"))
+    parts = re.findall(r"[0-9]+|.", text)
     found = "".join(
         f"<mo>{c}</mo>" if c in "−′" else f"<mn>{c}</mn>" if c.isdigit() else f"<mi>{c}</mi>"
         for c in parts

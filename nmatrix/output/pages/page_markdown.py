@@ -10,7 +10,7 @@ from nmatrix.report import Figure
 
 
 def md(document: Document) -> bytes:
-    """Return the document as Markdown."""
+    """Write the document as Markdown."""
     body = blocks_in(document.blocks, MarkdownPage(OutputOptions()))
     parts = [f"# {escaped(document.title)}", escaped(document.subtitle), body, "---"]
     parts.append(escaped(document.note))
@@ -21,9 +21,9 @@ class MarkdownPage(Markdown):
     """How a page writes each kind of block."""
 
     def figure(self, figure: Figure) -> str:
-        """Return a picture with its alternative text."""
+        """Write a picture with its alternative text."""
         return f"![{escaped(figure.alternative)}]({figure.path})\n\n{escaped(figure.caption)}"
 
     def page_break(self) -> str:
-        """Return a rule."""
+        """Draw a rule."""
         return "---"

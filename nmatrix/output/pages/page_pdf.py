@@ -9,14 +9,14 @@ from tempfile import TemporaryDirectory
 
 from nmatrix.errors import IllegalValueError, MissingPackageError, quantity
 from nmatrix.output.pages.document import Document
-from nmatrix.output.pages.typ import typ
+from nmatrix.output.pages.page_typst import typ
 from nmatrix.report import Text
 
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
 
 
 def pdf(document: Document) -> bytes:
-    """Return the document as PDF.
+    """Print the document as PDF.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def pdf(document: Document) -> bytes:
 
 
 def check_names(names: Sequence[str]) -> None:
-    """Say now, and not after half the class, whose name the fonts of a PDF cannot print.
+    """Refuse a name that the fonts of a PDF cannot print, before half the class is done.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def _is_printable(names: Sequence[str]) -> bool:
 
 
 def check_typst() -> None:
-    """Say now, and not after the work, that Typst is missing."""
+    """Refuse to begin where Typst is missing."""
     try:
         import typst  # noqa: F401  # whether it is there
     except ImportError:

@@ -20,7 +20,7 @@ SIZES = {Paper.A4: "A4", Paper.LETTER: "letter"}
 
 
 def html(document: Document) -> bytes:
-    """Return the document as one self-contained file."""
+    """Write the document as one self-contained file."""
     dialect = HtmlPage(document)
     body = "\n".join(
         f"<section{KEEP if whole else ''}>\n{blocks_in(section, dialect)}\n</section>"
@@ -52,7 +52,7 @@ def html(document: Document) -> bytes:
 
 @cache
 def _style(paper: Paper) -> str:
-    """Return the style sheet with its font and its paper."""
+    """Fill the font and the paper into the style sheet."""
     folder = files(__package__)
     font = b64encode(folder.joinpath("math.woff2").read_bytes()).decode()
     style = folder.joinpath("style.css").read_text(encoding="utf-8")
@@ -60,7 +60,7 @@ def _style(paper: Paper) -> str:
 
 
 def _foot(whose: str) -> str:
-    """Return what prints a name and a number on every page: sheets get dropped."""
+    """Print a name and a number on every page: sheets get dropped."""
     page = 'counter(page) " / " counter(pages)'
     name = "".join(c if c.isalnum() and c.isascii() else f"\\{ord(c):x} " for c in whose)
     style = "font: 8pt serif; color: #5a5a5a;"
@@ -78,11 +78,11 @@ class HtmlPage(MathML):
         self.pictures = document.pictures
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Return a table that scrolls by itself where the screen is narrow."""
+        """Write a table that scrolls by itself where the screen is narrow."""
         return f'<div class="wide">{super().table(title, columns, rows)}</div>'
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
-        """Return a step that stays together on a page."""
+        """Write a step that stays together on a page."""
         mark = "proved" if verified else "unproved"
         words = because if verified else f"not proved: {because}"
         return (
@@ -90,18 +90,18 @@ class HtmlPage(MathML):
         )
 
     def figure(self, figure: Figure) -> str:
-        """Return a picture with its alternative text."""
+        """Write a picture with its alternative text."""
         data = b64encode(self.pictures[figure.path]).decode()
         caption = f"<figcaption>{prose(figure.caption)}</figcaption>" if figure.caption else ""
         image = f'<img src="data:image/png;base64,{data}" alt="{escape(figure.alternative)}">'
         return f"<figure>{image}{caption}</figure>"
 
     def blank(self, rows: int, columns: int) -> str:
-        """Return empty cells between brackets."""
+        """Leave empty cells between brackets."""
         row = f"<tr>{'<td></td>' * columns}</tr>"
         said = f"room for an answer of {rows} rows and {columns} columns"
         return f'<table class="blank" aria-label="{said}">{row * rows}</table>'
 
     def page_break(self) -> str:
-        """Return the end of a page."""
+        """End a page."""
         return '<div class="break"></div>'

@@ -15,7 +15,7 @@ SIZES = {Paper.A4: "a4paper", Paper.LETTER: "letterpaper"}
 
 
 def tex(document: Document) -> bytes:
-    """Return the document as LaTeX source."""
+    """Write the document as LaTeX source."""
     body = blocks_in(document.blocks, LatexPage(OutputOptions()))
     subtitle = rf"\\[1ex] \large {escaped(document.subtitle)}" if document.subtitle else ""
     source = rf"""\documentclass[11pt,{SIZES[document.paper]}]{{article}}
@@ -43,7 +43,7 @@ class LatexPage(Latex):
     """How a page writes each kind of block."""
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Return a table whose long columns wrap, each with its share of the line."""
+        """Write a table whose long columns wrap, each with its share of the line."""
         longest = [max(map(len, column)) for column in zip(columns, *rows, strict=True)]
         found = super().table(title, columns, rows)
         if max(longest, default=0) <= LONG:
@@ -54,21 +54,21 @@ class LatexPage(Latex):
         return found.replace(plain, wide, 1).replace(r"\end{tabular}", r"\end{tabularx}")
 
     def code(self, language: str, text: str) -> str:
-        """Return program text, small enough for the lines that nmatrix prints."""
+        """Write program text, small enough for the lines that nmatrix prints."""
         return f"{{\\footnotesize\n{super().code(language, text)}\n}}"
 
     def figure(self, figure: Figure) -> str:
-        """Return a picture; its alternative text stands in a comment."""
+        """Write a picture; its alternative text stands in a comment."""
         comment = escaped(" ".join(figure.alternative.split()))
         include = rf"\includegraphics[width=\linewidth]{{{figure.path}}}"
         return f"% alt: {comment}\n{include}\n\n{escaped(figure.caption)}"
 
     def blank(self, rows: int, columns: int) -> str:
-        """Return empty cells between brackets."""
+        """Leave empty cells between brackets."""
         row = " & ".join([r"\rule{0pt}{8mm}\hspace{14mm}"] * columns)
         lines = (row + r" \\ \hline ") * rows
         return rf"\begin{{tabular}}{{|{'c|' * columns}}} \hline {lines} \end{{tabular}}"
 
     def page_break(self) -> str:
-        """Return the end of a page."""
+        """End a page."""
         return r"\clearpage"

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from nmatrix.lessons.formulas.mathml import LOWERED, PLAIN, RAISED_UP
-from nmatrix.lessons.formulas.parse import APART
-from nmatrix.lessons.formulas.tree import (
+from nmatrix.formula import (
+    APART,
     Fence,
-    Fraction,
     Grid,
     Name,
     Node,
-    Number,
+    Numeral,
     Power,
+    Quotient,
     Root,
     Row,
     Sign,
@@ -40,14 +39,14 @@ SIGNS = {
     "°": "degrees",
 }
 POWERS = {
-    "⁻ᵀ": "inverse transposed",
-    "ᵀ": "transposed",
-    "⁻¹": "inverse",
-    "²": "squared",
-    "³": "cubed",
+    "−⊤": "inverse transposed",
+    "⊤": "transposed",
+    "−1": "inverse",
+    "2": "squared",
+    "3": "cubed",
     "′": "prime",
-    "⁻²": "to the minus two",
-    "ˢ": "to the s",
+    "−2": "to the minus two",
+    "s": "to the s",
 }
 LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi"}
 FUNCTIONS = {
@@ -62,18 +61,18 @@ FUNCTIONS = {
 
 
 def spoken(node: Node) -> str:
-    """Return a tree as it is read aloud.
+    """Read a tree aloud.
 
     Examples
     --------
-    >>> from nmatrix.lessons.formulas.parse import parse
+    >>> from nmatrix.formula import parse
     >>> spoken(parse("A⁻ᵀ = C / det A"))
     'A inverse transposed equals C over the determinant of A'
     """
     match node:
-        case Name(text):
-            found = FUNCTIONS.get(text) or _letters(text)
-        case Number(text):
+        case Name():
+            found = _name(node)
+        case Numeral(text):
             found = text
         case Sign(text):
             found = SIGNS.get(text, text)
@@ -81,7 +80,7 @@ def spoken(node: Node) -> str:
             found = " ".join(_in_a_row(items)).replace(" ,", ",")
         case Power(base, exponent):
             found = _power(base, exponent)
-        case Fraction(top, bottom):
+        case Quotient(top, bottom):
             found = f"{_grouped(top)} over {_grouped(bottom)}"
         case Root(inside):
             found = f"the root of {_grouped(inside)}"
@@ -92,15 +91,15 @@ def spoken(node: Node) -> str:
     return found
 
 
-def _letters(text: str) -> str:
-    """Return a letter and the number below it."""
-    if text[1:] and text[1] in LOWERED:
-        return f"{_letters(text[0])} {text[1:].translate(RAISED_UP)}"
-    return LETTERS.get(text, text)
+def _name(name: Name) -> str:
+    letter, below = name.letter_and_index
+    if letter in FUNCTIONS:
+        return FUNCTIONS[letter]
+    return f"{LETTERS.get(letter, letter)} {below}".strip()
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
-    """Give what each piece is called; a length after another thing multiplies it."""
+    """Read each piece aloud; a length after another thing multiplies it."""
     for i, item in enumerate(items):
         if i and _is_length(item) and not isinstance(items[i - 1], Sign):
             yield "times"
@@ -114,9 +113,9 @@ def _is_length(node: Node) -> bool:
 
 
 def _power(base: Node, exponent: str) -> str:
-    """Return a power; of a length or a function it is said before what they are of."""
-    said = POWERS.get(exponent) or f"to the power {exponent.translate(PLAIN)}"
-    if isinstance(base, Fence) and base.bars and exponent == "²":
+    """Read a power aloud; of a length or a function it comes before what they are of."""
+    said = POWERS.get(exponent) or f"to the power {exponent}"
+    if isinstance(base, Fence) and base.bars and exponent == "2":
         return f"the squared length of {_grouped(base.inside)}"
     if isinstance(base, Name) and base.text in FUNCTIONS:
         return f"{FUNCTIONS[base.text].removesuffix(' of')} {said} of"
@@ -124,14 +123,14 @@ def _power(base: Node, exponent: str) -> str:
 
 
 def _whole(node: Node) -> str:
-    """Return what an exponent belongs to."""
+    """Read a base aloud so that its end is heard before the exponent."""
     if isinstance(node, Fence) and isinstance(node.inside, Row):
         return f"the group {spoken(node.inside)} end of group"
     return spoken(node)
 
 
 def _grouped(node: Node) -> str:
-    """Return a piece that is said in one breath."""
+    """Read a piece aloud so that its end is heard, if it is a sum or a product."""
     is_long = isinstance(node, Row) and any(isinstance(one, Sign) for one in node.items)
     return f"the group {spoken(node)} end of group," if is_long else spoken(node)
 
@@ -141,3 +140,14 @@ def _grid(rows: tuple[tuple[Node, ...], ...]) -> str:
         return f"the vector {', '.join(spoken(row[0]) for row in rows)}"
     lines = "; ".join(", ".join(map(spoken, row)) for row in rows)
     return f"the {len(rows)} by {len(rows[0])} matrix with rows {lines}"
+
+
+def matrix_in_words(name: str, cells: Sequence[Sequence[str]]) -> str:
+    """Read a matrix of printed numbers aloud.
+
+    Examples
+    --------
+    >>> matrix_in_words("M", [["1", "0"], ["0", "2"]])
+    'M is the matrix with rows 1, 0; 0, 2'
+    """
+    return f"{name} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"

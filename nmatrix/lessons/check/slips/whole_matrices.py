@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nmatrix.enums import Space
-from nmatrix.lessons.check.question import Question, Setting, Subject
+from nmatrix.lessons.check.question import Matrices, Question, Subject
 from nmatrix.linear.rational import (
     RationalMatrix,
     affine_matrix,
@@ -21,27 +21,23 @@ from nmatrix.linear.rational import (
     transpose,
 )
 
-LIGHTING = (Subject.LIGHT, Subject.EYE)
 
-
-def used_world_matrix(question: Question, right: Setting) -> Setting | None:
+def used_world_matrix(question: Question, right: Matrices) -> Matrices | None:
     """Move a light or the eye by M; into object space a symmetric M is the course's own rule."""
-    if question.subject not in LIGHTING:
-        return None
     A = linear_part(right.world_from_object)
     if question.is_direction and question.space is Space.OBJECT and transpose(A) == A:
         return None
     return replace(right, space_from_world=right.world_from_object)
 
 
-def used_model_view(question: Question, right: Setting) -> Setting | None:
+def used_model_view(question: Question, right: Matrices) -> Matrices | None:
     """Put V·M where V, M or the identity belongs, and its inverse where M⁻¹ belongs."""
     V, M = right.camera_from_world, right.world_from_object
     if question.subject is Subject.VIEW:
         return replace(right, camera_from_world=product(V, M))
     if question.subject is Subject.NORMAL:
         return replace(right, space_from_world=V) if question.space in _STILL else None
-    if question.subject not in LIGHTING or question.space in (Space.LIGHT, Space.CUSTOM):
+    if question.space in (Space.LIGHT, Space.CUSTOM):
         return None
     model_view = product(V, M)
     if question.space is Space.OBJECT:
@@ -49,7 +45,7 @@ def used_model_view(question: Question, right: Setting) -> Setting | None:
     return replace(right, space_from_world=model_view)
 
 
-def view_not_inverted(question: Question, right: Setting) -> Setting | None:
+def view_not_inverted(question: Question, right: Matrices) -> Matrices | None:
     """Put the pose of the camera, or of the light, where its view belongs."""
     if question.subject is Subject.VIEW:
         return replace(right, camera_from_world=inverse(right.camera_from_world))
@@ -58,21 +54,17 @@ def view_not_inverted(question: Question, right: Setting) -> Setting | None:
     return None
 
 
-def transposed_layout(question: Question, right: Setting) -> Setting | None:
-    """Multiply a row by the matrix in place of a column; a matrix is transposed by its `Flow`."""
-    if question.subject not in LIGHTING:
-        return None
+def transposed_layout(_: Question, right: Matrices) -> Matrices | None:
+    """Multiply a row by the matrix in place of a column."""
     return replace(right, space_from_world=transpose(right.space_from_world))
 
 
-def scale_before_translate(question: Question, right: Setting) -> Setting | None:
+def scale_before_translate(question: Question, right: Matrices) -> Matrices | None:
     """Exchange the translation and the rest: A·T for M = T·A, and T·R for V = R·T."""
     if question.subject is Subject.VIEW:
         return replace(right, camera_from_world=_moved_first(right.camera_from_world))
     if question.subject is Subject.WORLD:
         return replace(right, world_from_object=_moved_last(right.world_from_object))
-    if question.subject not in LIGHTING:
-        return None
     if question.space is Space.CAMERA:
         return replace(right, space_from_world=_moved_first(right.space_from_world))
     if question.space is Space.OBJECT:
@@ -85,20 +77,20 @@ _STILL = (Space.WORLD, Space.STATIC)
 
 
 def _moved_last(T_A: RationalMatrix) -> RationalMatrix:
-    """Return A·T of the matrix T·A: its translation becomes A t."""
+    """Turn T·A into A·T: its translation becomes A t."""
     block = linear_part(T_A)
     return affine_matrix(block, apply(block, translation(T_A)))
 
 
 def _moved_first(R_T: RationalMatrix) -> RationalMatrix:
-    """Return T·R of the matrix R·T: its translation, R t, becomes t."""
+    """Turn R·T into T·R: its translation, R t, becomes t."""
     block = linear_part(R_T)
     return affine_matrix(block, apply(inverse(block), translation(R_T)))
 
 
-def _invertible(setting: Setting) -> Setting | None:
-    """Return the setting with S inverted, if it can be."""
-    S = setting.space_from_world
+def _invertible(matrices: Matrices) -> Matrices | None:
+    """Invert S, if it can be."""
+    S = matrices.space_from_world
     if determinant(linear_part(S)) == 0:
         return None
-    return replace(setting, space_from_world=inverse(S))
+    return replace(matrices, space_from_world=inverse(S))

@@ -1,0 +1,189 @@
+"""A formula as a tree, read from the line that a person would type.
+
+The line is what `derive` prints as text: `(A t)ᵀ (N n)`, `tan θ = (κ − 1/κ) / 2`, `√3/2`. A slash
+takes what stands directly before and after it; a function's name takes what follows it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+APART = ",  "  # between two statements, which stand further apart than two numbers
+FUNCTIONS = ("det", "tan", "sin", "cos", "arctan", "sign", "max", "rank", "fl")
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
+LOWERED = "₀₁₂₃₄₅₆₇₈₉"
+_ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")
+_TOKEN = re.compile(
+    rf",\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"
+)
+
+
+@dataclass(frozen=True)
+class Name:
+    """A letter, a word, or the name of a function such as det."""
+
+    text: str
+
+    @property
+    def letter_and_index(self) -> tuple[str, str]:
+        """The letter and what stands below it, as in σ₁ and nx; a word has nothing below it.
+
+        Examples
+        --------
+        >>> Name("σ₁").letter_and_index, Name("nx").letter_and_index, Name("det").letter_and_index
+        (('σ', '1'), ('n', 'x'), ('det', ''))
+        """
+        first, below = self.text[0], self.text[1:]
+        if below and below[0] in LOWERED:
+            return first, "".join(str(LOWERED.index(digit)) for digit in below)
+        return (first, below) if len(below) == 1 and below in "xyz" else (self.text, "")
+
+
+@dataclass(frozen=True)
+class Numeral:
+    """A number, as typed."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Sign:
+    """An operator, a relation, a comma."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Row:
+    """Pieces side by side."""
+
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Power:
+    """A base with an exponent, written on the line: −1, −⊤ for ⁻ᵀ, ′ for a prime."""
+
+    base: Node
+    exponent: str
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """One thing over another."""
+
+    top: Node
+    bottom: Node
+
+
+@dataclass(frozen=True)
+class Root:
+    """A square root."""
+
+    inside: Node
+
+
+@dataclass(frozen=True)
+class Fence:
+    """Something in parentheses, or between the bars of a length."""
+
+    inside: Node
+    bars: bool = False
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A matrix."""
+
+    rows: tuple[tuple[Node, ...], ...]
+
+
+Node = Name | Numeral | Sign | Row | Power | Quotient | Root | Fence | Grid
+TypedRows = tuple[tuple[str, ...], ...]
+
+
+def parse(text: str) -> Node:
+    """Read one line.
+
+    Examples
+    --------
+    >>> parse("A⁻ᵀ")
+    Power(base=Name(text='A'), exponent='−⊤')
+    >>> parse("1/κ")
+    Quotient(top=Numeral(text='1'), bottom=Name(text='κ'))
+    """
+    return _joined(_line(text))
+
+
+def parse_parts(parts: Sequence[str | TypedRows]) -> Row:
+    """Read words and matrices side by side; what stands between two matrices is one line."""
+    found: list[Node] = []
+    line = ""
+    for part in parts:
+        if isinstance(part, str):
+            line += part
+            continue
+        found += _line(line)
+        found.append(Grid(tuple(tuple(map(parse, row)) for row in part)))
+        line = ""
+    return Row((*found, *_line(line)))
+
+
+def _line(text: str) -> list[Node]:
+    tokens = [token for token in _TOKEN.findall(text) if token.strip()]
+    items, rest = _items(tokens, closing="")
+    assert not rest  # every bracket of a lesson is closed
+    return items
+
+
+def _items(tokens: Sequence[str], closing: str) -> tuple[list[Node], Sequence[str]]:
+    """Read the pieces up to a closing bracket; the second value is what follows it."""
+    found: list[Node] = []
+    while tokens:
+        if tokens[0] == closing:
+            return found, tokens[1:]
+        if tokens[0] == "/" and found:
+            below, tokens = _piece(tokens[1:])
+            found[-1] = Quotient(_bare(found[-1]), _bare(below))
+            continue
+        piece, tokens = _piece(tokens)
+        found.append(piece)
+    return found, tokens
+
+
+def _piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
+    """Read one piece with its exponents."""
+    piece, tokens = _plain_piece(tokens)
+    while tokens and (tokens[0][0] in RAISED or tokens[0].startswith("^")):
+        piece = Power(piece, tokens[0].strip("^()").translate(_ON_THE_LINE))
+        tokens = tokens[1:]
+    return piece, tokens
+
+
+def _plain_piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
+    head, rest = tokens[0], tokens[1:]
+    if head in "(|":
+        items, rest = _items(rest, ")" if head == "(" else "|")
+        return Fence(_joined(items), bars=head == "|"), rest
+    if head == "√" and rest:
+        inside, rest = _plain_piece(rest)
+        return Root(_bare(inside)), rest
+    if head[0].isdigit():
+        return Numeral(head), rest
+    if head in FUNCTIONS and rest and rest[0][0] not in f")|=,{RAISED}":
+        argument, rest = _piece(rest)
+        return Row((Name(head), argument)), rest
+    if head[0].isalpha():
+        return Name(head), rest
+    return Sign(APART if head.startswith(",") and head != "," else head), rest
+
+
+def _joined(items: Sequence[Node]) -> Node:
+    return items[0] if len(items) == 1 else Row(tuple(items))
+
+
+def _bare(piece: Node) -> Node:
+    """Take off parentheses that a fraction bar or a root makes needless."""
+    return piece.inside if isinstance(piece, Fence) and not piece.bars else piece

@@ -1,0 +1,92 @@
+"""Exact numbers and formulas as one writes them by hand, and answers as one types them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from fractions import Fraction
+
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.report import Formula
+
+LARGEST_BOTTOM = 1000  # of a fraction that is written as one
+
+_ROOT = re.compile(r"sqrt\((\d+)\)")
+_INDEX = re.compile(r"_(\d)")
+_ZEROS = re.compile(r"(/|(?<!\d))(\d*?[1-9])(0{15,})(?!\d)")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def formula(*parts: object) -> Formula:
+    """Put words, numbers and matrices side by side.
+
+    A matrix is rows of numbers or SymPy's; whatever is no text and no matrix is a number or an
+    expression.
+
+    Examples
+    --------
+    >>> formula("n = ", ((Fraction(1, 2), Fraction(-1)),)).parts
+    ('n = ', (('1/2', '−1'),))
+    """
+    return Formula(tuple(part if isinstance(part, str) else _part(part) for part in parts))
+
+
+def _part(part: object) -> str | tuple[tuple[str, ...], ...]:
+    rows = part.tolist() if hasattr(part, "tolist") else part
+    if not isinstance(rows, Sequence):
+        return written(rows)
+    return tuple(tuple(map(written, row)) for row in rows)
+
+
+def written(value: object) -> str:
+    """Write a number or an expression: √3/2, s₁ for s_1, 10²⁰ for a one with twenty zeros.
+
+    Examples
+    --------
+    >>> written(Fraction(-1, 2)), written(Fraction(3)), written(10**20)
+    ('−1/2', '3', '10²⁰')
+    """
+    text = str(value)
+    if isinstance(value, Fraction) and value.denominator > LARGEST_BOTTOM:
+        text = f"{float(value):.4f}"
+    text = _ZEROS.sub(_power_of_ten, _ROOT.sub(r"√\1", text))
+    return (
+        _INDEX.sub(lambda found: found[1].translate(_LOWERED), text)
+        .replace("**2", "²")
+        .replace("**3", "³")
+        .replace("**", "^")
+        .replace("*", "·")
+        .replace("sqrt", "√")
+        .replace("-", "−")
+        .replace("kappa", "κ")
+        .replace("_", "")
+    )
+
+
+def _power_of_ten(number: re.Match[str]) -> str:
+    slash, factor, zeros = number.groups()
+    power = f"10{str(len(zeros)).translate(_RAISED)}"
+    if factor == "1":
+        return slash + power
+    return f"/({factor}*{power})" if slash else f"{factor}*{power}"
+
+
+def typed(rows: RationalMatrix) -> str:
+    """Type numbers as a student might, exactly where they are short.
+
+    Examples
+    --------
+    >>> typed(((Fraction(1, 2), Fraction(-1)), (Fraction(0), Fraction(3))))
+    '1/2 -1; 0 3'
+    """
+    return "; ".join(" ".join(map(_typed, row)) for row in rows)
+
+
+def _typed(value: Fraction) -> str:
+    return str(value) if value.denominator <= LARGEST_BOTTOM else f"{float(value):.9f}"
+
+
+def column(values: Sequence[Fraction]) -> RationalMatrix:
+    """Stand a vector upright, as a matrix of one column."""
+    return tuple((value,) for value in values)

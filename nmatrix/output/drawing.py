@@ -1,0 +1,252 @@
+"""Matrices, vectors and tables drawn in characters, for people.
+
+A matrix has box brackets, aligned points, named axes, and a bar before t, the translation column
+of an affine 4×4. Columns of a table are aligned and fit the width: long sentences are wrapped
+inside their cells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from textwrap import wrap
+
+from nmatrix.linear.rational import is_affine
+from nmatrix.output.numbers import significant
+from nmatrix.output.options import Charset, OutputOptions
+from nmatrix.output.style import AXES, Line, Span, Style, plain, width
+from nmatrix.report import Matrix, Vector
+
+GAP = "  "
+MARGIN = 8  # row name, two brackets, the bar
+NARROWEST = 8  # columns that a wrapped cell of a table keeps
+AXIS_NAMES = "xyzw"
+BRACKETS = {  # of one row; of the first, a middle and the last of several
+    Charset.UNICODE: (("[", "]"), ("⎡", "⎤"), ("⎢", "⎥"), ("⎣", "⎦")),
+    Charset.ASCII: (("[", "]"),) * 4,
+}
+BARS = {Charset.UNICODE: "│", Charset.ASCII: "|"}
+
+
+def aligned(texts: Sequence[str]) -> list[str]:
+    """Pad numbers to one width, with their decimal points under each other.
+
+    Examples
+    --------
+    >>> aligned(["0", "-1.5", "10"])
+    [' 0  ', '-1.5', '10  ']
+    """
+    parts = [_at_point(text) for text in texts]
+    left = max(len(whole) for whole, _ in parts)
+    right = max(len(rest) for _, rest in parts)
+    return [whole.rjust(left) + rest.ljust(right) for whole, rest in parts]
+
+
+def _at_point(text: str) -> tuple[str, str]:
+    place = next((i for i, mark in enumerate(text) if mark in ".e"), len(text))
+    return text[:place], text[place:]
+
+
+def brackets(rows: int, charset: Charset) -> list[tuple[str, str]]:
+    """Choose the opening and the closing bracket of each row of a matrix.
+
+    Examples
+    --------
+    >>> brackets(1, Charset.UNICODE), brackets(2, Charset.UNICODE)
+    ([('[', ']')], [('⎡', '⎤'), ('⎣', '⎦')])
+    """
+    only, first, middle, last = BRACKETS[charset]
+    return [only] if rows == 1 else [first, *[middle] * (rows - 2), last]
+
+
+def draw_matrix(matrix: Matrix, options: OutputOptions) -> list[Line]:
+    """Draw a matrix; one too wide is cut between its columns.
+
+    Examples
+    --------
+    >>> from nmatrix.output.style import render
+    >>> for line in draw_matrix(((1, 0), (0, 0.5)), OutputOptions()):
+    ...     print(render(line, OutputOptions().colour))
+    ⎡ 1  0   ⎤
+    ⎣ 0  0.5 ⎦
+    """
+    columns = _columns(matrix, options.digits, aligned)
+    groups = _groups(columns, options.width)
+    if len(groups) > 1:
+        columns = _columns(matrix, options.digits, _right)
+        groups = _groups(columns, options.width)
+    lines: list[Line] = []
+    for group in groups:
+        lines += _draw_group(matrix, columns, group, options.charset)
+    return lines
+
+
+def draw_vector(vector: Vector, options: OutputOptions) -> list[Line]:
+    """Draw a vector in one row, or as a column where the row would be too wide."""
+    texts = [significant(entry, options.digits) for entry in vector]
+    row: list[Span] = [Span("(")]
+    for place, text in enumerate(texts):
+        row += [Span(GAP if place else " "), _number(text)]
+    row.append(Span(" )"))
+    if width(tuple(row)) + len(GAP) <= options.width:
+        return [tuple(row)]
+    return draw_matrix(tuple((entry,) for entry in vector), options)
+
+
+def _columns(
+    matrix: Matrix, digits: int, align: Callable[[Sequence[str]], list[str]]
+) -> list[list[str]]:
+    columns = zip(*matrix, strict=True)
+    return [align([significant(entry, digits) for entry in column]) for column in columns]
+
+
+def _right(texts: Sequence[str]) -> list[str]:
+    longest = max(len(text) for text in texts)
+    return [text.rjust(longest) for text in texts]
+
+
+def _groups(columns: list[list[str]], limit: int) -> list[range]:
+    """Cut the columns into runs that fit side by side."""
+    groups, start, used = [], 0, MARGIN
+    for place, column in enumerate(columns):
+        needed = len(column[0]) + len(GAP)
+        if place > start and used + needed > limit:
+            groups.append(range(start, place))
+            start, used = place, MARGIN
+        used += needed
+    return [*groups, range(start, len(columns))]
+
+
+def _draw_group(
+    matrix: Matrix, columns: list[list[str]], group: range, charset: Charset
+) -> list[Line]:
+    barred = 3 if is_affine(matrix) and group[0] < 3 <= group[-1] else None
+    named = len(matrix) >= 3 and len(columns) == len(matrix)
+    lines = (
+        [_header(columns, group, barred, "xyzt" if is_affine(matrix) else AXIS_NAMES)]
+        if named
+        else []
+    )
+    for place, (opening, closing) in enumerate(brackets(len(matrix), charset)):
+        spans = [_axis(AXIS_NAMES[place]), Span(" ")] if named else []
+        spans.append(Span(opening + " "))
+        for column in group:
+            if column == barred:
+                spans.append(Span(f" {BARS[charset]} ", Style.DIM))
+            elif column != group[0]:
+                spans.append(Span(GAP))
+            spans.append(_number(columns[column][place]))
+        lines.append((*spans, Span(" " + closing)))
+    return lines
+
+
+def _header(columns: list[list[str]], group: range, barred: int | None, names: str) -> Line:
+    """Write the names of the columns over the ones digits of their numbers."""
+    spans = [Span("    ")]
+    for column in group:
+        if column != group[0]:
+            spans.append(Span("   " if column == barred else GAP))
+        cells = columns[column]
+        before = max(len(_at_point(cell.rstrip())[0]) for cell in cells) - 1
+        spans += [
+            Span(" " * before),
+            _axis(names[column]),
+            Span(" " * (len(cells[0]) - before - 1)),
+        ]
+    return tuple(spans)
+
+
+def _axis(name: str) -> Span:
+    return Span(name, AXES.get(name, Style.DIM))
+
+
+def _number(text: str) -> Span:
+    return Span(text, Style.DIM if text.strip() == "0" else Style.PLAIN)
+
+
+def draw_table(
+    columns: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    numeric: Sequence[bool],
+    frame: tuple[int, str],
+) -> list[Line]:
+    """Draw a table; `frame` is the width to keep and the character of the rule.
+
+    Numbers stand with their points aligned. A table that cannot fit becomes one record per row.
+
+    Examples
+    --------
+    >>> from nmatrix.output.style import render
+    >>> from nmatrix.output.options import Colour
+    >>> for line in draw_table(["n", "is"], [["1.5", "a"], ["10", "b"]], [True, False], (80, "-")):
+    ...     print(render(line, Colour.PLAIN))
+    n     is
+    ----  --
+     1.5  a
+    10    b
+    """
+    if not rows:
+        return [(Span(GAP.join(columns), Style.DIM),)]
+    cells = [
+        _column([row[place] for row in rows], number=numeric[place])
+        for place in range(len(columns))
+    ]
+    widths = _widths(columns, cells, numeric, frame[0])
+    if widths is None:
+        return _records(columns, rows, frame[0])
+    rule = tuple(frame[1] * size for size in widths)
+    lines: list[Line] = [
+        (Span(line, Style.DIM),) for line in [*_wrapped(columns, widths), GAP.join(rule)]
+    ]
+    for row in zip(*cells, strict=True):
+        lines += [plain(line) for line in _wrapped(row, widths)]
+    return lines
+
+
+def _column(cells: list[str], *, number: bool) -> list[str]:
+    return aligned(cells) if number else cells
+
+
+def _widths(
+    columns: Sequence[str], cells: list[list[str]], numeric: Sequence[bool], limit: int
+) -> list[int] | None:
+    """Fit the columns into the limit, taking room from the widest words first."""
+    widths = [
+        max(len(name), *(len(cell) for cell in column))
+        for name, column in zip(columns, cells, strict=True)
+    ]
+    floors = [
+        max(len(cell) for cell in column) if number else NARROWEST
+        for column, number in zip(cells, numeric, strict=True)
+    ]
+    while sum(widths) + len(GAP) * (len(widths) - 1) > limit:
+        spare = [size - floor for size, floor in zip(widths, floors, strict=True)]
+        if max(spare) <= 0:
+            return None
+        candidates = [place for place, room in enumerate(spare) if room > 0]
+        widths[max(candidates, key=lambda place: widths[place])] -= 1
+    return widths
+
+
+def _wrapped(cells: Sequence[str], widths: list[int]) -> list[str]:
+    """Write one row; a cell longer than its column goes on below."""
+    pieces = [
+        [cell] if len(cell) <= size else wrap(cell.strip(), size) or [""]
+        for cell, size in zip(cells, widths, strict=True)
+    ]
+    return [
+        GAP.join(
+            (piece[line] if line < len(piece) else "").ljust(size)
+            for piece, size in zip(pieces, widths, strict=True)
+        ).rstrip()
+        for line in range(max(len(piece) for piece in pieces))
+    ]
+
+
+def _records(columns: Sequence[str], rows: Sequence[Sequence[str]], limit: int) -> list[Line]:
+    lines: list[Line] = []
+    for row in rows:
+        lines += [()] if lines else []
+        for name, cell in zip(columns, row, strict=True):
+            text = wrap(f"{name}: {cell.strip()}", max(limit, NARROWEST), subsequent_indent=GAP)
+            lines += [plain(line) for line in text]
+    return lines

@@ -1,0 +1,129 @@
+r"""A formula as LaTeX mathematics, for pdflatex with amsmath.
+
+Two factors side by side need a thin space, `\,`, where one of them is in brackets.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nmatrix.formula import (
+    APART,
+    FUNCTIONS,
+    Fence,
+    Grid,
+    Name,
+    Node,
+    Numeral,
+    Power,
+    Quotient,
+    Root,
+    Row,
+    Sign,
+)
+
+SIGNS = {  # a sign that is missing here is a fault of ours, and not to be printed as it is
+    APART: r",\; ",
+    ",": ", ",
+    "=": " = ",
+    "+": " + ",
+    "−": " - ",
+    "-": " - ",
+    "·": r" \cdot ",
+    "×": r" \times ",
+    "/": " / ",
+    "≠": r" \neq ",
+    "≤": r" \le ",
+    "≥": r" \ge ",
+    "<": " < ",
+    ">": " > ",
+    "→": r" \to ",
+    "⇒": r" \;\Rightarrow\; ",
+    "⇔": r" \;\Leftrightarrow\; ",
+    "°": r"^\circ",
+}
+LETTERS = {"κ": r"\kappa", "θ": r"\theta", "σ": r"\sigma", "λ": r"\lambda", "π": r"\pi"}
+NAMED = ("det", "tan", "sin", "cos", "arctan", "max")  # operators that LaTeX knows
+EXPONENTS = str.maketrans({"⊤": r"\mathsf T", "′": r"\prime", "−": "-"})
+
+
+def latex(node: Node) -> str:
+    r"""Print a tree.
+
+    Examples
+    --------
+    >>> from nmatrix.formula import parse
+    >>> print(latex(parse("A⁻ᵀ = C / det A")))
+    A^{-\mathsf T} = \frac{C}{\det A}
+    """
+    match node:
+        case Name():
+            found = _name(node)
+        case Numeral(text):
+            found = text
+        case Sign(text):
+            found = SIGNS[text]
+        case Row(items):
+            found = _row(items)
+        case Power(base, exponent):
+            below = f"{{{latex(base)}}}" if isinstance(base, Power) else latex(base)
+            found = f"{below}^{{{exponent.translate(EXPONENTS)}}}"
+        case Quotient(top, bottom):
+            found = rf"\frac{{{latex(top)}}}{{{latex(bottom)}}}"
+        case Root(inside):
+            found = rf"\sqrt{{{latex(inside)}}}"
+        case Fence(inside, bars):
+            found = f"|{latex(inside)}|" if bars else f"({latex(inside)})"
+        case Grid(rows):
+            found = bmatrix([list(map(latex, row)) for row in rows])
+    return found
+
+
+def bmatrix(cells: Sequence[Sequence[str]]) -> str:
+    r"""Put printed cells into an amsmath `bmatrix`.
+
+    Examples
+    --------
+    >>> print(bmatrix([["1", "0"], ["0", "2"]]))
+    \begin{bmatrix}
+      1 & 0 \\
+      0 & 2
+    \end{bmatrix}
+    """
+    body = " \\\\\n".join("  " + " & ".join(row) for row in cells)
+    return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
+
+
+def _name(name: Name) -> str:
+    if name.text in NAMED:
+        return f"\\{name.text}"
+    if name.text in FUNCTIONS:
+        return rf"\operatorname{{{name.text}}}"
+    letter, below = name.letter_and_index
+    if len(letter) > 1:
+        return rf"\mathrm{{{letter}}}"
+    return LETTERS.get(letter, letter) + (f"_{{{below}}}" if below else "")
+
+
+def _row(items: Sequence[Node]) -> str:
+    """Print pieces side by side; a minus behind another sign belongs to what follows it."""
+    found = ""
+    before: Node = Sign("=")
+    for item in items:
+        printed = latex(item)
+        if isinstance(before, Sign):
+            found += printed.strip()
+        else:
+            found += printed if isinstance(item, Sign) else _between(before, item) + printed
+        before = item
+    return found
+
+
+def _between(left: Node, right: Node) -> str:
+    if isinstance(left, Name) and left.text in FUNCTIONS and isinstance(right, Fence):
+        return ""
+    return r"\," if _is_bracketed(left) or _is_bracketed(right) else " "
+
+
+def _is_bracketed(node: Node) -> bool:
+    return isinstance(node, Fence | Grid) or (isinstance(node, Power) and _is_bracketed(node.base))
