@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.raster.proofs.brief import Proof
+from nmatrix.raster.proofs.proof import Proof
 from nmatrix.report import Block, Figure, Quantity, Report, Value, Verdict
 
 SHOWN = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")

@@ -45,7 +45,7 @@ def plan(
         raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
     from nmatrix.answers.plan import plan as answer
     from nmatrix.raster.loaded_scene import loaded
-    from nmatrix.raster.planning.emit import shaders
+    from nmatrix.raster.planning.glsl import shaders
     from nmatrix.raster.planning.plan import planned
     from nmatrix.scene.open import scene_of
 

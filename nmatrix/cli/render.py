@@ -19,14 +19,14 @@ from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Space
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster.proofs.catalogue import PROOFS, entry
+from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.scene.words import LightKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from nmatrix.raster.proofs.brief import Brief, Proof
-    from nmatrix.raster.proofs.frames import Job
+    from nmatrix.raster.proofs.frames import Frame
+    from nmatrix.raster.proofs.proof import Proof, ProofSettings
     from nmatrix.scene.light import SceneLight
     from nmatrix.scene.scene import Scene, Settings
     from nmatrix.scene.setup import Setup
@@ -73,7 +73,7 @@ def render(
     _write(_job(subject, mesh, groups, picture, everywhere), frames, file, everywhere)
 
 
-def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everywhere) -> None:
+def _write(job: Frame, frames: FrameOptions, file: FileOptions, everywhere: Everywhere) -> None:
     """Draw, write the files, and show the numbers."""
     target = file.output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
     names = _names(target, frames.count)
@@ -95,13 +95,13 @@ def _write(job: Job, frames: FrameOptions, file: FileOptions, everywhere: Everyw
 
 def _job(
     subject: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
-) -> Job:
-    """Return what the command line asks for: a proof with its brief, or a scene."""
-    from nmatrix.raster.proofs.frames import Job
+) -> Frame:
+    """Return what the command line asks for: a proof with its settings, or a scene."""
+    from nmatrix.raster.proofs.frames import Frame
 
     suffix = Path(subject).suffix.lower()
-    if entry(subject) is not None:
-        return Job(subject, brief=_brief(subject, mesh, groups, picture, everywhere))
+    if catalogued(subject) is not None:
+        return Frame(subject, settings=_proof_settings(subject, mesh, groups, picture, everywhere))
     if suffix not in SCENES + MESHES:
         raise IllegalValueError(
             f"render ({subject[:60]})",
@@ -114,14 +114,14 @@ def _job(
                 f"{subject[:60]} with {option}", "both say what to draw", "keep one of them"
             )
     path = Path(subject)
-    return Job(path.stem, scene=_scene(path, groups, picture, everywhere))
+    return Frame(path.stem, scene=_scene(path, groups, picture, everywhere))
 
 
-def _brief(
+def _proof_settings(
     name: str, mesh: str | None, groups: Groups, picture: PictureOptions, everywhere: Everywhere
-) -> Brief:
-    """Return a proof's brief: a scene lends its object, its camera and its light."""
-    from nmatrix.raster.proofs.brief import Brief
+) -> ProofSettings:
+    """Return a proof's settings: a scene lends its object, its camera and its light."""
+    from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.scene import Settings
 
@@ -132,7 +132,7 @@ def _brief(
     loaded = None if mesh is None else read_mesh(Path(mesh))
     if loaded is None and groups.scene.chosen_object is not None:
         loaded = groups.scene.chosen_object.geometry.mesh()
-    return Brief(
+    return ProofSettings(
         name if mesh is None else Path(mesh).stem,
         loaded,
         setup.world if groups.world.is_given or lent is not None else None,
@@ -205,7 +205,7 @@ def _lights(setup: Setup) -> tuple[SceneLight, ...]:
     return tuple(lights)
 
 
-def _draw(job: Job, frames: FrameOptions) -> list[Proof]:
+def _draw(job: Frame, frames: FrameOptions) -> list[Proof]:
     from nmatrix.raster.proofs.frames import drawn, turns
 
     jobs = [job.turned(angle) for angle in turns(frames.count)] if frames.count > 1 else [job]

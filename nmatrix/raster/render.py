@@ -17,7 +17,7 @@ from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
 from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_maps
 from nmatrix.raster.shading.space import ShadingSpace, as_array
-from nmatrix.raster.shading.surface import Look, Surface
+from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
 from nmatrix.raster.triangles.vertices import front_sign, project
@@ -103,7 +103,7 @@ def _drawable(
     projected = project(body.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
     surface = change(surface_of(plan, body, maps, front))
     return Drawable(
-        projected, surface.reads(projected), surface.colours, body.body.material.opacity
+        projected, surface.vertex(projected), surface.fragment, body.body.material.opacity
     )
 
 
@@ -121,14 +121,14 @@ def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], fro
         space.measure,
         body.effects,
     )
-    look = Look(
+    style = PictureStyle(
         settings.shading,
         plan.channels,
         _rule(plan, body),
         settings.fog,
         plan.picture[Effect.GAMMA].on,
     )
-    return Surface(space, lighting, look, body.effects, front)
+    return Surface(space, lighting, style, body.effects, front)
 
 
 def ambient_light(loaded: LoadedScene) -> tuple[float, ...]:

@@ -11,9 +11,8 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.raster.triangles import clip as clip_module
 from nmatrix.raster.triangles import vertices
-from nmatrix.raster.triangles.canvas import Canvas
 from nmatrix.raster.triangles.clip import GUARD, clip, whole
-from nmatrix.raster.triangles.spans import SUBPIXELS, spans
+from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas, spans
 from nmatrix.raster.triangles.vertices import Projected, project
 from nmatrix.scene.meshes.mesh import Mesh
 

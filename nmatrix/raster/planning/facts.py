@@ -16,7 +16,7 @@ from nmatrix.linear.classify import Classification, classify
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.shading.space import ShadingSpace, as_array, dot
 from nmatrix.raster.triangles.clip import inside
-from nmatrix.raster.triangles.products import in_parts, moved
+from nmatrix.raster.triangles.products import chunks, multiply
 
 Array = NDArray[Any]
 
@@ -50,9 +50,9 @@ class Facts:
     def clip_parts(self) -> Iterator[Array]:
         """Give the vertices in clip space, some at a time (4, n)."""
         matrix = as_array(self.loaded.clip_from_object(self.body))
-        for part in in_parts(self.body.mesh.positions.T):
+        for part in chunks(self.body.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
-                yield moved(matrix, part)
+                yield multiply(matrix, part)
 
     @cached_property
     def is_whole(self) -> bool:
@@ -80,7 +80,7 @@ class Facts:
         low, high = float(w.min()), float(w.max())
         if high <= 2.0 * low:  # one triangle's ratio is no larger than the whole body's
             return high / low
-        of_corners = (w.take(part) for part in in_parts(self.body.mesh.triangles.T))
+        of_corners = (w.take(part) for part in chunks(self.body.mesh.triangles.T))
         return max(float((one.max(axis=0) / one.min(axis=0)).max()) for one in of_corners)
 
     @cached_property
@@ -89,7 +89,7 @@ class Facts:
         space = ShadingSpace(self.loaded, self.body, Space.WORLD, uses_metric=False)
         normals = space.normals(self.loaded.settings.normals)
         found = inf
-        for part in in_parts(self.body.mesh.triangles.T):
+        for part in chunks(self.body.mesh.triangles.T):
             a, b, c = (normals[:, corner] for corner in part)
             found = min(found, *(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a))))
         return found

@@ -9,9 +9,9 @@ from __future__ import annotations
 from math import inf, radians, sqrt
 
 from nmatrix.enums import LeftOut, NormalRule, Reflection, Shading
+from nmatrix.raster.planning.culled_lights import occluders
 from nmatrix.raster.planning.decision import Verdict
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.planning.occluders import occluders
 from nmatrix.scene.words import DepthBuffer, Sides
 
 ROUNDING = 1e-12

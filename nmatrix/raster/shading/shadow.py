@@ -22,8 +22,8 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vec
 from nmatrix.linear.view import looking_along
 from nmatrix.raster.loaded_scene import Body, PlacedLight
 from nmatrix.raster.shading.space import ShadingSpace, as_array
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.products import moved
+from nmatrix.raster.triangles.products import multiply
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
 from nmatrix.scene.words import DepthBuffer
@@ -88,7 +88,7 @@ class Occluded:
         found = np.ones(positions.shape[1], bool)
         for one in self.maps:
             matrix = self.space.light_from_space(one.light_from_world)
-            inside, arrives = one.arrives(moved(matrix, positions), cosine)
+            inside, arrives = one.arrives(multiply(matrix, positions), cosine)
             found &= arrives | ~inside
         return found.astype(np.float64)
 

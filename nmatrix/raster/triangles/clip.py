@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import DepthRange
-from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.spans import Canvas
 
 Array = NDArray[Any]
 

@@ -12,9 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.triangles.runs import Runs
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
+from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile
 
 Array = NDArray[Any]
 

@@ -15,7 +15,7 @@ from nmatrix.linear.affine import compose, rotation, translation_matrix
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
 from nmatrix.linear.rational import RationalMatrix, rational, rational_vector, to_floats
-from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
 from nmatrix.scene.meshes.mesh import Mesh
