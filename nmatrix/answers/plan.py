@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from nmatrix.enums import Effect
-from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan
+from nmatrix.raster.planning.recipe import Decision
 from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
 
 PASSES = "main"

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Space
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.shading.space import ShadingSpace, dot, length
 from nmatrix.raster.triangles.products import chunks
 from nmatrix.scene.words import LightKind, Sides
@@ -19,11 +20,12 @@ FLAT = 1e-9  # of the radius: what lies this close to a plane cannot stand in it
 EDGE_ON = 1e-9  # cosines nearer to 0 than this are left to the picture
 
 
-def why_dark(loaded: LoadedScene, body: Body, placed: PlacedLight) -> str | None:
-    """Return why a light cannot change a sample of a body, or None if it may.
+def why_dark(facts: Facts, placed: PlacedLight) -> str | None:
+    """Return the reason why a light cannot change a sample of a body, or None if it may.
 
     Each reason is exact: what is left out would add zero.
     """
+    body = facts.body
     if not any(placed.colour):
         return "is black"
     if placed.position is not None:
@@ -31,11 +33,12 @@ def why_dark(loaded: LoadedScene, body: Body, placed: PlacedLight) -> str | None
         gap = float(np.sqrt(((body.centre - place) ** 2).sum())) - body.radius
         if gap > placed.light.range * (1 + 1e-9):
             return f"ends at {placed.light.range:g}, and the body begins at {gap:.4g}"
-    return "is behind every face" if _is_behind(loaded, body, placed) else None
+    is_dark = not facts.lights_backs and _is_behind(facts.loaded, body, placed)
+    return "is behind every face" if is_dark else None
 
 
 def _is_behind(loaded: LoadedScene, body: Body, placed: PlacedLight) -> bool:
-    """Return whether n·l ≤ 0 for every normal and every place that interpolation can make.
+    """Return True if n·l ≤ 0 for every normal and every place that interpolation can make.
 
     Both are mixtures of a triangle's corners, so it is enough to ask each normal with each corner.
     Only a body that is seen from one side is asked: the back of a face turns to the light. What
@@ -67,7 +70,10 @@ def _is_behind(loaded: LoadedScene, body: Body, placed: PlacedLight) -> bool:
 
 
 def occluders(loaded: LoadedScene, placed: PlacedLight, body: Body) -> list[str]:
-    """Return the names of bodies that can stand between a light and a body."""
+    """Return the names of bodies that can stand between a light and a body: never one too few.
+
+    Each is taken for the ball around it.
+    """
     return [
         one.name
         for one in loaded.bodies
@@ -77,7 +83,7 @@ def occluders(loaded: LoadedScene, placed: PlacedLight, body: Body) -> list[str]
 
 
 def _can_shade_itself(body: Body) -> bool:
-    """Return whether a body has any thickness: its least spread about its middle.
+    """Return True if a body has any thickness: its least spread about its middle.
 
     The triangular factor of all vertices follows part by part, and has their singular values.
     """

@@ -11,20 +11,23 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Effect, Reflection, Shading
 from nmatrix.raster.loaded_scene import PlacedLight
+from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.scene.words import LightKind
 
 HEADER = ("#version 300 es", "precision highp float;")
-TEXTURE_COLOUR = "texture(surface_texture, fragment_uv).rgb"
+# What the vertex shader hands on for an attribute of the table, in the order of declaration.
+VARYINGS = {"uv": "vec2", "colour": "vec3", "tangent": "vec4"}
 
 
 class Shaders:
     """The two shaders of one body."""
 
     def __init__(self, plan: Plan, body: BodyPlan) -> None:
-        self.settings, self.body, self.on = plan.loaded.settings, body, body.effects
+        of_picture = {effect for effect, one in plan.picture.items() if one.on}
+        self.settings, self.body, self.on = plan.loaded.settings, body, body.effects | of_picture
         self.terms = Terms(body)
-        self.has_gamma = plan.picture[Effect.GAMMA].on
+        self.lines = [RECIPES[one].lines(body.body.material) for one in RECIPES if one in self.on]
         self.per_vertex = self.settings.shading is not Shading.PHONG
         self.reads_position = Effect.POSITION in self.on
 
@@ -46,12 +49,9 @@ class Shaders:
             yield from self._light_uniforms()
         for kind, name in self._varyings():
             yield f"out {kind} {name};"
-        if self._reads_uv:
-            yield "in vec2 vertex_uv;"
-        if Effect.VERTEX_COLOURS in self.on:
-            yield "in vec3 vertex_colour;"
-        if Effect.NORMAL_MAP in self.on:
-            yield from ("in vec4 vertex_tangent;", "uniform mat3 vector_space_from_object;")
+        yield from (f"in {VARYINGS[one]} vertex_{one};" for one in self._attributes)
+        if "tangent" in self._attributes:
+            yield "uniform mat3 vector_space_from_object;"
         yield from ("void main() {", *self._vertex_body(), "}")
 
     def _vertex_body(self) -> Iterator[str]:
@@ -67,13 +67,11 @@ class Shaders:
             yield "    fragment_normal = n;"
         if self._fragment_reads_position:
             yield "    fragment_position = p;"
-        if self._reads_uv:
-            yield "    fragment_uv = vertex_uv;"
-        if Effect.VERTEX_COLOURS in self.on:
-            yield "    fragment_colour = vertex_colour;"
-        if Effect.NORMAL_MAP in self.on:
-            yield "    vec3 t = vector_space_from_object * vertex_tangent.xyz;"
-            yield "    fragment_tangent = vec4(t, vertex_tangent.w);"
+        for one in self._attributes:
+            if one == "tangent":
+                yield "    vec3 t = vector_space_from_object * vertex_tangent.xyz;"
+            value = "vec4(t, vertex_tangent.w)" if one == "tangent" else f"vertex_{one}"
+            yield f"    fragment_{one} = {value};"
         yield "    gl_Position = clip_from_object * vec4(vertex_position, 1.0);"
 
     def _fragment(self) -> Iterator[str]:
@@ -82,14 +80,9 @@ class Shaders:
             yield f"in {kind} {name};"
         if not self.per_vertex:
             yield from self._light_uniforms()
-        if Effect.TEXTURE in self.on:
-            yield "uniform sampler2D surface_texture;"
-        if Effect.NORMAL_MAP in self.on:
-            yield "uniform sampler2D normal_map;"
-        if self._has_fog:
-            yield from ("uniform vec3 fog_color;", "uniform vec2 fog_range;")
-            if self.per_vertex:
-                yield "uniform vec3 eye;"
+        yield from (uniform for one in self.lines for uniform in one.uniforms)
+        if self._has_fog and self.per_vertex:
+            yield "uniform vec3 eye;"
         yield from ("out vec4 fragment_color;", "void main() {", *self._fragment_body(), "}")
 
     def _fragment_body(self) -> Iterator[str]:
@@ -100,21 +93,9 @@ class Shaders:
         else:
             yield from self._normal()
             yield from self._lighting()
-        if Effect.TEXTURE in self.on:
-            yield f"    matte *= {TEXTURE_COLOUR};"
-        if Effect.VERTEX_COLOURS in self.on:
-            yield "    matte *= fragment_colour;"
+        yield from (f"    {line}" for one in self.lines for line in one.matte)
         yield f"    vec3 color = min({' + '.join(self._sums)}, 1.0);"
-        if Effect.OUTLINE in self.on:
-            width = number(self.body.body.material.outline)
-            yield f"    if (abs(dot(n, v)) < {width}) color = vec3(0.0);"
-        if self._has_fog:
-            yield "    float distance_to_eye = length(eye - p);"
-            yield "    float share = (distance_to_eye - fog_range.x) / (fog_range.y - fog_range.x);"
-            yield "    color = mix(color, fog_color, clamp(share, 0.0, 1.0));"
-        if self.has_gamma:
-            yield "    vec3 bright = 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055;"
-            yield "    color = mix(12.92 * color, bright, step(0.0031308, color));"
+        yield from (f"    {line}" for one in self.lines for line in one.color)
         yield f"    fragment_color = vec4(color, {number(self.body.body.material.opacity)});"
 
     def _normal(self) -> Iterator[str]:
@@ -154,19 +135,14 @@ class Shaders:
             yield from self.terms.uniforms(i, placed)
 
     def _varyings(self) -> Iterator[tuple[str, str]]:
-        """Return what the vertex shader hands on."""
+        """Return the types and names of the outputs of the vertex shader."""
         if self.per_vertex:
             yield from (("vec3", f"vertex_{one}") for one in self._sums)
         else:
             yield "vec3", "fragment_normal"
         if self._fragment_reads_position:
             yield "vec3", "fragment_position"
-        if self._reads_uv:
-            yield "vec2", "fragment_uv"
-        if Effect.VERTEX_COLOURS in self.on:
-            yield "vec3", "fragment_colour"
-        if Effect.NORMAL_MAP in self.on:
-            yield "vec4", "fragment_tangent"
+        yield from ((VARYINGS[one], f"fragment_{one}") for one in self._attributes)
 
     @property
     def _sums(self) -> tuple[str, ...]:
@@ -178,8 +154,10 @@ class Shaders:
         return Effect.FOG in self.on
 
     @property
-    def _reads_uv(self) -> bool:
-        return Effect.TEXTURE in self.on or Effect.NORMAL_MAP in self.on
+    def _attributes(self) -> list[str]:
+        """The attributes that effects read at fragments, in the order of their declaration."""
+        read = {name for one in self.on for name in RECIPES[one].attributes}
+        return [one for one in VARYINGS if one in read]
 
     @property
     def _fragment_reads_position(self) -> bool:
@@ -199,11 +177,11 @@ class Terms:
 
     @property
     def has_metric(self) -> bool:
-        """Return whether lengths are measured by the metric."""
+        """Return True if lengths are measured by the metric."""
         return Effect.METRIC in self.on
 
     def light(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        """Return the light of light i, added to the sums."""
+        """Return the lines that add the light of light i to the sums."""
         yield f"        // {placed.light.kind} light"
         if placed.position is None:
             yield f"        vec3 l = to_light_{i};"
@@ -225,7 +203,7 @@ class Terms:
             yield f"                * (pow(highlight, shininess){times});"
 
     def _weaker(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        """Return what takes light away: distance, the cone, what stands in the way."""
+        """Return the lines that take light away: distance, the cone, what stands in the way."""
         if Effect.ATTENUATION in self.on and placed.position is not None and placed.light.fades:
             yield f"        strength /= dot(attenuation_{i}, vec3(1.0, d, d * d));"
             yield f"        strength *= step(d, range_{i});"
@@ -250,7 +228,7 @@ class Terms:
         return f"2.0 * n_dot_l * dot(n, v) - dot({self._in_world('l')}, {self._in_world('v')})"
 
     def uniforms(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        """Return what light i reads."""
+        """Return the uniforms of light i."""
         yield f"uniform vec3 light_color_{i};"
         yield f"uniform vec3 {'to_light' if placed.position is None else 'light_position'}_{i};"
         if placed.position is not None and placed.light.fades and Effect.ATTENUATION in self.on:
