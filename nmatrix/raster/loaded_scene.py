@@ -53,11 +53,11 @@ class Body:
 
     @cached_property
     def kind(self) -> Classification:
-        """Return what kind of map places the body; files hold float32 numbers."""
+        """Classify the map that places the body; files hold float32 numbers."""
         return classify(self.world_from_object.exact, FROM_FILE)
 
     def parts_world(self) -> Iterator[Array]:
-        """Give the vertices in the world, some at a time (3, n), so that memory is bounded."""
+        """Yield the vertices in the world, some at a time (3, n), so that memory is bounded."""
         M = np.array(to_floats(self.world_from_object.exact))[:3]
         for part in chunks(self.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
@@ -112,7 +112,7 @@ class PlacedLight:
 
     @property
     def colour(self) -> tuple[float, ...]:
-        """Return what it sends: colour times intensity."""
+        """Return the light that it sends: colour times intensity."""
         return tuple(channel * self.light.intensity for channel in self.light.color)
 
 

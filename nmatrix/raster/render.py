@@ -29,7 +29,7 @@ Change = Callable[[Surface], Surface]
 
 @dataclass(frozen=True)
 class Work:
-    """What a picture took, counted: the same on every machine."""
+    """The work of a picture, counted: the same on every machine."""
 
     vertices: int
     triangles: int
@@ -108,14 +108,14 @@ def _drawable(
 
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:
-    """Return how one body looks under its plan."""
+    """Return the surface of one body under its plan."""
     settings = plan.loaded.settings
     space = ShadingSpace(
         plan.loaded, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
     )
     lighting = Lighting(
         body.body.material,
-        tuple(_seen(one, space, body, maps, plan.channels) for one in body.lights),
+        tuple(light_in_space(one, space, body, maps, plan.channels) for one in body.lights),
         colour(ambient_light(plan.loaded), plan.channels),
         space.point(plan.loaded.eye),
         space.measure,
@@ -141,23 +141,23 @@ def ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
 
 
 def _rule(plan: Plan, body: BodyPlan) -> NormalRule:
-    """Return how normals are carried: by the matrix itself where that is right."""
+    """Return the rule that carries normals: the matrix itself where that is right."""
     wanted = plan.loaded.settings.normals
     if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in body.effects:
         return NormalRule.NONE
     return wanted
 
 
-def _seen(
+def light_in_space(
     placed: PlacedLight,
     space: ShadingSpace,
     body: BodyPlan,
     maps: dict[str, list[ShadowMap]],
     channels: int,
 ) -> ShadingLight:
-    """Return a light as the body's shading space sees it."""
+    """Return a light in the body's shading space."""
     light = placed.light
-    looks = maps.get(light.name) if Effect.SHADOWS in body.effects else None
+    shadowed = maps.get(light.name) if Effect.SHADOWS in body.effects else None
     axis = None if placed.direction is None else space.direction(placed.direction)
     return ShadingLight(
         colour(placed.colour, channels),
@@ -169,7 +169,7 @@ def _seen(
         cone=tuple(cos(radians(angle)) for angle in light.cone_degrees)  # type: ignore[arg-type]  # two
         if light.kind is LightKind.SPOT
         else None,
-        occlusion=Occluded(looks, space) if looks and light.shadows else None,
+        occlusion=Occluded(shadowed, space) if shadowed and light.shadows else None,
     )
 
 

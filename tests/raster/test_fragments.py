@@ -1,4 +1,4 @@
-"""Interpolation against exact fractions: weights to 8u (G15), and sums where the plan has them."""
+"""Interpolation against exact fractions: weights to 8u, and sums where the plan has them."""
 
 from __future__ import annotations
 
@@ -197,7 +197,7 @@ def test_both_windings_read_the_same_and_know_their_side() -> None:
 
 
 def weighs_exactly(gap: float) -> bool:
-    """Return what the plan decides for a floor of one cell, seen from a gap before its edge."""
+    """Plan a floor of one cell, seen from a gap before its edge: does it weigh exactly?"""
     scene = Scene(
         (SceneObject("floor", ShapeGeometry(Shape.PLANE, (1,)), identity(4)),),
         (SceneLight("bulb", LightKind.POINT, position=(0, 1, 0)),),

@@ -78,6 +78,10 @@ def test_every_effect_has_a_record_and_its_line_in_the_documentation(effect: Eff
     assert f"| `{effect}` | {RECIPES[effect].says} |" in table
 
 
+def test_the_table_stands_in_the_order_of_reports() -> None:
+    assert list(RECIPES) == list(Effect)
+
+
 def both(scene: Scene) -> tuple[np.ndarray, np.ndarray, float]:
     ready = loaded(scene)
     plan = planned(ready)

@@ -184,7 +184,7 @@ def test_tiles_stripes_and_chunks_change_nothing(
 
 
 def blended(parts: list[Drawable], background: np.ndarray) -> np.ndarray:
-    """Return what each sample looks like, sorted one sample at a time; colours are flat."""
+    """Return the colour of each sample, sorted one sample at a time; colours are flat."""
     depths = [exact_depths(one.projected) for one in parts]
     image = np.empty((SIZE, SIZE, 3))
     for row in range(SIZE):

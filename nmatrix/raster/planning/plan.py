@@ -24,7 +24,7 @@ BUDGET = 0.5 / 255
 
 @dataclass(frozen=True)
 class LightDecision:
-    """Whether a light lights a body, and why not if it does not."""
+    """The decision on a light of a body, and the reason if it is left out."""
 
     placed: PlacedLight
     on: bool
@@ -33,7 +33,7 @@ class LightDecision:
 
 @dataclass(frozen=True)
 class BodyPlan:
-    """What is computed for one body."""
+    """The effects and the lights that are computed for one body."""
 
     body: Body
     decisions: Mapping[Effect, Decision]
@@ -53,7 +53,7 @@ class BodyPlan:
 
 @dataclass(frozen=True)
 class Plan:
-    """What a picture of a loaded scene computes."""
+    """The plans of the bodies of a loaded scene, and the effects of the whole picture."""
 
     loaded: LoadedScene
     bodies: tuple[BodyPlan, ...]

@@ -22,7 +22,7 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Decision:
-    """Whether an effect is on, why, and the most that leaving it out moves a channel.
+    """The decision on an effect: on or off, why, and the most that leaving it out moves a channel.
 
     `is_asked` tells whether the scene asks for the effect at all. What is asked for counts in the
     bounds of other effects, even where it adds nothing.
@@ -61,7 +61,7 @@ def by_bound(bound: float, because: str) -> Decision:
 
 @dataclass(frozen=True)
 class Influence:
-    """How an effect makes colours depend on normals and places, each field at its worst if unsaid.
+    """The dependence of colours on normals and places by an effect; a field unsaid is at its worst.
 
     Parameters
     ----------

@@ -41,7 +41,7 @@ class Frame:
         return replace(self, scene=replace(self.scene, settings=settings))
 
     def draw(self) -> Proof:
-        """Draw it."""
+        """Draw the proof, or the scene."""
         if self.scene is not None:
             return picture(self.scene, self.name)
         found = catalogued(self.name)

@@ -1,4 +1,4 @@
-"""No proof but a picture: a scene as it is, and how far its normals are from the right ones."""
+"""A picture that proves nothing: a scene as it is, and the error of its normals."""
 
 from __future__ import annotations
 

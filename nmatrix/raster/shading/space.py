@@ -41,7 +41,7 @@ def length(vectors: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """How long things are in a space: B⁻¹ for vectors, Bᵀ for normals; None where B is rigid."""
+    """True lengths in a space: by B⁻¹ for vectors, by Bᵀ for normals; None where B is rigid."""
 
     world_vector: Array | None = None
     world_normal: Array | None = None
@@ -96,7 +96,7 @@ class ShadingSpace:
 
     @cached_property
     def measure(self) -> Measure:
-        """Return how lengths are measured."""
+        """Return the measure of lengths: by the metric, or by the space's own coordinates."""
         if not self.uses_metric:
             return Measure()
         return Measure(

@@ -1,4 +1,4 @@
-"""The surface of one body: what is read at each sample, and the colour that it makes there."""
+"""The surface of one body: its vertex shader and its fragment shader."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True, eq=False)
 class PictureStyle:
-    """What all bodies of a picture share: where light is evaluated, by which rule, through what.
+    """Settings that all bodies of a picture share: shading, the rule for normals, fog, levels.
 
     `unit_vertices` is False for the mistake of leaving normals at vertices at any length.
     """
@@ -51,8 +51,8 @@ class Surface:
     front: int
 
     def vertex(self, projected: Projected) -> VertexOutputs:
-        """Return the attributes that the colours of this surface are made of."""
-        points, directions, faces = self._lit_reads(projected)
+        """Run the vertex shader: return the attributes that fragments read."""
+        points, directions, faces = self._light_inputs(projected)
         mesh = self.space.body.mesh
         if self._reads_position:
             points["position"] = projected.per_vertex(self._positions)
@@ -69,7 +69,7 @@ class Surface:
         return VertexOutputs(points, directions, faces, self._interpolation, front)
 
     def fragment(self, fragments: Fragments) -> Array:
-        """Return the colours (channels, m) of fragments, in [0, 1]."""
+        """Run the fragment shader: return the colours (channels, m) of fragments, in [0, 1]."""
         matte, gloss = self._lit(fragments)
         if Effect.TEXTURE in self.effects:
             texture = self.space.body.material.texture
@@ -86,7 +86,7 @@ class Surface:
 
     @property
     def _is_sided(self) -> bool:
-        """Whether backs are lit as backs; the sides of a flattened body cannot be told apart."""
+        """True if backs are lit as backs; the sides of a flattened body cannot be told apart."""
         return Effect.BACK_FACES in self.effects and self.front != 0
 
     @property
@@ -97,7 +97,7 @@ class Surface:
 
     @property
     def _reads_position(self) -> bool:
-        """Whether fragments, and not only vertices, ask where they are."""
+        """True if fragments, and not only vertices, ask where they are."""
         if self.style.shading is Shading.PHONG:
             return Effect.POSITION in self.effects
         return Effect.FOG in self.effects
@@ -119,10 +119,10 @@ class Surface:
             return normals
         return turned_towards(normals, self.lighting.eye - self._positions)
 
-    def _lit_reads(
+    def _light_inputs(
         self, projected: Projected
     ) -> tuple[dict[str, Array], dict[str, Array], dict[str, Array]]:
-        """Return what light is made of: normals, or light itself, by vertex or by triangle."""
+        """Return the inputs of the light: normals, or light itself, by vertex or by triangle."""
         if self.style.shading is Shading.PHONG:
             normals = {"normal": projected.per_vertex(self.vertex_normals)}
             is_unit = Effect.RENORMALISE in self.effects
@@ -179,7 +179,7 @@ class Surface:
         return bumped(normals, fragments["tangent"], signs, texels, self.space.measure)
 
     def _is_edge(self, fragments: Fragments) -> Array:
-        """Return where a surface is seen so much from the side that it is drawn as a line."""
+        """Return a mask of the fragments that face so far aside that the outline covers them."""
         if self.style.shading is not Shading.PHONG:
             return np.zeros(len(fragments), bool)
         cosine = dot(self._normals(fragments), self.lighting.to_eye(fragments["position"]))

@@ -24,7 +24,7 @@ Array = NDArray[Any]
 
 
 class Interpolation(Enum):
-    """How the values of three corners are mixed.
+    """The ways to mix the values of three corners.
 
     AFFINE: by area alone, which is right where w is the same everywhere. SUMS: what the corners
     add up to grows evenly along a row, so two numbers for each run are enough; it loses a few u

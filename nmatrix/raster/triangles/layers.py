@@ -28,7 +28,7 @@ class Layer(NamedTuple):
 def layers(
     glass: Sequence[tuple[int, Projected, int]], tile: Tile, rows: tuple[int, int]
 ) -> Iterator[Layer]:
-    """Return what stands in front of a tile's rows, from the back to the front.
+    """Yield the layers in front of a tile's rows, from the back to the front.
 
     `glass` holds, for each transparent drawable, its place in the list, its triangles, and the
     number of the first of them.

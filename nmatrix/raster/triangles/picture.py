@@ -31,7 +31,7 @@ LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 
 @dataclass(frozen=True, eq=False)
 class Drawable:
-    """Projected triangles, what is read of them, and the colours (channels, m) it makes.
+    """Projected triangles, the outputs of their vertices, and their fragment shader.
 
     Opaque ones hide what is behind; others let 1 − `opacity` of it through.
     """
@@ -44,7 +44,7 @@ class Drawable:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What `finish` kept of the image (height, width, channels), and what drawing it took.
+    """The image (height, width, channels) as `finish` kept it, and the work of drawing it.
 
     `fragments` were covered by triangles, hidden ones included; `shaded` were coloured, for each
     drawable.

@@ -68,14 +68,14 @@ class Spans(NamedTuple):
 
 
 class Edge(NamedTuple):
-    """Where an edge crosses a row: the column `start + slope · row`, half a spacing to the left."""
+    """The column where an edge crosses a row, `start + slope · row`, half a spacing to the left."""
 
     start: Array
     slope: Array
 
 
 def spans(x: Array, y: Array, rows: tuple[int, int], columns: int) -> Iterator[Spans]:
-    """Return what triangles with corners (3, N) cover of rows [first, last), in either winding.
+    """Yield the spans of rows [first, last) that triangles (3, N) of either winding cover.
 
     Examples
     --------

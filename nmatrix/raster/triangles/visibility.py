@@ -1,4 +1,4 @@
-"""What is in front at every sample: one integer key of depth and triangle, and its minimum.
+"""Visibility: at every sample the least of the integer keys of depth and triangle.
 
 The minimum does not care about order, so any order of triangles gives the same picture. Where two
 lie at the very same depth, the one that was named first is seen.
@@ -105,7 +105,7 @@ class Runs(NamedTuple):
 
 
 def visible_runs(tile: Tile, rows: tuple[int, int]) -> Runs:
-    """Return what is seen in some rows of a tile.
+    """Return the runs that are seen in some rows of a tile.
 
     Examples
     --------
