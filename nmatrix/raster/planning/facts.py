@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Shading, Space
 from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
-from nmatrix.raster.planning.recipe import Decision, Influence, Recipe
+from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe
 from nmatrix.raster.shading.space import ShadingSpace, as_array, dot
 from nmatrix.raster.triangles.clip import inside
 from nmatrix.raster.triangles.products import chunks, multiply
@@ -37,6 +38,7 @@ class Facts:
     lights: tuple[PlacedLight, ...]
     recipes: Mapping[Effect, Recipe]
     _decided: dict[Effect, Decision] = field(default_factory=dict, init=False)
+    _influencing: dict[Effect, Influence] = field(default_factory=dict, init=False)
 
     @property
     def material(self) -> Material:
@@ -64,9 +66,14 @@ class Facts:
         """Return True if lengths read off the space's coordinates are true, to rounding."""
         return self.loaded.maps(self.body).is_rigid(self.space)
 
+    @cached_property
+    def clip_from_object(self) -> RationalMatrix:
+        """Return the exact map from the body to clip space."""
+        return self.loaded.clip_from_object(self.body)
+
     def clip_parts(self) -> Iterator[Array]:
         """Yield the vertices in clip space, some at a time (4, n)."""
-        matrix = as_array(self.loaded.clip_from_object(self.body))
+        matrix = as_array(self.clip_from_object)
         for part in chunks(self.body.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
                 yield multiply(matrix, part)
@@ -86,7 +93,7 @@ class Facts:
     @property
     def is_parallel(self) -> bool:
         """Return True if w is the same everywhere."""
-        return not any(self.loaded.clip_from_object(self.body)[3][:3])
+        return not any(self.clip_from_object[3][:3])
 
     @cached_property
     def w_ratio(self) -> float:
@@ -145,13 +152,20 @@ class Facts:
         Judges of effects whose record alone tells that they do not matter are not called.
         """
         for effect, recipe in self.recipes.items():
-            found = recipe.influence
-            if isinstance(found, Influence) and not matters(found):
-                continue
-            if self._decision(effect).is_asked:
-                found = found if isinstance(found, Influence) else found(self)
+            told = recipe.influence
+            if not isinstance(told, Influence) or matters(told):
+                found = self._influence(effect)
                 if matters(found):
                     yield found
+
+    def _influence(self, effect: Effect) -> Influence:
+        """Return the influence of an effect here, once: steady where the scene does not ask."""
+        if effect not in self._influencing:
+            told = self.recipes[effect].influence
+            if not self._decision(effect).is_asked:
+                told = STEADY
+            self._influencing[effect] = told if isinstance(told, Influence) else told(self)
+        return self._influencing[effect]
 
     def _most(self, change: Callable[[Influence], float], times: float = 1.0) -> float:
         """Return the most that a channel moves: the sum of what effects change, at full gain."""
