@@ -70,9 +70,9 @@ def _is_behind(loaded: LoadedScene, body: Body, placed: PlacedLight) -> bool:
 
 
 def occluders(loaded: LoadedScene, placed: PlacedLight, body: Body) -> list[str]:
-    """Return the names of bodies that can stand between a light and a body: never one too few.
+    """Return the names of bodies that can stand between a light and a body, never one too few.
 
-    Each is taken for the ball around it.
+    Bounding spheres decide.
     """
     return [
         one.name
