@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import fields, replace
 from enum import StrEnum
 
 import numpy as np
@@ -35,6 +35,9 @@ SCENES = {
     "in sRGB": single(SHEARED, shape=FINE, gamma=True),
     "light at vertices": single(SHEARED, shape=FINE, shading=Shading.GOURAUD),
     "light for each triangle": single(SHEARED, shape=FINE, shading=Shading.FLAT),
+    "small, light at vertices": single(
+        World(scale=(0.01, 0.01, 0.01)), shape=FINE, shading=Shading.GOURAUD
+    ),
     "without a lamp": single(SHEARED, shape=FINE, lights=()),
     "lit from behind": single(
         World(rotate_degrees=(20, 0, 0)),
@@ -75,6 +78,8 @@ def glow_through(lighting: Lighting, normals: np.ndarray) -> np.ndarray:
 LIGHT = {Added.RIM: rim, Added.STRIPES: stripes, Added.GLOW_THROUGH: glow_through}
 SLOPES = Influence(per_radian=0.5, per_length=0.5, colour_range=1.0, gain=1.0, jumps=False)
 RIM = replace(SLOPES, reads_place=False, lights_backs=False)
+
+HOW = ("follows_lights", "because")  # columns that claim nothing
 
 Add = Callable[..., None]
 
@@ -130,6 +135,25 @@ def test_what_a_record_says_saves_work(add: Add) -> None:
     assert Effect.RENORMALISE in planned(loaded(SCENES["fine"])).effects
     add(Added.RIM, influence=RIM)
     assert Effect.RENORMALISE not in planned(loaded(SCENES["fine"])).effects
+
+
+def computed(influence: Influence, add: Add) -> list[frozenset[str]]:
+    """Return the effects and lights that the plan of each scene keeps under one more effect."""
+    add(Added.RIM, influence=influence)
+    plans = [planned(loaded(scene)) for scene in SCENES.values()]
+    return [
+        plan.effects.union(light.light.name for body in plan.bodies for light in body.lights)
+        for plan in plans
+    ]
+
+
+@pytest.mark.parametrize("column", [one.name for one in fields(Influence) if one.name not in HOW])
+def test_each_column_that_is_left_unsaid_costs_a_shortcut(column: str, add: Add) -> None:
+    told = replace(RIM, brings_colour=False)
+    unsaid = replace(told, **{column: getattr(Influence(), column)})
+    fewer, more = computed(told, add), computed(unsaid, add)
+    assert all(a <= b for a, b in zip(fewer, more, strict=True))
+    assert fewer != more
 
 
 @pytest.mark.parametrize(
