@@ -2,7 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum
+from typing import TypeVar
+
+from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+
+Words = TypeVar("Words", bound=StrEnum)
+
+
+def chosen(
+    words: type[Words], word: object, parameter: str, among: Iterable[Words] | None = None
+) -> Words:
+    """Turn a word that a caller gave for a parameter into the member of its enum.
+
+    Raises
+    ------
+    IllegalValueError
+        For anything but a member, or one of those `among` which may be chosen; it lists them.
+
+    Examples
+    --------
+    >>> chosen(Handedness, "left", "handed") is Handedness.LEFT
+    True
+    """
+    right = tuple(words if among is None else among)
+    if isinstance(word, str) and word in right:
+        return words(word)
+    shown = word if isinstance(word, str) else type(word).__name__
+    raise IllegalValueError(
+        f"{quantity(parameter)} ({shown[:40]})",
+        f"it is one of {', '.join(right)}",
+        did_you_mean(str(shown), right, f"try {right[0]}"),
+    )
 
 
 class Space(StrEnum):
@@ -22,6 +54,18 @@ SPACE_SYNONYMS = {
     "model": Space.OBJECT,
     "local": Space.OBJECT,
 }
+
+
+def space_named(name: object) -> Space:
+    """Return the space that a name or a synonym means.
+
+    Examples
+    --------
+    >>> space_named("view")
+    <Space.CAMERA: 'camera'>
+    """
+    lowered = name.lower() if isinstance(name, str) else ""
+    return SPACE_SYNONYMS.get(lowered) or chosen(Space, lowered or name, "space")
 
 
 class Frame(StrEnum):
@@ -108,13 +152,21 @@ class NormalStatus(StrEnum):
     UNDEFINED = "undefined"
 
 
-class NormalMethod(StrEnum):
-    """How `nmatrix normal` computes: one right way and three to compare with."""
+class NormalRule(StrEnum):
+    """A way to transform normals: the right one first, then those that people write instead."""
 
     EXACT = "exact"
     INVERSE = "inverse"
     COFACTOR = "cofactor"
     NONE = "none"
+    NOT_TRANSPOSED = "not-transposed"
+    NOT_INVERTED = "not-inverted"
+    TRANSLATED = "translated"
+    FOUR_COMPONENT = "four-component-normalise"
+
+
+# One right method and three to compare with: each is a 3×3 matrix that a program may hold.
+NORMAL_METHODS = (NormalRule.EXACT, NormalRule.INVERSE, NormalRule.COFACTOR, NormalRule.NONE)
 
 
 class Shading(StrEnum):
@@ -154,19 +206,6 @@ class Format(StrEnum):
     GLSL = "glsl"
     JS = "js"
     NUMPY = "numpy"
-
-
-class NormalRule(StrEnum):
-    """Ways to carry the normals of a mesh: the right one, and those that people write instead."""
-
-    EXACT = "exact"
-    INVERSE = "inverse"
-    COFACTOR = "cofactor"
-    NONE = "none"
-    NOT_TRANSPOSED = "not-transposed"
-    NOT_INVERTED = "not-inverted"
-    TRANSLATED = "translated"
-    FOUR_COMPONENT = "four-component-normalise"
 
 
 class Effect(StrEnum):
@@ -215,8 +254,15 @@ class Effort(StrEnum):
 
 
 class Level(StrEnum):
-    """How many normals at once are computed."""
+    """How exactly normals of arrays are computed, from the most exact to the fastest."""
 
     EXACT = "exact"
     CERTIFIED = "certified"
     GUARDED = "guarded"
+
+
+class NormalMatrixKind(StrEnum):
+    """A⁻ᵀ itself, or sign(det A)·cofactors, which exist for every A and keep outward sides."""
+
+    INVERSE_TRANSPOSE = "inverse-transpose"
+    ORIENTED = "oriented"

@@ -12,11 +12,38 @@ The tree::
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable, Iterable
 from typing import ClassVar
+
+_OPEN, _CLOSE = "\ufdd0", "\ufdd1"  # noncharacters: no text from outside holds them
+_NAME = re.compile(f"{_OPEN}(\\w+){_CLOSE}")
+
+
+def quantity(name: str) -> str:
+    """Mark the name of a quantity in an error's text, so that its caller can spell it."""
+    return f"{_OPEN}{name}{_CLOSE}"
+
+
+def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
+    """Return a question that names the nearest known word, or another next step.
+
+    Examples
+    --------
+    >>> did_you_mean("wrold", ["view", "world"], "see the list")
+    'did you mean world?'
+    """
+    from difflib import get_close_matches
+
+    near = get_close_matches(word[:40], list(known), n=1, cutoff=0.6)
+    return f"did you mean {near[0]}?" if near else otherwise
 
 
 class NMatrixError(Exception):
     """An error that a person can act on, in one line.
+
+    How the name of a quantity is typed is the caller's business: Python has parameters, the shell
+    has options. So the core marks names by `quantity`, and whoever shows the error spells them.
 
     Parameters
     ----------
@@ -25,19 +52,29 @@ class NMatrixError(Exception):
     why
         The rule that it breaks, with numbers.
     next_step
-        What to type instead.
+        What to do instead.
 
     Examples
     --------
-    >>> print(NMatrixError("near (0)", "it must be positive", "try --near 0.1"))
+    >>> next_step = f"try {quantity('near')} 0.1"
+    >>> error = NMatrixError("near (0)", "it must be positive", next_step)
+    >>> print(error)
+    near (0): it must be positive; try near 0.1
+    >>> print(error.spelled(lambda name: f"--{name}"))
     near (0): it must be positive; try --near 0.1
     """
 
     exit_code: ClassVar[int] = 70
 
     def __init__(self, what: str, why: str = "", next_step: str = "") -> None:
-        reason = "; ".join(part for part in (why, next_step) if part)
-        super().__init__(": ".join(part for part in (what, reason) if part))
+        self.parts = (what, why, next_step)
+        super().__init__(self.spelled(str))
+
+    def spelled(self, spell: Callable[[str], str]) -> str:
+        """Return the line with the name of every quantity as `spell` types it."""
+        what, *others = (_NAME.sub(lambda one: spell(one[1]), part) for part in self.parts)
+        reason = "; ".join(part for part in others if part)
+        return ": ".join(part for part in (what, reason) if part)
 
 
 class CheckFailedError(NMatrixError):
@@ -66,3 +103,19 @@ class MissingPackageError(NMatrixError, ImportError):
     """An optional package is missing; the message holds the command that installs it."""
 
     exit_code = 4
+
+
+LONGEST_QUOTE = 40  # characters
+
+
+def quoted(text: str) -> str:
+    r"""Put the beginning of a text in quotes for a one-line message, whatever it holds.
+
+    Examples
+    --------
+    >>> quoted("1 0\n0"), quoted("x" * 60)[-5:]
+    ("'1 0\\n0'", "xxx'…")
+    """
+    shown = repr(text[:LONGEST_QUOTE])
+    safe = shown.encode("utf-8", "backslashreplace").decode()
+    return safe if len(text) <= LONGEST_QUOTE else f"{safe}…"

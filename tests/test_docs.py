@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import doctest
 import re
-import sys
 from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
+import reference
 import transcripts
+
+import nmatrix
 
 
 @pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda page: page.name)
@@ -21,7 +21,7 @@ def test_transcripts_are_what_the_commands_print(page: Path) -> None:
 
 @pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda page: page.name)
 def test_python_blocks_hold(page: Path) -> None:
-    failed, _ = doctest.testfile(str(page), module_relative=False)
+    failed, _ = doctest.testfile(str(page), module_relative=False, optionflags=doctest.ELLIPSIS)
     assert failed == 0
 
 
@@ -45,3 +45,10 @@ def test_sample_pages_are_what_the_commands_write(tmp_path: Path) -> None:
         assert pictures.sub("", page.read_text()) == pictures.sub("", kept), (
             "run python tests/transcripts.py"
         )
+
+
+def test_the_reference_is_made_of_the_docstrings_and_holds_every_public_name() -> None:
+    written = reference.PAGE.read_text()
+    assert written == reference.reference(), "run python tests/reference.py"
+    named = re.findall(r"^### (\w+)$", written, re.MULTILINE)
+    assert sorted(named) == sorted(name for name in nmatrix.__all__ if not name.startswith("_"))

@@ -13,7 +13,11 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
+REFERENCE = ROOT / "docs" / "reference.md"  # made of docstrings, which run where they stand
+PAGES = (
+    ROOT / "README.md",
+    *(page for page in sorted((ROOT / "docs").glob("*.md")) if page != REFERENCE),
+)
 SAMPLES = ROOT / "docs" / "samples"
 SHEET = 'nmatrix handout --scale 1 2 1 --seed 7 --student "Ada Lovelace" --key -o handout.html'
 EXPLORER = "nmatrix explore --scale 1 2 1 --light-direction -1 -2 -1 -o explorer.html"

@@ -1,1 +1,1 @@
-"""What each calculator command answers: a scene in, a report out."""
+"""The answers of the commands: a scene in, a report out."""

@@ -9,20 +9,20 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError
+from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError, quantity
 from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
 from nmatrix.scene.setup import Setup
 
 SHOWN_DIGITS = 6
-NO_WORLD = "M is the identity here: no --translate, --rotate, --scale, --shear or matrix was given."
-NO_VIEW = "The usual camera is meant: no --eye, --target or angle was given."
-NO_LENS = "The usual lens is meant: no --fov, --aspect, --near or --far was given."
+NO_WORLD = "M is the identity here: no place, turn, scale, shear or matrix was given."
+NO_VIEW = "The usual camera is meant: no eye, target or angle was given."
+NO_LENS = "The usual lens is meant: no field of view, aspect, near or far was given."
 WRONG = "✗"
 VECTOR_COLUMNS = ("x", "y", "z", "w")
 MATRIX_COLUMNS = ("column 1", "column 2", "column 3", "column 4")
@@ -48,7 +48,7 @@ def check(question: Question, literal: MatrixLiteral) -> Report:
 
 
 def _without_answer(question: Question, error: NoAnswerError) -> Report:
-    """Return the report on a scene in which there is nothing to be right about."""
+    """Report that the scene has no right answer."""
     data: dict[str, Value] = {
         "verdict": Outcome.UNKNOWN.value,
         "mistake": None,
@@ -63,14 +63,14 @@ def _without_answer(question: Question, error: NoAnswerError) -> Report:
 
 
 def judges(question: Question) -> tuple[Judge, ...]:
-    """Return the judge of a question; of a light one for each part that the light has."""
+    """Make the judge of a question; for a light, one judge for each part that the light has."""
     return tuple(Judge(asked) for asked in parts_asked(question))
 
 
 def best_judgement(
     judges: tuple[Judge, ...], literal: MatrixLiteral
 ) -> tuple[Question, Answer, Judgement]:
-    """Return the judgement of numbers; of a light with two parts, the part that they fit better."""
+    """Judge numbers; for a light with two parts, by the part that they fit better."""
     found = []
     for judge in judges:
         answer = shaped(literal, judge.question)
@@ -79,7 +79,7 @@ def best_judgement(
 
 
 def parts_asked(question: Question) -> tuple[Question, ...]:
-    """Return the question, or for a light one question for each part that the light has."""
+    """Split the question about a light into one for each part that the light has."""
     if question.subject is not Subject.LIGHT:
         return (question,)
     light = question.setup.maps.light
@@ -89,9 +89,9 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
         parts = [part for part in parts if part is LightPart.DIRECTION]
     if not parts:
         raise IllegalValueError(
-            "--unit with a light position",
+            f"{quantity('unit')} with a light position",
             "only a direction has a length to bring to 1",
-            "leave --unit out, or give --light-direction X Y Z",
+            f"leave {quantity('unit')} out, or give {quantity('light_direction')} X Y Z",
         )
     return tuple(replace(question, light=part) for part in parts)
 
@@ -99,18 +99,19 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
 def judged(
     question: Question, answer: Answer, found: Judgement, named: str = "", command: str = ""
 ) -> Report:
-    """Return the report of one judgement.
+    """Report one judgement.
 
-    `named` is what was asked for, `command` the one that answers it; else the question tells them.
+    `named` is the subject in words and `command` the one that computes it; by default both follow
+    from the question.
     """
     blocks = _blocks(named or _named(question), question, answer, found)
-    remarks = (*found.remarks, *_taken_for_granted(question, found))
+    remarks = (*found.remarks, *_defaults_used(question, found))
     failure = _failure(question, found, command)
     return Report("check", judgement_data(found), blocks, remarks, failure)
 
 
-def _taken_for_granted(question: Question, found: Judgement) -> tuple[str, ...]:
-    """Say of a wrong answer what it was compared with, where the scene was not told."""
+def _defaults_used(question: Question, found: Judgement) -> tuple[str, ...]:
+    """State the defaults that a wrong answer was compared with, where no scene was given."""
     if found.verdict is Outcome.CORRECT:
         return ()
     setup, usual = question.setup, Setup()
@@ -137,7 +138,7 @@ def judgement_data(found: Judgement) -> dict[str, Value]:
 
 
 def _failure(question: Question, found: Judgement, command: str) -> CheckFailedError | None:
-    """Return the one line that a wrong answer ends in."""
+    """Return the error that a wrong answer ends in."""
     if found.verdict is Outcome.CORRECT:
         return None
     why = found.mistake or "no known mistake gives these numbers"
@@ -148,14 +149,14 @@ def _failure(question: Question, found: Judgement, command: str) -> CheckFailedE
 
 
 def _command(question: Question) -> str:
-    """Return the command that answers the question."""
+    """Name the command that answers the question."""
     if question.subject in (Subject.LIGHT, Subject.EYE):
         return f"{question.subject} {question.space}"
     return question.subject.value
 
 
 def _commands(question: Question, found: Judgement) -> list[str]:
-    """Return the command lines that show the right way, one for each mistake."""
+    """List the command lines that show the right way, one for each mistake."""
     return [MISTAKES[one].command_for(question.subject) for one in found.mistakes]
 
 
@@ -171,7 +172,7 @@ def _blocks(named: str, question: Question, answer: Answer, found: Judgement) ->
 
 
 def _named(question: Question) -> str:
-    """Return what was asked for, as a noun."""
+    """Name the subject of the question."""
     subject, space = question.subject, question.space
     if subject is Subject.NORMAL:
         thing = "a normal" if question.normal is not None else "the normal matrix"
@@ -184,7 +185,7 @@ def _named(question: Question) -> str:
 
 
 def _marked(question: Question, answer: Answer, found: Judgement) -> Table:
-    """Return the answer with a mark at every wrong entry."""
+    """Show the answer with a mark at every wrong entry."""
     names = VECTOR_COLUMNS if question.is_vector else MATRIX_COLUMNS
     wrong = set(found.wrong_entries)
     rows = tuple(
@@ -196,4 +197,4 @@ def _marked(question: Question, answer: Answer, found: Judgement) -> Table:
 
 
 def _cell(entry: Fraction, *, is_wrong: bool) -> str:
-    return in_short(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")
+    return short_text(entry, SHOWN_DIGITS) + (f" {WRONG}" if is_wrong else "")

@@ -28,8 +28,8 @@ def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
     found = one.judge(text)
     if isinstance(one.grader, Computed):
         answer, command = one.grader.answer(text), COMMANDS.get(one.kind, "")
-        return judged(one.grader.question, answer, found, _told(one, sheet), command)
-    blocks: list[Block] = [Heading(f"Check: {_told(one, sheet)}")]
+        return judged(one.grader.question, answer, found, _title(one, sheet), command)
+    blocks: list[Block] = [Heading(f"Check: {_title(one, sheet)}")]
     word = "Correct." if found.verdict is Outcome.CORRECT else "Wrong."
     blocks += [Verdict(word), Text(found.explanation)]
     wrong = None
@@ -39,7 +39,7 @@ def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
 
 
 def exercises_of(seed: str, salt: bytes) -> Callable[[Mapping[str, str]], Judgement]:
-    """Return what judges rows of a class, each with its student and the number of its exercise."""
+    """Make the judge of a class, whose rows hold a student, an exercise and an answer."""
 
     def judge(cells: Mapping[str, str]) -> Judgement:
         if not cells["student"]:
@@ -51,7 +51,7 @@ def exercises_of(seed: str, salt: bytes) -> Callable[[Mapping[str, str]], Judgem
 
 
 def whole_number(text: str) -> int:
-    """Return the number of an exercise.
+    """Read the number of an exercise.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def whole_number(text: str) -> int:
     return int(text)
 
 
-def _told(one: Exercise, sheet: Sheet) -> str:
-    """Return which exercise it is, and whose: under another name it asks for other numbers."""
+def _title(one: Exercise, sheet: Sheet) -> str:
+    """Name the exercise with its student and seed, on which its numbers depend."""
     whose = sheet.student or "the sheet without a name"
     return f"exercise {one.title} ({whose}, seed {sheet.seed})"

@@ -1,4 +1,4 @@
-"""A class of answers, each judged by itself: one row out for each row in."""
+"""A class of answers, each judged by itself: one grade for each row of the table."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from nmatrix.answers.check import best_judgement, judges
 from nmatrix.enums import Layout
 from nmatrix.errors import CheckFailedError, NMatrixError
-from nmatrix.lessons.check.judge import Judgement
+from nmatrix.lessons.check.judge import Judgement, Outcome
 from nmatrix.lessons.check.question import Question
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.records import Record
@@ -18,14 +18,18 @@ from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
 NEEDED = ("student", "answer")  # exercise too, where the exercises differ
 COLUMNS = ("student", "exercise", "verdict", "mistake", "also", "explanation")
 UNREADABLE = "unreadable"
-NAMED = 5  # of those who answered twice
+_WORDS: dict[str, str] = {
+    Outcome.MISTAKE: "with a known mistake",
+    Outcome.UNKNOWN: "wrong in another way",
+}
+NAMED = 5  # of the students who answered more than once
 
 JudgeRecord = Callable[[Mapping[str, str]], Judgement]
 
 
 @dataclass(frozen=True)
 class Grade:
-    """One row: who, what, and how it was judged."""
+    """One row: the student, the exercise, and the judgement."""
 
     student: str
     exercise: str
@@ -67,7 +71,7 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
     """
     found = [_grade(record, judge) for record in records]
     counts = Counter(grade.verdict for grade in found)
-    summary = {name: counts[name] for name in ("correct", "mistake", "unknown", UNREADABLE)}
+    summary = {name: counts[name] for name in (*map(str, Outcome), UNREADABLE)}
     table = Table(COLUMNS, tuple(grade.cells for grade in found))
     rows: list[Value] = [grade.data for grade in found]
     blocks: tuple[Block, ...] = (
@@ -81,14 +85,14 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
         "check",
         {"rows": rows, "summary": dict(summary)},
         blocks,
-        _twice(found),
+        _repeated_answers(found),
         failure=_failure(summary[UNREADABLE]),
         records=table,
     )
 
 
 def answers_to(question: Question, layout: Layout = Layout.ROW_MAJOR) -> JudgeRecord:
-    """Return what judges the answers of a class to one question; equal answers only once."""
+    """Make the judge of a class's answers to one question; equal answers are judged once."""
     known: dict[str, Judgement] = {}
     asked = judges(question)
     for judge in asked:
@@ -123,8 +127,7 @@ def _grade(record: Record, judge: JudgeRecord) -> Grade:
 
 
 def _counted(summary: Mapping[str, int]) -> str:
-    words = {"mistake": "with a known mistake", "unknown": "wrong in another way"}
-    counted = (f"{count} {words.get(name, name)}" for name, count in summary.items() if count)
+    counted = (f"{count} {_WORDS.get(name, name)}" for name, count in summary.items() if count)
     return ", ".join(counted) or "No answers"
 
 
@@ -133,8 +136,8 @@ def _unreadable(found: list[Grade]) -> tuple[Block, ...]:
     return (Table(("student", "reason"), rows, "Could not be read"),) if rows else ()
 
 
-def _twice(found: list[Grade]) -> tuple[str, ...]:
-    """Return a remark on those who answered the same exercise more than once."""
+def _repeated_answers(found: list[Grade]) -> tuple[str, ...]:
+    """Remark on students who answered the same exercise more than once."""
     counts = Counter((grade.student, grade.exercise) for grade in found)
     several = [
         f"{student}, exercise {exercise}" if exercise else student

@@ -1,55 +1,74 @@
-"""`inspect`: which nodes of an asset need the inverse transpose, and why."""
+"""`inspect`: the nodes of an asset that need the inverse transpose, and why."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 
 from nmatrix.enums import Kind
-from nmatrix.errors import CheckFailedError, IllegalValueError
+from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
-from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.scene.gltf.file import read_gltf
+from nmatrix.scene.words import GLTF_SUFFIXES
 
-GLTF_SUFFIXES = (".gltf", ".glb")
 SHOWN = 40  # nodes in the table for people; JSON has them all
-# What a pipeline may refuse, and how a sentence says that a node is so.
-FAILURES = {"mirrored": "mirrored", "shear": "sheared", "degenerate": "with degenerate normals"}
+
+
+class Flaw(StrEnum):
+    """A property of a node that a pipeline may refuse."""
+
+    MIRRORED = "mirrored"
+    SHEAR = "shear"
+    DEGENERATE = "degenerate"
+
+
+# The words of a sentence about nodes with each flaw.
+FAILURES = {
+    Flaw.MIRRORED: "mirrored",
+    Flaw.SHEAR: "sheared",
+    Flaw.DEGENERATE: "with degenerate normals",
+}
 
 
 @dataclass(frozen=True)
 class InspectedNode:
-    """One node: its world matrix, what kind of map that is, and its mesh's normals."""
+    """One node: its world matrix, the kind of that map, and its mesh's bad normals."""
 
     name: str
     world_from_object: RationalMatrix
-    found: Classification
+    classification: Classification
     sheared_by_ancestors: bool
     degenerate_normals: int
+
+    def has(self, flaw: Flaw) -> bool:
+        """Look for a flaw in the node."""
+        return {
+            Flaw.MIRRORED: self.classification.mirrored,
+            Flaw.SHEAR: self.classification.kind is Kind.SHEAR,
+            Flaw.DEGENERATE: self.degenerate_normals > 0,
+        }[flaw]
 
 
 @dataclass(frozen=True)
 class Inspection:
-    """A whole file."""
+    """The nodes of a whole file."""
 
     path: Path
     nodes: tuple[InspectedNode, ...]
     remarks: tuple[str, ...]
 
-    def having(self, word: str) -> tuple[InspectedNode, ...]:
-        """Return the nodes that are mirrored, sheared or degenerate."""
-        if word == "mirrored":
-            return tuple(node for node in self.nodes if node.found.mirrored)
-        if word == "shear":
-            return tuple(node for node in self.nodes if node.found.kind is Kind.SHEAR)
-        return tuple(node for node in self.nodes if node.degenerate_normals)
+    def having(self, flaw: Flaw) -> tuple[InspectedNode, ...]:
+        """Return the nodes with this flaw."""
+        return tuple(node for node in self.nodes if node.has(flaw))
 
     @property
     def needing(self) -> tuple[InspectedNode, ...]:
-        """Return the nodes whose world matrix would bend normals."""
-        return tuple(node for node in self.nodes if node.found.needs_inverse_transpose)
+        """The nodes whose world matrix would bend normals."""
+        return tuple(node for node in self.nodes if node.classification.needs_inverse_transpose)
 
 
 def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
@@ -77,28 +96,27 @@ def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
 
 
 def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
-    scene = read_gltf(path)
-    if not scene.nodes:
-        raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
-    degenerate: dict[int, int] = {}
-    for node in scene.nodes:
-        if node.mesh is not None and node.mesh not in degenerate:
-            from nmatrix.scene.gltf.accessors import gltf_mesh
+    from nmatrix.scene.gltf.accessors import mesh_parts
 
-            mesh = gltf_mesh(scene, node.mesh)
-            degenerate[node.mesh] = 0 if mesh is None else mesh.degenerate_normals
+    file = read_gltf(path)
+    if not file.nodes:
+        raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
+    degenerate = {
+        mesh: sum(part.degenerate_normals for part in mesh_parts(file, mesh))
+        for mesh in dict.fromkeys(node.mesh for node in file.nodes if node.mesh is not None)
+    }
     nodes = []
-    for node in scene.nodes:
+    for node in file.nodes:
         found = classify(node.world_from_object, tolerance)
         own = classify(node.local, tolerance).kind
         sheared = found.kind is Kind.SHEAR and own is not Kind.SHEAR
         count = 0 if node.mesh is None else degenerate[node.mesh]
         nodes.append(InspectedNode(node.name, node.world_from_object, found, sheared, count))
-    return Inspection(path, tuple(nodes), scene.remarks)
+    return Inspection(path, tuple(nodes), file.remarks)
 
 
 def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:
-    """Return the nodes as a report; it ends in a failure where `fail_on` finds something."""
+    """Return the nodes as a report; it ends in a failure where a node has a flaw of `fail_on`."""
     data: dict[str, Value] = {
         "nodes": [_node_data(node) for node in inspection.nodes],
         "summary": _summary(inspection),
@@ -111,7 +129,7 @@ def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:
 
 
 def _node_data(node: InspectedNode) -> dict[str, Value]:
-    found = node.found
+    found = node.classification
     return {
         "name": node.name,
         "world_from_object": node.world_from_object,
@@ -130,16 +148,16 @@ def _summary(inspection: Inspection) -> dict[str, Value]:
     return {
         "nodes": len(inspection.nodes),
         "needs_inverse_transpose": len(inspection.needing),
-        "mirrored": len(inspection.having("mirrored")),
+        "mirrored": len(inspection.having(Flaw.MIRRORED)),
         "sheared_by_ancestors": sum(node.sheared_by_ancestors for node in inspection.nodes),
-        "degenerate": len(inspection.having("degenerate")),
+        "degenerate": len(inspection.having(Flaw.DEGENERATE)),
         "sentence": _sentence(inspection),
     }
 
 
 def _sentence(inspection: Inspection) -> str:
     total, needing = len(inspection.nodes), len(inspection.needing)
-    mirrored = len(inspection.having("mirrored"))
+    mirrored = len(inspection.having(Flaw.MIRRORED))
     nodes = "node needs" if needing == 1 else "nodes need"
     are = "is" if mirrored == 1 else "are"
     return f"{needing} of {total} {nodes} the inverse transpose; {mirrored} {are} mirrored."
@@ -149,10 +167,12 @@ def _table(inspection: Inspection) -> Table:
     rows = tuple(
         (
             node.name[:24],
-            node.found.kind.value,
-            "yes" if node.found.mirrored else "no",
-            "yes" if node.found.needs_inverse_transpose else "no",
-            node.found.worst_angle_deg if node.found.needs_inverse_transpose else 0,
+            node.classification.kind.value,
+            "yes" if node.classification.mirrored else "no",
+            "yes" if node.classification.needs_inverse_transpose else "no",
+            node.classification.worst_angle_deg
+            if node.classification.needs_inverse_transpose
+            else 0,
         )
         for node in inspection.nodes[:SHOWN]
     )
@@ -169,7 +189,7 @@ def _remarks(inspection: Inspection) -> tuple[str, ...]:
             f"Sheared by their ancestors ({', '.join(sheared[:5])}): a rotation under a "
             "non-uniform scale is a shear that no translate-rotate-scale can hold."
         )
-    if inspection.having("mirrored"):
+    if inspection.having(Flaw.MIRRORED):
         remarks.append("Mirrored nodes flip triangle winding; their normals stay outward.")
     if inspection.needing:
         remarks.append("For the others the 3×3 block of the world matrix carries normals itself.")
@@ -177,16 +197,16 @@ def _remarks(inspection: Inspection) -> tuple[str, ...]:
 
 
 def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError | None:
-    """Return the failure that names every condition which some node meets, with its nodes."""
-    found = {word: inspection.having(word) for word in fail_on}
+    """Return the failure that names every flaw which some node has, with its nodes."""
+    found = {flaw: inspection.having(flaw) for flaw in map(Flaw, fail_on)}
     told = [
-        f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[word]}"
+        f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[flaw]}"
         f" ({', '.join(node.name for node in nodes[:5])}{', …' if len(nodes) > 5 else ''})"
-        for word, nodes in found.items()
+        for flaw, nodes in found.items()
         if nodes
     ]
     if not told:
         return None
     return CheckFailedError(
-        f"--fail-on {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
+        f"{quantity('fail_on')} {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
     )

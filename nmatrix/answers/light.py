@@ -74,7 +74,7 @@ _NO_OBJECT_SPACE = (
 
 
 def _in_each(setup: Setup, see: Callable[[ExactMaps, Space], Seen]) -> list[Seen | None]:
-    """Return what each usual space sees; object space of a singular world is missing."""
+    """See the light or the eye from each usual space; None for object space of a singular world."""
     singular = setup.placed_world.linear_map.rank < 3
     return [
         None if singular and space is Space.OBJECT else see(setup.maps, space) for space in USUAL

@@ -2,20 +2,40 @@
 
 from __future__ import annotations
 
-from nmatrix.enums import Effect
+from pathlib import Path
+
+from nmatrix.enums import Effect, LeftOut
+from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan
+from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
 from nmatrix.raster.planning.recipe import Decision
-from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.report import (
+    Block,
+    Code,
+    Heading,
+    Report,
+    Table,
+    Text,
+    Value,
+    Verdict,
+)
+from nmatrix.scene.open import scene_of
 
 PASSES = "main"
 
 
-def plan(found: Plan, shaders: tuple[str, str]) -> Report:
-    """Return the plan of a scene as a report, with the shaders of its first object.
+def plan_of_file(path: Path) -> Report:
+    """Answer with the plan of a scene file, a glTF file or a mesh."""
+    return plan(planned(loaded(scene_of(path))))
+
+
+def plan(found: Plan) -> Report:
+    """Answer with the plan of a scene, and the shaders of its first object.
 
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
+    vertex, fragment = shaders(found, found.bodies[0])
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
     on = [effect for effect in Effect if effect in found.effects]
@@ -25,8 +45,8 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
         "uniforms": _needs(on, "uniforms", ("clip_from_object",)),
         "passes": _needs(on, "passes", (PASSES,)),
         "objects": [_body(one) for one in found.bodies],
-        "vertex_shader": shaders[0],
-        "fragment_shader": shaders[1],
+        "vertex_shader": vertex,
+        "fragment_shader": fragment,
     }
     blocks: tuple[Block, ...] = (
         Heading(
@@ -37,8 +57,8 @@ def plan(found: Plan, shaders: tuple[str, str]) -> Report:
         _table("Left out", rows, on=False),
         Verdict(_sentence(found)),
         Text(f"The shaders of {found.bodies[0].body.name}, with just the terms of its plan:"),
-        Code("glsl", shaders[0], "vertex shader"),
-        Code("glsl", shaders[1], "fragment shader"),
+        Code("glsl", vertex, "vertex shader"),
+        Code("glsl", fragment, "fragment shader"),
     )
     return Report("plan", data, blocks, found.loaded.remarks)
 
@@ -48,7 +68,7 @@ def _counted(count: int, what: str) -> str:
 
 
 def _row(effect: Effect, found: Plan) -> dict[str, Value]:
-    """Return one effect's decision over all bodies."""
+    """Sum up one effect's decisions over all bodies."""
     decisions = _decisions(effect, found)
     on = [one for one in decisions if one.on]
     chosen = on[0] if on else max(decisions, key=lambda one: one.bound)
@@ -72,7 +92,7 @@ def _decisions(effect: Effect, found: Plan) -> list[Decision]:
 
 
 def _light_row(i: int, found: Plan) -> dict[str, Value]:
-    """Return whether a light lights anything."""
+    """Sum up which bodies a light can reach."""
     placed = found.loaded.lights[i]
     decisions = [
         one for body in found.bodies for one in body.light_decisions if one.placed is placed
@@ -87,7 +107,7 @@ def _light_row(i: int, found: Plan) -> dict[str, Value]:
         "name": f"light {placed.light.name}",
         "on": bool(on) or not decisions,
         "because": because,
-        "kind": "exact",
+        "kind": LeftOut.EXACT.value,
         "bound": 0.0,
         "needs": ["position"] if placed.position is not None else [],
     }

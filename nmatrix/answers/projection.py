@@ -1,4 +1,4 @@
-"""`nmatrix projection`: the projection matrix, and what depth a buffer can tell."""
+"""`nmatrix projection`: the projection matrix, and the smallest gaps that depth resolves."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from math import inf
 
 from nmatrix.enums import ClipY, DepthRange
 from nmatrix.linear.depthstep import DepthStep, orthographic_steps, perspective_steps
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
@@ -45,7 +45,7 @@ def projection(setup: Setup) -> Report:
 
 
 def _steps(lens: Lens) -> tuple[DepthStep, ...] | None:
-    """Return the table of depth steps; a matrix that was given says nothing of near and far."""
+    """Compute the depth steps, which a matrix that was given does not determine."""
     if lens.matrix is not None:
         return None
     steps = perspective_steps if lens.ortho is None else orthographic_steps
@@ -91,8 +91,8 @@ def _remarks(lens: Lens, steps: tuple[DepthStep, ...] | None) -> tuple[str, ...]
         elif last.float32 > last.distance / 100:
             remarks.append(
                 "At the far end two surfaces closer than "
-                f"{in_short(last.float32, 3)} fight for the same depth: a larger near or "
-                "--depth reversed helps."
+                f"{short_text(last.float32, 3)} fight for the same depth: a larger near or "
+                "a reversed depth range helps."
             )
     if lens.matrix is not None:
         remarks.append("The matrix was given, so near and far are unknown: no table of steps.")

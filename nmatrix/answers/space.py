@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.enums import NormalMethod, Space
+from nmatrix.enums import Space
 from nmatrix.linear import rational
-from nmatrix.linear.rules import normal_rule
 from nmatrix.report import (
     Block,
     Code,
@@ -30,7 +29,7 @@ from nmatrix.spaces.uniforms import Request, Uniform, uniforms
 
 
 def space(setup: Setup, request: Request) -> Report:
-    """Answer with what a shading space needs, by what, where, and at what price.
+    """Answer with the transforms, uniforms, cost and shaders of a shading space.
 
     Examples
     --------
@@ -71,14 +70,14 @@ def space(setup: Setup, request: Request) -> Report:
 
 
 def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None]:
-    """Return every matrix and vector of the sheet, under its key."""
+    """Compute every matrix and vector of the sheet, under its key."""
     maps = setup.maps
     seen = light_in(maps, chosen)
     moved = maps.space_from_object(chosen)
     return {
         "space_from_world": maps.space_from_world(chosen).exact,
         "space_from_object": moved.exact,
-        "normal_matrix": normal_rule(NormalMethod.EXACT, moved.linear_map),
+        "normal_matrix": moved.linear_map.normal_matrix,
         "clip_from_object": maps.clip_from_object,
         "light_direction": seen.direction,
         "light_position": seen.position,

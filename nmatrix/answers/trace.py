@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nmatrix.linear.exact import Normal
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.trace import Trace, Viewport
@@ -79,7 +79,7 @@ def _verdict(found: Trace) -> str:
         return "Inside the view volume."
     w = Fraction(found.clip[3])
     if w <= 0:
-        return f"Outside: {'behind' if w else 'beside'} the eye, w = {in_short(w, 6)}."
+        return f"Outside: {'behind' if w else 'beside'} the eye, w = {short_text(w, 6)}."
     *others, last = found.outside_planes
     named = f"{', '.join(others)} and {last} planes" if others else f"{last} plane"
     return f"Outside: beyond the {named}."

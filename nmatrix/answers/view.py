@@ -26,7 +26,7 @@ def view(setup: Setup) -> Report:
     """
     placed = setup.camera
     V = placed.camera_from_world
-    R = rational.affine(rational.linear(V))
+    R = rational.affine_matrix(rational.linear_part(V))
     T = translation_matrix(tuple(-component for component in placed.eye))
     found = classify(V, setup.tolerance)
     right, up, forward = camera_axes(V, found, setup.view.handed)
@@ -60,7 +60,7 @@ _TITLES = {
 
 
 def _blocks(data: Mapping[str, Vector | Matrix], found: Classification) -> tuple[Block, ...]:
-    """Return every quantity in the order of the data, under three headings."""
+    """List every quantity in the order of the data, under three headings."""
     blocks: list[Block] = []
     for key, value in data.items():
         if key in _HEADINGS:
@@ -74,9 +74,9 @@ def camera_axes(
 ) -> tuple[Vector, ...]:
     """Return the world directions that the camera calls right, up and forward, at length one.
 
-    They are the columns of V⁻¹; where V is rigid its rows say the same, already rounded once.
+    They are the columns of V⁻¹; where V is rigid they are its rows, already rounded once.
     """
-    block = rational.linear(camera_from_world)
+    block = rational.linear_part(camera_from_world)
     axes = block if found.is_rigid else rational.transpose(rational.inverse(block))
     ahead = axes[2] if handed is Handedness.LEFT else _negated(axes[2])
     named = (axes[0], axes[1], ahead)

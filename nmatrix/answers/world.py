@@ -1,14 +1,12 @@
-"""`nmatrix world`: the world matrix, what kind of map it is, its parts, its normal matrix."""
+"""`nmatrix world`: the world matrix, its kind, its parts, and its normal matrix."""
 
 from __future__ import annotations
 
 from dataclasses import asdict
 
-from nmatrix.enums import NormalMethod
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import classify
 from nmatrix.linear.decompose import Parts, parts
-from nmatrix.linear.rules import normal_rule
 from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table
 from nmatrix.scene.setup import Setup
 
@@ -25,7 +23,7 @@ def world(setup: Setup) -> Report:
     M = setup.world.world_from_object
     found = classify(M, setup.tolerance)
     linear_map = found.linear_map
-    normal_matrix = normal_rule(NormalMethod.EXACT, linear_map)
+    normal_matrix = linear_map.normal_matrix
     taken_apart = parts(M, setup.world.order)
     cofactors = linear_map.cofactor_matrix
     data = {

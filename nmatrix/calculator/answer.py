@@ -1,19 +1,19 @@
-"""The calculation as a report: the value, its exact fractions, and the steps if asked for."""
+"""`nmatrix calc`: the value of an expression, its exact fractions, and the steps if asked for."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
 from nmatrix.calculator.evaluate import Calculation
-from nmatrix.calculator.values import Arithmetic, Kind, Value, as_strings
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
 from nmatrix.report import Block, Heading, Quantity, Report, Text
 from nmatrix.report import Value as JsonValue
 
-READABLE = 10**6  # a larger denominator is a float's own, and says nothing to a person
+READABLE = 10**6  # larger denominators come from floats, and mean nothing to a person
 
 
 def report(calculation: Calculation, *, with_steps: bool) -> Report:
-    """Return the answer as a report; `exact` holds fractions where the value is rational."""
+    """Report a calculation; `exact` holds fractions where the value is rational."""
     value = calculation.value
     is_exact = value.exact and calculation.arithmetic is Arithmetic.EXACT
     steps: list[JsonValue] | None = None
@@ -41,22 +41,22 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
 
 
 def _flat(value: Value) -> list[Fraction]:
-    if value.kind is Kind.SCALAR:
+    if value.kind is ValueKind.SCALAR:
         return [value.scalar]
-    if value.kind is Kind.VECTOR:
+    if value.kind is ValueKind.VECTOR:
         return list(value.vector)
     return [entry for row in value.matrix for entry in row]
 
 
 def _fractions(value: Value) -> str:
-    if value.kind is Kind.MATRIX:
+    if value.kind is ValueKind.MATRIX:
         return "; ".join(" ".join(str(entry) for entry in row) for row in value.matrix)
     return " ".join(str(entry) for entry in _flat(value))
 
 
 def _remarks(value: Value, arithmetic: Arithmetic) -> tuple[str, ...]:
     if arithmetic is Arithmetic.FLOAT:
-        return ("Every operation was rounded to float64 (--float).",)
+        return ("Every operation was rounded to float64.",)
     if not value.exact:
         return ("A root or a sine in it is irrational: it is not exact where terms cancel.",)
     return ()

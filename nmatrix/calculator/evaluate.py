@@ -1,4 +1,4 @@
-"""Evaluate a tree of the closed grammar, one operation at a time, and keep the steps."""
+"""Evaluate an expression of the closed grammar, one operation at a time, and keep the steps."""
 
 from __future__ import annotations
 
@@ -6,20 +6,19 @@ import ast
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from nmatrix.calculator.faults import fault, no_value
+from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
 from nmatrix.calculator.operators import BINARY
-from nmatrix.calculator.values import Arithmetic, Kind, Value, each
-from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind, each
+from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
 from nmatrix.reading.numbers import fraction
 
 Names = Mapping[str, Value]
-THREE_ARGUMENTS = ("translate", "scale", "shear")
 
 
 @dataclass(frozen=True)
-class Step:
+class CalculationStep:
     """One operation: the part of the expression, its value, and the rule."""
 
     expression: str
@@ -34,13 +33,13 @@ class Calculation:
     expression: str
     value: Value
     arithmetic: Arithmetic
-    steps: tuple[Step, ...]
+    steps: tuple[CalculationStep, ...]
 
 
 def calculate(
     expression: str, names: Names, arithmetic: Arithmetic = Arithmetic.EXACT
 ) -> Calculation:
-    """Return the value of an expression over named matrices, exactly.
+    """Compute an expression over named matrices, exactly.
 
     Raises
     ------
@@ -65,7 +64,7 @@ class _Evaluation:
     expression: str
     names: Names
     arithmetic: Arithmetic
-    steps: list[Step] = field(default_factory=list)
+    steps: list[CalculationStep] = field(default_factory=list)
 
     def value_of(self, node: ast.expr) -> Value:  # noqa: PLR0911 - one line for each kind of node
         match node:
@@ -88,12 +87,12 @@ class _Evaluation:
         raise self._fault(node, "expression", "it is outside the grammar")
 
     def _error(self, at: int, what: str, error: NMatrixError) -> NMatrixError:
-        """Return what an operation refused, with the place where it was asked for."""
-        place = no_value if isinstance(error, NoAnswerError) else fault
-        return place(self.expression, at, what, str(error))
+        """Repeat the error of an operation with its place in the expression."""
+        kind = NoValueError if isinstance(error, NoAnswerError) else CalculatorError
+        return kind(self.expression, at, what, str(error))
 
     def _fault(self, node: ast.expr, what: str, why: str) -> NMatrixError:
-        return fault(self.expression, node.col_offset, what, why)
+        return CalculatorError(self.expression, node.col_offset, what, why)
 
     def _constant(self, node: ast.Constant) -> Value:
         text = ast.get_source_segment(self.expression, node) or ""
@@ -110,13 +109,15 @@ class _Evaluation:
         if name in FUNCTIONS:
             raise self._fault(node, name, f"it is a function: write {name}(…)")
         known = ", ".join(self.names) or "none"
-        raise self._fault(node, f"name {name[:20]}", f"the names are {known}; --let adds more")
+        raise self._fault(
+            node, f"name {name[:20]}", f"the names are {known}; {quantity('let')} adds more"
+        )
 
     def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
         values = [self.value_of(element) for element in elements]
         kinds = {value.kind for value in values}
         sizes = {value.shape for value in values}
-        if not values or len(values) > 4 or len(sizes) != 1 or Kind.MATRIX in kinds:
+        if not values or len(values) > 4 or len(sizes) != 1 or ValueKind.MATRIX in kinds:
             raise self._fault(node, "bracket", "it holds up to 4 numbers, or rows of equal length")
         exact = all(value.exact for value in values)
         return Value(tuple(value.entries for value in values), exact)  # type: ignore[arg-type]
@@ -126,13 +127,12 @@ class _Evaluation:
         if function is None:
             raise self._fault(node, f"function {name[:20]}", f"there are {', '.join(FUNCTIONS)}")
         values = [self.value_of(argument) for argument in arguments]
-        if name in THREE_ARGUMENTS and [v.kind for v in values] == [Kind.SCALAR] * 3:
+        if function.gathers and [v.kind for v in values] == [ValueKind.SCALAR] * 3:
             exact = all(v.exact for v in values)
             values = [Value(tuple(v.scalar for v in values), exact)]
         if tuple(value.kind for value in values) != function.takes:
-            wanted = "three numbers or a vector" if name in THREE_ARGUMENTS else function.wanted
             got = " and ".join(value.shape for value in values[:4]) or "nothing"
-            raise self._fault(node, name, f"it takes {wanted}, got {got}")
+            raise self._fault(node, name, f"it takes {function.wanted}, got {got}")
         try:
             found = function.compute(*values)
         except (IllegalValueError, NoAnswerError) as error:
@@ -151,7 +151,7 @@ class _Evaluation:
     def _step(self, node: ast.expr, value: Value, rule: str) -> Value:
         kept = self._kept(node, value)
         segment = ast.get_source_segment(self.expression, node) or self.expression
-        self.steps.append(Step(segment, kept, rule))
+        self.steps.append(CalculationStep(segment, kept, rule))
         return kept
 
     def _kept(self, node: ast.expr, value: Value) -> Value:

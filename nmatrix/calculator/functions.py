@@ -1,4 +1,4 @@
-"""The calculator's functions: name, what they take, and the rule that a student would quote.
+"""The calculator's functions: their names, arguments, and the rules that a student would quote.
 
 A root, a sine or an angle that is not rational is carried to 2⁻¹³⁰ and marked as not exact.
 """
@@ -10,11 +10,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
 
-from nmatrix.calculator.values import Kind, Value
+from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import affine, rational, rounding
-from nmatrix.linear.angle import PI, Angle
-from nmatrix.linear.arctangent import angle_between
+from nmatrix.linear.angle import DEGREES, Angle, exact_angle_between
 
 ROOT_BITS = 280
 EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
@@ -27,26 +26,37 @@ RATIONAL_ANGLES = {
     Fraction(1): 0,
 }
 
+_WORDS = {
+    ValueKind.SCALAR: "a number",
+    ValueKind.VECTOR: "a vector",
+    ValueKind.MATRIX: "a matrix",
+}
+
 Compute = Callable[..., Value]
 
 
 @dataclass(frozen=True)
 class Function:
-    """One function: the kinds of its arguments, its rule in words, and how to compute it."""
+    """One function: the kinds of its arguments, its rule in words, and its computation.
 
-    takes: tuple[Kind, ...]
+    A function that gathers takes three numbers in the place of a vector, too.
+    """
+
+    takes: tuple[ValueKind, ...]
     rule: str
     compute: Compute
+    gathers: bool = False
 
     @property
     def wanted(self) -> str:
-        """Return the kinds of the arguments in words."""
-        words = {Kind.SCALAR: "a number", Kind.VECTOR: "a vector", Kind.MATRIX: "a matrix"}
-        return " and ".join(words[kind] for kind in self.takes)
+        """The kinds of the arguments in words."""
+        if self.gathers:
+            return "three numbers or a vector"
+        return " and ".join(_WORDS[kind] for kind in self.takes)
 
 
 def exact_root(square: Fraction) -> Value:
-    """Return √square: exact if it is rational, else right to 2⁻¹³⁰ of itself.
+    """Take a square root: exact if it is rational, else right to 2⁻¹³⁰ of itself.
 
     Examples
     --------
@@ -83,7 +93,7 @@ def _require_size(value: Value, size: int, what: str) -> None:
 
 def _linear(M: Value) -> Value:
     _require_size(M, 4, "a 4×4 matrix")
-    return Value(rational.linear(M.matrix), M.exact)
+    return Value(rational.linear_part(M.matrix), M.exact)
 
 
 def _translation(M: Value) -> Value:
@@ -142,7 +152,7 @@ def _angle(a: Value, b: Value) -> Value:
     if square in RATIONAL_ANGLES:
         sharp = RATIONAL_ANGLES[square]
         return Value(Fraction(sharp if cosine >= 0 else 180 - sharp), a.exact and b.exact)
-    return Value(angle_between(p, q) * 180 / PI, exact=False)
+    return Value(exact_angle_between(p, q) * DEGREES, exact=False)
 
 
 def _same_size(a: Value, b: Value) -> None:
@@ -160,17 +170,19 @@ def _rotate(axis: str) -> Compute:
     def compute(turn: Value) -> Value:
         turned = affine.rotation_about(axis, Angle.degrees(turn.scalar))
         exact = turn.exact and turn.scalar % EXACT_TURNS == 0
-        return Value(rational.affine(turned), exact)
+        return Value(rational.affine_matrix(turned), exact)
 
     return compute
 
 
-def _build(make: Callable[[rational.RationalVector], rational.RationalMatrix]) -> Compute:
+def _builder(
+    rule: str, make: Callable[[rational.RationalVector], rational.RationalMatrix]
+) -> Function:
     def compute(v: Value) -> Value:
         _require_size(v, 3, "three numbers")
         return Value(make(v.vector), v.exact)
 
-    return compute
+    return Function((ValueKind.VECTOR,), rule, compute, gathers=True)
 
 
 def _trace_of(A: rational.RationalMatrix) -> Fraction:
@@ -187,8 +199,8 @@ def _rank(A: Value) -> Value:
     return Value(Fraction(rational.rank(A.matrix)))
 
 
-_M, _V, _S = (Kind.MATRIX,), (Kind.VECTOR,), (Kind.SCALAR,)
-_VV = (Kind.VECTOR, Kind.VECTOR)
+_M, _V, _S = (ValueKind.MATRIX,), (ValueKind.VECTOR,), (ValueKind.SCALAR,)
+_VV = (ValueKind.VECTOR, ValueKind.VECTOR)
 
 FUNCTIONS: dict[str, Function] = {
     "inverse": Function(_M, "the adjugate over the determinant", _of_square(rational.inverse)),
@@ -199,7 +211,9 @@ FUNCTIONS: dict[str, Function] = {
         _M, "the cofactors over the determinant", _of_square(rational.inverse_transpose)
     ),
     "cofactor": Function(
-        _M, "each entry is a signed determinant of what is left", _of_square(rational.cofactor)
+        _M,
+        "each entry is a signed determinant of what is left",
+        _of_square(rational.cofactor_matrix),
     ),
     "adjugate": Function(_M, "the cofactors, transposed", _of_square(rational.adjugate)),
     "det": Function(_M, "a row times its cofactors", _of_square(rational.determinant)),
@@ -218,9 +232,9 @@ FUNCTIONS: dict[str, Function] = {
     "rotate_x": Function(_S, "a rotation about x, in degrees", _rotate("X")),
     "rotate_y": Function(_S, "a rotation about y, in degrees", _rotate("Y")),
     "rotate_z": Function(_S, "a rotation about z, in degrees", _rotate("Z")),
-    "translate": Function(_V, "a translation", _build(affine.translation_matrix)),
-    "scale": Function(_V, "a scale", _build(lambda v: rational.affine(rational.diagonal(v)))),
-    "shear": Function(
-        _V, "a shear xy, xz, yz", _build(lambda v: rational.affine(affine.shear_matrix(v)))
+    "translate": _builder("a translation", affine.translation_matrix),
+    "scale": _builder("a scale", lambda v: rational.affine_matrix(rational.diagonal(v))),
+    "shear": _builder(
+        "a shear xy, xz, yz", lambda v: rational.affine_matrix(affine.shear_matrix(v))
     ),
 }

@@ -1,6 +1,6 @@
-"""The closed grammar: what an expression may hold, checked before anything is computed.
+"""The closed grammar of expressions, checked before anything is computed.
 
-Python's own parser makes the tree; this file admits a handful of its nodes and nothing else.
+Python's own parser makes the tree; only a handful of its nodes are admitted.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import ast
 import string
 import warnings
 
-from nmatrix.calculator.faults import fault
+from nmatrix.calculator.faults import CalculatorError
 
 LONGEST = 10_000  # characters
 DEEPEST = 200  # levels of nesting; Python's own stack holds about 1000
@@ -28,7 +28,7 @@ _AS_TYPED = str.maketrans("−\t\n\r", "-   ")
 
 
 def plain(expression: str) -> str:
-    r"""Return an expression on one line, with the minus of mathematics as the one of keyboards.
+    r"""Put an expression on one line, with the minus sign of mathematics as a hyphen.
 
     Examples
     --------
@@ -39,7 +39,7 @@ def plain(expression: str) -> str:
 
 
 def parse(expression: str) -> ast.expr:
-    """Return the tree of an expression, if it is one of ours.
+    """Parse an expression of the closed grammar.
 
     Raises
     ------
@@ -55,15 +55,19 @@ def parse(expression: str) -> ast.expr:
     except SyntaxError as error:
         at = error.offset - 1 if error.offset else len(expression)  # 0 is the end of the text
         at = min(at, len(expression))
-        raise fault(expression, at, "expression", "it does not read on from here") from None
+        raise CalculatorError(
+            expression, at, "expression", "it does not read on from here"
+        ) from None
     except (ValueError, RecursionError, MemoryError):
-        raise fault(expression, 0, "expression", "it is nested too deeply to be read") from None
+        raise CalculatorError(
+            expression, 0, "expression", "it is nested too deeply to be read"
+        ) from None
     _check_nodes(expression, tree)
     return tree
 
 
 def operator_position(expression: str, left: ast.expr) -> int:
-    """Return the character of the operator behind its left side (and its closing brackets)."""
+    """Find the operator: the character behind its left side and that side's closing brackets."""
     at = left.end_col_offset or 0
     while expression[at] in ") ":
         at += 1
@@ -73,13 +77,13 @@ def operator_position(expression: str, left: ast.expr) -> int:
 def _check_characters(expression: str) -> None:
     if len(expression) > LONGEST:
         why = f"it has {len(expression)} characters, {LONGEST} are read"
-        raise fault(expression, LONGEST, "expression", why)
+        raise CalculatorError(expression, LONGEST, "expression", why)
     if not expression:
-        raise fault(expression, 0, "expression", "it is empty, try det(M)")
+        raise CalculatorError(expression, 0, "expression", "it is empty, try det(M)")
     for at, character in enumerate(expression):
         if character not in _CHARACTERS:
             why = "only letters, digits, brackets ( ) [ ] and @ * / + - . , mean something"
-            raise fault(expression, at, "character", why)
+            raise CalculatorError(expression, at, "character", why)
 
 
 def _check_depth(expression: str) -> None:
@@ -89,7 +93,9 @@ def _check_depth(expression: str) -> None:
         depth += (character in _OPENING) - (character in _CLOSING)
         signs = signs + 1 if character in _SIGNS else signs * (character == " ")
         if depth + signs > DEEPEST:
-            raise fault(expression, at, "bracket or sign", f"nesting ends at {DEEPEST} levels")
+            raise CalculatorError(
+                expression, at, "bracket or sign", f"nesting ends at {DEEPEST} levels"
+            )
 
 
 def _check_nodes(expression: str, tree: ast.expr) -> None:
@@ -99,7 +105,7 @@ def _check_nodes(expression: str, tree: ast.expr) -> None:
         node, depth = waiting.pop()
         if depth > DEEPEST:
             why = f"nesting ends at {DEEPEST} levels, and every operator is one"
-            raise fault(expression, node.col_offset, "expression", why)
+            raise CalculatorError(expression, node.col_offset, "expression", why)
         waiting += [(child, depth + 1) for child in _children(expression, node)]
 
 
@@ -108,7 +114,7 @@ def _children(expression: str, node: ast.expr) -> list[ast.expr]:
         case ast.BinOp(left=left, op=operator, right=right):
             if type(operator) not in OPERATORS:
                 at = operator_position(expression, left)
-                raise fault(expression, at, "operator", "the operators are @ * / + -")
+                raise CalculatorError(expression, at, "operator", "the operators are @ * / + -")
             return [left, right]
         case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=operand):
             return [operand]
@@ -122,7 +128,7 @@ def _children(expression: str, node: ast.expr) -> list[ast.expr]:
             return []
         case ast.Attribute(value=value):
             dot = operator_position(expression, value)
-            raise fault(expression, dot, "an attribute", "only .T may follow a dot")
+            raise CalculatorError(expression, dot, "an attribute", "only .T may follow a dot")
         case _:
             why = "only numbers, [brackets], names, function(…), @ * / + - and .T are read"
-            raise fault(expression, node.col_offset, "expression", why)
+            raise CalculatorError(expression, node.col_offset, "expression", why)

@@ -1,11 +1,11 @@
-"""The five binary operators: what they take, what they give, and the rule in words."""
+"""The five binary operators, each with its rule in words."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
 
-from nmatrix.calculator.values import Kind, Value, each
+from nmatrix.calculator.values import Value, ValueKind, each
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import rational
 
@@ -31,9 +31,9 @@ def _together(a: object, b: object) -> Fraction:
 
 
 def _times(a: Value, b: Value) -> Computed:
-    if a.kind is Kind.SCALAR:
+    if a.kind is ValueKind.SCALAR:
         return each(b.entries, lambda x: a.scalar * x), "every entry times the number"
-    if b.kind is Kind.SCALAR:
+    if b.kind is ValueKind.SCALAR:
         return each(a.entries, lambda x: x * b.scalar), "every entry times the number"
     raise IllegalValueError(
         f"{a.shape} * {b.shape}", "* is for numbers", "use @, dot(a, b) or cross(a, b)"
@@ -41,7 +41,7 @@ def _times(a: Value, b: Value) -> Computed:
 
 
 def _over(a: Value, b: Value) -> Computed:
-    if b.kind is not Kind.SCALAR:
+    if b.kind is not ValueKind.SCALAR:
         raise IllegalValueError(f"division by {b.shape}", "only numbers divide", "use inverse(…)")
     if b.scalar == 0:
         raise NoAnswerError("a division by 0", "nothing times 0 gives it", "check the divisor")
@@ -49,12 +49,12 @@ def _over(a: Value, b: Value) -> Computed:
 
 
 def _matrix_product(a: Value, b: Value) -> Computed:
-    if a.kind is not Kind.MATRIX or b.kind is Kind.SCALAR:
+    if a.kind is not ValueKind.MATRIX or b.kind is ValueKind.SCALAR:
         raise IllegalValueError(
             f"{a.shape} @ {b.shape}", "a matrix stands on the left", "swap them"
         )
     width, height = len(a.matrix[0]), len(b.entries)  # type: ignore[arg-type]  # not a scalar
-    if width == 4 and b.kind is Kind.VECTOR and height == 3:
+    if width == 4 and b.kind is ValueKind.VECTOR and height == 3:
         raise IllegalValueError(
             f"{a.shape} @ {b.shape}",
             "w is missing: a point has w = 1, a vector w = 0",
@@ -62,7 +62,7 @@ def _matrix_product(a: Value, b: Value) -> Computed:
         )
     if width != height:
         raise IllegalValueError(f"{a.shape} @ {b.shape}", "the inner sizes differ", "match them")
-    if b.kind is Kind.VECTOR:
+    if b.kind is ValueKind.VECTOR:
         return rational.apply(a.matrix, b.vector), "each row dot the vector"
     return rational.product(a.matrix, b.matrix), "rows times columns"
 

@@ -1,4 +1,4 @@
-"""What the calculator computes with: a scalar, a vector or a matrix of exact fractions."""
+"""The calculator's values: a scalar, a vector or a matrix of exact fractions."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import nearest
 
 LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
-KEPT_BITS = 320  # of an irrational value, more than twice what its root or sine is good to
+KEPT_BITS = 320  # of an irrational value, more than twice the accuracy of its root or sine
 
 Entries = Fraction | RationalVector | RationalMatrix
 
 
-class Kind(StrEnum):
-    """What kind of thing a value is."""
+class ValueKind(StrEnum):
+    """A value is a scalar, a vector or a matrix."""
 
     SCALAR = "scalar"
     VECTOR = "vector"
@@ -34,21 +34,21 @@ class Arithmetic(StrEnum):
 
 @dataclass(frozen=True)
 class Value:
-    """Entries, and whether they are exactly what the expression means."""
+    """Entries; `exact` is false where a root or a sine in them was rounded."""
 
     entries: Entries
     exact: bool = True
 
     @property
-    def kind(self) -> Kind:
-        """Return whether this is a scalar, a vector or a matrix."""
+    def kind(self) -> ValueKind:
+        """Scalar, vector or matrix, by the nesting of the entries."""
         if isinstance(self.entries, Fraction):
-            return Kind.SCALAR
-        return Kind.MATRIX if isinstance(self.entries[0], tuple) else Kind.VECTOR
+            return ValueKind.SCALAR
+        return ValueKind.MATRIX if isinstance(self.entries[0], tuple) else ValueKind.VECTOR
 
     @property
     def shape(self) -> str:
-        """Return the size in words."""
+        """The size in words."""
         if isinstance(self.entries, Fraction):
             return "a number"
         if isinstance(self.entries[0], tuple):
@@ -57,24 +57,24 @@ class Value:
 
     @property
     def scalar(self) -> Fraction:
-        """Return the number of a scalar."""
+        """The number of a scalar."""
         assert isinstance(self.entries, Fraction)  # callers check the kind
         return self.entries
 
     @property
     def vector(self) -> RationalVector:
-        """Return the components of a vector."""
-        assert self.kind is Kind.VECTOR  # callers check the kind
+        """The components of a vector."""
+        assert self.kind is ValueKind.VECTOR  # callers check the kind
         return self.entries  # type: ignore[return-value]  # the assertion says so
 
     @property
     def matrix(self) -> RationalMatrix:
-        """Return the rows of a matrix."""
-        assert self.kind is Kind.MATRIX  # callers check the kind
+        """The rows of a matrix."""
+        assert self.kind is ValueKind.MATRIX  # callers check the kind
         return self.entries  # type: ignore[return-value]  # the assertion says so
 
     def kept_by(self, arithmetic: Arithmetic) -> Value:
-        """Return the value as the arithmetic carries it on.
+        """Round the value as the arithmetic does before the next operation.
 
         Raises
         ------
@@ -89,7 +89,7 @@ class Value:
 
 
 def _significant(x: Fraction) -> Fraction:
-    """Return x to `KEPT_BITS` bits, so that irrational values do not grow with every step."""
+    """Round x to `KEPT_BITS` bits, so that irrational values do not grow with every step."""
     if _bits(x) <= 2 * KEPT_BITS:
         return x
     shift = KEPT_BITS - x.numerator.bit_length() + x.denominator.bit_length()
@@ -99,7 +99,9 @@ def _significant(x: Fraction) -> Fraction:
 def _checked_size(x: Fraction) -> Fraction:
     if _bits(x) > LARGEST_BITS:
         raise IllegalValueError(
-            "its fraction", f"it takes {_bits(x)} bits, {LARGEST_BITS} are kept", "try --float"
+            "its fraction",
+            f"it takes {_bits(x)} bits, {LARGEST_BITS} are kept",
+            f"try {quantity('float')}",
         )
     return x
 
@@ -109,7 +111,7 @@ def _bits(x: Fraction) -> int:
 
 
 def each(entries: Entries, change: Callable[[Fraction], Fraction]) -> Entries:
-    """Return the entries with every number changed.
+    """Apply a function to every entry, keeping the shape.
 
     Examples
     --------
@@ -122,7 +124,7 @@ def each(entries: Entries, change: Callable[[Fraction], Fraction]) -> Entries:
 
 
 def as_strings(entries: Entries) -> object:
-    """Return the entries as fractions in words, in the same shape."""
+    """Write every entry as a fraction, keeping the shape."""
     if isinstance(entries, Fraction):
         return str(entries)
     return [as_strings(entry) for entry in entries]

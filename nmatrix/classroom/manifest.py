@@ -8,7 +8,7 @@ from hashlib import blake2b
 
 from nmatrix.classroom.handout import Plan
 from nmatrix.classroom.roster import Student, file_names, stem_of
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.lessons.exercises.scheme import SCHEME
 from nmatrix.output.pages.document import PageFormat
 from nmatrix.version import __version__
@@ -75,7 +75,9 @@ def check_same(wanted: Manifest, found: bytes, folder: str) -> None:
     except (ValueError, AttributeError):
         why = "its manifest cannot be read"
     raise IllegalValueError(
-        f"folder ({folder})", why, "choose another one with -o, or --force to write it anew"
+        f"folder ({folder})",
+        why,
+        f"choose another one with {quantity('output')}, or {quantity('force')} to write it anew",
     )
 
 

@@ -1,4 +1,4 @@
-"""What course material claims, where it holds and where it fails: the table F1 to F16."""
+"""What course material claims, where it holds and where it fails, numbered for the classroom."""
 
 from __future__ import annotations
 

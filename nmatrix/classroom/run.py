@@ -15,7 +15,7 @@ from itertools import islice
 
 from nmatrix.classroom.handout import Plan, Written, written
 from nmatrix.classroom.roster import Student, file_names
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.lessons.exercises.scheme import Sheet
 
 AT_ONCE = 64  # jobs that wait for a worker: enough to keep many busy, few enough to hold
@@ -56,7 +56,7 @@ def finished(jobs: Sequence[Job], executor: Executor | None) -> Iterator[tuple[J
         yield from _finished_by(jobs, executor)
     except BrokenProcessPool:
         raise IllegalValueError(
-            "--workers",
+            quantity("workers"),
             "one of the processes was killed",
             "run it again: it goes on where it stopped (fewer workers need less memory)",
         ) from None

@@ -8,7 +8,7 @@ from enum import StrEnum
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.linear.rounding import in_short
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Figure, Heading, Quantity, Table, Text, Verdict
 from nmatrix.scene.setup import Setup
 
@@ -84,7 +84,7 @@ def _seen(setup: Setup) -> Table:
 def _short(vector: Sequence[float | Fraction] | None) -> str:
     if vector is None:
         return "none"
-    numbers = (in_short(Fraction(x), 4).replace("-", "−") for x in vector)
+    numbers = (short_text(Fraction(x), 4).replace("-", "−") for x in vector)
     return f"({', '.join(numbers)})"
 
 

@@ -148,7 +148,7 @@ def run(arguments: Sequence[str]) -> int:
             list(arguments), prog_name="nmatrix", standalone_mode=False
         )
     except NMatrixError as error:
-        return fail(str(error), error.exit_code)
+        return fail(error.spelled(_option), error.exit_code)
     except TyperException as error:
         return _usage(error)
     except (KeyboardInterrupt, typer.Abort):
@@ -162,6 +162,11 @@ def run(arguments: Sequence[str]) -> int:
             DEFECT,
         )
     return code if isinstance(code, int) else 0
+
+
+def _option(quantity: str) -> str:
+    """Return the option that sets a quantity."""
+    return f"--{quantity.replace('_', '-')}"
 
 
 def _usage(error: TyperException) -> int:

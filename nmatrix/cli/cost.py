@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import time
-from enum import StrEnum
 from math import radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -12,15 +11,15 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.reading.numbers import number
+from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
     from nmatrix.studies.harness import Harness
-    from nmatrix.studies.report import Wish
-    from nmatrix.studies.rows import Row, Task
+    from nmatrix.studies.measurements import Measurement, Target, Task
 
 HELP = {
     "cost": """nmatrix cost normals --quick
@@ -33,8 +32,7 @@ What accuracy costs in time: errors against the exact answer, wrong answers, rat
 }
 
 QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
-CHARTS = (".svg", ".png")
-WISH = re.compile(r"(.+?)\s*(deg|rad|levels|ns|us|ms|s)?")
+QUANTITY = re.compile(r"(.+?)\s*(deg|rad|levels|ns|us|ms|s)?")
 SCALES = {
     "rad": 1.0,
     "levels": 1.0,
@@ -44,14 +42,6 @@ SCALES = {
     "ms": 1e-3,
     "s": 1.0,
 }
-
-
-class Study(StrEnum):
-    """What can be studied."""
-
-    NORMALS = "normals"
-    SHADING = "shading"
-    SPACES = "spaces"
 
 
 UNITS = {Study.NORMALS: ("deg", "rad"), Study.SHADING: ("levels",), Study.SPACES: ()}
@@ -75,21 +65,22 @@ def cost(
     force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False,
 ) -> None:
     """Measure what accuracy costs."""
-    wish = _wish(study, tolerance, budget)
-    target = None if chart is None else _chart_file(chart, force=force)
+    target = _target(study, tolerance, budget)
+    chart_file = None if chart is None else _chart_file(chart, force=force)
     from nmatrix.studies.harness import Harness
-    from nmatrix.studies.report import TITLES, report
+    from nmatrix.studies.report import WORDINGS, report
 
     trial = Harness(time.perf_counter, 0.002)
     check = trial.self_check(_work)
     trial.double_check(_work)
     rows = _rows(_tasks(study, _harness(quick=quick), quick=quick), study)
-    if target is not None:
+    if chart_file is not None:
+        from nmatrix.studies.chart import ChartFormat
         from nmatrix.studies.chart import chart as drawn
 
-        kind = target.suffix.lower().removeprefix(".")
-        write_file(target, drawn(rows, TITLES[study], kind), force=force)
-    show(report(study, rows, check, wish), everywhere)
+        kind = ChartFormat(chart_file.suffix.lower().removeprefix("."))
+        write_file(chart_file, drawn(rows, WORDINGS[study].title, kind), force=force)
+    show(report(study, rows, check, target), everywhere)
 
 
 def _harness(*, quick: bool) -> Harness:
@@ -97,17 +88,16 @@ def _harness(*, quick: bool) -> Harness:
 
     if not quick:
         return Harness(time.perf_counter)
-    return Harness(
-        time.perf_counter, 0.0005, rounds=7, fewest=3, late=time.perf_counter() + QUICK_SECONDS
-    )
+    deadline = time.perf_counter() + QUICK_SECONDS
+    return Harness(time.perf_counter, 0.0005, max_rounds=7, min_rounds=3, deadline=deadline)
 
 
 def _work() -> int:
     return sum(range(2000))
 
 
-def _rows(tasks: list[Task], study: Study) -> tuple[Row, ...]:
-    from nmatrix.studies.rows import with_fronts
+def _rows(tasks: list[Task], study: Study) -> tuple[Measurement, ...]:
+    from nmatrix.studies.measurements import with_fronts
 
     done = (task() for task in tasks)
     return with_fronts(list(progress(done, len(tasks), f"measuring {study}")))
@@ -127,23 +117,23 @@ def _tasks(study: Study, harness: Harness, *, quick: bool) -> list[Task]:
     return spaces.tasks(harness, spaces.QUICK if quick else spaces.VERTICES)
 
 
-def _wish(study: Study, tolerance: str | None, budget: str | None) -> Wish:
-    from nmatrix.studies.report import Wish
+def _target(study: Study, tolerance: str | None, budget: str | None) -> Target:
+    from nmatrix.studies.measurements import Target
 
     if tolerance is not None and budget is not None:
         raise IllegalValueError(
             "--tolerance with --budget", "each asks for the best of the other", "keep one of them"
         )
     if tolerance is not None:
-        return Wish(tolerance=_quantity(tolerance, "--tolerance", UNITS[study], "1e-3deg"))
+        return Target(tolerance=_quantity(tolerance, "--tolerance", UNITS[study], "1e-3deg"))
     if budget is not None:
-        return Wish(seconds=_quantity(budget, "--budget", ("ns", "us", "ms", "s"), "5ms"))
-    return Wish()
+        return Target(seconds=_quantity(budget, "--budget", ("ns", "us", "ms", "s"), "5ms"))
+    return Target()
 
 
 def _quantity(text: str, option: str, units: tuple[str, ...], example: str) -> float:
     """Return a number with its unit, in radians, levels or seconds."""
-    found = WISH.fullmatch(text.strip())
+    found = QUANTITY.fullmatch(text.strip())
     unit = found[2] if found else None
     if found is None or unit not in units:
         known = ", ".join(units) or "none here"
@@ -157,10 +147,13 @@ def _quantity(text: str, option: str, units: tuple[str, ...], example: str) -> f
 
 
 def _chart_file(name: str, *, force: bool) -> Path:
+    from nmatrix.studies.chart import ChartFormat
+
     path = Path(name)
-    if path.suffix.lower() not in CHARTS:
+    endings = [f".{one}" for one in ChartFormat]
+    if path.suffix.lower() not in endings:
         raise IllegalValueError(
-            f"--chart ({name[:60]})", f"charts end in {' or '.join(CHARTS)}", "try chart.svg"
+            f"--chart ({name[:60]})", f"charts end in {' or '.join(endings)}", "try chart.svg"
         )
     refuse_existing([path], force=force)
     return path

@@ -10,11 +10,11 @@ from typer import Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
+from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.report import Report, Text, Verdict
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World

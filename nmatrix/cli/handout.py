@@ -11,7 +11,6 @@ from typer import Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
 from nmatrix.cli.sheet_options import SheetOptions
@@ -19,6 +18,7 @@ from nmatrix.cli.show import show
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.output.pages.document import PageFormat, Paper
 from nmatrix.report import Block, Report, Text, Verdict
 

@@ -7,11 +7,11 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nmatrix.cli.files import write_file
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.files import write_file
 from nmatrix.output.pages.document import PageFormat
 from nmatrix.reading.records import records
 

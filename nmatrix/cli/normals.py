@@ -14,7 +14,7 @@ from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions, ToleranceOption
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import NormalMethod, Space
+from nmatrix.enums import NORMAL_METHODS, NormalRule, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers
 
@@ -45,8 +45,13 @@ def normal(
         Option("--normal", metavar="X Y Z", help="A normal to carry; repeat for more."),
     ] = None,
     method: Annotated[
-        NormalMethod, Option("--method", help="Right, or one of three to compare with.")
-    ] = NormalMethod.EXACT,
+        str,
+        Option(
+            metavar=f"<{'|'.join(NORMAL_METHODS)}>",
+            autocompletion=lambda: list(NORMAL_METHODS),
+            help="Right, or one of three to compare with.",
+        ),
+    ] = NORMAL_METHODS[0].value,
 ) -> None:
     """Show the normal matrix and the normals through it."""
     from nmatrix.answers.normal import NormalRequest
@@ -58,9 +63,19 @@ def normal(
     request = NormalRequest(
         normals=tuple(numbers(text, 3, "--normal") for text in normals or ()),
         space=space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
-        method=method,
+        method=_method_named(method),
     )
     show(answer(groups.setup(everywhere), request), everywhere)
+
+
+def _method_named(name: str) -> NormalRule:
+    if name not in NORMAL_METHODS:
+        raise IllegalValueError(
+            f"--method ({name[:20]})",
+            f"it is one of {', '.join(NORMAL_METHODS)}",
+            f"try {NORMAL_METHODS[0]}",
+        )
+    return NormalRule(name)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:

@@ -44,9 +44,7 @@ def world_over(one: SceneObject, options: WorldOptions, typed: World) -> World:
         own = _place_over(own, options, typed)
     if one.world_from_parent is None:
         return own
-    from nmatrix.scene.toml.objects import world_under
-
-    under = world_under(one.world_from_parent, own)
+    under = own.under(one.world_from_parent)
     return replace(under, matrix=under.world_from_object)
 
 

@@ -43,11 +43,6 @@ def plan(
         return
     if scene is None:
         raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
-    from nmatrix.answers.plan import plan as answer
-    from nmatrix.raster.loaded_scene import loaded
-    from nmatrix.raster.planning.glsl import shaders
-    from nmatrix.raster.planning.plan import planned
-    from nmatrix.scene.open import scene_of
+    from nmatrix.answers.plan import plan_of_file
 
-    found = planned(loaded(scene_of(Path(scene))))
-    show(answer(found, shaders(found, found.bodies[0])), everywhere)
+    show(plan_of_file(Path(scene)), everywhere)

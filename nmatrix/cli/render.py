@@ -11,7 +11,6 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.everywhere import Everywhere
-from nmatrix.cli.files import refuse_existing, write_file
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
 from nmatrix.cli.scene_group import SceneOptions
 from nmatrix.cli.scene_options import Groups, SpaceOptions
@@ -19,6 +18,7 @@ from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Space
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.scene.words import LightKind
 

@@ -93,7 +93,7 @@ class SceneOptions:
         raise self._unknown("--light", self.light_name, [one.name for one in placed])
 
     def _unknown(self, option: str, name: str, names: list[str]) -> IllegalValueError:
-        from nmatrix.scene.toml.faults import suggestion
+        from nmatrix.scene.toml.table import suggestion
 
         what = option.removeprefix("--")
         listed = f"there are {', '.join(names[:8])}{', …' if len(names) > 8 else ''}"

@@ -10,7 +10,7 @@ from nmatrix.cli.stdin import standard_input
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
-from nmatrix.linear.rational import RationalMatrix, rational
+from nmatrix.linear.rational import RationalMatrix, rational_matrix
 from nmatrix.reading.files import decoded, existing_file
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.shapes import as_affine, as_projection
@@ -40,11 +40,11 @@ class Sources:
         With `exact` the numbers are kept as they were typed, else each is the nearest float64.
         """
         found = as_affine(self._read(text))
-        return found.rows_exact if exact else rational(found.rows)
+        return found.rows_exact if exact else rational_matrix(found.rows)
 
     def projection(self, text: str) -> RationalMatrix:
         """Return any 4×4."""
-        return rational(as_projection(self._read(text)).rows)
+        return rational_matrix(as_projection(self._read(text)).rows)
 
     def literal(self, text: str) -> MatrixLiteral:
         """Return a matrix of any size, as it was typed."""

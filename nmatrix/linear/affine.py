@@ -10,17 +10,18 @@ from fractions import Fraction
 from operator import mul
 
 from nmatrix.enums import Convention
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.rational import (
     ONE,
     ZERO,
     RationalMatrix,
-    affine,
+    affine_matrix,
     identity,
     product,
     rational_vector,
 )
+from nmatrix.linear.rounding import inverse_root
 
 AXES = "XYZ"
 
@@ -51,12 +52,12 @@ def checked_order(order: str) -> str:
     IllegalValueError
         For mixed case, a repeated axis or another length.
     """
-    if sorted(order) not in (list(AXES), list(AXES.lower())):
+    if not isinstance(order, str) or sorted(order) not in (list(AXES), list(AXES.lower())):
         raise IllegalValueError(
-            f"order ({order[:20]})",
+            f"order ({str(order)[:20] if isinstance(order, str) else type(order).__name__})",
             "it must hold each axis once, in capitals (about the turned axes) or in small letters "
             "(about the fixed axes)",
-            "try --order XYZ or --order zyx",
+            f"try {quantity('order')} XYZ or {quantity('order')} zyx",
         )
     return order
 
@@ -109,13 +110,44 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
     square = x * x + y * y + z * z + w * w
     if square == 0:
         raise NoAnswerError(
-            "quaternion (0 0 0 0)", "it has no direction", "no rotation is --quaternion 0 0 0 1"
+            "quaternion (0 0 0 0)",
+            "it has no direction",
+            f"no rotation is {quantity('quaternion')} 0 0 0 1",
         )
     s = 2 / square
     return (
         (1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)),
         (s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)),
         (s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)),
+    )
+
+
+def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -> RationalMatrix:
+    """Return the 3×3 rotation about an axis of any length but zero, by the right-hand rule.
+
+    R = cos θ·I + (1 − cos θ)·a aᵀ/a² + sin θ/|a|·[a]×: only the length needs a root, of 160 bits.
+
+    Raises
+    ------
+    NoAnswerError
+        For the zero axis.
+
+    Examples
+    --------
+    >>> [[int(x) for x in row] for row in rotation_about_axis((0, 0, 2), Angle.degrees(90))]
+    [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    """
+    a = rational_vector(axis)
+    square = sum(component * component for component in a)
+    if not square:
+        raise NoAnswerError("axis (0 0 0)", "it has no direction", "try 0 1 0")
+    angle = as_angle(turn)
+    s, c = angle.sine * inverse_root(square), angle.cosine
+    x, y, z = a
+    crossed = ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
+    return tuple(
+        tuple(c * (i == j) + (1 - c) / square * a[i] * a[j] + s * crossed[i][j] for j in range(3))
+        for i in range(3)
     )
 
 
@@ -143,9 +175,9 @@ def compose(
     block = tuple(tuple(map(mul, row, stretch)) for row in turned)  # R · diag(scale)
     if any(shear):
         block = product(block, shear_matrix(shear))
-    return affine(block, rational_vector(translate))
+    return affine_matrix(block, rational_vector(translate))
 
 
 def translation_matrix(offset: Sequence[float | Fraction]) -> RationalMatrix:
     """Return the 4×4 matrix that moves points by the offset."""
-    return affine(identity(3), rational_vector(offset))
+    return affine_matrix(identity(3), rational_vector(offset))

@@ -1,18 +1,24 @@
-"""An angle as its sine and cosine, so that a quarter turn gives 0 and 1 and not 6e-17.
+"""An angle as its sine and cosine, so that a quarter turn gives 0 and 1 and not 6e-17; and back.
 
-The series run on integers with `BITS` bits behind the point: what is built from them and rounded
-once is the nearest float64 in all but freak cases.
+The series run on integers with `BITS` bits behind the point and are right to a relative 2⁻¹³⁰:
+what is built from them and rounded once is the nearest float64, except for rare near-ties.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import cos, isqrt, sin
 
-BITS = 140
+from nmatrix.linear.values import listed, number, real
+from nmatrix.report import Number, Vector
+
+BITS = 160  # 130 to keep, the others for what the halvings and the series cut off
+HALVINGS = 4  # arctan t = 2⁴ · arctan of something below 2⁻⁴: twenty terms of the series are left
 PI = Fraction(314159265358979323846264338327950288419716939937510582097494459, 10**62)
+DEGREES = 180 / PI  # in a radian
 
 
 @dataclass(frozen=True)
@@ -34,7 +40,7 @@ class Angle:
         >>> Angle.degrees(450).cosine, Angle.degrees(60).cosine
         (Fraction(0, 1), Fraction(1, 2))
         """
-        turned = Fraction(value) % 360
+        turned = Fraction(number(value, "value")) % 360
         quarter = round(turned / 90)
         rest = turned - 90 * quarter
         sine, cosine = _sine_and_cosine(abs(rest))
@@ -44,7 +50,8 @@ class Angle:
     @classmethod
     def radians(cls, value: float) -> Angle:
         """Return the angle of so many radians, to the accuracy of the C library (1 ulp)."""
-        return cls(Fraction(sin(value)), Fraction(cos(value)))
+        size = real(value, "value")
+        return cls(Fraction(sin(size)), Fraction(cos(size)))
 
     def half(self) -> Angle:
         """Return half of an angle between 0 and 180°, from tan(θ/2) = sin θ / (1 + cos θ)."""
@@ -57,6 +64,28 @@ class Angle:
             return Angle(Fraction(1), Fraction(0))
         return Angle(self.sine / (2 * cosine), cosine)
 
+    @property
+    def in_degrees(self) -> float | Fraction:
+        """Return the angle in degrees, from −180 (excluded) to 180.
+
+        The float that `degrees` makes this angle of, if there is one; else a fraction that is
+        right to a relative 2⁻¹³⁰.
+
+        Examples
+        --------
+        >>> Angle.degrees(30).in_degrees, Angle.degrees(-90).in_degrees
+        (30.0, -90.0)
+        """
+        sharp = PI / 2 if self.cosine == 0 else arctangent(abs(self.sine / self.cosine))
+        size = (sharp if self.cosine >= 0 else PI - sharp) * DEGREES
+        exact = size if self.sine >= 0 else -size
+        rounded = exact.numerator / exact.denominator
+        return rounded if Angle.degrees(rounded) == self else exact
+
+    def __repr__(self) -> str:
+        """Return the call that makes this angle, or one within rounding of it."""
+        return f"Angle.degrees({float(self.in_degrees):.15g})"
+
     def __neg__(self) -> Angle:
         return Angle(-self.sine, self.cosine)
 
@@ -64,6 +93,17 @@ class Angle:
 def as_angle(value: Angle | float) -> Angle:
     """Return an angle from an `Angle` or from radians."""
     return value if isinstance(value, Angle) else Angle.radians(value)
+
+
+def turn(value: object, name: str) -> Number:
+    """Return an angle in degrees: a number of degrees, or an `Angle`."""
+    return value.in_degrees if isinstance(value, Angle) else number(value, name)
+
+
+def turns(values: object, size: int, name: str) -> Vector:
+    """Return so many angles in degrees."""
+    entries = listed(values, name, (size,))
+    return tuple(turn(one, f"{name}[{i}]") for i, one in enumerate(entries))
 
 
 def _after_quarter_turns(sine: Fraction, cosine: Fraction, n: int) -> tuple[Fraction, Fraction]:
@@ -97,3 +137,67 @@ def _series(degrees: Fraction) -> tuple[Fraction, Fraction]:
         term = (term * t >> bits) // n
     one = 1 << bits
     return Fraction(total[1] - total[3], one), Fraction(total[0] - total[2], one)
+
+
+def arctangent(tangent: Fraction) -> Fraction:
+    """Return arctan of a number ≥ 0 in radians, however tiny or huge it is.
+
+    Examples
+    --------
+    >>> float(arctangent(Fraction(1))) * 4
+    3.141592653589793
+    """
+    square = tangent * tangent
+    total, bits = _acute(square.numerator, square.denominator)
+    return Fraction(total, 1 << bits)
+
+
+def exact_angle_between(a: Sequence[int], b: Sequence[int]) -> Fraction:
+    """Return the angle between two non-zero integer vectors of three in radians.
+
+    tan = |a×b| / a·b, and |a×b|² = a² b² − (a·b)² is an integer: an angle that is small, or nearly
+    half a turn, loses nothing.
+
+    Examples
+    --------
+    >>> float(exact_angle_between([1, 0, 0], [1, 10**9, 0]))
+    1.5707963257948967
+    """
+    cosine = _dot(a, b)
+    total, bits = _acute(_dot(a, a) * _dot(b, b) - cosine * cosine, cosine * cosine)
+    return Fraction(total if cosine >= 0 else _pi(bits) - total, 1 << bits)
+
+
+def _acute(sine_square: int, cosine_square: int) -> tuple[int, int]:
+    """Return the angle up to a quarter turn with this tan², as an integer over 2ᵇⁱᵗˢ, and bits."""
+    if sine_square <= cosine_square:
+        return _arctangent_of_root(sine_square, cosine_square)
+    total, bits = _arctangent_of_root(cosine_square, sine_square)
+    return _pi(bits) // 2 - total, bits
+
+
+def _arctangent_of_root(top: int, bottom: int) -> tuple[int, int]:
+    """Return arctan √(top/bottom) for top ≤ bottom, as an integer over 2ᵇⁱᵗˢ, and bits."""
+    if top == 0:
+        return 0, BITS
+    # A tiny tangent takes more bits, so that its relative accuracy stays.
+    bits = BITS + (bottom.bit_length() - top.bit_length()) // 2
+    one = 1 << bits
+    t = isqrt((top << (2 * bits)) // bottom)
+    for _ in range(HALVINGS):
+        t = (t << bits) // (one + isqrt((one << bits) + t * t))
+    total, term, n = 0, t, 1
+    squared = t * t >> bits
+    while term:
+        total += term // n if n % 4 == 1 else -(term // n)
+        term = term * squared >> bits
+        n += 2
+    return total << HALVINGS, bits
+
+
+def _pi(bits: int) -> int:
+    return (PI.numerator << bits) // PI.denominator
+
+
+def _dot(a: Sequence[int], b: Sequence[int]) -> int:
+    return sum(x * y for x, y in zip(a, b, strict=True))

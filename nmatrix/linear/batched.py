@@ -1,105 +1,334 @@
-"""Normal matrices of many maps: sign(det A)·C, chunk by chunk, at one of two levels.
+"""Many normal matrices and many normals at once, in chunks that stay in the cache.
 
-*Certified*: every entry within 2u, signs and zeros exact. *Guarded*: plain cofactors, which lose
-u·σ₁/σ₂, as an inverse does; where the largest cofactor is much smaller than the largest product,
-or the sign of the determinant is in doubt, the certified level takes over. Directions are all that
-a normal matrix is for, so each may come out times a power of two, where floats would not hold it.
+u is the unit roundoff of float64. *Exact*: whole numbers, one matrix after the other. *Certified*:
+compensated cofactors, within 2u with exact signs and zeros. *Guarded*: plain arithmetic where a
+bound says that it is good enough, else the certified level. Whatever the level, the mantissas and
+exponents that it finds are rounded to the type of the output in one place here.
+
+A is (N, 3, 3), n is (N, 3). Nothing is written before the same places of the input have been read.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
-from nmatrix.enums import Level
-from nmatrix.linear.certified import determinant_signs
+from nmatrix.enums import Level, NormalMatrixKind
+from nmatrix.linear.certified import (
+    CORRECTLY_ROUNDED,
+    NEVER,
+    OK,
+    STATUSES,
+    Normals,
+    certified_normals,
+    determinant_signs,
+    determinants,
+)
 from nmatrix.linear.compensated import Scaled, cofactors
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.plain import Workspace
+from nmatrix.linear.plain import LARGEST, SMALLEST, Workspace
 
 Array = NDArray[Any]
 
 CHUNK = 5 << 10  # matrices whose entries, cofactors and scratch stay in the second-level cache
 ENOUGH = 1 << 10  # matrices that are worth the calls of the certified level
+LONG_CHUNK = 1 << 16  # vectors whose products and lengths take 2 MiB
 
 
-def normal_matrices_by_row(A: Array, out: Array, level: Level) -> Array:
-    """Write sign(det A)·C for arrays of structures (N, 3, 3) into `out`, and return it.
+class PlainSums(NamedTuple):
+    """How far plain sums in a type may be off, in radians, and which squared lengths are safe."""
 
-    Each chunk is turned once, in the cache.
-    """
-    normal_matrices(A.transpose(1, 2, 0), out.transpose(1, 2, 0), level)
-    return out
+    bound: float
+    shortest: float
+    longest: float
 
 
-def normal_matrices(A: Array, out: Array, level: Level) -> Array:
-    """Do the same for structures of arrays (3, 3, N).
+PLAIN_SUMS: dict[np.dtype[Any], PlainSums] = {
+    np.dtype(np.float32): PlainSums(2.0**-17, 2.0**-100, 2.0**100),
+    np.dtype(np.float64): PlainSums(2.0**-36, 2.0**-900, 2.0**900),
+}
+PLAIN_COFACTORS = 2.0**-36  # radians that plain cofactors and sums in float64 may be off
 
-    A singular map's sign counts as +1: the cofactors of rank 2 still hold the plane's normal.
+
+def chunks(count: int, size: int) -> Iterator[slice]:
+    """Cut so many into slices of a size.
 
     Examples
     --------
-    >>> A = np.diag([-1.0, 2, 4])[:, :, None]
-    >>> normal_matrices(A, np.empty_like(A), Level.CERTIFIED)[:, :, 0].diagonal().tolist()
-    [-8.0, 4.0, 2.0]
+    >>> [part.stop for part in chunks(5, 2)]
+    [2, 4, 5]
     """
-    write = _guarded if level is Level.GUARDED else _certified
-    return write(A, out)
+    return (slice(first, min(first + size, count)) for first in range(0, count, size))
 
 
-def _guarded(A: Array, out: Array) -> Array:
-    """Write plain cofactors, and certified ones over those that may not be good enough.
+def normal_matrices(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> int | None:
+    """Write the normal matrices of (N, 3, 3) into `out`, of any float type.
+
+    Returns
+    -------
+    int | None
+        The first place whose answer is not finite: a singular matrix, for which NaN is written, or
+        an inverse transpose with an entry beyond the type of `out`, infinite there.
+
+    Examples
+    --------
+    >>> A = np.diag([-1.0, 2, 4])[None]
+    >>> normal_matrices(A, A, NormalMatrixKind.ORIENTED, Level.CERTIFIED), A[0].diagonal().tolist()
+    (None, [-8.0, 4.0, 2.0])
+    """
+    planes, room = A.transpose(1, 2, 0), out.transpose(1, 2, 0)
+    if level is Level.GUARDED:
+        return _guarded(planes, room, kind)
+    compute = _exact if level is Level.EXACT else _certified
+    for part in chunks(len(A), CHUNK):
+        bad = part.start + _put(compute(_float64(planes[:, :, part]), kind), room[:, :, part], kind)
+        if len(bad):
+            return int(bad[0])
+    return None
+
+
+def _guarded(A: Array, out: Array, kind: NormalMatrixKind) -> int | None:
+    """Write plain normal matrices, and certified ones over the doubtful.
 
     The few of each chunk wait until there are enough of them: together they cost a tenth.
     """
-    space = Workspace.of(min(CHUNK, A.shape[2]))
+    count = A.shape[2]
+    space = Workspace.of(min(CHUNK, count))
+    is_direct = out.dtype == np.float64 and out.strides[2] == out.itemsize
+    is_direct = is_direct and not np.may_share_memory(A, out)
     at, waiting = [np.empty(0, np.intp)], [np.empty((3, 3, 0))]
-    for first in range(0, A.shape[2], CHUNK):
-        some = A[:, :, first : first + CHUNK]
-        doubtful = space.write(some, out[:, :, first : first + CHUNK])
-        at.append(first + doubtful)
-        waiting.append(_planes(some[:, :, doubtful]))
-        count = sum(map(len, at))
-        if count >= ENOUGH or (count and first + CHUNK >= A.shape[2]):
-            out[:, :, np.concatenate(at)] = _certified_chunk(np.concatenate(waiting, axis=2))
+    for part in chunks(count, CHUNK):
+        some, room = A[:, :, part], out[:, :, part]
+        found, is_doubtful = space.normal_matrices(some, kind, room if is_direct else None)
+        doubtful = np.flatnonzero(is_doubtful)
+        if len(doubtful):
+            at.append(part.start + doubtful)
+            waiting.append(_float64(some[:, :, doubtful]))
+            found.mantissa[:, :, doubtful] = 0.0
+        bad = part.start + _put(found, room, kind)
+        places = np.concatenate(at)
+        if len(places) and (len(places) >= ENOUGH or part.stop == count or len(bad)):
+            again = np.empty((3, 3, len(places)), out.dtype)
+            certified = _certified(np.concatenate(waiting, axis=2), kind)
+            bad = np.append(bad, places[_put(certified, again, kind)])
+            out[:, :, places] = again
             at, waiting = at[:1], waiting[:1]
-    return out
+        if len(bad):
+            return int(bad.min())
+    return None
 
 
-def _certified(A: Array, out: Array) -> Array:
-    for first in range(0, A.shape[2], CHUNK):
-        part = slice(first, first + CHUNK)
-        np.copyto(out[:, :, part], _certified_chunk(_planes(A[:, :, part])), casting="same_kind")
-    return out
-
-
-def _certified_chunk(A: Array) -> Array:
-    """Return sign(det A)·C within 2u, scaled by a power of two for each matrix that needs it."""
+def _certified(A: Array, kind: NormalMatrixKind) -> Scaled:
+    """Compute sign(det A)·C within 2u, or C/det A within 5u, NaN for a singular matrix."""
     C = cofactors(A)
-    found = _at_one_scale(C) if C.exponent.any() else C.mantissa
-    found *= _signs(A, C)
+    if kind is NormalMatrixKind.ORIENTED:
+        C.mantissa[...] *= np.where(determinant_signs(A, C) < 0, -1.0, 1.0)
+        return C
+    det = determinants(A)
+    det.mantissa[det.mantissa == 0] = np.nan
+    return Scaled(C.mantissa / det.mantissa, C.exponent - det.exponent)
+
+
+def _exact(A: Array, kind: NormalMatrixKind) -> Scaled:
+    """Compute the same from whole numbers, every entry correctly rounded."""
+    found = Scaled(np.empty(A.shape), np.zeros(A.shape, np.int32))
+    for i, matrix in enumerate(A.transpose(2, 0, 1).tolist()):
+        one = LinearMap.of(matrix)
+        for j, row in enumerate(one.cofactors):
+            for k, cofactor in enumerate(row):
+                if kind is NormalMatrixKind.ORIENTED:
+                    bits = cofactor.bit_length()
+                    sign = -1 if one.integer_determinant < 0 else 1
+                    found.mantissa[j, k, i] = sign * cofactor / (1 << bits)
+                    found.exponent[j, k, i] = bits - 2 * (one.denominator.bit_length() - 1)
+                else:
+                    found.mantissa[j, k, i] = _quotient(
+                        cofactor * one.denominator, one.integer_determinant
+                    )
     return found
 
 
-def _at_one_scale(C: Scaled) -> Array:
-    """Return cofactors with their exponents put back, less the largest where it would overflow."""
-    mantissa, more = np.frexp(C.mantissa)
-    exponent = np.where(mantissa == 0, np.iinfo(np.int32).min // 2, C.exponent + more)
-    largest = exponent.max(axis=(0, 1))
-    too_far = (largest > 1000) | (largest < -900)
-    shift = np.maximum(exponent - np.where(too_far, largest, 0), -2000)
-    return np.asarray(np.ldexp(mantissa, shift))
+def _quotient(top: int, bottom: int) -> float:
+    """Divide whole numbers, correctly rounded; infinite beyond the largest float, NaN over 0."""
+    try:
+        return top / bottom + 0.0 if bottom else np.nan
+    except OverflowError:
+        return np.inf
 
 
-def _signs(A: Array, C: Scaled) -> Array:
-    """Return 1 or −1: the exact sign of each determinant, 1 where it is zero."""
-    sign, sure = determinant_signs(A, C)
-    for i in np.flatnonzero(~sure).tolist():
-        sign[i] = LinearMap.of(A[:, :, i].tolist()).determinant_sign
-    return np.where(sign < 0, -1.0, 1.0)
+def _put(found: Scaled, out: Array, kind: NormalMatrixKind) -> Array:
+    """Round results to the type of `out`; return the places that are not finite there."""
+    if kind is NormalMatrixKind.ORIENTED:
+        np.add(within_range(found, out.dtype), 0.0, out=out, casting="same_kind")
+        return np.empty(0, np.intp)
+    values = np.ldexp(*found) if found.exponent.any() else found.mantissa
+    np.add(values, 0.0, out=out, casting="same_kind")  # no zero is negative
+    bad = ~np.isfinite(values if out.dtype == values.dtype else out)
+    return np.flatnonzero(bad.any(axis=(0, 1)))
 
 
-def _planes(A: Array) -> Array:
+def within_range(found: Scaled, dtype: DTypeLike) -> Array:
+    """Put mantissas and exponents together, at a power of two for each matrix that needs one.
+
+    A matrix that the type holds as it is, with every entry a normal number or zero, comes as it is.
+    Else its largest entry comes near 1, or above that as far as its smallest one needs: an entry is
+    rounded to fewer bits, or to zero, only where no power of two would hold it beside the largest.
+
+    Examples
+    --------
+    >>> C = Scaled(np.array([[[0.5]], [[0.5]]]), np.array([[[601]], [[-899]]], np.int32))
+    >>> np.log2(within_range(C, np.float64)).ravel().tolist()
+    [600.0, -900.0]
+    >>> wide = Scaled(C.mantissa, np.array([[[901]], [[-1099]]], np.int32))
+    >>> np.log2(within_range(wide, np.float64)).ravel().tolist()
+    [978.0, -1022.0]
+    """
+    limits = _limits(dtype)
+    if not found.exponent.any() and _holds(limits, found.mantissa):
+        return found.mantissa
+    mantissa, exponent = np.frexp(found.mantissa)
+    mantissa, more = np.frexp(mantissa.astype(limits.dtype).astype(np.float64))
+    exponent = exponent + found.exponent + more
+    is_zero = mantissa == 0
+    largest = np.where(is_zero, NEVER, exponent).max(axis=(0, 1))
+    smallest = np.where(is_zero, -NEVER, exponent).min(axis=(0, 1))
+    lowest, highest = limits.minexp + 1, limits.maxexp
+    fits = (largest <= highest) & (smallest >= lowest)
+    shift = np.clip(lowest - smallest, -largest, highest - 1 - largest)
+    return np.asarray(np.ldexp(mantissa, np.where(fits | (largest == NEVER), 0, shift) + exponent))
+
+
+def _limits(dtype: DTypeLike) -> np.finfo[Any]:
+    """Return the range of a type, or that of float64 for one that is wider."""
+    return np.finfo(np.promote_types(dtype, np.float16) if np.can_cast(dtype, "f8") else "f8")
+
+
+def _holds(limits: np.finfo[Any], values: Array) -> bool:
+    """Return whether every value is zero or a normal number of a type; what float64 holds, is."""
+    if limits.dtype == np.float64:
+        return True
+    size, tiny = np.abs(values), float(limits.tiny)
+    has_tiny = size.min() < tiny and ((size < tiny) & (size > 0)).any()
+    return bool(size.max() <= float(limits.max) and not has_tiny)
+
+
+def transform_normals(A: Array, n: Array, level: Level) -> Iterator[tuple[slice, Normals]]:
+    """Carry normals (N, 3) through one map each, or through one for all, chunk by chunk.
+
+    Parameters
+    ----------
+    A
+        (N, 3, 3), or (1, 3, 3) for all normals.
+
+    Yields
+    ------
+    tuple[slice, Normals]
+        The places of a chunk, and what is found for them. A chunk is read when it is asked for.
+
+    Examples
+    --------
+    >>> A, n = np.diag([1.0, 1, 0.5])[None], np.array([[3.0, 0, 2.0]])
+    >>> [found.directions.ravel().tolist() for _, found in transform_normals(A, n, Level.GUARDED)]
+    [[0.6, 0.0, 0.8]]
+    """
+    if level is Level.EXACT:
+        return _by_exact(A, n)
+    if level is Level.CERTIFIED:
+        return _by_certified(A, n)
+    return _by_guarded_one(A, n) if len(A) == 1 else _by_guarded(A, n)
+
+
+def _by_exact(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
+    only = LinearMap.of(A[0].tolist()) if len(A) == 1 else None
+    for part in chunks(len(n), CHUNK):
+        count = part.stop - part.start
+        directions, status = np.zeros((3, count)), np.zeros(count, np.int8)
+        for i, normal in enumerate(n[part].tolist()):
+            found = (only or LinearMap.of(A[part.start + i].tolist())).normal(normal)
+            directions[:, i] = found.direction or (0.0, 0.0, 0.0)
+            status[i] = STATUSES.index(found.status)
+        yield part, Normals(directions, status, np.full(count, CORRECTLY_ROUNDED))
+
+
+def _by_certified(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
+    for part in chunks(len(n), CHUNK):
+        yield part, certified_normals(_of(A, part), _float64(n[part].T))
+
+
+def _by_guarded(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
+    """Use plain cofactors and plain sums, where |Cn| ≥ L²|n|/3072 keeps these within 2⁻³⁶."""
+    space = Workspace.of(min(CHUNK, len(n)))
+    for part in chunks(len(n), CHUNK):
+        some, vectors = A[part].transpose(1, 2, 0), _float64(n[part].T)
+        (N, _), doubtful = space.normal_matrices(some, NormalMatrixKind.ORIENTED)
+        directions = N[:, 0] * vectors[0]
+        directions += N[:, 1] * vectors[1]
+        directions += N[:, 2] * vectors[2]
+        directions /= np.sqrt((directions * directions).sum(axis=0))
+        size = np.abs(vectors)
+        doubtful |= (size > LARGEST).any(axis=0) | ((size < SMALLEST) & (size > 0)).any(axis=0)
+        doubtful |= ~size.any(axis=0)
+        yield part, _settled(directions, doubtful, (A[part], n[part]), PLAIN_COFACTORS)
+
+
+def _by_guarded_one(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
+    """Use the exact matrix, rounded once, and plain sums where its condition keeps these good."""
+    matrix = LinearMap.of(A[0].tolist())
+    N = _exact(_float64(A.transpose(1, 2, 0)), NormalMatrixKind.ORIENTED)
+    largest = N.exponent[N.mantissa != 0].max(initial=NEVER)
+    carrier = np.ldexp(N.mantissa, N.exponent - largest)[:, :, 0]
+    spread = np.linalg.svd(carrier, compute_uv=False)
+    for work, limit in PLAIN_SUMS.items():
+        unit = float(np.finfo(work).eps) / 2
+        bound = float(4.5 * unit * np.linalg.norm(carrier) / spread[2] + 4 * unit)
+        if matrix.rank == 3 and np.can_cast(n.dtype, work) and bound <= limit.bound:
+            return _by_plain_sums(A, n, carrier.astype(work), bound)
+    return _by_certified(A, n)
+
+
+def _by_plain_sums(
+    A: Array, n: Array, carrier: Array, bound: float
+) -> Iterator[tuple[slice, Normals]]:
+    work = carrier.dtype
+    _, low, high = PLAIN_SUMS[work]
+    scratch = np.empty((3, min(LONG_CHUNK, len(n))), work)
+    for part in chunks(len(n), LONG_CHUNK):
+        directions = scratch[:, : part.stop - part.start]
+        np.matmul(carrier, np.asarray(n[part].T, work), out=directions)
+        squares = directions[0] * directions[0]
+        squares += directions[1] * directions[1]
+        squares += directions[2] * directions[2]
+        doubtful = None
+        if not (squares.min() >= low and squares.max() <= high):
+            doubtful = ~((squares >= low) & (squares <= high))
+        directions /= np.sqrt(squares, out=squares)
+        yield part, _settled(directions, doubtful, (A, n[part]), bound)
+
+
+def _settled(
+    directions: Array, doubtful: Array | None, given: tuple[Array, Array], bound: float
+) -> Normals:
+    """Replace what is doubtful by certified normals, and attach the bound to the others."""
+    A, n = given
+    count = directions.shape[1]
+    if doubtful is None or not doubtful.any():
+        return Normals(directions, np.zeros(count, np.int8), np.broadcast_to(bound, count))
+    status, bounds = np.full(count, OK, np.int8), np.full(count, bound)
+    places = np.flatnonzero(doubtful)
+    for part in chunks(len(places), CHUNK):
+        some = places[part]
+        found = certified_normals(_of(A, some), _float64(n[some].T))
+        directions[:, some], status[some], bounds[some] = found
+    return Normals(directions, status, bounds)
+
+
+def _of(A: Array, places: slice | Array) -> Array:
+    """Take the planes of matrices at these places, or of the one that serves all of them."""
+    return _float64((A if len(A) == 1 else A[places]).transpose(1, 2, 0))
+
+
+def _float64(A: Array) -> Array:
     return np.ascontiguousarray(A, np.float64)

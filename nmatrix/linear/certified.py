@@ -1,4 +1,4 @@
-"""Normals of many surfaces through many maps, each with a bound on its error, proved as it is made.
+"""Determinants of many maps and normals through them, each with its error proved as it is made.
 
 Three levels, each asked only about what the one before could not settle:
 
@@ -6,14 +6,12 @@ Three levels, each asked only about what the one before could not settle:
 2. products as pairs of floats: within 2⁻¹⁰⁰·‖P|n|‖/‖Cn‖, where P holds |ad| + |bc|;
 3. whole numbers, correctly rounded.
 
-Signs of determinants are certified likewise, and settled by whole numbers where a float cannot
-tell. A is (3, 3, N), n is (3, N).
+A is (3, 3, N), n is (3, N). A power of two that multiplies a matrix changes no bit of a normal.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +24,6 @@ from nmatrix.linear.compensated import (
     Scaled,
     cofactors,
     minor_products,
-    outside_window,
     two_product,
     two_sum,
 )
@@ -38,78 +35,120 @@ TOLERANCE = 1e-14  # radians
 NORMALISING = 4 * UNIT  # what bringing a vector to length one adds
 CORRECTLY_ROUNDED = 2 * UNIT  # half a unit in each of three components
 PAIRS = 2.0**-100
-STATUSES = (NormalStatus.OK, NormalStatus.TWO_SIDED, NormalStatus.UNDEFINED)
+STATUSES = tuple(NormalStatus)
+OK, TWO_SIDED, UNDEFINED = range(len(STATUSES))
 NEVER = np.iinfo(np.int32).min // 2  # the exponent of zero
 
 
-@dataclass(frozen=True, eq=False)
-class CertifiedNormals:
-    """Unit normals (3, N), zero where there is none, and what is known about them.
+class Normals(NamedTuple):
+    """Unit normals (3, N), zero where there is none; their places in `STATUSES`; their bounds."""
+
+    directions: Array
+    status: Array
+    bound_rad: Array
+
+
+def certified_normals(A: Array, n: Array) -> Normals:
+    """Carry normals (3, N) through one map each, or through one for all: sign(det A)·C·n.
+
+    Every angle is within its bound, and every bound within `TOLERANCE`.
 
     Parameters
     ----------
-    bound_rad
-        (N,) the angle to the true normal is at most this.
-    status
-        (N,) index into `STATUSES`.
-    determinant_sign
-        (N,) the exact sign.
-    by_pairs, by_integers
-        How many the second and the third level settled.
-    """
-
-    normals: Array
-    bound_rad: Array
-    status: Array
-    determinant_sign: Array
-    by_pairs: int
-    by_integers: int
-
-
-def certified_normals(A: Array, n: Array, tolerance: float = TOLERANCE) -> CertifiedNormals:
-    """Carry one normal through each map: sign(det A)·C·n at length one.
+    A
+        (3, 3, N), or (3, 3, 1) for all normals.
 
     Examples
     --------
     >>> found = certified_normals(np.diag([1.0, 2, 1])[:, :, None], np.array([[1.0], [1], [0]]))
-    >>> found.normals.ravel().round(6).tolist(), bool(found.bound_rad[0] < 2e-15)
+    >>> found.directions.ravel().round(6).tolist(), bool(found.bound_rad[0] < 2e-15)
     ([0.894427, 0.447214, 0.0], True)
     """
     C = cofactors(A)
-    sign, sure = determinant_signs(A, C)
+    sign = np.broadcast_to(determinant_signs(A, C), n.shape[1])
     carried, bound = _summed(C, n)
-    by_pairs = np.flatnonzero(~(bound <= tolerance) & ~outside_window(A))
-    if len(by_pairs):
-        some = np.ascontiguousarray(A[:, :, by_pairs])
-        carried[:, by_pairs], bound[by_pairs] = _summed_in_pairs(some, n[:, by_pairs])
-    with np.errstate(invalid="ignore"):
-        normals = sign * carried / np.sqrt((carried * carried).sum(axis=0)) + 0.0
-    status = np.zeros(A.shape[2], np.int8)
-    unsettled = np.flatnonzero(~(bound <= tolerance) | ~sure | (sign == 0))
-    for i in unsettled.tolist():
-        exact = LinearMap.of(A[:, :, i].tolist())
-        found = exact.normal(n[:, i].tolist())
-        normals[:, i] = found.direction or (0.0, 0.0, 0.0)
-        status[i] = STATUSES.index(found.status)
-        sign[i], bound[i] = exact.determinant_sign, CORRECTLY_ROUNDED
-    return CertifiedNormals(
-        normals, bound, status, sign.astype(np.int8), len(by_pairs), len(unsettled)
-    )
+    A = np.broadcast_to(A, (3, 3, n.shape[1]))
+    doubtful = np.flatnonzero(~(bound <= TOLERANCE))
+    if len(doubtful):
+        some, of_one_size = _largest_near_one(A[:, :, doubtful])
+        by_pairs = doubtful[of_one_size]
+        carried[:, by_pairs], bound[by_pairs] = _summed_in_pairs(
+            some[:, :, of_one_size], n[:, by_pairs]
+        )
+    directions = np.where(sign < 0, -1.0, 1.0) * carried
+    directions /= np.sqrt((carried * carried).sum(axis=0))
+    directions += 0.0  # no zero is negative
+    status = np.where(sign == 0, TWO_SIDED, OK).astype(np.int8)
+    nothing = ~carried.any(axis=0)
+    directions[:, nothing], status[nothing] = 0.0, UNDEFINED
+    for i in np.flatnonzero(~(bound <= TOLERANCE)).tolist():
+        found = LinearMap.of(A[:, :, i].tolist()).normal(n[:, i].tolist())
+        directions[:, i] = found.direction or (0.0, 0.0, 0.0)
+        status[i], bound[i] = STATUSES.index(found.status), CORRECTLY_ROUNDED
+    return Normals(directions, status, bound)
 
 
-def determinant_signs(A: Array, C: Scaled) -> tuple[Array, Array]:
-    """Return the signs of the determinants, and which of them floats can be sure of.
+def determinant_signs(A: Array, C: Scaled) -> Array:
+    """Compute the exact signs of determinants: −1, 0 or 1.
 
     Expanded along a row, det = Σ aⱼ Cⱼ; three terms within 3u each, added up: 6u of their sizes.
+    Pairs of floats, then whole numbers, decide where that is not enough.
     """
     terms = _terms(Scaled(C.mantissa[0], C.exponent[0]), A[0])
     total = terms[0] + terms[1] + terms[2]
+    sign = np.sign(total)
     size = np.abs(terms).sum(axis=0)
-    return np.sign(total), np.abs(total) > 8 * UNIT * size
+    unsure = np.flatnonzero(~((np.abs(total) > 8 * UNIT * size) | (size == 0)))
+    if len(unsure):
+        total, error = _determinants_in_pairs(A[:, :, unsure])
+        sign[unsure] = np.sign(total)
+        unsure = unsure[~(np.abs(total) > 2 * error)]
+    for i in unsure.tolist():
+        sign[i] = LinearMap.of(A[:, :, i].tolist()).determinant_sign
+    return np.asarray(sign)
+
+
+def determinants(A: Array) -> Scaled:
+    """Compute determinants, each within 1.01u, with exact zeros.
+
+    Pairs of floats settle those whose terms do not cancel to 2⁻⁴⁰, whole numbers the others.
+
+    Examples
+    --------
+    >>> found = determinants(np.diag([2.0, 2, 0.5])[:, :, None])
+    >>> np.ldexp(*found).tolist()
+    [2.0]
+    """
+    total, error = _determinants_in_pairs(A)
+    mantissa, exponent = np.frexp(total)
+    exponent += 3 * np.frexp(np.abs(A).max(axis=(0, 1)))[1]
+    unsure = ~(error < np.abs(total) * 2.0**-60)
+    for i in np.flatnonzero(unsure).tolist():
+        exact = LinearMap.of(A[:, :, i].tolist())
+        bits = exact.integer_determinant.bit_length()
+        mantissa[i] = exact.integer_determinant / (1 << bits)
+        exponent[i] = bits - 3 * (exact.denominator.bit_length() - 1)
+    return Scaled(mantissa, exponent)
+
+
+def _determinants_in_pairs(A: Array) -> tuple[Array, Array]:
+    """Compute determinants of matrices scaled to a largest entry near 1, and bound their errors."""
+    some, of_one_size = _largest_near_one(A)
+    total, error = _row_in_pairs(some, 0, some[0])
+    return total, np.where(of_one_size, error, np.inf)
+
+
+def _largest_near_one(A: Array) -> tuple[Array, Array]:
+    """Scale matrices to a largest entry in [½, 1); note where every other is 0 or ≥ 2⁻²⁴⁰ then."""
+    size = np.abs(A)
+    scaled = np.ldexp(A, -np.frexp(size.max(axis=(0, 1)))[1])
+    size = np.abs(scaled)
+    size[size == 0] = 1.0
+    return scaled, np.asarray(size.min(axis=(0, 1)) >= SMALLEST)
 
 
 def _terms(C: Scaled, n: Array) -> Array:
-    """Return cofactors (…, 3, N) times components (3, N), at one scale for each of the N.
+    """Multiply cofactors (…, 3, N) by components (3, N), at one scale for each of the N.
 
     What becomes too small for a float beside the largest is below every bound that is taken here.
     """
@@ -129,38 +168,45 @@ def _leaves_window(n: Array) -> bool:
 
 
 def _summed(C: Scaled, n: Array) -> tuple[Array, Array]:
-    """Return C·n up to a scale for each column, and the bound on its angle."""
+    """Compute C·n up to a scale for each column, and the bound on its angle; 0 for no direction."""
     terms = _terms(C, n)
     carried = terms[:, 0] + terms[:, 1]
     carried += terms[:, 2]
     size = np.abs(terms).sum(axis=1)
     largest = np.abs(carried).max(axis=0)
     scale = np.where(largest > 0, largest, 1.0)
-    return carried / scale, _angle_bound(5.01 * UNIT, size / scale, carried / scale)
+    bound = _angle_bound(5.01 * UNIT, size / scale, carried / scale)
+    bound[~size.any(axis=0)] = 0.0  # every term is zero, and so is their sum
+    return carried / scale, bound
 
 
 def _angle_bound(relative: float, size: Array, carried: Array) -> Array:
-    """Return asin of error over length, and what normalising adds; infinite where it is unknown."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = relative * np.sqrt((size * size).sum(axis=0) / (carried * carried).sum(axis=0))
+    """Bound asin of error over length, and add what normalising adds; infinite where unknown."""
+    ratio = relative * np.sqrt((size * size).sum(axis=0) / (carried * carried).sum(axis=0))
     ratio = np.where(np.isfinite(ratio) & (ratio < 0.5), ratio, np.inf)
     return np.asarray(ratio * 1.05 + NORMALISING)  # asin x ≤ 1.05 x below ½
 
 
 def _summed_in_pairs(A: Array, n: Array) -> tuple[Array, Array]:
-    """Return C·n with every number held as two floats, and the bound on its angle."""
-    carried, sizes = np.empty((3, A.shape[2])), np.empty((3, A.shape[2]))
+    """Compute C·n with every number held as two floats, and the bound on its angle."""
     n = np.ldexp(n, -np.frexp(np.abs(n).max(axis=0))[1])
-    for i in range(3):
-        high, low, size = (np.zeros(A.shape[2]) for _ in range(3))
-        for j in range(3):
-            p, q = minor_products(A, i, j)
-            value = two_sum(p.high, -q.high)
-            rest = value.low + (p.low - q.low)
-            term = two_product(value.high, n[j])
-            total = two_sum(high, term.high)
-            high = total.high
-            low = low + (total.low + term.low + rest * n[j])
-            size += (np.abs(p.high) + np.abs(q.high)) * np.abs(n[j])
-        carried[i], sizes[i] = high + low, size
-    return carried, _angle_bound(PAIRS, sizes, carried)
+    rows = [_row_in_pairs(A, i, n) for i in range(3)]
+    carried, errors = (np.array(part) for part in zip(*rows, strict=True))
+    power = np.frexp(np.abs(carried).max(axis=0))[1]
+    carried, errors = np.ldexp(carried, -power), np.ldexp(errors, -power)
+    return carried, _angle_bound(1.0, errors, carried)
+
+
+def _row_in_pairs(A: Array, i: int, n: Array) -> tuple[Array, Array]:
+    """Compute row i of C·n in pairs of floats, rounded once, and the bound on its error before."""
+    high, low, size = (np.zeros(A.shape[2]) for _ in range(3))
+    for j in range(3):
+        p, q = minor_products(A, i, j)
+        value = two_sum(p.high, -q.high)
+        rest = value.low + (p.low - q.low)
+        term = two_product(value.high, n[j])
+        total = two_sum(high, term.high)
+        high = total.high
+        low = low + (total.low + term.low + rest * n[j])
+        size += (np.abs(p.high) + np.abs(q.high)) * np.abs(n[j])
+    return high + low, PAIRS * size

@@ -18,8 +18,8 @@ from nmatrix.linear.rational import (
     Rows,
     determinant,
     dot,
-    linear,
-    to_shown,
+    linear_part,
+    rounded_for_display,
     translation,
     transpose,
 )
@@ -52,10 +52,10 @@ def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None
     >>> [float(s) for s in parts(compose(identity(3), scale=(1, -2, 1), shear=(0.5, 0, 0))).scale]
     [1.0, -2.0, 1.0]
     """
-    det = determinant(linear(world_from_object))
+    det = determinant(linear_part(world_from_object))
     if det == 0:
         return None
-    a, b, c = transpose(linear(world_from_object))
+    a, b, c = transpose(linear_part(world_from_object))
     xy, xz = dot(a, b) / dot(a, a), dot(a, c) / dot(a, a)
     b = tuple(q - xy * p for p, q in zip(a, b, strict=True))
     yz = dot(b, c) / dot(b, b)
@@ -68,11 +68,11 @@ def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None
         scale[flipped] = -scale[flipped]
     R = tuple(zip(*axes, strict=True))
     return Parts(
-        translate=to_shown((translation(world_from_object),))[0],
+        translate=rounded_for_display((translation(world_from_object),))[0],
         quaternion=quaternion_of(R),
         rotate=angles_of(R, order),
         scale=tuple(scale),
-        shear=to_shown(((xy, xz, yz),))[0],
+        shear=rounded_for_display(((xy, xz, yz),))[0],
     )
 
 

@@ -10,12 +10,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import degrees
 
 from nmatrix.enums import NormalStatus
 from nmatrix.errors import NoAnswerError
+from nmatrix.linear.angle import DEGREES, PI, exact_angle_between
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.linear.rounding import angle, integers, unit
+from nmatrix.linear.rounding import integers, nearest, unit
 
 Integers = tuple[tuple[int, ...], ...]
 
@@ -27,7 +27,6 @@ class Normal:
     direction: tuple[float, ...] | None
     status: NormalStatus
     reason: str
-    angle_without_deg: float | None
 
 
 @dataclass(frozen=True)
@@ -116,6 +115,11 @@ class LinearMap:
             tuple(Fraction(c * self.denominator, det) for c in row) for row in self.cofactors
         )
 
+    @property
+    def normal_matrix(self) -> RationalMatrix | None:
+        """Return A⁻ᵀ exactly, or None where A is singular and has none."""
+        return self.inverse_transpose if self.integer_determinant else None
+
     def normal(self, normal_object: Sequence[float | Fraction]) -> Normal:
         """Carry one normal through the map; every component is correctly rounded.
 
@@ -145,16 +149,26 @@ class LinearMap:
             unit(carried),
             NormalStatus.OK if det else NormalStatus.TWO_SIDED,
             "" if det else "the map flattens space to a plane, and its two sides are alike",
-            self._angle_without(n, carried),
         )
 
-    def _angle_without(self, n: Sequence[int], carried: Sequence[int]) -> float | None:
-        """Return the angle in degrees between A n and the right normal."""
-        moved = _apply(self.entries, n)
-        if not any(moved):
+    def angle_without_deg(self, normal_object: Sequence[float | Fraction]) -> float | None:
+        """Return the angle in degrees between A n and the right normal, correctly rounded.
+
+        None where one of them has no direction; a plane with two sides is off by 90° at most.
+
+        Examples
+        --------
+        >>> LinearMap.of([[1, 0, 0], [0, -1, 0], [0, 0, 1]]).angle_without_deg((1, 1, 0))
+        0.0
+        """
+        n, _ = integers(normal_object)
+        moved, carried = _apply(self.entries, n), _apply(self.cofactors, n)
+        if not any(moved) or not any(carried):
             return None
-        error = degrees(angle(moved, carried))
-        return error if self.integer_determinant else min(error, 180.0 - error)
+        if self.integer_determinant < 0:
+            carried = [-component for component in carried]
+        error = exact_angle_between(moved, carried)
+        return nearest((error if self.integer_determinant else min(error, PI - error)) * DEGREES)
 
     def _why_no_normal(self) -> str:
         if self.rank == 2:
@@ -170,4 +184,4 @@ def _apply(matrix: Integers, v: Sequence[int]) -> list[int]:
 
 
 def _undefined(reason: str) -> Normal:
-    return Normal(None, NormalStatus.UNDEFINED, reason, None)
+    return Normal(None, NormalStatus.UNDEFINED, reason)

@@ -7,14 +7,16 @@ of a perspective matrix is [0 0 g·a c], of an orthographic one too.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 
-from nmatrix.enums import ClipY, DepthRange, Handedness
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.enums import ClipY, DepthRange, Handedness, chosen
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
+from nmatrix.linear.values import real, settle
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,14 @@ class ClipSpace:
     depth: DepthRange = DepthRange.MINUS_ONE_TO_ONE
     handed: Handedness = Handedness.RIGHT
     clip_y: ClipY = ClipY.UP
+
+    def __post_init__(self) -> None:
+        settle(
+            self,
+            depth=chosen(DepthRange, self.depth, "depth"),
+            handed=chosen(Handedness, self.handed, "handed"),
+            clip_y=chosen(ClipY, self.clip_y, "clip_y"),
+        )
 
     @property
     def forward_z(self) -> int:
@@ -45,8 +55,18 @@ class Window:
     bottom: float
     top: float
 
+    def __post_init__(self) -> None:
+        sides = ("left", "right", "bottom", "top")
+        settle(self, **{name: real(getattr(self, name), name) for name in sides})
+
     def checked(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """Return the four sides exactly, or say why they enclose nothing."""
+        """Return the four sides exactly.
+
+        Raises
+        ------
+        NoAnswerError
+            If two of them coincide and the window encloses nothing.
+        """
         for low, high, names in (
             (self.left, self.right, "left and right"),
             (self.bottom, self.top, "bottom and top"),
@@ -62,6 +82,11 @@ class Window:
 
 
 DEFAULT_CLIP_SPACE = ClipSpace()
+NDC_DEPTH: Mapping[DepthRange, tuple[int, int]] = {  # at the near plane, at the far plane
+    DepthRange.MINUS_ONE_TO_ONE: (-1, 1),
+    DepthRange.ZERO_TO_ONE: (0, 1),
+    DepthRange.REVERSED: (1, 0),
+}
 CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 
 
@@ -108,12 +133,12 @@ def perspective(
 
 
 def _focal_lengths(half_fov_y: Angle, aspect: float) -> tuple[Fraction, Fraction]:
-    """Return how far away a view of width 2, and one of height 2, fill the field."""
+    """Return the focal lengths in x and y: cot(fov/2), for x over the aspect."""
     if half_fov_y.sine <= 0 or half_fov_y.cosine <= 0:
         raise IllegalValueError(
             "the field of view",
             "it must lie between 0 and 180 degrees, both excluded",
-            "try --fov 60",
+            f"try {quantity('fov')} 60",
         )
     check_aspect(aspect)
     focal = half_fov_y.cosine / half_fov_y.sine
@@ -126,7 +151,7 @@ def _perspective_rows(
     depth_row: tuple[Fraction, Fraction],
     clip: ClipSpace,
 ) -> Rows:
-    """Return what every perspective matrix is: focal lengths, off-centre terms, depth, w = g·z."""
+    """Build a perspective matrix of its focal lengths, off-centre terms and z row; w = g·z."""
     g, y = clip.forward_z, clip.y_sign
     slope, offset = depth_row
     return to_floats(
@@ -181,42 +206,37 @@ def orthographic(
 
 
 def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
-    """Return a and c of the z row; far = inf takes the limit of the same formula."""
+    """Return a and c of the z row, so that a + c/z is `NDC_DEPTH` at z = near and at z = far.
+
+    For an infinite far a is the depth there itself: the limit of the same formula.
+    """
     if not near > 0:
         raise IllegalValueError(
             f"near ({near:g})",
             "a perspective view needs a near plane in front of the eye",
-            "try --near 0.1",
+            f"try {quantity('near')} 0.1",
         )
     check_near_far(near, far)
+    at_near, at_far = NDC_DEPTH[depth]
     n = Fraction(near)
     if far == inf:
-        return {
-            DepthRange.MINUS_ONE_TO_ONE: (ONE, -2 * n),
-            DepthRange.ZERO_TO_ONE: (ONE, -n),
-            DepthRange.REVERSED: (ZERO, n),
-        }[depth]
+        return Fraction(at_far), (at_near - at_far) * n
     f = Fraction(far)
-    if depth is DepthRange.MINUS_ONE_TO_ONE:
-        return (f + n) / (f - n), -2 * f * n / (f - n)
-    if depth is DepthRange.ZERO_TO_ONE:
-        return f / (f - n), -f * n / (f - n)
-    return -n / (f - n), f * n / (f - n)
+    return (at_far * f - at_near * n) / (f - n), (at_near - at_far) * f * n / (f - n)
 
 
 def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
-    """Return a and c of the z row of a parallel view."""
+    """Return a and c of the z row of a parallel view: a·z + c is `NDC_DEPTH` at near and far."""
     check_near_far(near, far)
     if far == inf:
         raise IllegalValueError(
-            "far (inf)", "a parallel view divides depth by far − near", "give a finite --far"
+            "far (inf)",
+            "a parallel view divides depth by far − near",
+            f"give a finite {quantity('far')}",
         )
+    at_near, at_far = NDC_DEPTH[depth]
     n, f = Fraction(near), Fraction(far)
-    if depth is DepthRange.MINUS_ONE_TO_ONE:
-        return 2 / (f - n), -(f + n) / (f - n)
-    if depth is DepthRange.ZERO_TO_ONE:
-        return 1 / (f - n), -n / (f - n)
-    return -1 / (f - n), f / (f - n)
+    return (at_far - at_near) / (f - n), (at_near * f - at_far * n) / (f - n)
 
 
 def check_near_far(near: float, far: float) -> None:
@@ -231,7 +251,7 @@ def check_near_far(near: float, far: float) -> None:
         raise IllegalValueError(
             f"near and far ({near:g} and {far:g})",
             "near must be the smaller one",
-            "swap them; for 1 at near and 0 at far use --depth reversed",
+            f"swap them; for 1 at near and 0 at far use {quantity('depth')} reversed",
         )
 
 
@@ -239,5 +259,7 @@ def check_aspect(aspect: float) -> None:
     """Refuse an aspect ratio that is not positive."""
     if not aspect > 0:
         raise IllegalValueError(
-            f"aspect ({aspect:g})", "width over height must be positive", "try --aspect 1.5"
+            f"aspect ({aspect:g})",
+            "width over height must be positive",
+            f"try {quantity('aspect')} 1.5",
         )

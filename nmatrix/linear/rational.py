@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import lcm
+from typing import TypeVar
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.rounding import nearest
@@ -16,17 +17,19 @@ RationalVector = tuple[Fraction, ...]
 RationalMatrix = tuple[RationalVector, ...]
 Rows = tuple[tuple[float, ...], ...]
 
+Entry = TypeVar("Entry")
+
 ZERO = Fraction(0)
 ONE = Fraction(1)
 AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
 
 
-def rational(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
-    """Return the exact value of every entry; a float is a rational with a power of two below.
+def rational_matrix(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
+    """Return every entry exactly; a float is a fraction whose denominator is a power of two.
 
     Examples
     --------
-    >>> rational([[0.5]])
+    >>> rational_matrix([[0.5]])
     ((Fraction(1, 2),),)
     """
     return tuple(rational_vector(row) for row in rows)
@@ -42,7 +45,7 @@ def to_floats(A: RationalMatrix) -> Rows:
     return tuple(tuple(nearest(entry) for entry in row) for row in A)
 
 
-def to_shown(A: RationalMatrix) -> RationalMatrix:
+def rounded_for_display(A: RationalMatrix) -> RationalMatrix:
     """Round every entry once to the nearest float64, but keep one that is beyond all of them.
 
     A product of legal numbers may lie there: it is then shown as it is, and what is derived from
@@ -50,7 +53,7 @@ def to_shown(A: RationalMatrix) -> RationalMatrix:
 
     Examples
     --------
-    >>> to_shown(((Fraction(1, 3), Fraction(10) ** 309),))[0][1] == 10**309
+    >>> rounded_for_display(((Fraction(1, 3), Fraction(10) ** 309),))[0][1] == 10**309
     True
     """
     return tuple(tuple(_shown(entry) for entry in row) for row in A)
@@ -74,8 +77,8 @@ def diagonal(values: Sequence[Fraction]) -> RationalMatrix:
     return tuple(tuple(values[i] if i == j else ZERO for j in range(n)) for i in range(n))
 
 
-def transpose(A: RationalMatrix) -> RationalMatrix:
-    """Return Aᵀ."""
+def transpose(A: Sequence[Sequence[Entry]]) -> tuple[tuple[Entry, ...], ...]:
+    """Return Aᵀ, of fractions or of any other entries."""
     return tuple(zip(*A, strict=True))
 
 
@@ -112,7 +115,7 @@ def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
 
     Examples
     --------
-    >>> to_floats(product(diagonal((Fraction(2), Fraction(3))), rational([[0, 1], [1, 0]])))
+    >>> to_floats(product(diagonal((Fraction(2), Fraction(3))), rational_matrix([[0, 1], [1, 0]])))
     ((0.0, 2.0), (3.0, 0.0))
     """
     for B in others:
@@ -131,7 +134,7 @@ def determinant(A: RationalMatrix) -> Fraction:
 
     Examples
     --------
-    >>> determinant(rational([[1, 2], [3, 4]]))
+    >>> determinant(rational_matrix([[1, 2], [3, 4]]))
     Fraction(-2, 1)
     """
     if len(A) == 1:
@@ -142,12 +145,12 @@ def determinant(A: RationalMatrix) -> Fraction:
     return sum(terms, ZERO)
 
 
-def cofactor(A: RationalMatrix) -> RationalMatrix:
+def cofactor_matrix(A: RationalMatrix) -> RationalMatrix:
     """Return the cofactor matrix C = det(A) A⁻ᵀ, which exists for singular A too.
 
     Examples
     --------
-    >>> to_floats(cofactor(diagonal((Fraction(1), Fraction(2), Fraction(0)))))
+    >>> to_floats(cofactor_matrix(diagonal((Fraction(1), Fraction(2), Fraction(0)))))
     ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 2.0))
     """
     n = len(A)
@@ -160,7 +163,7 @@ def cofactor(A: RationalMatrix) -> RationalMatrix:
 
 def adjugate(A: RationalMatrix) -> RationalMatrix:
     """Return the transposed cofactor matrix, det(A) A⁻¹."""
-    return transpose(cofactor(A))
+    return transpose(cofactor_matrix(A))
 
 
 def scaled(A: RationalMatrix, factor: Fraction) -> RationalMatrix:
@@ -193,14 +196,14 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
     return scaled(adjugate(A), 1 / det)
 
 
-def is_affine(A: RationalMatrix) -> bool:
-    """Return whether A is 4×4 with last row 0 0 0 1."""
-    return len(A) == 4 and A[3] == AFFINE_ROW
+def is_affine(A: Sequence[Sequence[float | Fraction]]) -> bool:
+    """Recognise an affine 4×4 matrix by its last row, 0 0 0 1."""
+    return len(A) == 4 and tuple(A[3]) == AFFINE_ROW
 
 
 def _affine_inverse(A: RationalMatrix) -> RationalMatrix:
-    block = inverse(linear(A))
-    return affine(block, tuple(-entry for entry in apply(block, translation(A))))
+    block = inverse(linear_part(A))
+    return affine_matrix(block, tuple(-entry for entry in apply(block, translation(A))))
 
 
 def inverse_transpose(A: RationalMatrix) -> RationalMatrix:
@@ -208,7 +211,7 @@ def inverse_transpose(A: RationalMatrix) -> RationalMatrix:
     return transpose(inverse(A))
 
 
-def linear(A: RationalMatrix) -> RationalMatrix:
+def linear_part(A: RationalMatrix) -> RationalMatrix:
     """Return the 3×3 block that turns, scales and shears."""
     return tuple(row[:3] for row in A[:3])
 
@@ -218,7 +221,7 @@ def translation(A: RationalMatrix) -> RationalVector:
     return tuple(row[3] for row in A[:3])
 
 
-def affine(
+def affine_matrix(
     block: RationalMatrix, offset: Sequence[Fraction] = (ZERO, ZERO, ZERO)
 ) -> RationalMatrix:
     """Return the 4×4 matrix with this 3×3 block and this translation."""
@@ -231,7 +234,7 @@ def rank(A: RationalMatrix) -> int:
 
     Examples
     --------
-    >>> rank(rational([[1, 2, 3], [2, 4, 6], [0, 0, 1]]))
+    >>> rank(rational_matrix([[1, 2, 3], [2, 4, 6], [0, 0, 1]]))
     2
     """
     rows = [list(row) for row in A]

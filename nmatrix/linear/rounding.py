@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from decimal import Context, Decimal
 from fractions import Fraction
-from math import atan2, isqrt, lcm, pi
+from math import isqrt, lcm
 
 from nmatrix.errors import IllegalValueError
 
@@ -116,12 +116,12 @@ def _integer_root(n: int, degree: int) -> int:
         x = lower
 
 
-def in_short(value: Fraction, digits: int) -> str:
+def short_text(value: Fraction, digits: int) -> str:
     """Return a number in a few digits for a sentence, also where it is beyond every float.
 
     Examples
     --------
-    >>> in_short(Fraction(2, 3), 3), in_short(Fraction(10) ** 400, 3)
+    >>> short_text(Fraction(2, 3), 3), short_text(Fraction(10) ** 400, 3)
     ('0.667', '1e+400')
     """
     try:
@@ -156,32 +156,16 @@ def unit(direction: Sequence[int]) -> tuple[float, ...]:
     return tuple(over_root(component, square) for component in direction)
 
 
-def angle(a: Sequence[int], b: Sequence[int]) -> float:
-    """Return the angle between two non-zero integer vectors in radians, within 2 ulp.
-
-    tan = |a×b| / a·b, both exact; acos would lose half the digits of a small angle.
+def inverse_root(square: Fraction) -> Fraction:
+    """Return 1/√x of a positive fraction: exact where the root is rational, else to 160 bits.
 
     Examples
     --------
-    >>> angle([1, 0, 0], [1, 1, 0]) == pi / 4
-    True
+    >>> inverse_root(Fraction(9, 4))
+    Fraction(2, 3)
     """
-    cross = _cross(a, b)
-    sine = sum(component * component for component in cross)
-    cosine = sum(x * y for x, y in zip(a, b, strict=True))
-    if sine == 0:
-        return 0.0 if cosine > 0 else pi
-    if cosine == 0:
-        return pi / 2
-    if sine < cosine * cosine:
-        tangent = root(Fraction(sine, cosine * cosine))
-        return atan2(tangent, 1.0) if cosine > 0 else pi - atan2(tangent, 1.0)
-    return pi / 2 - atan2(over_root(cosine, sine), 1.0)
-
-
-def _cross(a: Sequence[int], b: Sequence[int]) -> tuple[int, int, int]:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    top, bottom = isqrt(square.numerator), isqrt(square.denominator)
+    if (top * top, bottom * bottom) == (square.numerator, square.denominator):
+        return Fraction(bottom, top)
+    bits = 160 + max(0, square.numerator.bit_length() - square.denominator.bit_length())
+    return Fraction(isqrt((square.denominator << (2 * bits)) // square.numerator), 1 << bits)

@@ -1,142 +1,125 @@
 """Every rule that people use for normals, the right one first: one table for all that compare.
 
-A is the 3×3 block, C its cofactor matrix, n a normal in object space.
+M is an affine 4×4 matrix, A its 3×3 block, C the cofactors of A, n a normal in object space.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.enums import NormalMethod, NormalRule, NormalStatus
-from nmatrix.linear.exact import LinearMap, Normal
+from nmatrix.enums import NormalRule
+from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     RationalMatrix,
-    affine,
+    RationalVector,
+    affine_matrix,
     apply,
+    determinant,
     inverse,
-    linear,
-    rational,
+    linear_part,
+    rational_matrix,
     scaled,
     to_floats,
     transpose,
 )
-from nmatrix.linear.rounding import integers, unit
 
 
 @dataclass(frozen=True)
-class Rule:
-    """One way to make the matrix that normals are multiplied by."""
+class NormalTransform:
+    """A matrix K for normals: n′ = K·(n, w), divided by the length of its components.
 
-    method: NormalMethod
-    title: str
-
-
-RULES: tuple[Rule, ...] = (
-    Rule(NormalMethod.EXACT, "N = A⁻ᵀ, the inverse transpose, correctly rounded"),
-    Rule(NormalMethod.INVERSE, "np.linalg.inv(A).T, in float64"),
-    Rule(NormalMethod.COFACTOR, "C, the cofactors without the sign of det"),
-    Rule(NormalMethod.NONE, "A itself"),
-)
-
-
-def normal_rule(method: NormalMethod, linear_map: LinearMap) -> RationalMatrix | None:
-    """Return the matrix of a rule, exactly, or None where the rule has no answer.
-
-    Examples
-    --------
-    >>> mirror = LinearMap.of([[-1, 0, 0], [0, 1, 0], [0, 0, 1]])
-    >>> [[int(normal_rule(rule, mirror)[i][i]) for i in range(3)]
-    ...  for rule in (NormalMethod.EXACT, NormalMethod.COFACTOR)]
-    [[-1, 1, 1], [1, -1, -1]]
-    """
-    if method is NormalMethod.EXACT:
-        return linear_map.inverse_transpose if linear_map.integer_determinant else None
-    if method is NormalMethod.COFACTOR:
-        return linear_map.cofactor_matrix
-    A = _entries(linear_map)
-    return A if method is NormalMethod.NONE else _float64_inverse_transpose(A)
-
-
-def carried_by(
-    matrix: RationalMatrix | None, linear_map: LinearMap, normal_object: Sequence[float | Fraction]
-) -> Normal:
-    """Return what a rule's matrix makes of a normal, at length one.
-
-    How far off A itself is does not depend on the rule: it is measured against the right normal.
-    """
-    n = [Fraction(component) for component in normal_object]
-    carried = [] if matrix is None else integers(apply(matrix, n))[0]
-    if not any(carried):
-        reason = "this rule has no answer here" if matrix is None else "this rule gives length 0"
-        return Normal(None, NormalStatus.UNDEFINED, reason, None)
-    without = linear_map.normal(n).angle_without_deg
-    return Normal(unit(carried), NormalStatus.OK, "", without)
-
-
-@dataclass(frozen=True)
-class Carrier:
-    """How a rule carries a mesh's normals: n' = K·(n, w), over the length of its components.
-
-    Of n' three components are the normal. `components` is 3, or 4 where the fourth one is part
-    of the length by mistake.
+    The first three components of n′ are the normal. `components` is 3, or 4 where the fourth one
+    is counted into the length by mistake.
     """
 
     matrix: RationalMatrix
     w: int = 0
     components: int = 3
 
+    def applied_to(self, normal: Sequence[Fraction]) -> RationalVector:
+        """Multiply one normal, exactly and without normalising: all four components of n′."""
+        return apply(self.matrix, (*normal, Fraction(self.w)))
 
-def carrier(rule: NormalRule, world_from_object: RationalMatrix) -> Carrier | None:
-    """Return how a rule carries normals through an affine map, or None where it has no answer.
 
-    The right rule is sign(det A)·C, which also serves where no inverse is left.
+@dataclass(frozen=True)
+class Rule:
+    """A rule in words, and the transform that it makes of M: None where it has no answer."""
+
+    title: str
+    transform: Callable[[RationalMatrix], NormalTransform | None]
+
+
+def normal_transform(rule: NormalRule, world_from_object: RationalMatrix) -> NormalTransform | None:
+    """Build the transform of normals that a rule makes of an affine map; None if it cannot.
+
+    The right rule is sign(det A)·C, a positive multiple of A⁻ᵀ that is left where A has no inverse.
 
     Examples
     --------
     >>> from nmatrix.linear.affine import translation_matrix
-    >>> found = carrier(NormalRule.TRANSLATED, translation_matrix((5, 0, 0)))
-    >>> [int(found.matrix[0][3]), found.w]
-    [5, 1]
+    >>> found = normal_transform(NormalRule.TRANSLATED, translation_matrix((5, 0, 0)))
+    >>> [float(x) for x in found.applied_to((0, 1, 0))]
+    [5.0, 1.0, 0.0, 1.0]
     """
-    A = linear(world_from_object)
-    linear_map = LinearMap.of(A)
+    return RULES[rule].transform(world_from_object)
+
+
+def _signed_cofactors(M: RationalMatrix) -> NormalTransform:
+    linear_map = LinearMap.of(linear_part(M))
     sign = Fraction(-1 if linear_map.integer_determinant < 0 else 1)
-    found: RationalMatrix | None
-    if rule is NormalRule.TRANSLATED:
-        return Carrier(world_from_object, w=1)
-    if rule in (NormalRule.NOT_TRANSPOSED, NormalRule.FOUR_COMPONENT):
-        return _by_inverse(rule, world_from_object) if linear_map.integer_determinant else None
-    if rule is NormalRule.EXACT:
-        found = scaled(linear_map.cofactor_matrix, sign)
-    elif rule is NormalRule.NOT_INVERTED:
-        found = transpose(A)
-    else:
-        found = normal_rule(NormalMethod(rule.value), linear_map)
-    return None if found is None else Carrier(affine(found))
+    return NormalTransform(affine_matrix(scaled(linear_map.cofactor_matrix, sign)))
 
 
-def _by_inverse(rule: NormalRule, world_from_object: RationalMatrix) -> Carrier:
-    inverted = inverse(world_from_object)
-    if rule is NormalRule.NOT_TRANSPOSED:
-        return Carrier(affine(linear(inverted)))
-    return Carrier(transpose(inverted), components=4)
-
-
-def _entries(linear_map: LinearMap) -> RationalMatrix:
-    return tuple(
-        tuple(Fraction(entry, linear_map.denominator) for entry in row)
-        for row in linear_map.entries
-    )
-
-
-def _float64_inverse_transpose(A: RationalMatrix) -> RationalMatrix | None:
+def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:
     import numpy as np
 
     with np.errstate(all="ignore"):
         try:
-            found = np.linalg.inv(np.array(to_floats(A))).T
+            found = np.linalg.inv(np.array(to_floats(linear_part(M)))).T
         except np.linalg.LinAlgError:
             return None
-    return rational(found.tolist()) if np.isfinite(found).all() else None
+    if not np.isfinite(found).all():
+        return None
+    return NormalTransform(affine_matrix(rational_matrix(found.tolist())))
+
+
+def _cofactors(M: RationalMatrix) -> NormalTransform:
+    return NormalTransform(affine_matrix(LinearMap.of(linear_part(M)).cofactor_matrix))
+
+
+def _matrix_itself(M: RationalMatrix) -> NormalTransform:
+    return NormalTransform(affine_matrix(linear_part(M)))
+
+
+def _not_transposed(M: RationalMatrix) -> NormalTransform | None:
+    if determinant(linear_part(M)) == 0:
+        return None
+    return NormalTransform(affine_matrix(inverse(linear_part(M))))
+
+
+def _not_inverted(M: RationalMatrix) -> NormalTransform:
+    return NormalTransform(affine_matrix(transpose(linear_part(M))))
+
+
+def _translated(M: RationalMatrix) -> NormalTransform:
+    return NormalTransform(M, w=1)
+
+
+def _four_components(M: RationalMatrix) -> NormalTransform | None:
+    if determinant(linear_part(M)) == 0:
+        return None
+    return NormalTransform(transpose(inverse(M)), components=4)
+
+
+RULES: Mapping[NormalRule, Rule] = {
+    NormalRule.EXACT: Rule("N = A⁻ᵀ, the inverse transpose, correctly rounded", _signed_cofactors),
+    NormalRule.INVERSE: Rule("np.linalg.inv(A).T, in float64", _float64_inverse_transpose),
+    NormalRule.COFACTOR: Rule("C, the cofactors without the sign of det", _cofactors),
+    NormalRule.NONE: Rule("A itself", _matrix_itself),
+    NormalRule.NOT_TRANSPOSED: Rule("A⁻¹, not transposed", _not_transposed),
+    NormalRule.NOT_INVERTED: Rule("Aᵀ, not inverted", _not_inverted),
+    NormalRule.TRANSLATED: Rule("M (n, 1), moved as if it were a point", _translated),
+    NormalRule.FOUR_COMPONENT: Rule("M⁻ᵀ (n, 0), w counted into its length", _four_components),
+}

@@ -7,7 +7,7 @@ from math import isfinite
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import rounding
-from nmatrix.linear.angle import Angle
+from nmatrix.linear.angle import Angle, exact_angle_between
 from nmatrix.linear.rounding import integers, nearest
 
 
@@ -33,7 +33,7 @@ def normalize(vector: Sequence[float]) -> tuple[float, ...]:
 
 
 def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
-    """Return the angle between two vectors in radians, to a relative 1e-15.
+    """Return the angle between two vectors in radians, correctly rounded.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
     >>> angle_between((1, 0, 0), (1, 1e-200, 0))
     1e-200
     """
-    return rounding.angle(_direction(a), _direction(b))
+    return nearest(exact_angle_between(_direction(a), _direction(b)))
 
 
 def direction_from_angles(alpha: Angle, beta: Angle) -> tuple[float, ...]:

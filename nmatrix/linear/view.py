@@ -12,14 +12,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Convention, Handedness
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
     Rows,
-    affine,
+    affine_matrix,
     apply,
     cross,
     dot,
@@ -78,7 +78,7 @@ def looking_along(
 ) -> LookAt:
     """Return the view matrix of a camera at `eye` that looks along `forward`."""
     if not any(up):
-        raise NoAnswerError("up (0 0 0)", "it has no direction", "try --up 0 1 0")
+        raise NoAnswerError("up (0 0 0)", "it has no direction", f"try {quantity('up')} 0 1 0")
     right = cross(forward, up)
     parallel = not any(right)
     if parallel:
@@ -132,4 +132,4 @@ def first_person(
         rotation_about("Y", sideways if convention is Convention.POLIMI else -sideways),
     )
     offset = apply(turned, rational_vector(eye))
-    return affine(turned, tuple(-component for component in offset))
+    return affine_matrix(turned, tuple(-component for component in offset))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from nmatrix.enums import Format
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.numbers import machine, significant
 from nmatrix.output.quantities import Leaf, is_matrix, is_number, is_vector, leaves
 from nmatrix.report import Matrix, Number, Report, Value, Vector
@@ -71,7 +71,7 @@ def require_numbers(report: Report, chosen: Format) -> None:
     if not any(leaf.value is not None for leaf in numbers):
         works = ", ".join(sorted(_WORDS))
         raise IllegalValueError(
-            f"--format ({chosen})",
+            f"{quantity('format')} ({chosen})",
             f"{report.command} has no numbers to write in a program",
             f"use text, {works}",
         )

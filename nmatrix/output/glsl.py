@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nmatrix.enums import Format
+from nmatrix.linear.rational import transpose
 from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
-from nmatrix.output.numbers import machine, nearest
+from nmatrix.output.numbers import float_or_none, machine
 from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector, transposed
+from nmatrix.output.quantities import is_matrix, is_number, is_vector
 from nmatrix.report import Code, Matrix, Number, Report, Vector
 from nmatrix.version import __version__
 
@@ -63,7 +64,7 @@ def _statement(each: Assignment, qualifier: str) -> str:
     if each.value is None:
         return f"// {comment(each.note)}"
     kind, written, numbers = _typed(each.value, each.name)
-    too_large = any(abs(nearest(entry) or 0.0) > LARGEST_FLOAT32 for entry in numbers)
+    too_large = any(abs(float_or_none(entry) or 0.0) > LARGEST_FLOAT32 for entry in numbers)
     return f"{qualifier}{kind} = {written};{OUTSIDE if too_large else ''}"
 
 
@@ -82,7 +83,7 @@ def _typed(value: bool | Number | Vector | Matrix, name: str) -> tuple[str, str,
 
 
 def _matrix(value: Matrix, name: str) -> tuple[str, str, Vector]:
-    columns = transposed(value)
+    columns = transpose(value)
     entries = tuple(entry for column in columns for entry in column)
     rows, across = len(value), len(columns)
     if across == 1:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from nmatrix.linear.rational import is_affine
 from nmatrix.output.numbers import significant
 from nmatrix.output.options import Charset, OutputOptions
 from nmatrix.output.style import AXES, Line, Span, Style, width
@@ -38,11 +39,6 @@ def aligned(texts: Sequence[str]) -> list[str]:
 def _at_point(text: str) -> tuple[str, str]:
     place = next((i for i, mark in enumerate(text) if mark in ".e"), len(text))
     return text[:place], text[place:]
-
-
-def is_affine(matrix: Matrix) -> bool:
-    """Say whether a matrix is 4×4 with the last row 0 0 0 1."""
-    return len(matrix) == 4 and tuple(matrix[3]) == (0, 0, 0, 1)
 
 
 def draw_matrix(matrix: Matrix, options: OutputOptions) -> list[Line]:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
@@ -69,7 +69,7 @@ class MathML(Dialect):
     def formula(self, formula: Formula) -> str:
         if not formula.mathml:
             raise IllegalValueError(
-                "--format (mathml)",
+                f"{quantity('format')} (mathml)",
                 "these formulas are not written in MathML",
                 "use latex or markdown",
             )

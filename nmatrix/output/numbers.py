@@ -11,18 +11,16 @@ DECIMALS_PER_BIT = 0.30103  # log10(2)
 FIXED_FROM = -4  # as in C's %g: smaller exponents are written as 1e-05
 
 
-def nearest(value: Number) -> float | None:
-    """Return the float64 nearest to a number, or None outside the float64 range.
-
-    Dividing integers rounds correctly in Python; −0 becomes 0.
+def float_or_none(value: Number) -> float | None:
+    """Return the float64 nearest to a number, or None outside the float64 range; −0 becomes 0.
 
     Examples
     --------
-    >>> nearest(Fraction(1, 3)), nearest(-0.0), nearest(Fraction(10) ** 400)
+    >>> float_or_none(Fraction(1, 3)), float_or_none(-0.0), float_or_none(Fraction(10) ** 400)
     (0.3333333333333333, 0.0, None)
     """
     try:
-        found = value.numerator / value.denominator if isinstance(value, Fraction) else float(value)
+        found = float(value)
     except OverflowError:
         return None
     return found + 0.0 if isfinite(found) else None
@@ -36,7 +34,7 @@ def machine(value: Number) -> str | None:
     >>> machine(0.1), machine(Fraction(1, 4)), machine(7)
     ('0.1', '0.25', '7')
     """
-    rounded = nearest(value)
+    rounded = float_or_none(value)
     if rounded is None:
         return None
     return str(int(value)) if isinstance(value, int) else float.__repr__(rounded)

@@ -6,6 +6,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from nmatrix.enums import Format, Layout
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.values import number
+
+MOST_DIGITS = 17
 
 
 class Charset(StrEnum):
@@ -42,3 +46,12 @@ class OutputOptions:
     charset: Charset = Charset.UNICODE
     width: int = 80
     colour: Colour = Colour.PLAIN
+
+    def __post_init__(self) -> None:
+        digits = number(self.digits, "digits")
+        if not (isinstance(digits, int) and 1 <= digits <= MOST_DIGITS):
+            raise IllegalValueError(
+                f"{quantity('digits')} ({digits})",
+                f"a float64 has 1 to {MOST_DIGITS} significant digits",
+                f"try {quantity('digits')} 6",
+            )

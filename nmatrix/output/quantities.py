@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TypeGuard
 
 from nmatrix.enums import Layout
+from nmatrix.linear.rational import transpose
 from nmatrix.report import Matrix, Number, Value, Vector
 
 LARGEST_MATRIX = 4
@@ -51,20 +52,9 @@ def is_matrix(value: object) -> TypeGuard[Matrix]:
     )
 
 
-def transposed(matrix: Matrix) -> Matrix:
-    """Return a matrix with rows and columns exchanged.
-
-    Examples
-    --------
-    >>> transposed(((1, 2), (3, 4)))
-    ((1, 3), (2, 4))
-    """
-    return tuple(zip(*matrix, strict=True))
-
-
 def arranged(matrix: Matrix, layout: Layout) -> Matrix:
     """Return the rows to write down, one after the other, for a layout."""
-    return transposed(matrix) if layout is Layout.COLUMN_MAJOR else matrix
+    return transpose(matrix) if layout is Layout.COLUMN_MAJOR else matrix
 
 
 @dataclass(frozen=True)

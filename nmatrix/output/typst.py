@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.options import OutputOptions
 from nmatrix.report import Formula, Report
@@ -47,7 +47,7 @@ class Typst(Dialect):
     def formula(self, formula: Formula) -> str:
         if not formula.typst:
             raise IllegalValueError(
-                "--format (typst)",
+                f"{quantity('format')} (typst)",
                 "these formulas are not written in Typst",
                 "use latex or markdown",
             )

@@ -210,7 +210,7 @@ def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
         return rational.identity(4)
     middle, _ = enclosing(balls)
     back = translation_matrix((-middle).tolist())
-    turned = rational.affine(rotation_about("Y", Angle.degrees(-degrees)))
+    turned = rational.affine_matrix(rotation_about("Y", Angle.degrees(-degrees)))
     return rational.product(translation_matrix(middle.tolist()), turned, back)
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import csv
 import re
+from functools import partial
 from io import StringIO
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
+from nmatrix.reading.literal import unreadable
 from nmatrix.reading.notation import Notation
 
+_unreadable = partial(unreadable, next_step="write it with -f csv")
 HEADER = re.compile(r"\Akey,row,column,value\s*(\n|$)")
 LARGEST = 16  # rows or columns that are filled in
 _PLACE = re.compile(r"[0-9]{1,2}")
@@ -35,7 +37,7 @@ def csv_notation(text: str, source: str) -> Notation:
         for record in list(csv.reader(StringIO(text), strict=True))[1:]:
             _keep(record, found, source)
     except csv.Error as error:
-        raise _refusal(source, f"not CSV: {error}") from None
+        raise _unreadable(source, f"not CSV: {error}") from None
     quantities = {key: _rows(places, key, source) for key, places in found.items()}
     return Notation(quantities, Layout.ROW_MAJOR)
 
@@ -44,7 +46,7 @@ def _keep(record: list[str], found: dict[str, Places], source: str) -> None:
     if not record:
         return
     if len(record) != 4:
-        raise _refusal(source, f"a line has {len(record)} fields")
+        raise _unreadable(source, f"a line has {len(record)} fields")
     key, row, column, value = record
     if _PLACE.fullmatch(row) and (not column or _PLACE.fullmatch(column)):
         # A vector has no column: it is written along one row.
@@ -56,9 +58,5 @@ def _rows(places: Places, key: str, source: str) -> list[list[str]]:
     height = 1 + max(row for row, _ in places)
     across = 1 + max(column for _, column in places)
     if len(places) != height * across:
-        raise _refusal(source, f"{key} lacks {height * across - len(places)} of its entries")
+        raise _unreadable(source, f"{key} lacks {height * across - len(places)} of its entries")
     return [[places[row, column] for column in range(across)] for row in range(height)]
-
-
-def _refusal(source: str, why: str) -> IllegalValueError:
-    return IllegalValueError(f"matrix ({source})", why, "write it with -f csv")

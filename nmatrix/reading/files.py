@@ -5,8 +5,7 @@ from __future__ import annotations
 import codecs
 from pathlib import Path
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.quote import quoted
+from nmatrix.errors import IllegalValueError, quoted
 
 LARGEST = 16_000_000  # bytes
 
@@ -35,7 +34,7 @@ def existing_file(text: str) -> Path | None:
 
 
 def is_folder(text: str) -> bool:
-    """Say whether a text names a folder.
+    """Recognise the path of a folder.
 
     Examples
     --------

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import partial
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading.brackets import MOST
-from nmatrix.reading.literal import Tokens
+from nmatrix.reading.literal import Tokens, unreadable
 from nmatrix.reading.notation import Notation
-from nmatrix.reading.quote import quoted
 
+_unreadable = partial(unreadable, next_step="write mat3(1, 0, 0, 0, 2, 0, 0, 0, 1)")
 CONSTRUCTOR = re.compile(r"\b(?:mat[234](?:x[234])?|vec[234])[ \t\n]*\(")
 _DECLARED = re.compile(
     r"\b(?P<type>mat[234](?:x[234])?|vec[234])[ \t]+(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})"
@@ -52,7 +53,7 @@ def glsl_notation(text: str, source: str) -> Notation:
         rows, end = _constructed(bare, 0, source)
         rest = bare[end:].strip().strip(";").strip()
         if rest:
-            raise _refusal(source, f"{quoted(rest)} follows the constructor")
+            raise _unreadable(source, f"{quoted(rest)} follows the constructor")
         quantities[""] = rows
     return Notation(quantities, Layout.ROW_MAJOR)
 
@@ -61,7 +62,7 @@ def _constructed(text: str, start: int, source: str) -> tuple[Tokens, int]:
     """Return the rows that the constructor at `start` builds, and where it ends."""
     size = _SIZE.match(text, start)
     if size is None:
-        raise _refusal(source, "it has no mat or vec")
+        raise _unreadable(source, "it has no mat or vec")
     numbers, end = _arguments(text, start, source)
     columns = int(size["columns"])
     if size[0].startswith("vec"):
@@ -88,12 +89,12 @@ def _arguments(text: str, start: int, source: str) -> tuple[list[str], int]:
         elif token[0] not in ",()":
             numbers.append(token[0].removesuffix("f").removesuffix("F"))
         elif token[0] == "(":
-            raise _refusal(source, "only numbers and vec columns stand in it")
+            raise _unreadable(source, "only numbers and vec columns stand in it")
         if len(inner) > 2 or (len(inner) == 2 and inner[-1][0].startswith("mat")):
-            raise _refusal(source, "only numbers and vec columns stand in it")
+            raise _unreadable(source, "only numbers and vec columns stand in it")
         if len(numbers) > MOST:
-            raise _refusal(source, f"it holds more than {MOST} numbers")
-    raise _refusal(source, "its brackets are not closed")
+            raise _unreadable(source, f"it holds more than {MOST} numbers")
+    raise _unreadable(source, "its brackets are not closed")
 
 
 def _filled(numbers: Sequence[str], count: int, kind: str, source: str) -> list[str]:
@@ -101,7 +102,7 @@ def _filled(numbers: Sequence[str], count: int, kind: str, source: str) -> list[
     if len(numbers) == 1 and kind.startswith("vec"):
         return list(numbers) * count
     if len(numbers) != count:
-        raise _refusal(source, f"{kind} takes {count} numbers, got {len(numbers)}")
+        raise _unreadable(source, f"{kind} takes {count} numbers, got {len(numbers)}")
     return list(numbers)
 
 
@@ -109,7 +110,3 @@ def _diagonal(number: str, height: int, columns: int) -> Tokens:
     return [
         [number if row == column else "0" for column in range(columns)] for row in range(height)
     ]
-
-
-def _refusal(source: str, why: str) -> IllegalValueError:
-    return IllegalValueError(f"matrix ({source})", why, "write mat3(1, 0, 0, 0, 2, 0, 0, 0, 1)")

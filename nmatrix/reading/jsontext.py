@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from functools import partial
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.literal import Tokens
+from nmatrix.errors import quoted
+from nmatrix.reading.literal import Tokens, unreadable
 from nmatrix.reading.notation import Notation
-from nmatrix.reading.quote import quoted
 
+_unreadable = partial(unreadable, next_step='write {"world_from_object": [[…], …]} or pipe -f json')
 DEEPEST = 12  # levels of objects and lists that are looked into
 
 
@@ -36,12 +37,12 @@ def json_notation(text: str, source: str) -> Notation:
     try:
         found = json.loads(text, parse_int=_Digits, parse_float=_Digits, parse_constant=_Digits)
     except RecursionError:
-        raise _refusal(source, "it nests too deeply") from None
+        raise _unreadable(source, "it nests too deeply") from None
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
-        raise _refusal(source, f"not JSON at {place}: {error.msg}") from None
+        raise _unreadable(source, f"not JSON at {place}: {error.msg}") from None
     if not isinstance(found, dict):
-        raise _refusal(source, "it is not a JSON object")
+        raise _unreadable(source, "it is not a JSON object")
     return Notation(dict(_matrices(found, "", 0)), _layout(found.get("layout"), source))
 
 
@@ -50,7 +51,7 @@ def _layout(stated: object, source: str) -> Layout | None:
         return None
     if stated not in tuple(Layout):
         shown = quoted(str(stated))
-        raise _refusal(source, f"its layout is {shown}, neither row-major nor column-major")
+        raise _unreadable(source, f"its layout is {shown}, neither row-major nor column-major")
     return Layout(str(stated))
 
 
@@ -82,7 +83,7 @@ def _tokens(value: list[object]) -> Tokens | None:
 
 
 def _is_record(value: object) -> bool:
-    """Say whether a list's entry can hold matrices of its own: an object, or a list of lists."""
+    """Recognise an entry that can hold matrices of its own: an object, or a list of lists."""
     return isinstance(value, dict) or (
         isinstance(value, list) and all(isinstance(row, list) for row in value)
     )
@@ -90,9 +91,3 @@ def _is_record(value: object) -> bool:
 
 def _is_row(value: list[object]) -> bool:
     return bool(value) and all(isinstance(entry, _Digits) for entry in value)
-
-
-def _refusal(source: str, why: str) -> IllegalValueError:
-    return IllegalValueError(
-        f"matrix ({source})", why, 'write {"world_from_object": [[…], …]} or pipe -f json'
-    )

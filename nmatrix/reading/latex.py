@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.literal import Tokens
+from nmatrix.reading.literal import Tokens, unreadable
 from nmatrix.reading.notation import Notation
 
 LONGEST = 40_000  # characters between \begin and \end
@@ -40,7 +39,7 @@ def latex_notation(text: str, source: str) -> Notation:
         else:
             end = text.find(rf"\end{{{found[2]}}}", after)
             if end < 0 or end - after > LONGEST:
-                raise IllegalValueError(f"matrix ({source})", f"no \\end{{{found[2]}}}", "close it")
+                raise unreadable(source, f"no \\end{{{found[2]}}}", "close it")
             quantities.setdefault(name, _rows(text[after:end]))
             name, after = "", end
         found = _NAMED.search(text, after)

@@ -10,17 +10,21 @@ from functools import cached_property
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
+from nmatrix.linear.rational import RationalMatrix, Rows, to_floats
 from nmatrix.reading.numbers import fraction
 
 LARGEST = 4  # rows and columns
 SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
 ACCEPTED = 'write a matrix like "1 0 0; 0 2 0; 0 0 1"'
 
-Rows = tuple[tuple[float, ...], ...]
-ExactRows = tuple[tuple[Fraction, ...], ...]
 Tokens = Sequence[Sequence[str]]  # rows of numbers that are still text
 
 _BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
+
+
+def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:
+    """Make the error of a text that is no matrix: where it came from, why, what to write."""
+    return IllegalValueError(f"matrix ({source})", why, next_step)
 
 
 @dataclass(frozen=True)
@@ -31,16 +35,14 @@ class MatrixLiteral:
     the digits behind the point that were typed, None for p/q.
     """
 
-    rows_exact: ExactRows
+    rows_exact: RationalMatrix
     source: str
     decimals: tuple[tuple[int | None, ...], ...] = ()
 
     @cached_property
     def rows(self) -> Rows:
         """Return the entries as float64, each correctly rounded."""
-        return tuple(
-            tuple(entry.numerator / entry.denominator for entry in row) for row in self.rows_exact
-        )
+        return to_floats(self.rows_exact)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -77,7 +79,7 @@ def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLi
 
 
 def typed_decimals(text: str) -> int | None:
-    """Return how many digits behind the point a number was typed with; p/q has no point.
+    """Count the digits behind the point that a number was typed with; p/q has no point.
 
     Examples
     --------
@@ -94,18 +96,18 @@ def typed_decimals(text: str) -> int | None:
 def _squared(tokens: Tokens, source: str) -> Tokens:
     count = len(tokens[0]) if tokens else 0
     if not count:
-        raise IllegalValueError(f"matrix ({source})", "it holds no numbers", ACCEPTED)
+        raise unreadable(source, "it holds no numbers")
     for place, row in enumerate(tokens):
         if len(row) != count:
             lengths = f"row 1 has length {count}, row {place + 1} has length {len(row)}"
-            raise IllegalValueError(f"matrix ({source})", lengths, "make all rows equally long")
+            raise unreadable(source, lengths, "make all rows equally long")
     if 1 in (count, len(tokens)) and count * len(tokens) in SQUARES:
         flat = [text for row in tokens for text in row]
         side = SQUARES[len(flat)]
         return [flat[start : start + side] for start in range(0, len(flat), side)]
     if max(count, len(tokens)) > LARGEST:
         size = f"it has {len(tokens)} rows of {count} numbers"
-        raise IllegalValueError(f"matrix ({source})", size, "use at most 4×4, or a flat 9 or 16")
+        raise unreadable(source, size, "use at most 4×4, or a flat 9 or 16")
     return tokens
 
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import partial
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading import brackets, csvtext, glsl, jsontext, latex, numpytext
-from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
+from nmatrix.errors import quoted
+from nmatrix.reading import brackets, csvtext, glsl, jsontext, latex
+from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens, unreadable
 from nmatrix.reading.notation import Notation, chosen
-from nmatrix.reading.quote import quoted
 
+_unreadable = partial(unreadable, next_step="give it as text of at most 16 numbers")
 LONGEST = 4_000_000  # characters; a page of shaders and tables has some ten thousand
 
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
@@ -42,10 +43,10 @@ def matrix_literal(
     """
     origin = source or quoted(text)
     if len(text) > LONGEST:
-        raise _refusal(origin, f"{len(text)} characters are too many")
+        raise _unreadable(origin, f"{len(text)} characters are too many")
     found = _UNPRINTABLE.search(text)
     if found is not None:
-        raise _refusal(origin, f"it holds the control character {found[0]!r}, so it is not text")
+        raise _unreadable(origin, f"it holds the control character {found[0]!r}, so it is not text")
     notation = _notation(text.replace("\r\n", "\n").removeprefix("\ufeff").strip(), origin)
     tokens = chosen(notation, key, origin)
     return literal_from_tokens(tokens, notation.layout or layout, origin)
@@ -55,11 +56,7 @@ def _notation(text: str, source: str) -> Notation:
     for sign, reader in _NOTATIONS:
         if sign.search(text):
             return reader(text, source)
-    return Notation({"": brackets.bare_rows(text, source)})
-
-
-def _bracketed(text: str, source: str) -> Notation:
-    return Notation({"": brackets.whole(text, source)})
+    return brackets.bare_notation(text, source)
 
 
 # Each notation is known by its first characters, or by a word that the later ones never hold.
@@ -67,11 +64,7 @@ _NOTATIONS: tuple[tuple[re.Pattern[str], Callable[[str, str], Notation]], ...] =
     (re.compile(r"\A\{"), jsontext.json_notation),
     (csvtext.HEADER, csvtext.csv_notation),
     (latex.MATRIX, latex.latex_notation),
-    (numpytext.ARRAY, numpytext.numpy_notation),
+    (brackets.ARRAY, brackets.numpy_notation),
     (glsl.CONSTRUCTOR, glsl.glsl_notation),
-    (re.compile(r"\A[\[(]"), _bracketed),
+    (re.compile(r"\A[\[(]"), brackets.list_notation),
 )
-
-
-def _refusal(source: str, why: str) -> IllegalValueError:
-    return IllegalValueError(f"matrix ({source})", why, "give it as text of at most 16 numbers")

@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.literal import ACCEPTED, Tokens
-from nmatrix.reading.quote import quoted
+from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.reading.literal import Tokens, unreadable
 
 FIRST_OF = (
     "world_from_object",
@@ -62,9 +61,9 @@ def chosen(notation: Notation, key: str | None, source: str) -> Tokens:
     if len(found) == 1:
         return next(iter(found.values()))
     if not any(found):
-        raise IllegalValueError(f"matrix ({source})", "it holds no matrix", ACCEPTED)
+        raise unreadable(source, "it holds no matrix")
     next_step = f"name one of {_listed(found)} after a #"
-    raise IllegalValueError(f"matrix ({source})", "which of its matrices is meant?", next_step)
+    raise unreadable(source, "which of its matrices is meant?", next_step)
 
 
 def _program_name(key: str) -> str:

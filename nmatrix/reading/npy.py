@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import warnings
+from functools import partial
 from io import BytesIO
 from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
+from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens, unreadable
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+_unreadable = partial(unreadable, next_step="save a 3×3 or 4×4 array of floats with np.save")
 MAGIC = b"\x93NUMPY"
 LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 
@@ -28,9 +29,9 @@ def npy_literal(content: bytes, layout: Layout, source: str) -> MatrixLiteral:
     """
     array = _array(content, source)
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
-        raise _refusal(source, f"its entries are {array.dtype}, not numbers")
+        raise _unreadable(source, f"its entries are {array.dtype}, not numbers")
     if array.ndim not in (1, 2) or array.size > 16:
-        raise _refusal(source, f"its shape is {array.shape}")
+        raise _unreadable(source, f"its shape is {array.shape}")
     rows = array.reshape(1, -1) if array.ndim == 1 else array
     return literal_from_tokens(
         [[repr(entry) for entry in row] for row in rows.tolist()], layout, source
@@ -41,17 +42,11 @@ def _array(content: bytes, source: str) -> NDArray[np.generic]:
     import numpy as np
 
     if len(content) > LARGEST:
-        raise _refusal(source, f"{len(content)} bytes are more than a matrix takes")
+        raise _unreadable(source, f"{len(content)} bytes are more than a matrix takes")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             loaded: NDArray[np.generic] = np.load(BytesIO(content), allow_pickle=False)
     except Exception:  # a damaged header raises whatever Python's own parser raises
-        raise _refusal(source, "it is damaged, or holds Python objects") from None
+        raise _unreadable(source, "it is damaged, or holds Python objects") from None
     return loaded
-
-
-def _refusal(source: str, why: str) -> IllegalValueError:
-    return IllegalValueError(
-        f"matrix ({source})", why, "save a 3×3 or 4×4 array of floats with np.save"
-    )

@@ -9,8 +9,8 @@ import re
 from fractions import Fraction
 from math import inf, isinf
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.quote import quoted
+from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.linear.rounding import nearest
 
 LONGEST = 4000  # characters; the longest exact float64 takes about 1100
 SMALLEST = Fraction(49, 10**325)  # 2⁻¹⁰⁷⁴ in its shortest spelling, 4.9e-324
@@ -65,8 +65,7 @@ def number(text: str, name: str = "number") -> float:
     >>> number("1/3"), number("−2.5e-1"), number("-0")
     (0.3333333333333333, -0.25, 0.0)
     """
-    exact = fraction(text, name)
-    return exact.numerator / exact.denominator
+    return nearest(fraction(text, name))
 
 
 def number_or_infinity(text: str, name: str = "number") -> float:
@@ -118,8 +117,7 @@ def numbers(text: str, count: int, name: str) -> tuple[float, ...]:
     >>> numbers("-3 0 -1.5", 3, "--translate")
     (-3.0, 0.0, -1.5)
     """
-    exact = fractions(text, count, name)
-    return tuple(value.numerator / value.denominator for value in exact)
+    return tuple(map(nearest, fractions(text, count, name)))
 
 
 def _decimal(found: re.Match[str], text: str, name: str) -> Fraction:

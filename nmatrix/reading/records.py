@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from io import StringIO
 from itertools import islice
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
-from nmatrix.reading.quote import quoted
 
 NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
 SEPARATORS = tuple(NAMES)
@@ -47,7 +46,7 @@ def records(name: str, needed: Sequence[str]) -> list[Record]:
 
 
 def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record]:
-    r"""Give the rows of a text.
+    r"""Read the rows of a text, one after the other.
 
     Examples
     --------
@@ -74,7 +73,7 @@ def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record
 
 
 def _rows(text: str, separator: str) -> Iterator[tuple[int, list[str], str]]:
-    """Give every row with the line that it ends on, and what is wrong with its quotes.
+    """Read every row, with the line that it ends on and the fault of its quotes.
 
     A row that cannot be read costs only its own line: a quote that is never closed would take all
     that follow with it.

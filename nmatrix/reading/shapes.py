@@ -1,4 +1,4 @@
-"""Take a matrix that was read for what is meant: an affine map, a linear one, a projection.
+"""Interpret a matrix that was read as an affine map, a linear one, a projection or a vector.
 
 Column vectors: the translation of an affine 4×4 stands in its last column, its last row is
 0 0 0 1.
@@ -6,9 +6,9 @@ Column vectors: the translation of an affine 4×4 stands in its last column, its
 
 from __future__ import annotations
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.linear.rational import AFFINE_ROW, ZERO
-from nmatrix.reading.literal import ExactRows, MatrixLiteral
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.rational import affine_matrix, is_affine, linear_part, transpose
+from nmatrix.reading.literal import MatrixLiteral, unreadable
 
 
 def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
@@ -25,13 +25,11 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     >>> as_affine(matrix_literal("2 0 0; 0 2 0; 0 0 2")).rows[0]
     (2.0, 0.0, 0.0, 0.0)
     """
-    rows = matrix.rows_exact
     if matrix.shape == (3, 3):
-        grown = tuple((*row, ZERO) for row in rows)
-        return MatrixLiteral((*grown, AFFINE_ROW), matrix.source)
+        return MatrixLiteral(affine_matrix(matrix.rows_exact), matrix.source)
     _require_shape(matrix, "9 or 16 numbers", ((4, 4),))
-    if rows[3] != AFFINE_ROW:
-        raise _not_affine(rows, matrix.source)
+    if not is_affine(matrix.rows_exact):
+        raise _not_affine(matrix)
     return matrix
 
 
@@ -51,8 +49,7 @@ def as_linear(matrix: MatrixLiteral) -> MatrixLiteral:
     """
     if matrix.shape == (3, 3):
         return matrix
-    block = tuple(row[:3] for row in as_affine(matrix).rows_exact[:3])
-    return MatrixLiteral(block, matrix.source)
+    return MatrixLiteral(linear_part(as_affine(matrix).rows_exact), matrix.source)
 
 
 def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:
@@ -64,18 +61,6 @@ def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:
         If it is not 4×4.
     """
     _require_shape(matrix, "16 numbers", ((4, 4),))
-    return matrix
-
-
-def as_square(matrix: MatrixLiteral) -> MatrixLiteral:
-    """Return a 3×3 or 4×4 of any numbers: an answer to compare, right or wrong.
-
-    Raises
-    ------
-    IllegalValueError
-        If it is of another size.
-    """
-    _require_shape(matrix, "9 or 16 numbers", ((3, 3), (4, 4)))
     return matrix
 
 
@@ -100,20 +85,13 @@ def as_vector(matrix: MatrixLiteral) -> tuple[float, ...]:
 def _require_shape(matrix: MatrixLiteral, takes: str, shapes: tuple[tuple[int, int], ...]) -> None:
     if matrix.shape not in shapes:
         height, width = matrix.shape
-        raise IllegalValueError(
-            f"matrix ({matrix.source})", f"it has {height} × {width} entries", f"give {takes}"
-        )
+        raise unreadable(matrix.source, f"it has {height} × {width} entries", f"give {takes}")
 
 
-def _not_affine(rows: ExactRows, source: str) -> IllegalValueError:
-    if tuple(row[3] for row in rows) == AFFINE_ROW:
-        return IllegalValueError(
-            f"matrix ({source})",
-            "this looks column-major or row-vector: --input-layout column-major",
-        )
-    last = " ".join(f"{entry.numerator / entry.denominator:g}" for entry in rows[3])
-    return IllegalValueError(
-        f"matrix ({source})",
-        f"its last row is {last}, that of an affine matrix is 0 0 0 1",
-        "give a projection as --projection-matrix",
-    )
+def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:
+    if is_affine(transpose(matrix.rows_exact)):
+        why = f"this looks column-major or row-vector: {quantity('input_layout')} column-major"
+        return unreadable(matrix.source, why, "")
+    last = " ".join(f"{entry:g}" for entry in matrix.rows[3])
+    why = f"its last row is {last}, that of an affine matrix is 0 0 0 1"
+    return unreadable(matrix.source, why, f"give a projection as {quantity('projection_matrix')}")

@@ -9,12 +9,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading import npy
 from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.matrix import matrix_literal
-from nmatrix.reading.quote import quoted
 
 MARKS_OF_A_LITERAL = " \t\n[({;,"
 

@@ -1,1 +1,1 @@
-"""What a user describes: worlds, cameras, lights, lenses, and the files they come from."""
+"""Scenes: worlds, cameras, lenses, lights, materials, and the files that they come from."""

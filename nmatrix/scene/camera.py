@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nmatrix.enums import Convention, Handedness
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.enums import Convention, Handedness, chosen
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
-from nmatrix.linear.angle import Angle
+from nmatrix.linear.angle import Angle, turn
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.linear.values import real, settle, vector
 from nmatrix.linear.view import first_person, look_at
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 
 _PARALLEL = (
@@ -39,6 +41,10 @@ class FirstPerson:
     angle: float = 0.0
     roll: float = 0.0
 
+    def __post_init__(self) -> None:
+        names = ("elevation", "angle", "roll")
+        settle(self, **{name: real(turn(getattr(self, name), name), name) for name in names})
+
 
 @dataclass(frozen=True)
 class View:
@@ -53,11 +59,19 @@ class View:
     convention: Convention = Convention.STANDARD
 
     def __post_init__(self) -> None:
+        read: dict[str, object] = {
+            name: vector(getattr(self, name), 3, name) for name in ("eye", "target", "up")
+        }
+        read["handed"] = chosen(Handedness, self.handed, "handed")
+        read["convention"] = chosen(Convention, self.convention, "convention")
+        if self.matrix is not None:
+            read["matrix"] = read_affine(self.matrix, "view_matrix")
+        settle(self, **read)
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
-                "--elevation/--angle with --handed left",
+                f"{quantity('elevation')}/{quantity('angle')} with {quantity('handed')} left",
                 "the two angles are defined for a camera that looks down −z",
-                "use --target, or leave --handed out",
+                f"use {quantity('target')}, or leave {quantity('handed')} out",
             )
 
     def placed(self) -> PlacedCamera:
@@ -79,7 +93,7 @@ class View:
             return self._by_angles(self.angles)
         found = look_at(_floats(self.eye), _floats(self.target), _floats(self.up), self.handed)
         return PlacedCamera(
-            rational.rational(found.camera_from_world),
+            rational.rational_matrix(found.camera_from_world),
             rational_vector(self.eye),
             (_PARALLEL,) if found.up_was_parallel else (),
         )
@@ -93,11 +107,13 @@ class View:
             self.convention,
         )
         remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
-        return PlacedCamera(rational.rational(to_floats(exact)), rational_vector(self.eye), remarks)
+        return PlacedCamera(
+            rational.rational_matrix(to_floats(exact)), rational_vector(self.eye), remarks
+        )
 
 
 def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:
-    if rational.determinant(rational.linear(camera_from_world)) == 0:
+    if rational.determinant(rational.linear_part(camera_from_world)) == 0:
         raise NoAnswerError(
             "view matrix (determinant 0)",
             "it flattens space, so no eye can be read from it",

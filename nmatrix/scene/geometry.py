@@ -1,6 +1,7 @@
-"""Where an object's triangles come from: a shape, a mesh file, a primitive of a glTF file.
+"""Where an object's triangles come from: a shape, a mesh file, arrays that are there already.
 
 These are small frozen values; `mesh` reads or builds the triangles, and only then is NumPy loaded.
+A reader of other files brings a value of its own.
 """
 
 from __future__ import annotations
@@ -8,18 +9,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from nmatrix.scene.words import Shape
 
 if TYPE_CHECKING:
-    from nmatrix.scene.gltf.nodes import GltfScene
     from nmatrix.scene.meshes.mesh import Mesh
+
+
+class Geometry(Protocol):
+    """Anything that has triangles."""
+
+    def mesh(self) -> Mesh:
+        """Build or read the triangles."""
 
 
 @dataclass(frozen=True)
 class ShapeGeometry:
-    """A shape with analytic normals; `tessellation` is how finely it is cut, its default if empty.
+    """A shape with analytic normals, cut as finely as `tessellation` says; empty means its default.
 
     Sphere and torus take rings and sectors, a cone its sectors, plane and box cells along an edge.
     """
@@ -55,21 +62,6 @@ class FileGeometry:
 
 
 @dataclass(frozen=True)
-class GltfGeometry:
-    """One primitive of one mesh of a glTF file."""
-
-    scene: GltfScene
-    mesh_index: int
-    primitive: int
-
-    def mesh(self) -> Mesh:
-        """Read the triangles."""
-        from nmatrix.scene.gltf.accessors import primitive_mesh
-
-        return primitive_mesh(self.scene, self.mesh_index, self.primitive)
-
-
-@dataclass(frozen=True)
 class TangentGeometry:
     """Other triangles, with tangents made from their texture coordinates for a normal map."""
 
@@ -89,8 +81,5 @@ class LoadedGeometry:
     loaded: Mesh
 
     def mesh(self) -> Mesh:
-        """Return them."""
+        """Return the triangles."""
         return self.loaded
-
-
-Geometry = ShapeGeometry | FileGeometry | GltfGeometry | TangentGeometry | LoadedGeometry

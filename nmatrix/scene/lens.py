@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.linear.angle import Angle
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.angle import Angle, turn
 from nmatrix.linear.projection import (
     DEFAULT_CLIP_SPACE,
     ClipSpace,
@@ -15,7 +16,9 @@ from nmatrix.linear.projection import (
     orthographic,
     perspective,
 )
-from nmatrix.linear.rational import RationalMatrix, rational
+from nmatrix.linear.rational import RationalMatrix, rational_matrix
+from nmatrix.linear.values import real, settle
+from nmatrix.reading.arrays import read_projection
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,18 @@ class Lens:
     frustum: Window | None = None
     matrix: RationalMatrix | None = None
     clip: ClipSpace = DEFAULT_CLIP_SPACE
+
+    def __post_init__(self) -> None:
+        read: dict[str, object] = {
+            "fov_degrees": real(turn(self.fov_degrees, "fov"), "fov"),
+            "aspect": real(self.aspect, "aspect"),
+            "near": real(self.near, "near"),
+        }
+        if not (isinstance(self.far, float) and self.far == inf):
+            read["far"] = real(self.far, "far")
+        if self.matrix is not None:
+            read["matrix"] = read_projection(self.matrix, "projection_matrix")
+        settle(self, **read)
 
     @property
     def clip_from_camera(self) -> RationalMatrix:
@@ -50,12 +65,12 @@ class Lens:
         if self.matrix is not None:
             return self.matrix
         if self.ortho is not None:
-            return rational(orthographic(self.ortho, self.near, self.far, self.clip))
+            return rational_matrix(orthographic(self.ortho, self.near, self.far, self.clip))
         if self.frustum is not None:
-            return rational(frustum(self.frustum, self.near, self.far, self.clip))
+            return rational_matrix(frustum(self.frustum, self.near, self.far, self.clip))
         check_fov(self.fov_degrees)
         half = Angle.degrees(Fraction(self.fov_degrees) / 2)
-        return rational(perspective(half, self.aspect, self.near, self.far, self.clip))
+        return rational_matrix(perspective(half, self.aspect, self.near, self.far, self.clip))
 
 
 def check_fov(degrees: float) -> None:
@@ -64,5 +79,5 @@ def check_fov(degrees: float) -> None:
         raise IllegalValueError(
             f"fov ({degrees:g})",
             "a vertical field of view lies between 0 and 180 degrees, both excluded",
-            "try --fov 60",
+            f"try {quantity('fov')} 60",
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf
 
+from nmatrix.linear.vectors import normalize
 from nmatrix.report import Vector
 from nmatrix.scene.material import Colour
 from nmatrix.scene.words import LightKind
@@ -50,15 +51,19 @@ class SceneLight:
 
     @property
     def has_position(self) -> bool:
-        """Return whether the light comes from somewhere."""
+        """True if the light comes from somewhere."""
         return self.kind in (LightKind.POINT, LightKind.SPOT)
 
     @property
     def fades(self) -> bool:
-        """Return whether less arrives farther away."""
+        """True if less arrives farther away."""
         return self.attenuation != (1.0, 0.0, 0.0) or self.range < inf
 
     @property
     def has_direction(self) -> bool:
-        """Return whether the light has a direction of travel of its own."""
+        """True if the light has a direction of travel of its own."""
         return self.kind in (LightKind.DIRECTIONAL, LightKind.SPOT)
+
+
+# What lights a scene that says nothing of lights.
+DAYLIGHT = SceneLight("light", LightKind.DIRECTIONAL, direction=normalize((-1, -1, -1)))

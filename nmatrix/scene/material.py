@@ -1,4 +1,4 @@
-"""What a surface does with light, and the words that scene files use for it."""
+"""Materials: the parts of light that a surface reflects, its images, the sides that are drawn."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class EmbeddedImage:
     content: bytes
 
     def __str__(self) -> str:
-        """Return where it stands."""
+        """Return the name, by which messages speak of it."""
         return self.name
 
 
@@ -39,6 +39,20 @@ def grey(level: float) -> Colour:
     (0.5, 0.5, 0.5)
     """
     return (level, level, level)
+
+
+def colour(value: float | list[float]) -> Colour:
+    """Return the colour of one level, or of three.
+
+    Examples
+    --------
+    >>> colour(0.5), colour([1.0, 0.5, 0.0])
+    ((0.5, 0.5, 0.5), (1.0, 0.5, 0.0))
+    """
+    if isinstance(value, list):
+        red, green, blue = value
+        return red, green, blue
+    return grey(value)
 
 
 @dataclass(frozen=True)
@@ -85,7 +99,7 @@ class Material:
 
     @property
     def shines(self) -> bool:
-        """Return whether there is a highlight at all."""
+        """True if there is a highlight at all."""
         models = (Reflection.PHONG, Reflection.BLINN_PHONG)
         return self.reflection in models and any(self.specular)
 

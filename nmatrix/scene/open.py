@@ -7,12 +7,12 @@ from pathlib import Path
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import FileGeometry
+from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.scene import Scene, SceneObject
-from nmatrix.scene.toml.lights import DAYLIGHT
-from nmatrix.scene.toml.objects import MESHES
+from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
 
-SUFFIXES = (".toml", ".gltf", ".glb", *MESHES)
+SUFFIXES = (".toml", *GLTF_SUFFIXES, *MESH_SUFFIXES)
 
 
 def scene_of(path: Path) -> Scene:
@@ -28,11 +28,11 @@ def scene_of(path: Path) -> Scene:
         from nmatrix.scene.toml.file import read_scene
 
         return read_scene(path)
-    if suffix in (".gltf", ".glb"):
+    if suffix in GLTF_SUFFIXES:
         from nmatrix.scene.gltf.scene import gltf_scene
 
         return gltf_scene(path)
-    if suffix not in MESHES:
+    if suffix not in MESH_SUFFIXES:
         raise IllegalValueError(
             f"{path}", f"scenes and meshes are {', '.join(SUFFIXES)}", "check the name"
         )

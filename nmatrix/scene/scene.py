@@ -6,7 +6,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Shading, Space
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix
+from nmatrix.linear.values import number, settle, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
 from nmatrix.scene.lens import Lens
@@ -41,6 +43,11 @@ class Fog:
     end: float
 
 
+SAMPLES = (1, 4, 16, 64)  # of a pixel
+LARGEST = 8192  # pixels on a side
+MOST_SAMPLES = 1 << 28
+
+
 @dataclass(frozen=True)
 class Settings:
     """How a scene is drawn.
@@ -63,6 +70,30 @@ class Settings:
     normals: NormalRule = NormalRule.EXACT
     effort: Effort = Effort.PLANNED
     turn_degrees: float = 0.0
+
+    def __post_init__(self) -> None:
+        width, height = vector(self.size, 2, "size")
+        sides = f"{quantity('size')} ({width:g} {height:g})"
+        if not all(float(side).is_integer() and side >= 1 for side in (width, height)):
+            why = "both sides are whole numbers of pixels, 1 at least"
+            raise IllegalValueError(sides, why, "try 360 360")
+        if max(width, height) > LARGEST:
+            raise IllegalValueError(
+                sides, f"a side has {LARGEST} pixels at the most", "try 1024 1024"
+            )
+        if number(self.samples, "samples") not in SAMPLES:
+            raise IllegalValueError(
+                f"{quantity('samples')} ({self.samples})",
+                "a pixel has 1, 4, 16 or 64",
+                f"try {quantity('samples')} 4",
+            )
+        settle(self, size=(int(width), int(height)), samples=int(self.samples))
+        if width * height * self.samples > MOST_SAMPLES:
+            raise IllegalValueError(
+                f"{quantity('size')} {self.size[0]} {self.size[1]} with {self.samples} samples",
+                f"a picture has {MOST_SAMPLES} samples at the most",
+                "take fewer of either",
+            )
 
 
 @dataclass(frozen=True)

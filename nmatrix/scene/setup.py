@@ -1,4 +1,4 @@
-"""The setup: one object, one camera, one lens, one light; frozen, and staged for the spaces."""
+"""The setup: one object, one camera, one lens, one light, and the exact maps between them."""
 
 from __future__ import annotations
 
@@ -7,19 +7,20 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
-from nmatrix.linear.angle import Angle
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
+from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
-from nmatrix.linear.vectors import direction_from_angles, normalize
+from nmatrix.linear.values import number, real, settle, vector
+from nmatrix.linear.vectors import direction_from_angles
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
-
-DEFAULT_DIRECTION: Vector = (-1, -1, -1)  # as a unit vector
 
 
 @dataclass(frozen=True)
@@ -30,8 +31,19 @@ class Light:
     angles_degrees: tuple[float, float] | None = None
     position: Vector | None = None
 
+    def __post_init__(self) -> None:
+        read: dict[str, object] = {}
+        if self.direction is not None:
+            read["direction"] = vector(self.direction, 3, "light_direction")
+        if self.angles_degrees is not None:
+            alpha, beta = turns(self.angles_degrees, 2, "light_angles")
+            read["angles_degrees"] = (real(alpha, "light_angles"), real(beta, "light_angles"))
+        if self.position is not None:
+            read["position"] = vector(self.position, 3, "light_position")
+        settle(self, **read)
+
     def placed(self) -> WorldLight:
-        """Return the light in world space; nothing given means the default direction.
+        """Return the light in world space; nothing given means daylight.
 
         Raises
         ------
@@ -48,18 +60,14 @@ class Light:
             alpha, beta = map(Angle.degrees, self.angles_degrees)
             return rational_vector(direction_from_angles(alpha, beta))
         if self.direction is None:
-            return None if self.position is not None else _default_direction()
+            return None if self.position is not None else rational_vector(DAYLIGHT.direction)
         if not any(self.direction):
             raise NoAnswerError(
                 "light direction (0 0 0)",
                 "light that travels nowhere lights nothing",
-                "try --light-direction -1 -1 -1",
+                f"try {quantity('light_direction')} -1 -1 -1",
             )
         return rational_vector(self.direction)
-
-
-def _default_direction() -> RationalVector:
-    return rational_vector(normalize([float(component) for component in DEFAULT_DIRECTION]))
 
 
 @dataclass(frozen=True)
@@ -72,6 +80,13 @@ class Setup:
     light: Light = field(default_factory=Light)
     space_matrix: RationalMatrix | None = None
     tolerance: float | Fraction = BUILT
+
+    def __post_init__(self) -> None:
+        if self.space_matrix is not None:
+            settle(self, space_matrix=read_affine(self.space_matrix, "space_matrix"))
+        if not 0 <= number(self.tolerance, "tolerance") < 1:
+            named = f"{quantity('tolerance')} ({self.tolerance})"
+            raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")
 
     @cached_property
     def camera(self) -> PlacedCamera:
@@ -108,5 +123,5 @@ class Setup:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what the world and the camera have to say, each sentence once."""
+        """Return the remarks of the world and the camera, each sentence once."""
         return tuple(dict.fromkeys((*self.world.remarks, *self.camera.remarks)))

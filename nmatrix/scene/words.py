@@ -1,8 +1,11 @@
-"""The words of a scene: kinds of lights, shapes, sides and depth buffers; free of NumPy."""
+"""The words of a scene: lights, shapes, sides, depth buffers, endings of files; free of NumPy."""
 
 from __future__ import annotations
 
 from enum import StrEnum
+
+GLTF_SUFFIXES = (".gltf", ".glb")
+MESH_SUFFIXES = (".obj", ".ply", ".stl")
 
 
 class LightKind(StrEnum):
@@ -25,7 +28,7 @@ class Shape(StrEnum):
 
 
 class Sides(StrEnum):
-    """Which sides of a surface are drawn: where its back can be seen, the front alone, both."""
+    """The sides of a surface that are drawn: as its back can be seen, the front alone, both."""
 
     AS_NEEDED = "as-needed"
     FRONT = "front"
@@ -33,7 +36,7 @@ class Sides(StrEnum):
 
 
 class DepthBuffer(StrEnum):
-    """How finely depth is stored."""
+    """The precision of stored depth: integers of 16 or 24 bits, float32, or float64."""
 
     UNORM16 = "16"
     UNORM24 = "24"

@@ -6,11 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.enums import Convention
-from nmatrix.errors import IllegalValueError
+from nmatrix.enums import Convention, chosen
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
-from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import RationalMatrix, to_shown
+from nmatrix.linear.angle import Angle, turns
+from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
+from nmatrix.linear.values import settle, vector
+from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
 _POLIMI_REMARK = (
@@ -30,13 +32,19 @@ class World:
     Parameters
     ----------
     translate, scale, shear
-        In world units; shear is xy, xz, yz.
+        In world units; one number is a uniform scale; shear is xy, xz, yz.
     rotate_degrees
-        About x, y, z, or the course's three angles under its conventions.
+        About x, y, z, or the course's three angles under its conventions; numbers or `Angle`.
     quaternion
         x, y, z, w instead of the three angles; any length but zero.
     matrix
-        A 4×4 matrix instead of all of the above.
+        A 4×4 matrix instead of all of the above; any array-like, 3×3 is its linear part.
+
+    Raises
+    ------
+    IllegalValueError
+        For a value that is not that, an unknown order or convention, and for a quaternion or an
+        order under a convention of the course.
     """
 
     translate: Vector = (0, 0, 0)
@@ -49,17 +57,33 @@ class World:
     matrix: RationalMatrix | None = None
 
     def __post_init__(self) -> None:
+        scale = self.scale
+        if not (isinstance(scale, tuple | list) or hasattr(scale, "__len__")):
+            scale = (scale,) * 3
+        read: dict[str, object] = {
+            "translate": vector(self.translate, 3, "translate"),
+            "rotate_degrees": turns(self.rotate_degrees, 3, "rotate"),
+            "scale": vector(scale, 3, "scale"),
+            "shear": vector(self.shear, 3, "shear"),
+            "convention": chosen(Convention, self.convention, "convention"),
+        }
+        if self.quaternion is not None:
+            read["quaternion"] = vector(self.quaternion, 4, "quaternion")
+        if self.matrix is not None:
+            read["matrix"] = read_affine(self.matrix, "world_matrix")
+        settle(self, **read)
         affine.checked_order(self.order)
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
                 raise IllegalValueError(
-                    f"--order {self.order} with --convention {self.convention}",
+                    f"{quantity('order')} {self.order} with "
+                    f"{quantity('convention')} {self.convention}",
                     "the course's library fixes the order",
                     "leave one of them out",
                 )
             if self.quaternion is not None:
                 raise IllegalValueError(
-                    f"--quaternion with --convention {self.convention}",
+                    f"{quantity('quaternion')} with {quantity('convention')} {self.convention}",
                     "the course's library knows angles only",
                     "leave one of them out",
                 )
@@ -99,11 +123,24 @@ class World:
         >>> World(scale=(1, 2, 1)).world_from_object[1][1]
         Fraction(2, 1)
         """
-        return to_shown(self.exact)
+        return rounded_for_display(self.exact)
+
+    def under(self, world_from_parent: RationalMatrix | None) -> World:
+        """Return the place in the world of an object that stands here under its parent, exactly.
+
+        Examples
+        --------
+        >>> above = World(scale=(1, 2, 1)).world_from_object
+        >>> int(World(translate=(0, 3, 0)).under(above).world_from_object[1][3])
+        6
+        """
+        if world_from_parent is None:
+            return self
+        return World(convention=self.convention, matrix=product(world_from_parent, self.exact))
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what a reader must know about the convention."""
+        """Return a sentence about the convention, unless it is the standard one."""
         if self.convention is Convention.POLIMI:
             return (_POLIMI_REMARK,)
         if self.convention is Convention.POLIMI_ASSIGNMENTS:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from nmatrix.enums import Frame, Handedness, Space
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
@@ -105,17 +105,17 @@ class ExactMaps:
             raise NoAnswerError(
                 "light space",
                 "the light stands at the target and has no direction",
-                "give --light-direction",
+                f"give {quantity('light_direction')}",
             )
         seen = looking_along(position, towards, self.up, Handedness.RIGHT)
-        return Transform(Frame.LIGHT, Frame.WORLD, rational.rational(seen.camera_from_world))
+        return Transform(Frame.LIGHT, Frame.WORLD, rational.rational_matrix(seen.camera_from_world))
 
     def _custom_from_world(self) -> Transform:
         if self.custom_from_world is None:
             raise IllegalValueError(
                 "space custom",
                 "it is whatever matrix you give, and none was given",
-                'try --space-matrix "2 0 0; 0 1 0; 0 0 1"',
+                f'try {quantity("space_matrix")} "2 0 0; 0 1 0; 0 0 1"',
             )
         if not self.custom_from_world.linear_map.integer_determinant:
             raise NoAnswerError(

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees
 
 from nmatrix.enums import Space
 from nmatrix.linear import rational
+from nmatrix.linear.angle import DEGREES, exact_angle_between
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.linear.rounding import angle, integers, root, unit
+from nmatrix.linear.rounding import integers, nearest, root, unit
 from nmatrix.spaces.exact_maps import ExactMaps
 
 Three = tuple[float, ...]
@@ -58,7 +58,7 @@ def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
     space_from_world = maps.space_from_world(space)
     d, p = maps.light.direction, maps.light.position
     moved = None if d is None else space_from_world.exact_vector(d)
-    course = None if d is None else _course_rule(rational.linear(space_from_world.exact), d)
+    course = None if d is None else _course_rule(rational.linear_part(space_from_world.exact), d)
     return LightInSpace(
         space=space,
         space_from_world=space_from_world.exact,
@@ -121,4 +121,4 @@ def _unit(v: RationalVector | None) -> Three | None:
 def _degrees_between(a: RationalVector | None, b: RationalVector | None) -> float | None:
     if a is None or b is None:
         return None
-    return degrees(angle(integers(a)[0], integers(b)[0]))
+    return nearest(exact_angle_between(integers(a)[0], integers(b)[0]) * DEGREES)

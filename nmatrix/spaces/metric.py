@@ -17,13 +17,13 @@ def vector_world_from_space(maps: ExactMaps, space: Space) -> RationalMatrix:
     """Return B⁻¹, which takes vectors of the space back to world lengths and angles."""
     if space is Space.OBJECT:
         maps.space_from_world(space)
-        return rational.linear(maps.world_from_object.exact)
-    return rational.inverse(rational.linear(maps.space_from_world(space).exact))
+        return rational.linear_part(maps.world_from_object.exact)
+    return rational.inverse(rational.linear_part(maps.space_from_world(space).exact))
 
 
 def normal_world_from_space(maps: ExactMaps, space: Space) -> RationalMatrix:
     """Return Bᵀ, which takes normals of the space back to world lengths and angles."""
-    return rational.transpose(rational.linear(maps.space_from_world(space).exact))
+    return rational.transpose(rational.linear_part(maps.space_from_world(space).exact))
 
 
 def metric(maps: ExactMaps, space: Space) -> RationalMatrix | None:

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import ClipY, DepthRange
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.exact import Normal
-from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.projection import NDC_DEPTH, ClipSpace
 from nmatrix.linear.rational import RationalVector, apply, rational_vector
 from nmatrix.spaces.exact_maps import ExactMaps
 
@@ -22,6 +23,14 @@ class Viewport:
 
     width: float
     height: float
+
+    def __post_init__(self) -> None:
+        if not all(side > 0 and float(side).is_integer() for side in (self.width, self.height)):
+            raise IllegalValueError(
+                f"{quantity('viewport')} ({self.width:g} {self.height:g})",
+                "both sides are whole pixels, 1 or more",
+                "try 512 512",
+            )
 
 
 @dataclass(frozen=True)
@@ -96,24 +105,18 @@ def outside_planes(point: RationalVector, clip: ClipSpace) -> tuple[str, ...]:
     x, y, z, w = point
     if clip.clip_y is ClipY.DOWN:
         y = -y
-    near, far = _depth_limits(z, w, clip.depth)
+    at_near, at_far = NDC_DEPTH[clip.depth]
+    if at_near > at_far:
+        z, at_near, at_far = -z, -at_near, -at_far
     beyond = {
         "left": x < -w,
         "right": x > w,
         "bottom": y < -w,
         "top": y > w,
-        "near": near,
-        "far": far,
+        "near": z < at_near * w,
+        "far": z > at_far * w,
     }
     return tuple(plane for plane, outside in beyond.items() if outside)
-
-
-def _depth_limits(z: Fraction, w: Fraction, depth: DepthRange) -> tuple[bool, bool]:
-    if depth is DepthRange.MINUS_ONE_TO_ONE:
-        return z < -w, z > w
-    if depth is DepthRange.ZERO_TO_ONE:
-        return z < 0, z > w
-    return z > w, z < 0
 
 
 def _window(ndc: RationalVector, clip: ClipSpace, viewport: Viewport) -> RationalVector:

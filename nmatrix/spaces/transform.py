@@ -6,28 +6,40 @@ that do not meet refuse to multiply.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nmatrix.enums import Frame
+from nmatrix.enums import Frame, chosen
 from nmatrix.errors import FrameError, NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, to_floats
 from nmatrix.linear.rounding import nearest
+from nmatrix.linear.values import settle, vector
+from nmatrix.reading.arrays import read_affine
 
 
 @dataclass(frozen=True)
 class Transform:
     """An affine map from one frame to another, held exactly.
 
+    Parameters
+    ----------
+    to, source
+        The frames, or their words: object, world, camera, light, static, custom.
+    exact
+        A (3, 3) or affine (4, 4) matrix: exact fractions, or any array-like.
+
+    Raises
+    ------
+    IllegalValueError
+        For an unknown frame, or a matrix that is not affine.
+
     Examples
     --------
-    >>> from nmatrix.linear.affine import compose, translation_matrix
-    >>> camera_from_world = Transform(Frame.CAMERA, Frame.WORLD, translation_matrix((0, 0, -5)))
-    >>> world_from_object = Transform(Frame.WORLD, Frame.OBJECT, translation_matrix((1, 0, 0)))
-    >>> (camera_from_world @ world_from_object).point((0, 0, 0))
-    (1.0, 0.0, -5.0)
+    >>> camera_from_world = Transform.of("camera", "world", [[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+    >>> world_from_object = Transform.of("world", "object", [[2, 0, 0], [0, 1, 0], [0, 0, 1]])
+    >>> (camera_from_world @ world_from_object).point((1, 0, 3))
+    (2.0, 3.0, 0.0)
     >>> world_from_object @ camera_from_world
     Traceback (most recent call last):
     nmatrix.errors.FrameError: world_from_object @ camera_from_world: ...
@@ -36,6 +48,29 @@ class Transform:
     to: Frame
     source: Frame
     exact: RationalMatrix
+
+    def __post_init__(self) -> None:
+        settle(
+            self,
+            to=chosen(Frame, self.to, "to"),
+            source=chosen(Frame, self.source, "source"),
+            exact=read_affine(self.exact, "matrix"),
+        )
+
+    @classmethod
+    def of(cls, to: Frame | str, source: Frame | str, matrix: object) -> Transform:
+        """Return the transform of an array-like `to_from_source`; NumPy's floats are exact here.
+
+        Examples
+        --------
+        >>> Transform.of("world", "object", [[1, 0, 0], [0, 2, 0], [0, 0, 1]]).normal((1, 2, 0))
+        (0.7071067811865476, 0.7071067811865476, 0.0)
+        """
+        return cls(to, source, matrix)  # type: ignore[arg-type]  # all three are read there
+
+    def __repr__(self) -> str:
+        """Return the name and the rows in floats."""
+        return f"Transform({self.name}, {[list(row) for row in self.matrix]})"
 
     @property
     def name(self) -> str:
@@ -50,11 +85,11 @@ class Transform:
     @property
     def linear_map(self) -> LinearMap:
         """Return the 3×3 block at the exact level."""
-        return LinearMap.of(rational.linear(self.exact))
+        return LinearMap.of(rational.linear_part(self.exact))
 
     def _repr_latex_(self) -> str:
         """Show the matrix under its name in a notebook."""
-        rows = r" \\ ".join(" & ".join(f"{x:.6g}" for x in row) for row in self.matrix)
+        rows = r" \\ ".join(" & ".join(map(_latex_number, row)) for row in self.matrix)
         name = self.name.replace("_", r"\_")
         return rf"$\mathtt{{{name}}} = \begin{{bmatrix}} {rows} \end{{bmatrix}}$"
 
@@ -84,15 +119,15 @@ class Transform:
             )
         return Transform(self.source, self.to, rational.inverse(self.exact))
 
-    def point(self, point: Sequence[float]) -> tuple[float, ...]:
+    def point(self, point: object) -> tuple[float, ...]:
         """Return a point of the source frame in the target frame (w = 1: it moves along)."""
-        return tuple(map(nearest, self.exact_point(rational.rational_vector(point))))
+        return tuple(map(nearest, self.exact_point(point)))
 
-    def vector(self, vector: Sequence[float]) -> tuple[float, ...]:
+    def vector(self, vector: object) -> tuple[float, ...]:
         """Return a vector of the source frame in the target frame (w = 0: no translation)."""
-        return tuple(map(nearest, self.exact_vector(rational.rational_vector(vector))))
+        return tuple(map(nearest, self.exact_vector(vector)))
 
-    def normal(self, normal: Sequence[float]) -> tuple[float, ...]:
+    def normal(self, normal: object) -> tuple[float, ...]:
         """Return a normal in the target frame, at length one, outward side kept.
 
         Raises
@@ -100,17 +135,27 @@ class Transform:
         NoAnswerError
             If the map leaves this normal without an image.
         """
-        carried = self.linear_map.normal(normal)
+        carried = self.linear_map.normal(_exact(normal, "normal"))
         if carried.direction is None:
             raise NoAnswerError(
                 f"a normal through {self.name}", carried.reason, "give every axis a scale"
             )
         return carried.direction
 
-    def exact_point(self, point: RationalVector) -> RationalVector:
+    def exact_point(self, point: object) -> RationalVector:
         """Return the image of a point without rounding."""
-        return tuple(rational.dot(row[:3], point) + row[3] for row in self.exact[:3])
+        p = _exact(point, "point")
+        return tuple(rational.dot(row[:3], p) + row[3] for row in self.exact[:3])
 
-    def exact_vector(self, vector: RationalVector) -> RationalVector:
+    def exact_vector(self, vector: object) -> RationalVector:
         """Return the image of a vector without rounding."""
-        return rational.apply(rational.linear(self.exact), vector)
+        return rational.apply(rational.linear_part(self.exact), _exact(vector, "vector"))
+
+
+def _exact(values: object, name: str) -> RationalVector:
+    return rational.rational_vector(vector(values, 3, name))
+
+
+def _latex_number(value: float) -> str:
+    mantissa, mark, exponent = f"{value:.6g}".partition("e")
+    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if mark else mantissa

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.rounding import integers, unit
@@ -34,6 +35,14 @@ class Request:
     space: Space
     shading: Shading = Shading.PHONG
     reflection: Reflection = Reflection.BLINN_PHONG
+
+    def __post_init__(self) -> None:
+        if self.shading is Shading.FLAT:
+            raise IllegalValueError(
+                f"{quantity('shading')} flat",
+                "the sheet's shaders light per vertex or per fragment",
+                "use gouraud or phong",
+            )
 
     @property
     def is_specular(self) -> bool:

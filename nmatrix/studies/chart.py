@@ -1,8 +1,8 @@
 """The chart of a study: error against time, both as powers, legible without colour.
 
 Each setting has its panel, on the same axes. A mark is a method, its number a line of the key;
-marks in a crowd share a label. A cross is a method that also gives wrong answers. What nobody
-beats in both is black, joined by steps.
+marks close together share a label. A cross is a method that also gives wrong answers. Methods that
+no other beats in both error and time, the front, are black and joined by steps.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from nmatrix.studies.rows import Row
+from nmatrix.studies.measurements import Measurement, Unit, by_setting
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SMALLEST = 1e-17  # where an error of zero, or below all that a float64 can say, is drawn
+SMALLEST = 1e-17  # where errors of zero, or below the resolution of float64, are drawn
 EPSILONS = {"float64": 2.0**-53, "float32": 2.0**-24, "float16": 2.0**-11}
 PANEL = (3.2, 2.6)  # inches
 KEY, KEY_LINE = 2.3, 0.155
@@ -26,32 +27,28 @@ ACROSS = 3
 LETTER, HIGH = 0.023, 0.06  # of the panel: the width of a digit, the height of a line
 ROOM_OF_TEXT = 0.15  # labels that start closer to the right edge are written to the left
 FRONT, BEATEN = "black", "0.55"
-PICTURES = "levels"  # the unit of studies in which each setting has methods of its own
+
+
+class ChartFormat(StrEnum):
+    """The files that a chart can be."""
+
+    SVG = "svg"
+    PNG = "png"
 
 
 @dataclass(frozen=True)
 class Numbered:
-    """The rows of a study, and the number that stands for each of their methods."""
+    """The rows of a study, and a number for each of their methods."""
 
-    rows: Sequence[Row]
-
-    @cached_property
-    def settings(self) -> list[str]:
-        """Return the panels."""
-        return list(dict.fromkeys(row.setting for row in self.rows))
-
-    def of(self, setting: str) -> list[Row]:
-        """Return the rows of a panel, the fastest first."""
-        found = [row for row in self.rows if row.setting == setting]
-        return sorted(found, key=lambda row: row.timing.ratio)
+    rows: Sequence[Measurement]
 
     @property
     def is_grouped(self) -> bool:
-        """Return whether each setting has methods of its own."""
-        return self.rows[0].unit == PICTURES
+        """True where each setting has methods of its own, as the dials of a picture have."""
+        return self.rows[0].unit is Unit.LEVELS
 
-    def name(self, row: Row) -> tuple[str, str]:
-        """Return what one number stands for."""
+    def name(self, row: Measurement) -> tuple[str, str]:
+        """Return the setting (empty unless grouped) and the method, which share one number."""
         return (row.setting if self.is_grouped else "", row.method)
 
     @cached_property
@@ -74,7 +71,7 @@ class Numbered:
             lines += ["  ●  always an answer", "  ×  wrong answers too"]
         return [*lines, "  black, joined: the front"]
 
-    def label(self, rows: Sequence[Row]) -> str:
+    def label(self, rows: Sequence[Measurement]) -> str:
         """Return the numbers of marks that lie close together: 3, 5–7."""
         numbers = sorted(self.numbers[self.name(row)] for row in rows)
         runs: list[list[int]] = []
@@ -86,13 +83,13 @@ class Numbered:
         return ", ".join(f"{r[0]}–{r[-1]}" if len(r) > 2 else ", ".join(map(str, r)) for r in runs)
 
 
-def chart(rows: Sequence[Row], title: str, kind: str) -> bytes:
-    """Return the chart as `svg` or `png`; the same rows give the same bytes."""
+def chart(rows: Sequence[Measurement], title: str, kind: ChartFormat) -> bytes:
+    """Draw the chart and return its file; equal rows give equal bytes."""
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
     numbered = Numbered(rows)
-    settings = numbered.settings
+    settings = by_setting(rows)
     across = min(ACROSS, len(settings))
     down = -(-len(settings) // across)
     height = max(PANEL[1] * down, KEY_LINE * (len(numbered.key) + 3)) + 0.3
@@ -103,11 +100,11 @@ def chart(rows: Sequence[Row], title: str, kind: str) -> bytes:
         axes = panels.subplots(down, across, squeeze=False, sharex=True, sharey=True).ravel()
         for axis in axes:
             axis.margins(0.15)
-        for axis, setting in zip(axes, settings, strict=False):
-            _marks(axis, numbered.of(setting))
-        axes[0].autoscale_view()  # all share its scales, and numbers need to know who is close
-        for axis, setting in zip(axes, settings, strict=False):
-            _numbers(axis, numbered, numbered.of(setting))
+        for axis, panel in zip(axes, settings.values(), strict=False):
+            _marks(axis, panel)
+        axes[0].autoscale_view()  # all share its scales, which labels are placed by
+        for axis, panel in zip(axes, settings.values(), strict=False):
+            _numbers(axis, numbered, panel)
         for axis in axes[len(settings) :]:
             axis.axis("off")
         panels.suptitle(title, fontsize=11)
@@ -115,13 +112,13 @@ def chart(rows: Sequence[Row], title: str, kind: str) -> bytes:
         panels.supylabel(rows[0].unit)
         side.text(0.0, 0.97, "\n".join(numbered.key), va="top", family="monospace", fontsize=7.5)
         out = io.BytesIO()
-        undated = {"Date": None} if kind == "svg" else None
-        figure.savefig(out, format=kind, dpi=150, metadata=undated)
+        undated = {"Date": None} if kind is ChartFormat.SVG else None
+        figure.savefig(out, format=kind.value, dpi=150, metadata=undated)
     return out.getvalue()
 
 
-def _marks(axis: Axes, rows: Sequence[Row]) -> None:
-    _scales(axis, fine=rows[0].unit != "rad")
+def _marks(axis: Axes, rows: Sequence[Measurement]) -> None:
+    _scales(axis, fine=rows[0].unit is not Unit.RADIANS)
     axis.set_title(rows[0].setting, fontsize=9)
     axis.tick_params(labelbottom=True)
     for row in sorted(rows, key=lambda row: row.on_front):
@@ -134,13 +131,14 @@ def _marks(axis: Axes, rows: Sequence[Row]) -> None:
     front = [_at(row) for row in rows if row.on_front]
     if front:
         axis.step(*zip(*front, strict=True), where="post", color=FRONT, linewidth=0.8)
-    if rows[0].unit == "rad":
+    if rows[0].unit is Unit.RADIANS:
         _epsilon_lines(axis)
 
 
-def _numbers(axis: Axes, numbered: Numbered, rows: Sequence[Row]) -> None:
-    """Write the numbers beside the marks: of the front below to the left, of others above."""
-    front, beaten = ([row for row in rows if row.on_front is which] for which in (True, False))
+def _numbers(axis: Axes, numbered: Numbered, rows: Sequence[Measurement]) -> None:
+    """Write the numbers beside the marks: of the front below, to the left; of the others above."""
+    front = [row for row in rows if row.on_front]
+    beaten = [row for row in rows if not row.on_front]
     for group in _groups(axis, numbered, front):
         _write(axis, numbered.label(group), group[0], (-4, -9), "right", FRONT)
     for group in _groups(axis, numbered, beaten):
@@ -152,7 +150,7 @@ def _numbers(axis: Axes, numbered: Numbered, rows: Sequence[Row]) -> None:
 def _write(
     axis: Axes,
     text: str,
-    at: Row,
+    at: Measurement,
     offset: tuple[int, int],
     side: str,
     shade: str,
@@ -163,9 +161,9 @@ def _write(
     note.set_in_layout(False)
 
 
-def _groups(axis: Axes, numbered: Numbered, rows: Sequence[Row]) -> list[list[Row]]:
-    """Return rows, from left to right, by the label that they share: so close that theirs meet."""
-    groups: list[list[Row]] = []
+def _groups(axis: Axes, numbered: Numbered, rows: Sequence[Measurement]) -> list[list[Measurement]]:
+    """Group rows, sorted from left to right, whose labels would overlap."""
+    groups: list[list[Measurement]] = []
     for row in rows:
         x, y = _place(axis, row)
         for group in groups:
@@ -179,14 +177,14 @@ def _groups(axis: Axes, numbered: Numbered, rows: Sequence[Row]) -> list[list[Ro
     return groups
 
 
-def _place(axis: Axes, row: Row) -> tuple[float, float]:
-    """Return where a mark is, as fractions of the panel."""
+def _place(axis: Axes, row: Measurement) -> tuple[float, float]:
+    """Locate a mark in fractions of the panel's width and height."""
     x, y = (axis.transScale + axis.transLimits).transform(_at(row))
     return float(x), float(y)
 
 
 def _scales(axis: Axes, *, fine: bool) -> None:
-    """Take powers of ten, and what lies between them where everything is close together."""
+    """Set logarithmic scales; fine ones have ticks at 1, 2 and 5 times powers of ten."""
     from matplotlib.ticker import LogLocator, NullLocator
 
     axis.set(xscale="log", yscale="log")
@@ -196,11 +194,11 @@ def _scales(axis: Axes, *, fine: bool) -> None:
         side.set_major_formatter("{x:g}")
 
 
-def _at(row: Row) -> tuple[float, float]:
+def _at(row: Measurement) -> tuple[float, float]:
     return row.timing.ratio, _height(row)
 
 
-def _height(row: Row) -> float:
+def _height(row: Measurement) -> float:
     return max(row.error or SMALLEST, SMALLEST)
 
 

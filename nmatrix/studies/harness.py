@@ -2,8 +2,8 @@
 
 Absolute times drift with everything else that a machine does. A B B A within one round shares the
 drift between both, so the ratio stands; the median over rounds ignores bursts, and a bootstrap
-tells how sure it is. Rounds go on until that is narrow, or time is up. A function against itself
-must come out as 1, or nothing is reported.
+gives its interval. Rounds go on until the interval is narrow or time is up. A function against
+itself must come out as 1, or nothing is reported.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ SEED = 7  # of every matrix, every normal and every resample
 RESAMPLES = 400
 CONFIDENCE = 0.95
 NOISIEST = 0.25  # half width of the interval of a function against itself
-SLACK = 0.01  # a hundredth beside the interval is no finding
-TWICE = 0.2  # how far from 2 twice the work may come out
+SLACK = 0.01  # how far outside its interval 1 may lie
+DOUBLING_ERROR = 0.2  # how far from 2 the ratio for twice the work may be
 TRIES = 5  # a burst of other programs spoils one try, hardly five
 
 
 @dataclass(frozen=True)
 class Ratio:
-    """How long a contestant takes: seconds of a call; times its reference's, with an interval."""
+    """A contestant's time: seconds a call, and their ratio to the reference's with its interval."""
 
     seconds: float
     ratio: float
@@ -43,45 +43,45 @@ class Ratio:
 
     @property
     def spread(self) -> float:
-        """Return how far the interval reaches from the ratio, over the ratio."""
+        """The farther end of the interval from the ratio, relative to the ratio."""
         return max(self.high - self.ratio, self.ratio - self.low) / self.ratio
 
 
 @dataclass(frozen=True)
 class Harness:
-    """A clock, and how patient to be.
+    """A clock, and how long to measure with it.
 
     Parameters
     ----------
     clock
-        Tells seconds; it only ever goes forwards.
-    shortest
+        Tells seconds, and never goes backwards.
+    min_turn
         A turn calls its contestant until it takes so many seconds.
-    rounds, fewest
-        A round is A B B A; it takes so many at the most and at the least.
-    narrow
-        Half the interval over the ratio with which it is content.
-    longest
-        Seconds after which one ratio must do with the fewest rounds.
-    late
-        The time on the clock from which all must.
+    max_rounds, min_rounds
+        The most and the fewest rounds A B B A for one ratio.
+    target_spread
+        The relative half interval at which rounds end early.
+    max_seconds
+        Seconds for one ratio, after which `min_rounds` are enough.
+    deadline
+        The time on the clock from which `min_rounds` are enough for every ratio.
     """
 
     clock: Clock
-    shortest: float = 0.02
-    rounds: int = 15
-    fewest: int = 3
-    narrow: float = 0.02
-    longest: float = 1.5
-    late: float = inf
+    min_turn: float = 0.02
+    max_rounds: int = 15
+    min_rounds: int = 3
+    target_spread: float = 0.02
+    max_seconds: float = 1.5
+    deadline: float = inf
 
     def ratio(self, run: Run, reference: Run) -> Ratio:
         """Return the time of `run` over that of `reference`, the first round discarded."""
-        late = min(self.late, self.clock() + self.longest)
+        deadline = min(self.deadline, self.clock() + self.max_seconds)
         calls, others = self._calibrated(run), self._calibrated(reference)
         seconds, ratios = [], []
         with _undisturbed():
-            for i in range(self.rounds + 1):
+            for i in range(self.max_rounds + 1):
                 a = self._turn(run, calls)
                 b = self._turn(reference, others) + self._turn(reference, others)
                 a += self._turn(run, calls)
@@ -89,13 +89,13 @@ class Harness:
                     seconds.append(a / 2)
                     ratios.append(a / b)
                     found = Ratio(median(seconds), median(ratios), *interval(ratios))
-                    is_enough = self.clock() >= late or found.spread <= self.narrow
-                    if i >= self.fewest and is_enough:
+                    is_enough = self.clock() >= deadline or found.spread <= self.target_spread
+                    if i >= self.min_rounds and is_enough:
                         break
         return found
 
     def self_check(self, run: Run) -> Ratio:
-        """Return a function against itself.
+        """Time a function against itself, which must come out as 1.
 
         Raises
         ------
@@ -115,12 +115,12 @@ class Harness:
         )
 
     def double_check(self, run: Run) -> Ratio:
-        """Return twice the work against once.
+        """Time twice the work against once, which must come out as 2.
 
         Raises
         ------
         CheckFailedError
-            If it does not come out as 2: then this clock cannot tell work apart.
+            If it does not: then this clock cannot tell work apart.
         """
 
         def twice() -> None:
@@ -129,7 +129,7 @@ class Harness:
 
         for _ in range(TRIES):
             found = self.ratio(twice, run)
-            if found.low <= 2 + TWICE and found.high >= 2 - TWICE:
+            if found.low <= 2 + DOUBLING_ERROR and found.high >= 2 - DOUBLING_ERROR:
                 return found
         raise CheckFailedError(
             f"timing (twice the work: {found.ratio:.2f} times as long)",
@@ -138,19 +138,19 @@ class Harness:
         )
 
     def _calibrated(self, run: Run) -> int:
-        """Return how many calls make a turn, found by doubling."""
+        """Count the calls that fill a turn, by doubling."""
         calls = 1
         while True:
             started = self.clock()
             for _ in range(calls):
                 run()
             took = self.clock() - started
-            if took >= self.shortest or calls >= 1 << 20:
+            if took >= self.min_turn or calls >= 1 << 20:
                 return calls
             calls *= 2
 
     def _turn(self, run: Run, calls: int) -> float:
-        """Return the seconds of one call."""
+        """Take one turn and return its seconds per call."""
         started = self.clock()
         for _ in range(calls):
             run()
@@ -158,7 +158,7 @@ class Harness:
 
 
 def interval(ratios: Sequence[float]) -> tuple[float, float]:
-    """Return the bootstrap interval of the median; the same ratios give the same one.
+    """Return the bootstrap interval of the median; equal ratios give equal intervals.
 
     Examples
     --------
@@ -184,7 +184,7 @@ def _undisturbed() -> Iterator[None]:
 
 
 def machine() -> dict[str, str | int | None]:
-    """Return what the times were measured on, and the seed of what was drawn."""
+    """Describe the machine and the versions behind the times, and the seed of random inputs."""
     import numpy as np
 
     return {

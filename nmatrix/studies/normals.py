@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
-from math import pi
+from functools import cached_property, partial
 from statistics import median
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import angle, integers
+from nmatrix.studies.hardcases.case import CaseVerdict, judge
+from nmatrix.studies.hardcases.oracle import exact_rows, true_normal
 from nmatrix.studies.harness import SEED, Harness
+from nmatrix.studies.measurements import Measurement, Task, Unit
 from nmatrix.studies.methods import METHODS, Method, method
-from nmatrix.studies.rows import Row, Task
 
 Array = NDArray[Any]
 
@@ -35,14 +34,22 @@ class Family:
     matrices: Array
     normals: Array
 
+    @cached_property
+    def true_normals(self) -> list[tuple[Fraction, ...] | None]:
+        """Multiples of the exact normals; None where a map leaves no normal."""
+        return [
+            true_normal(exact_rows(A), [Fraction(x) for x in n])
+            for A, n in zip(self.matrices.tolist(), self.normals.tolist(), strict=True)
+        ]
+
     def first(self, count: int) -> Family:
-        """Return the first few of them."""
+        """Return a family of the first few."""
         return replace(self, matrices=self.matrices[:count], normals=self.normals[:count])
 
 
 @dataclass(frozen=True)
 class Extent:
-    """How much to measure: matrices whose answers are checked, in a batch, and κ's."""
+    """How much to measure: matrices whose answers are checked, matrices a batch, and κ's."""
 
     checked: int = 200
     batch: int = BATCH
@@ -51,11 +58,10 @@ class Extent:
 
 
 QUICK = Extent(checked=20, batch=1_000, kappas=(1e0, 1e8, 1e16), slow_methods=False)
-SLOW = {"exact", "solve", "qr"}  # one matrix after the other
 
 
 def families(count: int, kappas: tuple[float, ...]) -> Iterator[Family]:
-    """Return matrices by condition, then with exponents that leave the range of squares.
+    """Generate matrices by condition number, then with exponents whose squares leave the range.
 
     Adversarial normals all but cancel; mixed exponents differ between the entries of one matrix.
     """
@@ -75,57 +81,46 @@ def families(count: int, kappas: tuple[float, ...]) -> Iterator[Family]:
     yield Family("mixed exponents", mixed, rng.normal(size=(count, 3)))
 
 
+WRONG = {
+    "not_a_number": CaseVerdict.NAN,
+    "zero": CaseVerdict.ZERO,
+    "flipped": CaseVerdict.FLIPPED,
+    "not_reported": CaseVerdict.NOT_REPORTED,
+}
+
+
 @dataclass(frozen=True)
 class Errors:
-    """Angles to the true normals in radians, and how many answers are wrong, in which way."""
+    """Angles to the true normals in radians, and the number of answers of each verdict."""
 
     worst: float
     median: float
-    not_a_number: int = 0
-    zero: int = 0
-    flipped: int = 0
-    not_reported: int = 0
+    verdicts: Counter[CaseVerdict]
 
     @property
     def failures(self) -> int:
-        """Return how many answers are wrong."""
-        return self.not_a_number + self.zero + self.flipped + self.not_reported
+        """The number of wrong answers of all kinds."""
+        return sum(self.verdicts[verdict] for verdict in WRONG.values())
 
 
 def errors(carried: Array, family: Family) -> Errors:
-    """Return what became of a family's normals, measured against whole numbers."""
-    angles, wrong = [], Counter[str]()
-    for A, n, found in zip(
-        family.matrices.tolist(), family.normals.tolist(), carried.tolist(), strict=True
-    ):
-        true = _true_normal(LinearMap.of(A), n)
-        if true is None:
-            wrong["not_reported"] += any(found)
-        elif not np.isfinite(found).all():
-            wrong["not_a_number"] += 1
-        elif not any(found):
-            wrong["zero"] += 1
-        else:
-            angles.append(angle(true, integers([Fraction(x) for x in found])[0]))
-            wrong["flipped"] += angles[-1] > pi / 2
-    return Errors(max(angles, default=0.0), median(angles) if angles else 0.0, **wrong)
-
-
-def _true_normal(linear_map: LinearMap, n: Sequence[float]) -> list[int] | None:
-    if linear_map.normal(n).direction is None:
-        return None
-    sign = -1 if linear_map.integer_determinant < 0 else 1
-    given = [Fraction(x) for x in n]
-    true = [sign * sum(c * x for c, x in zip(r, given, strict=True)) for r in linear_map.cofactors]
-    return integers(true)[0]
+    """Compare carried normals with the exact ones; (0, 0, 0) says that there is no normal."""
+    angles, verdicts = [], Counter[CaseVerdict]()
+    for found, true in zip(carried.tolist(), family.true_normals, strict=True):
+        says_none = true is None and not any(found)
+        verdict, error = judge(None if says_none else found, true, is_direction=True)
+        verdicts[verdict] += 1
+        if error is not None:
+            angles.append(error)
+    return Errors(max(angles, default=0.0), median(angles) if angles else 0.0, verdicts)
 
 
 def tasks(harness: Harness, extent: Extent) -> list[Task]:
-    """Return every method on every family still to be measured, in a batch and on one matrix."""
+    """List the measurements: every method on every family, in a batch and on one matrix."""
     found: list[Task] = []
     for family in families(extent.batch, extent.kappas):
         checked = family.first(extent.checked)
-        methods = [one for one in METHODS if extent.slow_methods or one.name not in SLOW]
+        methods = [one for one in METHODS if extent.slow_methods or one.is_batched]
         found += [partial(_row, harness, one, family, checked) for one in methods]
     for family in families(1, extent.kappas):
         if family.name.endswith("random"):
@@ -134,9 +129,9 @@ def tasks(harness: Harness, extent: Extent) -> list[Task]:
     return found
 
 
-def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Row:
+def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Measurement:
     found = errors(one.normals(checked.matrices, checked.normals), checked)
-    is_long = one.name in SLOW and len(family.matrices) > len(checked.matrices)
+    is_long = not one.is_batched and len(family.matrices) > len(checked.matrices)
     A, n = (checked if is_long else family).matrices, (checked if is_long else family).normals
     reference = method("inverse")
     timing = harness.ratio(lambda: one.normals(A, n), lambda: reference.normals(A, n))
@@ -145,9 +140,8 @@ def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Row:
     more = {
         "matrices": len(checked.matrices),
         "median_error": found.median,
-        "not_a_number": found.not_a_number,
-        "zero": found.zero,
-        "flipped": found.flipped,
-        "not_reported": found.not_reported,
+        **{name: found.verdicts[verdict] for name, verdict in WRONG.items()},
     }
-    return Row(one.name, checked.name, found.worst, "rad", timing, found.failures, more=more)
+    return Measurement(
+        one.name, checked.name, found.worst, Unit.RADIANS, timing, found.failures, more=more
+    )

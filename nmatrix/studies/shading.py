@@ -1,8 +1,8 @@
-"""`cost shading`: the renderer's dials against a picture that takes no shortcut.
+"""`cost shading`: the renderer's dials, compared with a picture that takes no shortcut.
 
-One dial is turned at a time, the others stand as they are. A picture's error is the root of the
+One dial is turned at a time, the others stay as they are. A picture's error is the root of the
 mean square of its differences, in 8-bit levels: the largest difference is that of some pixel on an
-edge in every picture but the reference.
+edge, in every picture.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 from nmatrix.studies.harness import Harness
-from nmatrix.studies.rows import Row, Task
+from nmatrix.studies.measurements import Measurement, Task, Unit
 from nmatrix.studies.surfaces import as_it_is, in_float32, normal_angles, normals_seen, with_effect
 
 Array = NDArray[Any]
@@ -43,19 +43,19 @@ SUN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1), intensity
 
 
 @dataclass(frozen=True)
-class Extent:
-    """How large the pictures are, and how fine the torus is where no dial says so."""
+class Resolution:
+    """The size of the pictures, and the torus's tessellation where no dial sets it."""
 
     size: tuple[int, int] = (256, 256)
     tessellation: tuple[int, int] = (96, 192)
 
 
-FULL, QUICK = Extent(), Extent((64, 64), TESSELLATIONS[-1])
+FULL, QUICK = Resolution(), Resolution((64, 64), TESSELLATIONS[-1])
 
 
 @dataclass(frozen=True)
 class Dial:
-    """One setting of one dial: its name in the table, the scene, what changes of its surfaces."""
+    """One setting of one dial: its name in the table, the scene, the change of its surfaces."""
 
     dial: str
     value: str
@@ -64,17 +64,17 @@ class Dial:
 
     @cached_property
     def plan(self) -> Plan:
-        """Return what is drawn."""
+        """The plan that draws the scene."""
         return plan_for(loaded(self.scene))
 
     def image(self) -> Array:
-        """Return the picture in levels of 0 to 255, as it is before they are rounded."""
+        """Render the picture, in levels of 0 to 255 before they are rounded."""
         return np.asarray(render(self.plan, change=self.change).rgb) * 255.0
 
 
-def scene(extent: Extent, tessellation: tuple[int, int] | None = None) -> Scene:
-    """Return a stretched torus over a checkered floor, with a highlight and a shadow."""
-    size, fine = extent.size, tessellation or extent.tessellation
+def scene(resolution: Resolution, tessellation: tuple[int, int] | None = None) -> Scene:
+    """Build a stretched torus over a checkered floor, with a highlight and a shadow."""
+    size, fine = resolution.size, tessellation or resolution.tessellation
     torus = World(rotate_degrees=(60, 0, 20), scale=(1, 1.4, 0.8))
     floor = World(translate=(0, -1.5, 0), scale=(4, 1, 4))
     return Scene(
@@ -89,9 +89,9 @@ def scene(extent: Extent, tessellation: tuple[int, int] | None = None) -> Scene:
     )
 
 
-def dials(extent: Extent) -> Iterator[Dial]:
-    """Return every setting of every dial."""
-    usual = scene(extent)
+def dials(resolution: Resolution) -> Iterator[Dial]:
+    """Generate every setting of every dial."""
+    usual = scene(resolution)
 
     def turned(**settings: object) -> Scene:
         return replace(usual, settings=replace(usual.settings, **settings))  # type: ignore[arg-type]  # names of settings
@@ -107,40 +107,40 @@ def dials(extent: Extent) -> Iterator[Dial]:
     for value, change in (("float32", in_float32), ("float64", as_it_is)):
         yield Dial("attributes", value, usual, change)
     for rings, sectors in TESSELLATIONS:
-        yield Dial("tessellation", f"{rings} × {sectors}", scene(extent, (rings, sectors)))
+        yield Dial("tessellation", f"{rings} × {sectors}", scene(resolution, (rings, sectors)))
     for texels in SHADOW_MAPS:
         yield Dial("shadow map", str(texels), turned(shadow_map=texels))
     for effort in Effort:
         yield Dial("effects", effort.value, turned(effort=effort))
 
 
-def reference(extent: Extent) -> Dial:
+def reference(resolution: Resolution) -> Dial:
     """Return the picture without a shortcut: 64 samples, light at fragments, a fine shadow map."""
-    usual = scene(extent)
+    usual = scene(resolution)
     settings = replace(usual.settings, samples=64, shadow_map=FINEST_MAP, effort=Effort.ALL)
     return Dial("reference", "", replace(usual, settings=settings))
 
 
-class Against:
-    """The reference picture and the usual frame, each made once and when it is first asked for."""
+class Comparison:
+    """Compares settings with the reference picture and the usual frame, each made once."""
 
-    def __init__(self, harness: Harness, extent: Extent) -> None:
+    def __init__(self, harness: Harness, resolution: Resolution) -> None:
         self.harness = harness
-        self.reference = reference(extent)
-        self.usual = Dial("usual", "", scene(extent))
+        self.reference = reference(resolution)
+        self.usual = Dial("usual", "", scene(resolution))
 
     @cached_property
     def image(self) -> Array:
-        """Return the reference picture."""
+        """The reference picture."""
         return self.reference.image()
 
     @cached_property
     def normals(self) -> Array:
-        """Return the reference's normals."""
+        """The reference's normals."""
         return normals_seen(self.reference.plan)
 
-    def row(self, one: Dial) -> Row:
-        """Return the errors of a setting, and the time of its frame over that of the usual one."""
+    def row(self, one: Dial) -> Measurement:
+        """Measure the errors of a setting, and the time of its frame over that of the usual one."""
         off = np.abs(one.image() - self.image)
         rms = float(np.sqrt((off * off).mean()))
         angles = normal_angles(one.plan, one.change, self.normals)
@@ -153,10 +153,10 @@ class Against:
         }
         plan, usual = one.plan, self.usual.plan
         timing = self.harness.ratio(lambda: render(plan, change=one.change), lambda: render(usual))
-        return Row(one.value, one.dial, rms, "levels", timing, more=more)
+        return Measurement(one.value, one.dial, rms, Unit.LEVELS, timing, more=more)
 
 
-def tasks(harness: Harness, extent: Extent) -> list[Task]:
-    """Return every setting still to be measured."""
-    against = Against(harness, extent)
-    return [partial(against.row, one) for one in dials(extent)]
+def tasks(harness: Harness, resolution: Resolution) -> list[Task]:
+    """List the measurements: every setting of every dial."""
+    comparison = Comparison(harness, resolution)
+    return [partial(comparison.row, one) for one in dials(resolution)]

@@ -1,4 +1,4 @@
-"""`cost spaces`: the multiplications that a shading space costs, counted, beside their time."""
+"""`cost spaces`: the multiplications that a shading space takes, counted, beside their time."""
 
 from __future__ import annotations
 
@@ -21,39 +21,38 @@ from nmatrix.scene.world import World
 from nmatrix.spaces.cost import cost
 from nmatrix.spaces.uniforms import Request
 from nmatrix.studies.harness import Harness, Run
-from nmatrix.studies.rows import Row, Task
+from nmatrix.studies.measurements import Measurement, Task, Unit
 
 Array = NDArray[Any]
 
 VERTICES, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
-MULTIPLICATIONS = "multiplications a vertex"
 SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC)
 PLACE = World(rotate_degrees=(20, 30, 10), scale=(1, 2, 1))
 
 
 def tasks(harness: Harness, counts: tuple[int, ...]) -> list[Task]:
-    """Return each space and number of vertices still to be measured."""
+    """List the measurements: every space with every number of vertices."""
     return [partial(_row, harness, count, space) for count in counts for space in SPACES]
 
 
-def _row(harness: Harness, count: int, space: Space) -> Row:
-    """Return the row of a space; its error is the counted cost."""
-    ready = _studio(count)
-    (body,) = ready.bodies
-    counted = cost(ready.maps(body), Request(space)).per_vertex_multiplications
-    timing = harness.ratio(
-        _vertex_stage(ready, body, space), _vertex_stage(ready, body, Space.WORLD)
+def _row(harness: Harness, count: int, space: Space) -> Measurement:
+    """Measure a space; its counted cost stands in the place of the error."""
+    many = _scene_of(count)
+    (body,) = many.bodies
+    counted = cost(many.maps(body), Request(space)).per_vertex_multiplications
+    timing = harness.ratio(_vertex_stage(many, body, space), _vertex_stage(many, body, Space.WORLD))
+    return Measurement(
+        space.value, f"{count} vertices", float(counted), Unit.MULTIPLICATIONS, timing
     )
-    return Row(space.value, f"{count} vertices", float(counted), MULTIPLICATIONS, timing)
 
 
-def _vertex_stage(ready: LoadedScene, body: Body, space: Space) -> Run:
-    """Return what a space does to every vertex: clip space, and position and normal in the space.
+def _vertex_stage(scene: LoadedScene, body: Body, space: Space) -> Run:
+    """Return a run of the vertex stage: to clip space, and position and normal to the space.
 
-    Object space leaves both as they are; static space found both done when the mesh was baked.
+    Object space needs neither, and static space had both done when the mesh was baked.
     """
-    clip = np.array([[float(x) for x in row] for row in ready.clip_from_object(body)])
-    shaded = ShadingSpace(ready, body, space, uses_metric=space is Space.OBJECT)
+    clip = np.array([[float(x) for x in row] for row in scene.clip_from_object(body)])
+    shaded = ShadingSpace(scene, body, space, uses_metric=space is Space.OBJECT)
     positions = body.mesh.positions.T
 
     def run() -> None:
@@ -65,8 +64,8 @@ def _vertex_stage(ready: LoadedScene, body: Body, space: Space) -> Run:
     return run
 
 
-def _studio(count: int) -> LoadedScene:
-    """Return a scene of one mesh with so many vertices."""
+def _scene_of(count: int) -> LoadedScene:
+    """Build a scene of one mesh with so many vertices."""
     mesh = ShapeGeometry(Shape.SPHERE).mesh()
     which = np.arange(count) % len(mesh.positions)
     repeated = Mesh(mesh.positions[which], mesh.normals[which], mesh.triangles[:1] * 0)

@@ -1,4 +1,4 @@
-"""`stress`: every hard case against everyone who tries; and directed random ones."""
+"""`stress`: the hard cases, and how every method does on each of them."""
 
 from __future__ import annotations
 
@@ -6,33 +6,39 @@ from collections import Counter
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-from nmatrix.errors import CheckFailedError, IllegalValueError
-from nmatrix.linear.rounding import in_short
-from nmatrix.report import Block, Heading, Report, Table, Text, Value
-from nmatrix.report import Verdict as Sentence
+from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
+from nmatrix.linear.rounding import short_text
+from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
 from nmatrix.studies.hardcases import (
     affine,
     coverage,
     depths,
     mistakes,
     normals,
-    reflections,
+    samples,
     vectors,
     views,
 )
-from nmatrix.studies.hardcases.case import IMPRECISE, Case, Result, Verdict
+from nmatrix.studies.hardcases.case import IMPRECISE, Case, CaseVerdict, Result
 
-_PARTS = (normals, affine, vectors, views, depths, coverage, reflections, mistakes)
-_FAMILIES = "NVEDRM"
+_PARTS = (normals, affine, vectors, views, depths, coverage, samples, mistakes)
+FAMILIES = {
+    "N": "normals",
+    "V": "vectors and angles",
+    "E": "eyes, views and lights",
+    "D": "depth and projection",
+    "R": "rasterization",
+    "M": "mistakes of teaching material",
+}
 REPLAYED = 3  # failing cases that are printed
 SHOWN = 80  # rows of the table for people
 Judged = tuple[Case, tuple[Result, ...]]
 
 
 def _place(case: Case) -> tuple[int, int, str]:
-    """Return where a case stands: by family, by number, by letter."""
+    """Sort key of a case: by family, by number, by letter."""
     number = case.id[1:].rstrip("bc")
-    return _FAMILIES.index(case.id[0]), int(number), case.id
+    return list(FAMILIES).index(case.id[0]), int(number), case.id
 
 
 CATALOGUE: tuple[Case, ...] = tuple(
@@ -41,7 +47,7 @@ CATALOGUE: tuple[Case, ...] = tuple(
 
 
 def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
-    """Return a case of the catalogue, or of some other cases.
+    """Find a case of the catalogue, or of other cases, by its name.
 
     Raises
     ------
@@ -55,16 +61,18 @@ def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
         near = get_close_matches(name.upper(), ids, 1)
         hint = f"did you mean {near[0]}?" if near else f"try {ids[0]}"
         raise IllegalValueError(
-            f"--case ({name[:20]})", f"there are {len(ids)}, {ids[0]} to {ids[-1]}", hint
+            f"{quantity('case')} ({name[:20]})",
+            f"there are {len(ids)}, {ids[0]} to {ids[-1]}",
+            hint,
         )
     return found
 
 
 def stress(cases: Sequence[Case]) -> Report:
-    """Return what became of everyone; it ends in a failure if one of ours is not right."""
+    """Report how every method does; it ends in a failure if one of ours is not right."""
     judged: list[Judged] = [(one, one.results()) for one in cases]
     ours = [(case, r) for case, results in judged for r in results if r.is_ours]
-    failed = [(case, r) for case, r in ours if r.verdict is not Verdict.RIGHT]
+    failed = [(case, r) for case, r in ours if r.verdict is not CaseVerdict.RIGHT]
     data: dict[str, Value] = {
         "cases": [_data(case, results) for case, results in judged],
         "passed": len(ours) - len(failed),
@@ -89,7 +97,7 @@ def _data(case: Case, results: Sequence[Result]) -> dict[str, Value]:
 def _overview(judged: Sequence[Judged], failed: int) -> tuple[Block, ...]:
     tried = Counter(r.method for _, results in judged for r in results)
     right = Counter(
-        r.method for _, results in judged for r in results if r.verdict is Verdict.RIGHT
+        r.method for _, results in judged for r in results if r.verdict is CaseVerdict.RIGHT
     )
     is_right = "is right on all of them" if not failed else f"is wrong {failed} times"
     summary = [f"{len(judged)} cases. nmatrix {is_right}."]
@@ -100,19 +108,19 @@ def _overview(judged: Sequence[Judged], failed: int) -> tuple[Block, ...]:
     table = Table(("case", "what is hard", "nmatrix", "who fails"), rows[:SHOWN])
     rest = len(rows) - SHOWN
     more = (Text(f"… and {rest} more; -f json has them all."),) if rest > 0 else ()
-    return Heading("Hard cases"), Sentence(" ".join(summary)), table, *more
+    return Heading("Hard cases"), Verdict(" ".join(summary)), table, *more
 
 
 PEERS = ("inverse", "cofactor")  # what most people write
 
 
 def _own(results: Sequence[Result]) -> str:
-    wrong = [r for r in results if r.is_ours and r.verdict is not Verdict.RIGHT]
+    wrong = [r for r in results if r.is_ours and r.verdict is not CaseVerdict.RIGHT]
     return "right" if not wrong else f"{wrong[0].method}: {wrong[0].verdict}"
 
 
 def _losers(results: Sequence[Result]) -> str:
-    lost = [r for r in results if not r.is_ours and r.verdict is not Verdict.RIGHT]
+    lost = [r for r in results if not r.is_ours and r.verdict is not CaseVerdict.RIGHT]
     named = ", ".join(f"{r.method} ({r.verdict})" for r in lost[:3])
     return f"{named}, and {len(lost) - 3} more" if len(lost) > 3 else named
 
@@ -136,7 +144,7 @@ def _answer(case: Case) -> str:
     if case.expected is None:
         return "there is none, and that must be said"
     scale = max(map(abs, case.expected)) if case.is_direction else 1
-    numbers = ", ".join(in_short(x / (scale or 1), 6) for x in case.expected)
+    numbers = ", ".join(short_text(x / (scale or 1), 6) for x in case.expected)
     about = ", at any positive length" if case.is_direction else ""
     return f"({numbers}){about}" if len(case.expected) > 1 else numbers
 
@@ -156,7 +164,7 @@ def _meaning(case: Case) -> str:
 
 
 def _replays(failed: Sequence[tuple[Case, Result]]) -> tuple[str, ...]:
-    """Return each failing input, and how to see it again."""
+    """Describe the first failing inputs, with the commands that show them again."""
     return tuple(
         f"{case.id}, {r.method}: {r.verdict}. {case.given}. Again: {case.replay}"
         for case, r in failed[:REPLAYED]

@@ -1,4 +1,4 @@
-"""Surfaces with one thing about them changed, for a study of what it costs."""
+"""Surfaces with one change each, for the study of what that change costs."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, Shading
 from nmatrix.raster.planning.plan import Plan, everything
 from nmatrix.raster.render import Change, render
+from nmatrix.raster.shading.normals import angles_deg, unit
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
@@ -24,7 +25,7 @@ def as_it_is(surface: Surface) -> Surface:
 
 
 def with_effect(effect: Effect, *, on: bool) -> Change:
-    """Return what turns one effect on or off, whatever the plan says."""
+    """Return a change that turns one effect on or off, whatever the plan says."""
 
     def change(surface: Surface) -> Surface:
         effects = surface.effects | {effect} if on else surface.effects - {effect}
@@ -46,7 +47,7 @@ class Float32Surface(Surface):
         return replace(found, points=points, directions=directions, faces=faces)
 
     def fragment(self, fragments: Fragments) -> Array:
-        """Return the colours of what float32 keeps of the fragments."""
+        """Return the colours of the fragments, their values rounded to float32."""
         kept = {name: one.astype(np.float32) for name, one in fragments.values.items()}
         return super().fragment(replace(fragments, values=kept))
 
@@ -70,7 +71,7 @@ def in_float32(surface: Surface) -> Surface:
 
 
 def normals_seen(plan: Plan, change: Change = as_it_is) -> Array:
-    """Return the normals (height, width, 3) that one sample a pixel sees, 0 where nothing is."""
+    """Render the normals (height, width, 3) with one sample a pixel; 0 is background."""
     settings = replace(plan.loaded.settings, samples=1, background=(0.5, 0.5, 0.5))
     again = everything(replace(plan.loaded, settings=settings))
     colour = replace(again.picture[Effect.COLOUR], on=True)
@@ -87,9 +88,7 @@ def normal_angles(plan: Plan, change: Change, wanted: Array) -> Array | None:
         return None
     found = normals_seen(plan, change)
     both = (np.abs(found).max(axis=2) > 0) & (np.abs(wanted).max(axis=2) > 0)
-    a, b = _unit(found[both]), _unit(wanted[both])
-    half = np.linalg.norm(a - b, axis=1) / 2
-    return np.asarray(np.degrees(2 * np.arcsin(np.clip(half, 0.0, 1.0))))
+    return angles_deg(unit(found[both]), unit(wanted[both]))
 
 
 def _showing(surface: Surface) -> Surface:
@@ -97,10 +96,6 @@ def _showing(surface: Surface) -> Surface:
     return kind(**_fields(surface))
 
 
-def _unit(vectors: Array) -> Array:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
-
-
 def _fields(surface: Surface) -> dict[str, Any]:
-    """Return what a surface is made of."""
+    """Return the fields of a surface by name."""
     return {name: getattr(surface, name) for name in Surface.__dataclass_fields__}

@@ -15,8 +15,9 @@ from PIL import Image
 
 from nmatrix.cli.app import run
 from nmatrix.enums import NormalRule, Reflection, Space
+from nmatrix.linear.angle import exact_angle_between
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import angle, integers
+from nmatrix.linear.rounding import integers
 from nmatrix.output.explorer.page import BACKGROUND, TESSELLATION, page, page_data
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import everything
@@ -94,7 +95,7 @@ def test_its_numbers_are_pythons(opened, file) -> None:
         sign = -1 if exact.integer_determinant < 0 else 1
         largest = max(
             degrees(
-                angle(
+                exact_angle_between(
                     integers((np.array(exact.entries, float) @ n).tolist())[0],
                     integers((sign * np.array(exact.cofactors, float) @ n).tolist())[0],
                 )

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from nmatrix.enums import Frame, Reflection, Shading, Space
-from nmatrix.linear.rational import rational
+from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.glsl import shaders
 from nmatrix.raster.planning.plan import planned
@@ -45,7 +45,7 @@ def blank(browser):
 def stages():
     lights = (Light((-1, -2, -1)), Light(position=(2, 2, 8)),
               Light((0, -1, 0), position=(1, 2, 3)))  # fmt: skip
-    stretched = rational([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    stretched = rational_matrix([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
     for light, scale in product(lights, ((1, 1, 1), (1, 2, 1))):
         yield Setup(World(scale=scale), light=light, space_matrix=stretched).maps
 

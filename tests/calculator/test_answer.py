@@ -7,9 +7,9 @@ import pytest
 from nmatrix.calculator.answer import report
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.values import Arithmetic, Value, as_strings
-from nmatrix.linear.rational import rational
+from nmatrix.linear.rational import rational_matrix
 
-NAMES = {"A": Value(rational([[2, 1], [1, 1]]))}
+NAMES = {"A": Value(rational_matrix([[2, 1], [1, 1]]))}
 
 
 def data(expression, *, with_steps=False, arithmetic=Arithmetic.EXACT):

@@ -15,7 +15,7 @@ import pytest
 
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.values import Value
-from nmatrix.linear.rational import rational, rational_vector
+from nmatrix.linear.rational import rational_matrix, rational_vector
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "calculator.md"
 
@@ -76,9 +76,9 @@ def names_for(function):
     turn = function.startswith("MakeRotate")
     numbers = {"X": X, "Y": Y, "Z": Z, "S": S}
     return {
-        "A": Value(Fraction(TURN)) if turn else Value(rational(M.tolist())),
-        "B": Value(rational(M[:3, :3].tolist())),
-        "C": Value(rational(N.tolist())),
+        "A": Value(Fraction(TURN)) if turn else Value(rational_matrix(M.tolist())),
+        "B": Value(rational_matrix(M[:3, :3].tolist())),
+        "C": Value(rational_matrix(N.tolist())),
         "u": Value(rational_vector(U.tolist())),
         "v": Value(rational_vector(W.tolist())),
         **{name: Value(Fraction(number)) for name, number in numbers.items()},

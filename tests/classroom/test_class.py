@@ -17,8 +17,8 @@ from nmatrix.classroom import run as running
 from nmatrix.classroom.handout import Plan, handout, written
 from nmatrix.classroom.manifest import files_of
 from nmatrix.classroom.topics import Topic
-from nmatrix.cli.files import write_file
 from nmatrix.lessons.exercises.scheme import Sheet
+from nmatrix.output.files import write_file
 from nmatrix.output.pages.document import PageFormat
 from nmatrix.report import Code, Text
 from nmatrix.scene.setup import Setup

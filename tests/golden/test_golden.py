@@ -40,7 +40,6 @@ DEPTHS = {
     "ZO": DepthRange.ZERO_TO_ONE,
     "reversed": DepthRange.REVERSED,
 }
-Args = dict[str, Any]
 I4 = rational.identity(4)
 
 
@@ -136,11 +135,11 @@ def trs_quat(record: dict[str, Any]) -> Any:
 
 
 def maps(W: Any = None, V: Any = None, P: Any = None, **light: Any) -> ExactMaps:
-    camera = I4 if V is None else rational.rational(V)
+    camera = I4 if V is None else rational.rational_matrix(V)
     return ExactMaps(
-        Transform(Frame.WORLD, Frame.OBJECT, I4 if W is None else rational.rational(W)),
+        Transform(Frame.WORLD, Frame.OBJECT, I4 if W is None else rational.rational_matrix(W)),
         Transform(Frame.CAMERA, Frame.WORLD, camera),
-        I4 if P is None else rational.rational(P),
+        I4 if P is None else rational.rational_matrix(P),
         rational.translation(rational.inverse(camera)),
         WorldLight(light.get("direction"), light.get("position")),
     )
@@ -194,10 +193,10 @@ def scene(record: dict[str, Any]) -> Any:
     world = World((tx, ty, tz), (rx, ry, rz), scale=(s, s, s), convention=name)
     view = View((cx, cy, cz), angles=FirstPerson(elevation, angle), convention=name)
     W, V = world.world_from_object, view.placed().camera_from_world
-    P = rational.rational(perspective(Angle.degrees(Fraction(fov) / 2), aspect, near, far))
+    P = rational.rational_matrix(perspective(Angle.degrees(Fraction(fov) / 2), aspect, near, far))
     d = rational.rational_vector(direction_from_angles(*map(Angle.degrees, a["light_dir_deg"])))
     p = rational.rational_vector(a["light_pos"])
-    staged = maps(W, V, P, direction=d, position=p)
+    exact = maps(W, V, P, direction=d, position=p)
     WV = rational.product(V, W)
     return {
         "W": W,
@@ -206,22 +205,22 @@ def scene(record: dict[str, Any]) -> Any:
         "WV": WV,
         "WVP": rational.product(P, WV),
         "light_dir_world": d,
-        "spaces": {space.value: in_space(staged, space) for space in THREE_SPACES},
+        "spaces": {space.value: in_space(exact, space) for space in THREE_SPACES},
     }
 
 
 THREE_SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT)
 
 
-def in_space(staged: ExactMaps, space: Space) -> dict[str, Any]:
-    seen = light_in(staged, space)
-    moved = staged.space_from_object(space)
+def in_space(maps: ExactMaps, space: Space) -> dict[str, Any]:
+    seen = light_in(maps, space)
+    moved = maps.space_from_object(space)
     found = {
         "vertex_matrix": moved.exact,
         "normal_matrix": moved.linear_map.inverse_transpose,
         "light_dir": seen.direction,
         "light_pos": seen.position,
-        "eye_pos": eye_in(staged, space).eye,
+        "eye_pos": eye_in(maps, space).eye,
     }
     if space is Space.OBJECT:
         del found["light_dir"]
@@ -231,7 +230,7 @@ def in_space(staged: ExactMaps, space: Space) -> dict[str, Any]:
 
 
 def recomposed(record: dict[str, Any]) -> Any:
-    found = parts(rational.rational(record["args"]["M"]))
+    found = parts(rational.rational_matrix(record["args"]["M"]))
     assert found is not None
     R = rotation_from_quaternion(found.quaternion)
     return to_floats(compose(R, found.scale, found.shear, found.translate))
@@ -255,7 +254,7 @@ FUNCTIONS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "normal_transform": lambda r: (
         LinearMap.of([row[:3] for row in r["args"]["M"][:3]]).normal(r["args"]["n"]).direction
     ),
-    "invert4": lambda r: rational.inverse(rational.rational(r["args"]["M"])),
+    "invert4": lambda r: rational.inverse(rational.rational_matrix(r["args"]["M"])),
     "light_dir_from_angles": lambda r: direction_from_angles(
         Angle.degrees(r["args"]["alpha_deg"]), Angle.degrees(r["args"]["beta_deg"])
     ),

@@ -1,88 +1,598 @@
-"""Batches: where they are written, how much memory they take, what is refused and how."""
+"""Arrays of matrices and normals (G21): every level, float type, size and overlap, any exponents.
+
+The oracle is arithmetic on fractions by another formula than the ones under test.
+"""
 
 from __future__ import annotations
 
-import re
 import tracemalloc
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from itertools import product
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 import nmatrix
-from nmatrix.enums import Level
-from nmatrix.errors import IllegalValueError
+from nmatrix.enums import Level, NormalMatrixKind, NormalStatus
+from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import batched
+from nmatrix.linear.exact import LinearMap
 
 Array = NDArray[Any]
+Matrix = list[list[Fraction]]
+ORIENTED, INVERSE = NormalMatrixKind.ORIENTED, NormalMatrixKind.INVERSE_TRANSPOSE
+U = Fraction(1, 2**53)
+FLOATS = (np.float32, np.float64)
+RELATIVE = {  # of every entry, before the rounding to the type of the output
+    (ORIENTED, Level.EXACT): U,
+    (ORIENTED, Level.CERTIFIED): 2 * U,
+    (INVERSE, Level.EXACT): U,
+    (INVERSE, Level.CERTIFIED): 5 * U,
+}
+PLAIN = Fraction(1, 2**36)  # what the guarded level promises, of the largest entry or in radians
 
 
-def test_out_is_written_and_returned() -> None:
-    A = np.random.default_rng(5).normal(size=(5000, 3, 3))
-    out = np.empty_like(A)
-    assert nmatrix.normal_matrices(A, out) is out
-    assert (out == nmatrix.normal_matrices(A)).all()
+@pytest.fixture
+def _small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, size in (("CHUNK", 16), ("LONG_CHUNK", 32), ("ENOUGH", 5)):
+        monkeypatch.setattr(batched, name, size)
+
+
+def of_type(dtype: type, values: Array) -> Array:
+    """Values in a type; what it does not hold becomes 1."""
+    with np.errstate(all="ignore"):
+        found = values.astype(dtype)
+    found[~np.isfinite(found)] = 1
+    return found
+
+
+def any_bits(rng: np.random.Generator, shape: tuple[int, ...], dtype: type) -> Array:
+    size = np.dtype(dtype).itemsize
+    found = rng.integers(0, 2 ** (8 * size), size=shape, dtype=f"u{size}").view(dtype)
+    return np.where(np.isfinite(found), found, dtype(1))
+
+
+def families(dtype: type, count: int, seed: int = 1) -> dict[str, Array]:
+    """Matrices that are hard in different ways, all of one float type."""
+    rng = np.random.default_rng(seed)
+    ordinary = rng.normal(size=(count, 3, 3))
+    top = np.finfo(dtype).maxexp - 4
+    ladders = rng.choice([-1.0, 1.0], (count, 3, 3)) * 2.0 ** rng.integers(-top, top, (count, 3, 3))
+    near = ordinary.copy()
+    near[:, 2] = 2 * near[:, 0] - near[:, 1] + rng.integers(-1, 2, (count, 3)) * 2.0**-52
+    flat = rng.integers(-2, 3, (count, 3, 3)) * np.array([1.0, 1.0, 0.0])
+    corners = np.zeros((count, 3, 3))
+    corners[:, range(3), range(3)] = 2.0 ** rng.integers(-top, top, (count, 3))
+    upper = np.triu(2.0 ** rng.integers(-top, 0, (count, 3, 3)))
+    upper[:, range(3), range(3)] = 1.0  # far from singular, and a cofactor that only a scale holds
+    upper[::2, 0, 2] = 0.0
+    found = {
+        "ordinary": ordinary,
+        "any scale": ordinary * 2.0 ** rng.integers(-top, top, (count, 1, 1)),
+        "near singular": near,
+        "flat": flat,
+        "small integers": rng.integers(-2, 3, (count, 3, 3)).astype(float),
+        "ladders": ladders,
+        "corners": corners,
+        "upper": upper,
+    }
+    found = {name: of_type(dtype, matrices) for name, matrices in found.items()}
+    return {**found, "any bits": any_bits(rng, (count, 3, 3), dtype)}
+
+
+NAMES = tuple(families(np.float64, 1))
+
+
+def minors(A: Array) -> Matrix:
+    """Cofactors by the textbook: strike out a row and a column."""
+    F = [[Fraction(float(x)) for x in row] for row in A]
+    found = []
+    for i in range(3):
+        rows = [row for k, row in enumerate(F) if k != i]
+        kept = [[[x for m, x in enumerate(row) if m != j] for row in rows] for j in range(3)]
+        found.append([(-1) ** (i + j) * (a * d - b * c) for j, ((a, b), (c, d)) in enumerate(kept)])
+    return found
+
+
+def determinant(A: Array) -> Fraction:
+    return sum(
+        (Fraction(float(a)) * c for a, c in zip(A[0], minors(A)[0], strict=True)), Fraction(0)
+    )
+
+
+def log2(x: Fraction) -> int:
+    """The exponent e of 2ᵉ ≤ |x| < 2ᵉ⁺¹."""
+    e = abs(x.numerator).bit_length() - x.denominator.bit_length()
+    return e - (abs(x) < Fraction(2) ** e)
+
+
+def check_entries(found: Array, true: Matrix, relative: Fraction, absolute: Fraction) -> None:
+    """Each entry is within a part of its own size and an absolute error, and one rounding."""
+    limits = np.finfo(found.dtype)
+    least = Fraction(float(limits.smallest_subnormal))
+    if found.dtype != np.float64:
+        relative += (1 + relative) * Fraction(float(limits.eps)) / 2
+    for x, y in zip(found.ravel(), flat(true), strict=True):
+        subnormal = abs(y) < Fraction(float(limits.tiny))
+        assert abs(Fraction(float(x)) - y) <= relative * abs(y) + absolute + subnormal * least
+        assert absolute or subnormal or np.sign(float(x)) == (y > 0) - (y < 0)
+
+
+def flat(matrix: Matrix) -> list[Fraction]:
+    return [x for row in matrix for x in row]
+
+
+def check_oriented(A: Array, found: Array, level: Level) -> None:
+    sign = -1 if determinant(A) < 0 else 1
+    true = [[sign * c for c in row] for row in minors(A)]
+    nonzero = [abs(c) for c in flat(true) if c]
+    if not nonzero:
+        assert not found.any()
+        return
+    limits = np.finfo(found.dtype)
+    most, least = max(nonzero), log2(Fraction(float(limits.smallest_subnormal)))
+    k = log2(Fraction(float(np.abs(found).max())) / most * Fraction(1025, 1024))
+    fits = min(nonzero) >= 2 * float(limits.tiny) and most <= float(limits.max) / 2
+    assert k == 0 or not fits  # as it is, wherever the type holds it
+    scaled = [[c * Fraction(2) ** k for c in row] for row in true]
+    if level is Level.GUARDED:
+        check_entries(found, scaled, Fraction(0), PLAIN * max(map(abs, flat(scaled))))
+    else:
+        check_entries(found, scaled, RELATIVE[ORIENTED, level], Fraction(0))
+    for x, c in zip(found.ravel(), flat(true), strict=True):
+        cancels = level is Level.GUARDED and abs(c) > PLAIN * most  # plain cofactors may
+        assert x or not c or cancels or log2(c) <= log2(most) - (limits.maxexp - 2) + least
+
+
+def check_inverse(A: Array, found: Array, level: Level) -> None:
+    det = determinant(A)
+    true = [[c / det for c in row] for row in minors(A)]
+    if level is Level.GUARDED:
+        check_entries(found, true, Fraction(0), PLAIN * max(map(abs, flat(true))))
+    else:
+        check_entries(found, true, RELATIVE[INVERSE, level], Fraction(0))
+
+
+@pytest.mark.usefixtures("_small_chunks")
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_oriented_matrices_keep_signs_and_entries_at_any_exponents(
+    level: Level, dtype: type, name: str
+) -> None:
+    A = families(dtype, 40)[name]
+    found = nmatrix.normal_matrix(A, kind=ORIENTED, level=level)
+    assert found.dtype == dtype
+    for matrix, one in zip(A, found, strict=True):
+        check_oriented(matrix, one, level)
+
+
+@pytest.mark.usefixtures("_small_chunks")
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_inverse_transposes_are_right_or_refused_with_their_index(
+    level: Level, dtype: type, name: str
+) -> None:
+    A = families(dtype, 40)[name]
+    largest = Fraction(float(np.finfo(dtype).max))
+    kept = []
+    for i, matrix in enumerate(A):
+        det = determinant(matrix)
+        if det == 0:
+            with pytest.raises(NoAnswerError, match=r"A\[1\]: its determinant is exactly 0"):
+                nmatrix.normal_matrix([np.eye(3), matrix], level=level)
+        elif max(map(abs, flat(minors(matrix)))) / abs(det) >= largest:
+            with pytest.raises(IllegalValueError, match=r"A\[0\]: its inverse transpose has"):
+                nmatrix.normal_matrix(matrix[None], level=level)
+        else:
+            kept.append(i)
+    found = nmatrix.normal_matrix(A[kept], level=level)
+    for matrix, one in zip(A[kept], found, strict=True):
+        check_inverse(matrix, one, level)
+
+
+Overlap = Callable[[Array], tuple[Array, Array]]
+OVERLAPS: dict[str, Overlap] = {
+    "itself": lambda Y: (Y, Y),
+    "reversed": lambda Y: (Y, Y[::-1]),
+    "up by one": lambda Y: (Y[:-1], Y[1:]),
+    "down by one": lambda Y: (Y[1:], Y[:-1]),
+    "transposed": lambda Y: (Y, Y.swapaxes(-1, -2) if Y.ndim > 2 else Y[:, ::-1]),
+    "every other": lambda Y: (Y[::2], Y[: (len(Y) + 1) // 2]),
+    "half of its bytes": lambda Y: (Y, Y.view(f"f{Y.itemsize // 2}")[..., ::2]),
+}
+
+
+@pytest.mark.usefixtures("_small_chunks")
+@pytest.mark.parametrize("count", [1, 15, 16, 17, 100])
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_the_output_may_overlap_the_input_in_any_way(level: Level, dtype: type, count: int) -> None:
+    few = families(dtype, count)
+    mixed = np.concatenate([few["ordinary"], few["near singular"], few["any scale"]])[::3].copy()
+    for overlap, kind in product(OVERLAPS.values(), (ORIENTED, INVERSE)):
+        given, out = overlap(mixed.copy() if kind is ORIENTED else few["ordinary"].copy())
+        apart = nmatrix.normal_matrix(given.copy(), kind=kind, level=level, out=np.empty_like(out))
+        assert nmatrix.normal_matrix(given, kind=kind, level=level, out=out) is out
+        assert np.array_equal(out, apart)
+
+
+@pytest.mark.usefixtures("_small_chunks")
+@pytest.mark.parametrize("count", [1, 15, 16, 17, 100])
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_normals_may_be_written_over_themselves(level: Level, dtype: type, count: int) -> None:
+    A = families(dtype, count)["ordinary"]
+    n = of_type(dtype, np.random.default_rng(3).normal(size=(count, 3)) * [1, 1, 1e-3])
+    for overlap, is_one in product(OVERLAPS.values(), (True, False)):
+        given, out = overlap(n.copy())
+        maps = A[0] if is_one else A[: len(given)]
+        apart = nmatrix.transform_normals(maps, given.copy(), level=level, out=np.empty_like(out))
+        assert nmatrix.transform_normals(maps, given, level=level, out=out) is out
+        assert np.array_equal(out, apart)
+    maps = A.copy()
+    apart = nmatrix.transform_normals(A, n, level=level)
+    assert np.array_equal(nmatrix.transform_normals(maps, n, level=level, out=maps[:, 1]), apart)
+
+
+def test_real_chunks_are_crossed_in_place() -> None:
+    A = np.random.default_rng(5).normal(size=(12_000, 3, 3))
+    A[::100] = [[1, 1, 1], [1, 1 + 1e-12, 1], [1, 1, 1 + 1e-12]]
+    for level, overlap in product((Level.CERTIFIED, Level.GUARDED), OVERLAPS.values()):
+        given, out = overlap(A.copy())
+        apart = nmatrix.normal_matrix(given, kind=ORIENTED, level=level, out=np.empty_like(out))
+        nmatrix.normal_matrix(given, kind=ORIENTED, level=level, out=out)
+        assert np.array_equal(out, apart)
+
+
+def check_normals(A: Array, n: Array, found: nmatrix.TransformedNormals, limit: float) -> None:
+    """Statuses are exact, and every true angle is within its bound, and that within the limit."""
+    assert (found.bound_rad <= limit).all()
+    assert np.isfinite(found.normals).all()
+    for i, (matrix, normal) in enumerate(zip(A, n, strict=True)):
+        C, det = minors(matrix), determinant(matrix)
+        v = [Fraction(float(x)) for x in normal]
+        true = [sum((c * x for c, x in zip(row, v, strict=True)), Fraction(0)) for row in C]
+        if not any(true):
+            assert found.status[i] == NormalStatus.UNDEFINED
+            assert not found.normals[i].any()
+            continue
+        assert found.status[i] == (NormalStatus.OK if det else NormalStatus.TWO_SIDED)
+        assert angle(found.normals[i], true, -1 if det < 0 else 1) <= found.bound_rad[i]
+
+
+def angle(found: Array, true: list[Fraction], sign: int) -> float:
+    with mpmath.workprec(300):
+        biggest = max(map(abs, true))
+        a = [mpmath.mpf(float(x)) for x in found]
+        b = [sign * mpmath.mpf((x / biggest).numerator) / (x / biggest).denominator for x in true]
+        cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        dot = sum(x * y for x, y in zip(a, b, strict=True))
+        return float(mpmath.atan2(mpmath.sqrt(sum(c * c for c in cross)), dot))
+
+
+LIMITS = {
+    (np.float64, Level.EXACT): 1e-15,
+    (np.float64, Level.CERTIFIED): 1e-14,
+    (np.float64, Level.GUARDED): 2.0**-36,
+    (np.float32, Level.EXACT): 1e-7,
+    (np.float32, Level.CERTIFIED): 1e-7,
+    (np.float32, Level.GUARDED): 2.0**-17 + 1e-7,
+}
+
+
+@pytest.mark.usefixtures("_small_chunks")
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_normals_are_within_their_bounds_and_their_statuses_exact(
+    level: Level, dtype: type, name: str
+) -> None:
+    A = families(dtype, 40)[name]
+    rng = np.random.default_rng(9)
+    for n in (
+        of_type(dtype, rng.normal(size=(40, 3))),
+        of_type(dtype, rng.integers(-1, 2, (40, 3)).astype(float)),
+        any_bits(rng, (40, 3), dtype),
+    ):
+        found = nmatrix.transform_normals(A, n, level=level, status=True)
+        check_normals(A, n, found, LIMITS[dtype, level])
+        assert found.normals.dtype == dtype
+        for matrix in A[:2]:  # one for all
+            found = nmatrix.transform_normals(matrix, n, level=level, status=True)
+            check_normals(np.broadcast_to(matrix, A.shape), n, found, LIMITS[dtype, level])
+
+
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_a_power_of_two_changes_no_bit_of_a_direction(level: Level, dtype: type) -> None:
+    reach = np.finfo(dtype).maxexp - 30
+    few = families(dtype, 60)
+    A = np.concatenate([few["ordinary"], few["near singular"], few["small integers"]])
+    n = of_type(dtype, np.random.default_rng(2).normal(size=(len(A), 3)))
+    for scale in (dtype(2.0**power) for power in (-reach, -reach // 3, -1, 30, reach // 2, reach)):
+        for maps in (A, A[0]):
+            once = nmatrix.transform_normals(maps, n, level=level, status=True)
+            again = nmatrix.transform_normals(maps * scale, n, level=level, status=True)
+            assert (once.normals == again.normals).all()
+        once = nmatrix.normal_matrix(A, kind=ORIENTED, level=level)
+        again = nmatrix.normal_matrix(A * scale, kind=ORIENTED, level=level)
+        one, other = (np.abs(given).max(axis=(1, 2)) for given in (once, again))
+        ratio = (one / np.where(other == 0, 1, other).astype(np.float64))[:, None, None]
+        assert (np.frexp(ratio)[0] == np.where(ratio == 0, 0, 0.5)).all()
+        assert (again * ratio == once).all()
+
+
+SAME: dict[str, Callable[[Array], Any]] = {
+    "strided": lambda A: np.repeat(A, 2, axis=0)[::2],
+    "reversed": lambda A: A[::-1].copy()[::-1],
+    "by columns": np.asfortranarray,
+    "big-endian": lambda A: A.astype(A.dtype.newbyteorder(">")),
+    "read-only": lambda A: np.frombuffer(A.tobytes(), A.dtype).reshape(A.shape),
+    "planes": lambda A: np.ascontiguousarray(np.moveaxis(A, 0, -1)).transpose(
+        -1, *range(A.ndim - 1)
+    ),
+    "unaligned": lambda A: np.frombuffer(b"x" + A.tobytes(), A.dtype, offset=1).reshape(A.shape),
+}
+
+
+@pytest.mark.parametrize("name", SAME)
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", Level)
+def test_the_layout_of_an_array_changes_no_bit(level: Level, dtype: type, name: str) -> None:
+    A = families(dtype, 50)["ordinary"]
+    n = of_type(dtype, np.random.default_rng(2).normal(size=(50, 3)))
+    for kind in NormalMatrixKind:
+        found = nmatrix.normal_matrix(SAME[name](A), kind=kind, level=level)
+        assert found.dtype == dtype
+        assert (found == nmatrix.normal_matrix(A, kind=kind, level=level)).all()
+        out = SAME[name](np.empty_like(A))
+        if out.flags.writeable:
+            nmatrix.normal_matrix(A, kind=kind, level=level, out=out)
+            assert (out == found).all()
+    found = nmatrix.transform_normals(SAME[name](A), SAME[name](n), level=level)
+    assert (found == nmatrix.transform_normals(A, n, level=level)).all()
+    found = nmatrix.transform_normals(A[0], SAME[name](n), level=level)
+    assert found.dtype == dtype
+    assert (found == nmatrix.transform_normals(A[0], n, level=level)).all()
+
+
+SHAPES = [((), ()), ((), (7,)), ((7,), ()), ((4, 1), (5,)), ((1,), (2, 3)), ((2, 3, 4), (4,))]
+
+
+@pytest.mark.parametrize(("maps", "normals"), SHAPES)
+@pytest.mark.parametrize("level", Level)
+def test_leading_axes_broadcast(
+    level: Level, maps: tuple[int, ...], normals: tuple[int, ...]
+) -> None:
+    rng = np.random.default_rng(1)
+    A, n = rng.normal(size=(*maps, 3, 3)), rng.normal(size=(*normals, 3))
+    shape = np.broadcast_shapes(maps, normals)
+    found = nmatrix.transform_normals(A, n, level=level, status=True)
+    assert found.normals.shape == (*shape, 3)
+    assert found.status.shape == found.bound_rad.shape == shape
+    A, n = np.broadcast_to(A, (*shape, 3, 3)), np.broadcast_to(n, (*shape, 3))
+    for index in np.ndindex(shape):
+        exact = np.array(LinearMap.of(A[index].tolist()).normal(n[index].tolist()).direction)
+        assert np.abs(found.normals[index] - exact).max() <= found.bound_rad[index]
+        assert found.status[index] == NormalStatus.OK
+    again = nmatrix.normal_matrix(A, level=level)
+    assert again.shape == A.shape
+    for index in np.ndindex(shape):
+        assert np.allclose(again[index], np.linalg.inv(A[index]).T, rtol=1e-9)
+
+
+@pytest.mark.parametrize("level", Level)
+def test_the_affine_part_of_four_by_four_is_left_alone(level: Level) -> None:
+    A = np.random.default_rng(1).normal(size=(20, 3, 3))
+    M = np.broadcast_to(np.eye(4), (20, 4, 4)).copy()
+    M[:, :3, :3], M[:, :3, 3] = A, 1e30
+    assert (nmatrix.normal_matrix(M, level=level) == nmatrix.normal_matrix(A, level=level)).all()
+    given = nmatrix.transform_normals(M, (1, 2, 3), level=level)
+    assert (given == nmatrix.transform_normals(A, (1, 2, 3), level=level)).all()
+
+
+@pytest.mark.parametrize("level", Level)
+def test_the_first_normal_without_an_image_is_named_with_its_reason(level: Level) -> None:
+    A = np.broadcast_to(np.eye(3), (2, 3, 3, 3)).copy()
+    A[1, 2] = np.diag([1.0, 0, 1])
+    with pytest.raises(NoAnswerError, match=r"n\[1, 2\] \(1 0 0\): a silhouette"):
+        nmatrix.transform_normals(A, (1, 0, 0), level=level)
+    with pytest.raises(NoAnswerError, match=r"n\[1\] \(0 0 0\): the normal is the zero vector"):
+        nmatrix.transform_normals(np.eye(3), [[0, 0, 1], [0, 0, 0]], level=level)
+    n = np.array([[0, 0, 1.0], [0, 0, 0]])
+    with pytest.raises(NoAnswerError, match=r"n\[1\]"):
+        nmatrix.transform_normals(np.eye(3), n, level=level, out=n)
+
+
+@pytest.mark.parametrize("level", Level)
+def test_empty_batches_give_empty_results(level: Level) -> None:
+    A, n = np.zeros((0, 3, 3), np.float32), np.zeros((0, 3), np.float32)
+    for kind in NormalMatrixKind:
+        assert nmatrix.normal_matrix(A, kind=kind, level=level).shape == (0, 3, 3)
+    assert nmatrix.transform_normals(A, n, level=level).shape == (0, 3)
+    assert nmatrix.transform_normals(np.eye(3), n, level=level, status=True).status.shape == (0,)
+    assert nmatrix.cofactor_matrix(A).shape == (0, 3, 3)
+    assert nmatrix.normalize(n).shape == (0, 3)
+    assert np.shape(nmatrix.angle_between(n, (1, 0, 0))) == (0,)
+
+
+@pytest.mark.parametrize("level", Level)
+def test_no_warning_leaks_and_no_floating_point_error(level: Level) -> None:
+    with np.errstate(all="raise"):
+        for dtype in (np.float16, *FLOATS):
+            rng = np.random.default_rng(4)
+            for A in (
+                any_bits(rng, (30, 3, 3), dtype),
+                of_type(dtype, rng.normal(size=(30, 3, 3))),
+            ):
+                n = any_bits(rng, (30, 3), dtype)
+                nmatrix.normal_matrix(A, kind=ORIENTED, level=level)
+                nmatrix.transform_normals(A, n, level=level, status=True)
+                nmatrix.transform_normals(A[0], n, level=level, status=True)
+                nmatrix.normalize(n[n.any(axis=1)])
+        nmatrix.normal_matrix(np.eye(3) * 1e-300, level=level)
+
+
+@pytest.mark.parametrize("level", Level)
+def test_numbers_of_any_real_type_come_as_what_they_are(level: Level) -> None:
+    A = [[1, 2, 0], [0, 4, 0], [0, 0, -8]]
+    wanted = np.linalg.inv(A).T
+    same: list[Any] = [A, np.array(A, np.int8), np.array(A, object), np.array(A, np.longdouble)]
+    same += [np.array(A, np.int64), [[Fraction(x) for x in row] for row in A]]
+    same += [[[Decimal(x) for x in row] for row in A]]
+    for given in same:
+        found = nmatrix.normal_matrix(given, level=level)
+        assert found.dtype == np.float64
+        assert (found == wanted).all()
+    half = nmatrix.normal_matrix(np.array(A, np.float16), level=level)
+    assert half.dtype == np.float16
+    assert (half == wanted).all()
+    assert nmatrix.transform_normals(A, np.float16([1, 0, 0]), level=level).dtype == np.float16
+    big = nmatrix.normal_matrix(np.diag([2**60, 1, 1]), level=level)
+    assert big[0, 0] == 2.0**-60
+
+
+@pytest.mark.parametrize("level", ["exact", "certified", "guarded"])
+def test_words_are_taken_for_enums(level: str) -> None:
+    A = np.random.default_rng(1).normal(size=(30, 3, 3))
+    for kind in ("oriented", "inverse-transpose"):
+        by_word = nmatrix.normal_matrix(A, kind=kind, level=level)
+        by_enum = nmatrix.normal_matrix(A, kind=NormalMatrixKind(kind), level=Level(level))
+        assert (by_word == by_enum).all()
+    for call in (
+        nmatrix.normal_matrix,
+        lambda A, **word: nmatrix.transform_normals(A, A[0], **word),
+    ):
+        with pytest.raises(IllegalValueError, match=r"level.*exact, certified, guarded"):
+            call(A, level="exakt")
+    with pytest.raises(IllegalValueError, match=r"kind.*inverse-transpose, oriented"):
+        nmatrix.normal_matrix(A, kind=None)
 
 
 @pytest.mark.parametrize("level", [Level.CERTIFIED, Level.GUARDED])
 @pytest.mark.parametrize("family", ["ordinary", "flat", "wild"])
-def test_memory_is_input_output_and_four_mebibytes(family: str, level: Level) -> None:
+def test_memory_is_input_output_and_a_few_mebibytes(family: str, level: Level) -> None:
     rng = np.random.default_rng(1)
     A = rng.normal(size=(100_000, 3, 3))
+    n = rng.normal(size=(100_000, 3))
     if family == "flat":
         A *= [1, 1e-5, 1]
     elif family == "wild":
         A *= 2.0 ** rng.integers(-400, 400, size=(len(A), 1, 1))
-    out = np.empty_like(A)
-    tracemalloc.start()
-    batched.normal_matrices_by_row(A, out, level)
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert peak < 4 << 20
+    told = len(n) * (1 + 8 + 4 * len(NormalStatus.TWO_SIDED))  # statuses and bounds
+    runs: list[tuple[int, Callable[[], object]]] = [
+        (0, lambda: nmatrix.normal_matrix(A, kind=ORIENTED, level=level, out=A)),
+        (0, lambda: nmatrix.normal_matrix(A, level=level, out=A)),
+        (told, lambda: nmatrix.transform_normals(A, n, level=level, out=n, status=True)),
+        (told, lambda: nmatrix.transform_normals(A[0], n, level=level, out=n, status=True)),
+    ]
+    for result, run in runs:
+        tracemalloc.start()
+        run()
+        _, peak = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        assert peak < result + (8 << 20)
 
 
-MISUSE = [
-    (np.zeros((0, 3, 3)), "0 matrices"),
-    (np.zeros((3, 3)), "shape (3, 3)"),
-    (np.zeros((2, 4, 4)), "shape (2, 4, 4)"),
-    ("text", "numbers"),
-    ([[["a"] * 3] * 3], "numbers"),
-    (np.array([[[object()] * 3] * 3]), "numbers"),
-    ([[1, 2], [3]], "numbers"),
-]
+E3, X = np.eye(3), (1.0, 0.0, 0.0)
+FUNCTIONS: dict[str, tuple[Callable[[Any], object], Any]] = {
+    "A of normal_matrix": (nmatrix.normal_matrix, E3),
+    "A of cofactor_matrix": (nmatrix.cofactor_matrix, E3),
+    "A of transform_normals": (lambda A: nmatrix.transform_normals(A, X), E3),
+    "A of classify": (nmatrix.classify, E3),
+    "n of transform_normals": (lambda n: nmatrix.transform_normals(E3, n), X),
+    "v of normalize": (nmatrix.normalize, X),
+    "a of angle_between": (lambda a: nmatrix.angle_between(a, X), X),
+    "b of angle_between": (lambda b: nmatrix.angle_between(X, b), X),
+}
+GARBAGE: dict[str, Callable[[Array], Any]] = {
+    "None": lambda good: None,
+    "text": lambda good: "text",
+    "words": lambda good: good.astype(str),
+    "bytes": lambda good: good.astype("S3"),
+    "objects": lambda good: np.full(good.shape, object()),
+    "text in objects": lambda good: good.astype(str).astype(object),
+    "complex": lambda good: good + 1j,
+    "masked": np.ma.masked_array,
+    "ragged": lambda good: [[1, 2], [3]],
+    "a dictionary": lambda good: {"A": good},
+    "one number": lambda good: 2.0,
+    "nothing": lambda good: [],
+    "a row too few": lambda good: good[..., :2],
+    "nan": lambda good: good * np.nan,
+    "infinite": lambda good: np.where(good > 0, np.inf, 0.0),
+    "a long integer": lambda good: good.astype(int) * (2**53 + 1),
+    "huge integers": lambda good: good.astype(int).astype(object) * 10**400,
+    "thirds": lambda good: good.astype(int).astype(object) * Fraction(1, 3),
+    "long doubles": lambda good: good.astype(np.longdouble) / 3,
+    "a signalling nan": lambda good: np.full(good.shape, Decimal("sNaN")),
+    "dates": lambda good: good.astype("datetime64[s]"),
+}
 
 
-@pytest.mark.parametrize(("given", "says"), MISUSE)
-def test_bad_batches_are_refused_with_a_reason(given: object, says: str) -> None:
-    with pytest.raises(IllegalValueError, match=re.escape(says)):
-        nmatrix.normal_matrices(given)
+@pytest.mark.parametrize("garbage", GARBAGE)
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_garbage_is_refused_with_the_name_of_the_parameter(function: str, garbage: str) -> None:
+    call, good = FUNCTIONS[function]
+    call(good)
+    with pytest.raises(IllegalValueError, match=rf"^{function[0]}\b"):
+        call(GARBAGE[garbage](np.array(good)))
 
 
-CARRYING = [
-    (np.zeros((4, 4)), np.ones((1, 3)), None, "matrix of shape (4, 4)"),
-    (np.full((3, 3), np.nan), np.ones((1, 3)), None, "matrix [0, 0] (nan)"),
-    (np.eye(3), np.ones((2, 4)), None, "normals of shape (2, 4)"),
-    (np.eye(3), np.ones((2, 3)), np.ones((1, 3)), "out of shape (1, 3)"),
-    (np.eye(3), np.ones((2, 3)), np.ones((2, 3), int), "out of shape (2, 3), int64"),
-    (np.eye(3), np.ones((2, 3)), [[0, 0, 0]] * 2, "out of type list"),
-]
+OTHERS: dict[str, tuple[Callable[[], object], str]] = {
+    "a projection": (lambda: nmatrix.normal_matrix(np.diag([1, 1, 1, 2])), "last row .0 0 0 2."),
+    "one projection of two": (
+        lambda: nmatrix.transform_normals([np.eye(4), np.eye(4)[::-1]], X),
+        r"A\[1\] with last row",
+    ),
+    "3×4": (lambda: nmatrix.classify(np.zeros((3, 4))), r"A of shape \(3, 4\)"),
+    "a batch": (lambda: nmatrix.classify([E3, E3]), "classify them in turn"),
+    "a negative tolerance": (lambda: nmatrix.classify(E3, -1), "tolerance"),
+    "no tolerance": (lambda: nmatrix.classify(E3, float("nan")), "tolerance"),
+    "a word for a tolerance": (lambda: nmatrix.classify(E3, "small"), "tolerance"),  # type: ignore[arg-type]
+    "axes that do not match": (lambda: nmatrix.transform_normals([E3] * 2, [X] * 3), "broadcast"),
+    "angles that do not match": (lambda: nmatrix.angle_between([X] * 2, [X] * 3), "broadcast"),
+    "a short out": (lambda: nmatrix.normal_matrix(E3, out=np.zeros((2, 3, 3))), "out of shape"),
+    "whole numbers out": (lambda: nmatrix.normal_matrix(E3, out=np.zeros((3, 3), int)), "int64"),
+    "a list out": (lambda: nmatrix.transform_normals(E3, X, out=[0, 0, 0]), "out, a list"),  # type: ignore[call-overload]
+    "a read-only out": (
+        lambda: nmatrix.transform_normals(E3, X, out=np.broadcast_to(0.0, 3)),
+        "read-only",
+    ),
+    "a large cofactor": (lambda: nmatrix.cofactor_matrix([E3, E3 * 1e160]), r"A\[1\]: a cofactor"),
+    "one bad number in many": (
+        lambda: nmatrix.normal_matrix(
+            np.where(np.arange(9e5) == 899_996, np.nan, 1).reshape(-1, 3, 3)
+        ),
+        r"A\[99999, 1, 2\] \(nan\)",
+    ),
+}
 
 
-@pytest.mark.parametrize(("matrix", "normals", "out", "says"), CARRYING)
-def test_what_cannot_be_carried_is_refused(matrix, normals, out, says: str) -> None:
-    with pytest.raises(IllegalValueError, match=re.escape(says)):
-        nmatrix.carry_normals(matrix, normals, out)
+@pytest.mark.parametrize("case", OTHERS)
+def test_what_does_not_fit_is_refused_with_a_reason(case: str) -> None:
+    call, says = OTHERS[case]
+    with pytest.raises(IllegalValueError, match=says):
+        call()
 
 
-@pytest.mark.parametrize("tolerance", [0.0, -1.0, float("nan")])
-def test_a_tolerance_is_positive(tolerance: float) -> None:
-    with pytest.raises(IllegalValueError, match="positive angle"):
-        nmatrix.certified_normals([np.eye(3)], [[0, 0, 1]], tolerance)
+def test_a_zero_vector_has_no_direction_and_is_named() -> None:
+    with pytest.raises(NoAnswerError, match=r"v\[1\] \(0 0 0\)"):
+        nmatrix.normalize([X, (0, 0, 0)])
+    with pytest.raises(NoAnswerError, match=r"b \(0 0 0\)"):
+        nmatrix.angle_between(X, (0, 0, 0))
 
 
-def test_one_bad_number_in_many_is_named() -> None:
-    A = np.ones((100_000, 3, 3))
-    A[99_999, 1, 2] = np.nan
-    with pytest.raises(IllegalValueError, match=r"\[99999, 1, 2\] \(nan\)"):
-        nmatrix.normal_matrices(A)
+def test_what_stays_runs_over_leading_axes_in_its_own_type() -> None:
+    v = of_type(np.float32, np.random.default_rng(1).normal(size=(2, 3, 3)))
+    assert nmatrix.normalize(v).dtype == nmatrix.cofactor_matrix(v).dtype == np.float32
+    found = nmatrix.angle_between(v, X)
+    for index in np.ndindex(2, 3):
+        assert found[index] == nmatrix.angle_between(v[index], X)

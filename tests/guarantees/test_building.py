@@ -32,7 +32,7 @@ def test_the_eye_in_object_space_survives_any_translation(distance: float) -> No
     seen = eye_in(Setup(world, View(eye=eye, target=(0, 0, 0))).maps, Space.OBJECT)
     M = world.world_from_object
     difference = [Fraction(e) - row[3] for e, row in zip(eye, M, strict=False)]
-    true = rational.apply(rational.inverse(rational.linear(M)), difference)
+    true = rational.apply(rational.inverse(rational.linear_part(M)), difference)
     assert seen.eye == true
     if distance >= 1e8:
         assert seen.relative_difference > 1e-12, "the course's formula must lose digits here"
@@ -111,7 +111,7 @@ def test_frustum_and_box_map_their_corners_to_the_cube(corner: tuple[int, int]) 
     x = window.left if corner[0] < 0 else window.right
     y = window.bottom if corner[1] < 0 else window.top
     for P in (frustum(window, 1, 9), orthographic(window, 1, 9)):
-        clip = rational.apply(rational.rational(P), rational.rational_vector((x, y, -1, 1)))
+        clip = rational.apply(rational.rational_matrix(P), rational.rational_vector((x, y, -1, 1)))
         assert [float(c / clip[3]) for c in clip[:2]] == pytest.approx(corner, abs=1e-15)
 
 

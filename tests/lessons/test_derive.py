@@ -49,8 +49,8 @@ def test_mathml_is_well_formed_and_holds_every_matrix(case: str) -> None:
 
 
 def test_a_wrong_cofactor_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = rational.cofactor
-    monkeypatch.setattr(rational, "cofactor", lambda A: rational.transpose(right(A)))
+    right = rational.cofactor_matrix
+    monkeypatch.setattr(rational, "cofactor_matrix", lambda A: rational.transpose(right(A)))
     assert [step["verified"] for step in steps("rule")].count(False) >= 2
 
 
@@ -143,8 +143,8 @@ def test_ones_own_matrix_has_a_conclusion_of_its_own(case, world, told, remark) 
 
 
 def test_a_third_is_a_third_and_not_its_float() -> None:
-    thirds = rational.rational([[1, 2, 0], [2, 4, 0], [0, 0, 3]])
-    world = World(matrix=rational.affine(rational.scaled(thirds, Fraction(1, 3))))
+    thirds = rational.rational_matrix([[1, 2, 0], [2, 4, 0], [0, 0, 3]])
+    world = World(matrix=rational.affine_matrix(rational.scaled(thirds, Fraction(1, 3))))
     assert "rank 2" in derive("rule", world).data["cases"][0]["own_conclusion"]
 
 

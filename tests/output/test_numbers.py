@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nmatrix.output.numbers import machine, nearest, significant
+from nmatrix.output.numbers import float_or_none, machine, significant
 
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)
 FRACTIONS = st.builds(
@@ -89,7 +89,7 @@ def test_six_digits(value: float | Fraction, shown: str) -> None:
 
 @pytest.mark.parametrize("value", [Fraction(10) ** 400, 10**400, float("inf"), float("nan")])
 def test_what_no_float_can_hold_has_no_machine_text(value: Fraction | float) -> None:
-    assert nearest(value) is None
+    assert float_or_none(value) is None
     assert machine(value) is None
 
 

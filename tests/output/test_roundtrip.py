@@ -103,7 +103,7 @@ def test_uniform_values_behind_shaders_are_read_again() -> None:
 def test_the_round_trip_notices_a_writer_that_forgets_to_transpose(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(glsl_writer, "transposed", lambda matrix: matrix)
+    monkeypatch.setattr(glsl_writer, "transpose", lambda matrix: matrix)
     text = write(report(((1.0, 2.0), (3.0, 4.0))), OutputOptions(Format.GLSL))
     assert matrix_literal(text).rows == ((1.0, 3.0), (2.0, 4.0))
 

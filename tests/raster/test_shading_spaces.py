@@ -7,7 +7,7 @@ import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Effect, Space
-from nmatrix.linear.rational import rational
+from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.planning.recipe import Decision
@@ -27,7 +27,7 @@ WORLDS = {
 SPOT = SceneLight(
     "spot", LightKind.SPOT, position=(2, 3, 2), direction=(-2, -3, -2), cone_degrees=(10, 25)
 )
-SKEWED = rational([[1, 0.5, 0, 1], [0, 2, 0, 0], [0.25, 0, 1, -3], [0, 0, 0, 1]])
+SKEWED = rational_matrix([[1, 0.5, 0, 1], [0, 2, 0, 0], [0.25, 0, 1, -3], [0, 0, 0, 1]])
 OTHERS = (Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT, Space.CUSTOM)
 
 
@@ -86,7 +86,7 @@ def test_a_direction_moved_as_a_covector_would_be_seen(monkeypatch: pytest.Monke
     right = ShadingSpace.direction
 
     def transposed(self: ShadingSpace, vector: tuple) -> np.ndarray:
-        M = exact.linear(self.body.world_from_object.exact)
+        M = exact.linear_part(self.body.world_from_object.exact)
         return right(self, exact.apply(exact.transpose(M), exact.apply(M, vector)))
 
     monkeypatch.setattr(ShadingSpace, "direction", transposed)

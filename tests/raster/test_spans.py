@@ -1,4 +1,4 @@
-"""Coverage: spans against exact integer edge functions, and meshes without gap or double (G13)."""
+"""Coverage: spans against exact integer edge functions, and meshes without gap or double."""
 
 from __future__ import annotations
 

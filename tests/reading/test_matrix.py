@@ -16,7 +16,7 @@ from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.reading import latex
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.notation import FIRST_OF
-from nmatrix.reading.shapes import as_affine, as_linear, as_projection, as_square, as_vector
+from nmatrix.reading.shapes import as_affine, as_linear, as_projection, as_vector
 
 M = ((1.0, 2.0, 3.0), (4.0, -5.5, 6.0), (7.0, 8.0, 1e-7))
 
@@ -215,7 +215,6 @@ def test_a_transposed_affine_matrix_is_recognised_with_the_remedy() -> None:
         with pytest.raises(IllegalValueError, match=hint):
             meant(matrix_literal(COLUMNS))
     assert as_affine(matrix_literal(COLUMNS, Layout.COLUMN_MAJOR)).rows[0] == (1, 0, 0, 5)
-    assert as_square(matrix_literal(COLUMNS)).rows[3] == (5, 6, 7, 1)
 
 
 @pytest.mark.parametrize(

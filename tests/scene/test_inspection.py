@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import json
+from base64 import b64encode
 from fractions import Fraction
 from pathlib import Path
+from struct import pack
 
 import pytest
 
-from nmatrix.answers.inspect import inspect_file, report
+from nmatrix.answers.inspect import FAILURES, Flaw, inspect_file, report
 from nmatrix.enums import Kind
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.linear.classify import classify
-from nmatrix.linear.rational import Rows, to_floats
-from nmatrix.scene.gltf.nodes import read_gltf
+from nmatrix.linear.rational import Rows, identity, to_floats
+from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.meshes.file import read_mesh
 
 # three.js does not normalise quaternions; these files hold some that are slightly off.
@@ -59,9 +61,9 @@ def test_mirrored_nodes_are_those_that_three_js_winds_backwards(data: Path) -> N
     nodes = inspect_file(data / "gltf" / file).nodes
     for record in json.loads((data / "golden_gltf_nodes.json").read_text()):
         if record["args"]["file"] == file:
-            found = nodes[record["args"]["node"]].found
+            found = nodes[record["args"]["node"]].classification
             assert found.mirrored == (record["result"]["winding"] != "ccw")
-    assert sum(node.found.mirrored for node in nodes) == 6
+    assert sum(node.classification.mirrored for node in nodes) == 6
 
 
 def test_rotation_under_a_non_uniform_scale_is_sheared_by_its_ancestors(tmp_path: Path) -> None:
@@ -73,9 +75,9 @@ def test_rotation_under_a_non_uniform_scale_is_sheared_by_its_ancestors(tmp_path
         ],
     )
     parent, child = inspect_file(path).nodes
-    assert parent.found.kind is Kind.NON_UNIFORM_SCALE
+    assert parent.classification.kind is Kind.NON_UNIFORM_SCALE
     assert not parent.sheared_by_ancestors
-    assert child.found.kind is Kind.SHEAR
+    assert child.classification.kind is Kind.SHEAR
     assert child.sheared_by_ancestors
     answer = report(inspect_file(path), ("shear",))
     assert isinstance(answer.failure, CheckFailedError)
@@ -95,6 +97,54 @@ def test_every_failing_condition_is_named_with_its_nodes(tmp_path: Path) -> None
     assert failure is not None
     assert "1 of 3 nodes mirrored (copy); 1 of 3 nodes sheared (turned)" in str(failure)
     assert "degenerate normals" not in str(failure)
+
+
+def test_a_mesh_file_is_one_node_that_stands_still(tmp_path: Path) -> None:
+    """A triangle without area has no normals, so its three vertices have none."""
+    path = tmp_path / "sliver.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+    (node,) = inspect_file(path).nodes
+    assert (node.name, node.world_from_object) == ("sliver", identity(4))
+    assert (node.classification.kind, node.degenerate_normals) == (Kind.IDENTITY, 3)
+    failure = report(inspect_file(path), list(Flaw)).failure
+    assert failure is not None
+    assert "1 of 1 nodes with degenerate normals (sliver)" in str(failure)
+
+
+def test_bad_normals_of_a_mesh_count_at_every_node_that_has_it(tmp_path: Path) -> None:
+    """Two of the three normals are zero, in a mesh whose other primitive has lines only."""
+    places = pack("<18f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0)
+    vectors = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
+    attributes = {"POSITION": 0, "NORMAL": 1}
+    document = {
+        "asset": {"version": "2.0"},
+        "nodes": [{"mesh": 0}, {"name": "group"}, {"mesh": 0, "scale": [-1, 1, 1]}],
+        "meshes": [{"primitives": [{"attributes": attributes}, {"attributes": {}, "mode": 1}]}],
+        "accessors": [vectors, {**vectors, "byteOffset": 36}],
+        "bufferViews": [{"buffer": 0, "byteLength": 72}],
+        "buffers": [{"byteLength": 72, "uri": f"data:,{b64encode(places).decode()}"}],
+    }
+    path = tmp_path / "a.gltf"
+    path.write_text(json.dumps(document))
+    found = inspect_file(path)
+    assert [node.degenerate_normals for node in found.nodes] == [2, 0, 2]
+    assert [node.name for node in found.having(Flaw.DEGENERATE)] == ["node 0", "node 2"]
+    assert [node.name for node in found.having(Flaw.MIRRORED)] == ["node 2"]
+    assert "Mirrored nodes flip" in " ".join(report(found).remarks)
+
+
+def test_every_flaw_has_its_words() -> None:
+    assert set(FAILURES) == set(Flaw)
+
+
+def test_a_file_without_nodes_has_nothing_to_inspect(tmp_path: Path) -> None:
+    with pytest.raises(IllegalValueError, match="it has no nodes; there is nothing to inspect"):
+        inspect_file(scene(tmp_path, []))
+
+
+def test_a_node_without_a_flaw_fails_nothing(tmp_path: Path) -> None:
+    path = scene(tmp_path, [{"name": "plain"}])
+    assert report(inspect_file(path), list(Flaw)).failure is None
 
 
 def test_world_matrices_are_products_from_the_root_down(tmp_path: Path) -> None:

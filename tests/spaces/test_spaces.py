@@ -28,10 +28,10 @@ WORLDS = {
     "mirror": World(scale=(-1, 3, 2), rotate_degrees=(5, 0, 70)),
 }
 SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.LIGHT, Space.CUSTOM)
-SKEWED = rational.rational([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
+SKEWED = rational.rational_matrix([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
 
 
-def scene(world: World, light: Light) -> Setup:
+def setup_of(world: World, light: Light) -> Setup:
     return Setup(world, light=light, space_matrix=SKEWED)
 
 
@@ -40,11 +40,11 @@ def length(matrix: RationalMatrix, v: RationalVector) -> float:
     return sqrt(float(rational.dot(moved, moved)))
 
 
-def lambert(scene: Setup, space: Space, point: RationalVector, normal: RationalVector) -> float:
+def lambert(setup: Setup, space: Space, point: RationalVector, normal: RationalVector) -> float:
     """n·l over lengths measured by the metric's factors, in the coordinates of a space."""
-    maps = scene.maps
+    maps = setup.maps
     moved = maps.space_from_object(space)
-    n = rational.apply(rational.inverse_transpose(rational.linear(moved.exact)), normal)
+    n = rational.apply(rational.inverse_transpose(rational.linear_part(moved.exact)), normal)
     position = light_in(maps, space).position
     assert position is not None
     p = moved.exact_point(point)
@@ -57,23 +57,23 @@ def lambert(scene: Setup, space: Space, point: RationalVector, normal: RationalV
 
 @pytest.mark.parametrize("name", WORLDS)
 def test_a_point_lights_cosine_is_the_same_in_every_space(name: str) -> None:
-    staged = scene(WORLDS[name], Light(position=(3, 4, 5)))
+    setup = setup_of(WORLDS[name], Light(position=(3, 4, 5)))
     point, normal = rational.rational_vector((1, 0, 2)), rational.rational_vector((1, 1, 1))
-    found = [lambert(staged, space, point, normal) for space in SPACES]
+    found = [lambert(setup, space, point, normal) for space in SPACES]
     assert all(isclose(one, found[0], rel_tol=1e-12) for one in found), found
 
 
 def test_without_the_metric_object_space_is_wrong() -> None:
-    staged = scene(WORLDS["scale"], Light(position=(3, 4, 5))).maps
-    back = vector_world_from_space(staged, Space.OBJECT)
+    maps = setup_of(WORLDS["scale"], Light(position=(3, 4, 5))).maps
+    back = vector_world_from_space(maps, Space.OBJECT)
     v = rational.rational_vector((1, 1, 1))
     assert abs(length(back, v) - sqrt(3)) > 0.1
 
 
 def test_the_counter_example_of_the_courses_light_rule() -> None:
     light = Light(direction=(Fraction(3, 10), Fraction(9, 10), Fraction(1, 5)))
-    staged = scene(World(scale=(1, Fraction(1, 4), 1)), light).maps
-    seen = light_in(staged, Space.OBJECT)
+    maps = setup_of(World(scale=(1, Fraction(1, 4), 1)), light).maps
+    seen = light_in(maps, Space.OBJECT)
     n = (sqrt(0.5), sqrt(0.5), 0.0)
     assert seen.direction_course_rule is not None
     assert seen.direction is not None
@@ -85,7 +85,7 @@ def test_the_counter_example_of_the_courses_light_rule() -> None:
 
 def test_object_space_of_a_singular_world_has_no_answer() -> None:
     with pytest.raises(NoAnswerError):
-        scene(World(scale=(1, 0, 1)), Light()).maps.space_from_world(Space.OBJECT)
+        setup_of(World(scale=(1, 0, 1)), Light()).maps.space_from_world(Space.OBJECT)
 
 
 REQUESTS = [
@@ -103,7 +103,7 @@ LIGHTS = (
 
 def test_shaders_read_exactly_the_uniforms_that_are_listed() -> None:
     for request, light in product(REQUESTS, LIGHTS):
-        maps = scene(WORLDS["scale"], light).maps
+        maps = setup_of(WORLDS["scale"], light).maps
         text = "".join(shader_pair(maps, request))
         for uniform in uniforms(maps, request):
             declared = f"uniform {uniform.kind} {uniform.name};"
@@ -118,9 +118,9 @@ def test_a_compiler_accepts_every_shader(tmp_path: Path) -> None:
         pytest.skip("glslangValidator is not installed (Debian: glslang-tools)")
     files = []
     for i, (request, light) in enumerate(product(REQUESTS, LIGHTS)):
-        pair = shader_pair(scene(WORLDS["scale"], light).maps, request)
-        for stage_name, text in zip(("vert", "frag"), pair, strict=True):
-            file = tmp_path / f"{i}.{stage_name}"
+        pair = shader_pair(setup_of(WORLDS["scale"], light).maps, request)
+        for stage, text in zip(("vert", "frag"), pair, strict=True):
+            file = tmp_path / f"{i}.{stage}"
             file.write_text(text)
             files.append(str(file))
     done = subprocess.run([compiler, *files], capture_output=True, text=True, check=False)

@@ -1,34 +1,41 @@
-"""The studies find what is known to be so; each wish has its answer, and each misuse its line."""
+"""The studies find what is known to be so; each target has its answer, and each misuse its line."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from nmatrix.cli.app import run
+from nmatrix.cli import cost
 from nmatrix.enums import Shading
 from nmatrix.studies import chart, normals, shading, spaces
-from nmatrix.studies.harness import SEED, Harness, Ratio
+from nmatrix.studies.hardcases.case import CaseVerdict
+from nmatrix.studies.harness import SEED, Harness, Ratio, Run
+from nmatrix.studies.measurements import (
+    Measurement,
+    Study,
+    Target,
+    Unit,
+    cheapest,
+    with_fronts,
+)
 from nmatrix.studies.methods import METHODS, method
-from nmatrix.studies.report import Wish, report
-from nmatrix.studies.rows import Row, cheapest, with_fronts
+from nmatrix.studies.report import report
 
 
-class Ticking:
-    """A clock on which every look takes a hundredth of a second."""
+class Untimed(Harness):
+    """A harness that runs both contestants once and calls them equally fast."""
 
-    def __init__(self) -> None:
-        self.now = 0.0
-
-    def __call__(self) -> float:
-        self.now += 0.01
-        return self.now
+    def ratio(self, run: Run, reference: Run) -> Ratio:
+        run()
+        reference()
+        return Ratio(1.0, 1.0, 1.0, 1.0)
 
 
-HARNESS = Harness(Ticking(), shortest=0.005, rounds=1, fewest=1)
+HARNESS = Untimed(lambda: 0.0)
 
 
 def measured(tasks: list) -> tuple:
@@ -55,8 +62,16 @@ def test_ours_is_never_wrong(rows: tuple) -> None:
             assert one.more["median_error"] <= one.error <= 1e-14
 
 
+def test_the_guarded_level_is_never_wrong_by_more_than_it_says(rows: tuple) -> None:
+    for one in rows:
+        if one.method == "guarded":
+            assert one.failures == 0
+            assert one.error <= 2.0**-36
+
+
 def test_everyone_else_is_wrong_somewhere(rows: tuple) -> None:
-    names = [one.name for one in METHODS if not one.is_ours and one.name not in normals.SLOW]
+    others = (one for one in METHODS if not one.is_ours and one.name != "guarded")
+    names = [one.name for one in others if one.is_batched]
     for name in names:
         mine = [one for one in rows if one.method == name]
         assert max(one.error for one in mine) > 1e-9 or any(one.failures for one in mine), name
@@ -75,13 +90,18 @@ def test_the_matrix_itself_is_right_for_rotations_alone(rows: tuple) -> None:
 def test_a_wrong_answer_is_counted_by_its_kind() -> None:
     family = next(normals.families(9, (1e0,)))
     right = method("exact").normals(family.matrices, family.normals)
-    assert normals.errors(right, family).failures == 0
-    assert normals.errors(-right, family).flipped == 9
-    assert normals.errors(right * np.nan, family).not_a_number == 9
-    assert normals.errors(right * 0, family).zero == 9
-    flat = normals.Family("flat", np.zeros((3, 3, 3)), np.ones((3, 3)))
-    assert normals.errors(np.ones((3, 3)), flat).not_reported == 3
-    assert normals.errors(np.zeros((3, 3)), flat).failures == 0
+    flat = normals.Family("flat", np.zeros((9, 3, 3)), np.ones((9, 3)))
+    for carried, given, verdict in (
+        (right, family, CaseVerdict.RIGHT),
+        (-right, family, CaseVerdict.FLIPPED),
+        (right * np.nan, family, CaseVerdict.NAN),
+        (right * 0, family, CaseVerdict.ZERO),
+        (right, flat, CaseVerdict.NOT_REPORTED),
+        (right * 0, flat, CaseVerdict.RIGHT),
+    ):
+        found = normals.errors(carried, given)
+        assert found.verdicts == {verdict: 9}
+        assert found.failures == (0 if verdict is CaseVerdict.RIGHT else 9)
 
 
 def test_every_kappa_is_measured_on_one_matrix_and_on_many(rows: tuple) -> None:
@@ -98,7 +118,7 @@ def test_medians_hide_what_the_worst_shows(rows: tuple) -> None:
 
 @pytest.fixture(scope="module")
 def pictures() -> dict:
-    found = measured(shading.tasks(HARNESS, shading.Extent((48, 48))))
+    found = measured(shading.tasks(HARNESS, shading.Resolution((48, 48))))
     return {(row.setting, row.method): row for row in found}
 
 
@@ -163,52 +183,63 @@ def test_counted_costs_stand_beside_times() -> None:
 def test_a_chart_of_pictures_numbers_each_dial_by_itself(pictures: dict) -> None:
     numbered = chart.Numbered(tuple(pictures.values()))
     assert numbered.numbers["samples", "64"] != numbered.numbers["shadow map", "64"]
-    assert chart.chart(numbered.rows, "title", "svg").count(b"<svg") == 1
+    assert chart.chart(numbered.rows, "title", chart.ChartFormat.SVG).count(b"<svg") == 1
 
 
 def test_a_chart_is_drawn_in_both_kinds(rows: tuple) -> None:
-    assert chart.chart(rows, "title", "png").startswith(b"\x89PNG")
-    svg = chart.chart(rows, "title", "svg")
+    few = [row for row in rows if row.setting.startswith("one matrix")]
+    assert chart.chart(few, "title", chart.ChartFormat.PNG).startswith(b"\x89PNG")
+    svg = chart.chart(few, "title", chart.ChartFormat.SVG)
     assert b"<svg" in svg
-    assert svg == chart.chart(rows, "title", "svg")
+    assert svg == chart.chart(few, "title", chart.ChartFormat.SVG)
 
 
 def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
-    found = report("normals", rows, Ratio(1, 1, 0.9, 1.1), Wish(tolerance=1e-14)).data
+    found = report(Study.NORMALS, rows, Ratio(1, 1, 0.9, 1.1), Target(tolerance=1e-14)).data
     assert set(found) == {"rows", "cheapest", "harness", "machine"}
     keys = "method setting error unit time_ns ratio ratio_ci failures on_front".split()
     assert list(found["rows"][0])[: len(keys)] == keys
     assert found["machine"]["seed"] == SEED
     assert found["cheapest"]["error"] <= 1e-14
     assert found["cheapest"]["method"] in ("exact", "certified")
-    loose = report("normals", rows, Ratio(1, 1, 1, 1), Wish(tolerance=2.0)).data["cheapest"]
+    loose = report(Study.NORMALS, rows, Ratio(1, 1, 1, 1), Target(tolerance=2.0)).data["cheapest"]
     assert loose["method"] != "cofactor", "it turns mirrors inside out, or is zero somewhere"
 
 
-def test_the_command_answers(capsys, tmp_path: Path, monkeypatch) -> None:
+def test_the_command_answers_and_draws(nmatrix, tmp_path: Path, monkeypatch) -> None:
+    now = 0.0
+
+    def work() -> None:
+        nonlocal now
+        now += 0.01
+
     monkeypatch.chdir(tmp_path)
-    assert run(["cost", "spaces", "--quick", "--chart", "a.svg", "-f", "json"]) in (0, 1)
-    out = capsys.readouterr().out
-    if out:
-        assert json.loads(out)["rows"]
-        assert Path("a.svg").read_bytes().startswith(b"<?xml")
+    monkeypatch.setattr(cost, "time", SimpleNamespace(perf_counter=lambda: now))
+    monkeypatch.setattr(cost, "_work", work)
+    monkeypatch.setattr(spaces, "_vertex_stage", lambda *_: work)
+    code, out, _ = nmatrix("cost spaces --quick --chart a.svg -f json")
+    assert code == 0
+    found = json.loads(out)
+    assert found["harness"]["aa_ratio"] == pytest.approx(1)
+    assert [row["ratio"] for row in found["rows"]] == pytest.approx([1] * len(found["rows"]))
+    assert Path("a.svg").read_bytes().startswith(b"<?xml")
 
 
 MISUSE = [
-    (["cost", "normals", "--tolerance", "3"], "deg, rad"),
-    (["cost", "shading", "--tolerance", "1deg"], "levels"),
-    (["cost", "normals", "--budget", "5"], "ns, us, ms, s"),
-    (["cost", "normals", "--budget", "-5ms"], "positive"),
-    (["cost", "normals", "--budget", "5ms", "--tolerance", "1deg"], "keep one"),
-    (["cost", "--chart", "a.pdf"], ".svg or .png"),
-    (["cost", "everything"], "normals"),
+    ("cost normals --tolerance 3", "deg, rad"),
+    ("cost shading --tolerance 1deg", "levels"),
+    ("cost normals --budget 5", "ns, us, ms, s"),
+    ("cost normals --budget -5ms", "positive"),
+    ("cost normals --budget 5ms --tolerance 1deg", "keep one"),
+    ("cost --chart a.pdf", ".svg or .png"),
+    ("cost everything", "normals"),
 ]
 
 
 @pytest.mark.parametrize(("line", "says"), MISUSE)
-def test_misuse_is_one_line(capsys, line: list[str], says: str) -> None:
-    assert run(line) == 2
-    error = capsys.readouterr().err
+def test_misuse_is_one_line(nmatrix, line: str, says: str) -> None:
+    code, _, error = nmatrix(line)
+    assert code == 2
     assert says in error
     assert error.count("\n") == 1
 
@@ -217,15 +248,15 @@ def test_the_front_is_that_of_the_ratios_whatever_the_seconds_drifted_to() -> No
     slower_clock = Ratio(seconds=2.0, ratio=0.5, low=0.5, high=0.5)
     usual_clock = Ratio(seconds=1.0, ratio=1.0, low=1.0, high=1.0)
     fast, slow = (
-        Row("fast", "s", 1.0, "rad", slower_clock),
-        Row("slow", "s", 2.0, "rad", usual_clock),
+        Measurement("fast", "s", 1.0, Unit.RADIANS, slower_clock),
+        Measurement("slow", "s", 2.0, Unit.RADIANS, usual_clock),
     )
     assert [row.on_front for row in with_fronts([fast, slow])] == [True, False]
     assert cheapest([slow, fast], 3.0) == fast
 
 
 def test_marks_in_a_crowd_share_a_label() -> None:
-    rows = [Row(name, "s", 1.0, "rad", Ratio(1, 1, 1, 1)) for name in "abcde"]
+    rows = [Measurement(name, "s", 1.0, Unit.RADIANS, Ratio(1, 1, 1, 1)) for name in "abcde"]
     numbered = chart.Numbered(rows)
     assert numbered.label(rows) == "1–5"
     assert numbered.label([rows[i] for i in (4, 0, 1, 2)]) == "1–3, 5"

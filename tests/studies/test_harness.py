@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import random
-import time
 from collections.abc import Callable
 
 import pytest
 
 from nmatrix.errors import CheckFailedError
 from nmatrix.studies.harness import Harness, Ratio
-from nmatrix.studies.rows import Row, cheapest, most_accurate, with_fronts
+from nmatrix.studies.measurements import Measurement, Unit, cheapest, most_accurate, with_fronts
 
 
 class Clock:
@@ -31,7 +30,7 @@ class Clock:
 
 
 def measured(clock: Clock, rounds: int = 9) -> Harness:
-    return Harness(clock, shortest=0.01, rounds=rounds)
+    return Harness(clock, min_turn=0.01, max_rounds=rounds)
 
 
 def test_double_work_takes_twice_as_long() -> None:
@@ -88,9 +87,9 @@ def test_the_same_times_give_the_same_interval() -> None:
     assert found[0].low < found[0].high
 
 
-def test_rounds_end_when_it_is_sure_or_late() -> None:
+def test_rounds_end_when_the_interval_is_narrow_or_time_is_up() -> None:
     def rounds(**fields: float) -> int:
-        clock = Clock(noise=0.5 if "late" in fields else 0.0)
+        clock = Clock(noise=0.5 if "deadline" in fields else 0.0)
         calls = []
         run = clock.work(0.02)
 
@@ -98,25 +97,18 @@ def test_rounds_end_when_it_is_sure_or_late() -> None:
             calls.append(1)
             run()
 
-        Harness(clock, 0.01, rounds=30, fewest=4, longest=1e9, **fields).ratio(
-            counted, clock.work(0.02)
-        )
+        harness = Harness(clock, 0.01, max_rounds=30, min_rounds=4, max_seconds=1e9, **fields)
+        harness.ratio(counted, clock.work(0.02))
         return (len(calls) - 1) // 2 - 1  # one to calibrate, two in a round, the first thrown away
 
     assert rounds() == 4  # without noise the fewest are enough
-    assert rounds(late=0.0) == 4
-    assert rounds(late=1e9, narrow=1e-9) == 30
+    assert rounds(deadline=0.0) == 4
+    assert rounds(deadline=1e9, target_spread=1e-9) == 30
 
 
-def test_on_a_real_clock_a_function_is_itself() -> None:
-    harness = Harness(time.perf_counter, 0.005, 9)
-    run = [lambda: sum(range(3000))] * 2
-    # Other programs may disturb one try, hardly four.
-    assert any(0.8 < harness.ratio(*run).ratio < 1.25 for _ in range(4))
-
-
-def row(name: str, error: float | None, seconds: float, failures: int = 0) -> Row:
-    return Row(name, "all", error, "rad", Ratio(seconds, seconds, seconds, seconds), failures)
+def row(name: str, error: float | None, seconds: float, failures: int = 0) -> Measurement:
+    timing = Ratio(seconds, seconds, seconds, seconds)
+    return Measurement(name, "all", error, Unit.RADIANS, timing, failures)
 
 
 def test_the_front_is_what_nobody_beats() -> None:
@@ -126,7 +118,7 @@ def test_the_front_is_what_nobody_beats() -> None:
     assert [one.method for one in rows if one.on_front] == ["fast", "fine"]
 
 
-def test_wishes_are_granted_by_the_cheapest_and_the_best() -> None:
+def test_targets_are_met_by_the_cheapest_and_the_most_accurate() -> None:
     rows = [row("fast", 1e-3, 1), row("fine", 1e-9, 2), row("wrong", 0, 0.5, 4)]
     assert cheapest(rows, 1e-2).method == "fast"
     assert cheapest(rows, 1e-6).method == "fine"

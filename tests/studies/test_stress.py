@@ -4,60 +4,62 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from nmatrix.cli.app import run
 from nmatrix.studies import methods
 from nmatrix.studies.hardcases import normals
-from nmatrix.studies.hardcases.case import Case, Contestant, Verdict, exactly, spelled
+from nmatrix.studies.hardcases.case import Case, CaseVerdict, Contestant, exactly, judge, spelled
 from nmatrix.studies.hardcases.families import NAMES, random_cases
 from nmatrix.studies.hardcases.oracle import determinant, true_normal
 from nmatrix.studies.methods import Method
-from nmatrix.studies.stress import CATALOGUE, case_named, stress
+from nmatrix.studies.stress import CATALOGUE, FAMILIES, case_named, stress
 
-ROWS = [
-    *(f"N{i}" for i in range(1, 20)),
-    *(f"V{i}" for i in range(1, 5)),
-    *(f"E{i}" for i in range(1, 8)),
-    *(f"D{i}" for i in range(1, 9)),
-    *(f"R{i}" for i in range(1, 11)),
-    *(f"M{i}" for i in range(1, 7)),
-]
+ROWS = {"N": 19, "V": 4, "E": 7, "D": 8, "R": 10, "M": 6}  # the cases of each family
 
 
 @pytest.mark.parametrize("case", CATALOGUE, ids=lambda case: case.id)
 def test_ours_is_right_and_somebody_still_fails(case: Case) -> None:
     results = case.results()
     assert [r for r in results if r.is_ours]
-    assert all(r.verdict is Verdict.RIGHT for r in results if r.is_ours), results
-    assert any(r.verdict is not Verdict.RIGHT for r in results if not r.is_ours)
+    assert all(r.verdict is CaseVerdict.RIGHT for r in results if r.is_ours), results
+    assert any(r.verdict is not CaseVerdict.RIGHT for r in results if not r.is_ours)
 
 
 def test_every_row_of_the_catalogue_is_there_once_and_in_order() -> None:
     found = [one.id for one in CATALOGUE]
-    assert [one for one in found if one[-1].isdigit()] == ROWS
+    numbered = [f"{letter}{i + 1}" for letter in FAMILIES for i in range(ROWS[letter])]
+    assert [one for one in found if one[-1].isdigit()] == numbered
     assert len(set(found)) == len(found)
 
 
-def judged(found: object, expected: object = exactly(1, 0, 0), **case: bool) -> Verdict:
-    one = Contestant("x", lambda: found)  # type: ignore[arg-type, return-value]
-    row = Case("T", "t", "", expected, "", (one,), **case)  # type: ignore[arg-type]
-    return row.results()[0].verdict
+def test_the_page_on_accuracy_lists_every_family_and_every_case() -> None:
+    lines = (Path(__file__).resolve().parents[2] / "docs" / "accuracy.md").read_text().splitlines()
+    families = [f"| {letter} | {words} |" for letter, words in FAMILIES.items()]
+    cases = [f"| {one.id} | {one.title} | {one.reason} |" for one in CATALOGUE]
+    assert [line for line in lines if line in families] == families
+    first = lines.index(cases[0])
+    assert lines[first:] == cases
 
 
 def test_the_judge_tells_every_kind_of_answer_apart() -> None:
-    assert judged((1.0, 0.0, 0.0)) is Verdict.RIGHT
-    assert judged((1.0, 1e-9, 0.0)) is Verdict.IMPRECISE
-    assert judged((1.0, 0.1, 0.0)) is Verdict.WRONG
-    assert judged((float("nan"),) * 3) is Verdict.NAN
-    assert judged((0.0, 0.0, 0.0)) is Verdict.ZERO
-    assert judged((-2.0, 0.0, 0.0), is_direction=True) is Verdict.FLIPPED
-    assert judged((7.0, 0.0, 0.0), is_direction=True) is Verdict.RIGHT
-    assert judged((1.0,), None) is Verdict.NOT_REPORTED
-    assert judged(None, None) is Verdict.RIGHT
-    assert judged(None) is Verdict.NAN
+    x, nan = exactly(1, 0, 0), float("nan")
+    for found, expected, verdict in (
+        ((1.0, 0.0, 0.0), x, CaseVerdict.RIGHT),
+        ((1.0, 1e-9, 0.0), x, CaseVerdict.IMPRECISE),
+        ((1.0, 0.1, 0.0), x, CaseVerdict.WRONG),
+        ((nan, nan, nan), x, CaseVerdict.NAN),
+        ((0.0, 0.0, 0.0), x, CaseVerdict.ZERO),
+        (None, x, CaseVerdict.NAN),
+        (None, None, CaseVerdict.RIGHT),
+        ((1.0,), None, CaseVerdict.NOT_REPORTED),
+        ((nan,), None, CaseVerdict.NAN),
+    ):
+        assert judge(found, expected)[0] is verdict
+    assert judge((-2.0, 0.0, 0.0), x, is_direction=True)[0] is CaseVerdict.FLIPPED
+    assert judge((7.0, 0.0, 0.0), x, is_direction=True)[0] is CaseVerdict.RIGHT
 
 
 def dropped_sign(A: np.ndarray, n: np.ndarray) -> np.ndarray:
@@ -85,7 +87,7 @@ def test_random_cases_are_directed_and_the_same_again() -> None:
     assert stress(first).failure is None
     for name in NAMES:
         family = [one for one in first if one.title == name]
-        lost = [r for one in family for r in one.results() if r.verdict is not Verdict.RIGHT]
+        lost = [r for one in family for r in one.results() if r.verdict is not CaseVerdict.RIGHT]
         assert lost, f"{name} is hard for nobody"
 
 
@@ -101,13 +103,13 @@ def test_two_thousand_random_cases_are_right() -> None:
 
 
 def test_a_failing_random_input_is_printed_to_the_last_bit_and_can_be_replayed(
-    monkeypatch, capsys
+    monkeypatch, nmatrix
 ) -> None:
     mutant = Method("exact", "the sign dropped", dropped_sign, is_ours=True)
     monkeypatch.setattr(normals, "METHODS", (mutant,))
-    assert run(["stress", "--random", "12", "--seed", "9", "-f", "json"]) == 1
-    printed = capsys.readouterr()
-    remark = json.loads(printed.out)["remarks"][0]
+    code, out, _ = nmatrix("stress --random 12 --seed 9 -f json")
+    assert code == 1
+    remark = json.loads(out)["remarks"][0]
     again = remark.partition("Again: ")[2]
     name = again.rpartition(" ")[2]
     case = next(one for one in random_cases(12, 9) if one.id == name)
@@ -115,8 +117,9 @@ def test_a_failing_random_input_is_printed_to_the_last_bit_and_can_be_replayed(
     matrix = case.given.partition("A = ")[2].partition(", n = ")[0]
     entries = [float(x) for row in matrix.split(";") for x in row.split()]
     assert spelled(np.reshape(entries, (3, 3)).tolist()) == matrix
-    assert run(again.split()[1:]) == 1
-    assert name in capsys.readouterr().err
+    code, _, error = nmatrix(again.partition(" ")[2])
+    assert code == 1
+    assert name in error
 
 
 def test_the_guarded_level_is_not_held_to_exactness() -> None:
@@ -144,39 +147,40 @@ def test_the_oracle_agrees_with_a_second_one() -> None:
             assert sum(f * t for f, t in zip(found, true, strict=True)) > 0
 
 
-def test_the_report_has_the_keys_of_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["stress", "--case", "n9", "-f", "json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_the_report_has_the_keys_of_the_contract(nmatrix) -> None:
+    code, out, _ = nmatrix("stress --case n9 -f json")
+    assert code == 0
+    found = json.loads(out)
     assert {"cases", "passed", "failed"} <= set(found)
     (case,) = found["cases"]
     assert set(case) == {"id", "title", "expected", "results"}
     assert set(case["results"][0]) == {"method", "verdict", "error_rad"}
 
 
-def test_a_failure_prints_all_and_ends_in_one(monkeypatch, capsys) -> None:
+def test_a_failure_prints_all_and_ends_in_one(monkeypatch, nmatrix) -> None:
     from nmatrix.studies import stress as module
 
     wrong = Contestant("ours", lambda: (2.0,), is_ours=True)
     bad = Case("B1", "made to fail", "", (Fraction(1),), "a test", (wrong,))
     monkeypatch.setattr(module, "CATALOGUE", (bad, *CATALOGUE[:1]))
-    assert run(["stress"]) == 1
-    printed = capsys.readouterr()
-    assert "made to fail" in printed.out
-    assert printed.err.count("\n") == 1
+    code, out, error = nmatrix("stress")
+    assert code == 1
+    assert "made to fail" in out
+    assert error.count("\n") == 1
 
 
 @pytest.mark.parametrize(
     ("line", "says"),
     [
-        (["--case", "N99"], "did you mean"),
-        (["--random", "0"], "whole number"),
-        (["--random", "2", "--seed", "x"], "--seed"),
-        (["--random", "2", "--case", "N1"], "there are 2, S0 to S1"),
+        ("--case N99", "did you mean"),
+        ("--random 0", "whole number"),
+        ("--random 2 --seed x", "--seed"),
+        ("--random 2 --case N1", "there are 2, S0 to S1"),
     ],
 )
-def test_misuse_is_one_line(capsys, line: list[str], says: str) -> None:
-    assert run(["stress", *line]) == 2
-    error = capsys.readouterr().err
+def test_misuse_is_one_line(nmatrix, line: str, says: str) -> None:
+    code, _, error = nmatrix(f"stress {line}")
+    assert code == 2
     assert says in error
     assert error.count("\n") == 1
 

@@ -10,7 +10,15 @@ from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.tolerance import FEWEST
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, affine, linear, to_floats
+from nmatrix.linear.rational import (
+    ONE,
+    ZERO,
+    RationalMatrix,
+    Rows,
+    affine_matrix,
+    linear_part,
+    to_floats,
+)
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.matrix import matrix_literal
 
@@ -84,13 +92,15 @@ def shaped(literal: MatrixLiteral, question: Question) -> Answer:
             return Answer(rows, decimals)
         if size == (4, 4):
             block = tuple(row[:3] for row in decimals[:3])
-            return Answer(linear(rows), block, ("Of the 16 numbers the 3×3 block was compared.",))
+            return Answer(
+                linear_part(rows), block, ("Of the 16 numbers the 3×3 block was compared.",)
+            )
         raise _refusal(size, question, "9 or 16 numbers", "1 0 0; 0 1 0; 0 0 1")
     if size == (4, 4):
         return Answer(rows, decimals)
     if size == (3, 3) and question.subject is not Subject.PROJECTION:
         grown = (*((*row, None) for row in decimals), (None,) * 4)
-        return Answer(affine(rows), grown, ("Nine numbers: a matrix without translation.",))
+        return Answer(affine_matrix(rows), grown, ("Nine numbers: a matrix without translation.",))
     wanted = "16 numbers" if question.subject is Subject.PROJECTION else "9 or 16 numbers"
     raise _refusal(size, question, wanted, "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1")
 

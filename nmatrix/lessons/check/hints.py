@@ -12,9 +12,9 @@ from nmatrix.linear.rational import (
     ZERO,
     RationalMatrix,
     RationalVector,
-    affine,
+    affine_matrix,
     diagonal,
-    linear,
+    linear_part,
     product,
     rational_vector,
     translation,
@@ -50,7 +50,7 @@ def hints(question: Question) -> Iterator[Hint]:
     elif question.subject is Subject.WORLD:
         yield from _of_worlds(question)
     elif question.subject is Subject.VIEW:
-        yield Hint(affine(linear(setting(question).camera_from_world)), NO_TRANSLATION)
+        yield Hint(affine_matrix(linear_part(setting(question).camera_from_world)), NO_TRANSLATION)
 
 
 def _of_vectors(question: Question) -> Iterator[Hint]:
@@ -75,8 +75,8 @@ def _not_moved(question: Question) -> tuple[RationalVector, Space]:
 
 def _of_worlds(question: Question) -> Iterator[Hint]:
     world = question.setup.world
-    yield Hint(affine(linear(world.world_from_object)), NO_TRANSLATION)
+    yield Hint(affine_matrix(linear_part(world.world_from_object)), NO_TRANSLATION)
     if world.matrix is None and not any(world.shear):
-        turned = linear(replace(world, scale=(1, 1, 1)).world_from_object)
+        turned = linear_part(replace(world, scale=(1, 1, 1)).world_from_object)
         scaled = product(diagonal(rational_vector(world.scale)), turned)
-        yield Hint(affine(scaled, translation(world.world_from_object)), SCALED_LAST)
+        yield Hint(affine_matrix(scaled, translation(world.world_from_object)), SCALED_LAST)

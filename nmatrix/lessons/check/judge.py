@@ -27,7 +27,7 @@ from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject, right_answer
 from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rational import RationalMatrix, linear, scaled
+from nmatrix.linear.rational import RationalMatrix, linear_part, scaled
 
 RIGHT = "This is right."
 UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
@@ -147,7 +147,7 @@ class Judge:
         if question.subject is not Subject.NORMAL or question.normal is None:
             return False
         S = question.setup.maps.space_from_object(question.space).exact
-        if LinearMap.of(linear(S)).integer_determinant:
+        if LinearMap.of(linear_part(S)).integer_determinant:
             return False
         return is_alike(answer, scaled(self.right, Fraction(-1)), question)
 

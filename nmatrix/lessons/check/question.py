@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from nmatrix.enums import Space
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     ONE,
@@ -22,7 +22,7 @@ from nmatrix.linear.rational import (
     apply,
     identity,
     inverse,
-    linear,
+    linear_part,
     product,
     rational_vector,
 )
@@ -80,7 +80,7 @@ class Question:
     def __post_init__(self) -> None:
         if self.unit and not self.is_direction and self.subject is not Subject.NORMAL:
             raise IllegalValueError(
-                f"--unit with {self.subject}",
+                f"{quantity('unit')} with {self.subject}",
                 "only a direction has a length to bring to 1",
                 "leave it out",
             )
@@ -147,7 +147,7 @@ def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) 
         return identity(4)
     if space is Space.CAMERA:
         return V
-    if space is Space.OBJECT and LinearMap.of(linear(M)).integer_determinant:
+    if space is Space.OBJECT and LinearMap.of(linear_part(M)).integer_determinant:
         return inverse(M)
     return question.setup.maps.space_from_world(space).exact
 
@@ -185,7 +185,7 @@ def raw_answer(question: Question, by: Setting) -> RationalMatrix:
         return (apply(S, (*question.setup.camera.eye, ONE)),)
     if question.subject is Subject.LIGHT:
         return (apply(S, light_vector(question)),)
-    return _normal(question, LinearMap.of(linear(by.space_from_object)))
+    return _normal(question, LinearMap.of(linear_part(by.space_from_object)))
 
 
 def light_vector(question: Question) -> RationalVector:
@@ -202,7 +202,7 @@ def light_vector(question: Question) -> RationalVector:
         raise IllegalValueError(
             f"light {question.light}",
             "this light has none",
-            f"give --light-{question.light} X Y Z",
+            f"give {quantity(f'light_{question.light}')} X Y Z",
         )
     return (*part, ZERO if question.light is LightPart.DIRECTION else ONE)
 

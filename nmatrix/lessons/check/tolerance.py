@@ -16,7 +16,7 @@ from nmatrix.linear.rational import (
     ONE,
     RationalMatrix,
     RationalVector,
-    linear,
+    linear_part,
     translation,
     transpose,
 )
@@ -111,7 +111,7 @@ def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:
         largest = _largest(row[:3], ONE)
         return ((largest,) * 3 + (min(largest, ONE),) * (len(row) - 3),)
     every = min(max(_largest(row, ONE) for row in value), ONE)
-    block = tuple(_largest(column, every) for column in transpose(linear(value)))
+    block = tuple(_largest(column, every) for column in transpose(linear_part(value)))
     if len(value) == 3:
         return (block,) * 3
     moved, bottom = _largest(translation(value), every), _largest(value[3][:3], every)

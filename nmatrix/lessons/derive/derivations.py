@@ -84,7 +84,7 @@ def _demand() -> list[Step]:
 def _solution() -> list[Step]:
     """Solve AᵀN = 1 by cofactors."""
     M, _, t, n, _, _ = polynomials()
-    K, det = rational.cofactor(M), rational.determinant(M)
+    K, det = rational.cofactor_matrix(M), rational.determinant(M)
     perpendicular = rational.dot(rational.apply(K, n), rational.apply(M, t))
     return [
         step(

@@ -17,7 +17,7 @@ from nmatrix.lessons.derive.symbols import (
     generic_vector,
     polynomials,
 )
-from nmatrix.linear.rational import adjugate, apply, cofactor, dot, product, transpose
+from nmatrix.linear.rational import adjugate, apply, cofactor_matrix, dot, product, transpose
 from nmatrix.report import Step
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def lightdirection() -> tuple[list[Step], str]:
 
 def _the_rule() -> list[Step]:
     M, _, light, n, _, _ = polynomials()
-    world, moved = apply(cofactor(M), n), apply(adjugate(M), light)  # both times det A
+    world, moved = apply(cofactor_matrix(M), n), apply(adjugate(M), light)  # both times det A
     measured = apply(adjugate(product(transpose(M), M)), n)  # (AᵀA)⁻¹ n, times det A twice
     return [
         step(

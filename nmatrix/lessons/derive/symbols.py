@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from nmatrix.linear import rational
+
 if TYPE_CHECKING:
     import sympy as sp
 
@@ -26,16 +28,19 @@ def generic_vector(name: str) -> sp.Matrix:
 
 
 def cofactors(A: sp.Matrix) -> sp.Matrix:
-    """Return the cofactor matrix: its rows are cross products of the rows of A."""
+    """Return the cofactor matrix, by the very function that computes with fractions."""
     import sympy as sp
 
-    a, b, c = (A.row(i) for i in range(3))
-    return sp.Matrix([list(b.cross(c)), list(c.cross(a)), list(a.cross(b))])
+    return sp.Matrix(rational.cofactor_matrix(_rows(A)))
 
 
 def determinant(A: sp.Matrix) -> sp.Expr:
-    """Return det A, the first row times its cofactors."""
-    return A.row(0).dot(cofactors(A).row(0))
+    """Return det A, by the very function that computes with fractions."""
+    return rational.determinant(_rows(A))
+
+
+def _rows(A: sp.Matrix) -> tuple[tuple[Any, ...], ...]:
+    return tuple(map(tuple, A.tolist()))
 
 
 def polynomials() -> list[Any]:

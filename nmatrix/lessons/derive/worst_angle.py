@@ -19,7 +19,7 @@ def nothing_is_worse() -> list[Step]:
 
 def _product() -> Step:
     M, _, _, n, _, _ = polynomials()
-    K, det = rational.cofactor(M), rational.determinant(M)
+    K, det = rational.cofactor_matrix(M), rational.determinant(M)
     carried = rational.dot(rational.apply(M, n), rational.apply(K, n))
     return step(
         formula(

@@ -14,10 +14,10 @@ from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.exercises.writing import column, equation, typed, written
 from nmatrix.linear.rational import (
     RationalMatrix,
-    cofactor,
+    cofactor_matrix,
     determinant,
     diagonal,
-    linear,
+    linear_part,
     product,
     rational_vector,
 )
@@ -49,7 +49,7 @@ def world_matrix(draws: Draws, number: int) -> Exercise | None:
         MistakeId.SCALE_BEFORE_TRANSLATE,
         MistakeId.TRANSPOSED_LAYOUT,
     )
-    R = linear(World(rotate_degrees=world.rotate_degrees).world_from_object)
+    R = linear_part(World(rotate_degrees=world.rotate_degrees).world_from_object)
     S = diagonal(rational_vector(world.scale))
     t = rational_vector(world.translate)
     steps = (
@@ -66,7 +66,7 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
     shear[draws.below(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
     world = World(scale=scale, shear=tuple(shear))
     question = Question(Subject.NORMAL, Setup(world))
-    A = linear(world.world_from_object)
+    A = linear_part(world.world_from_object)
     task = (
         equation("A = ", A),
         Text("is the 3×3 block of a world matrix. By which matrix are its normals multiplied?"),
@@ -77,7 +77,7 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
         MistakeId.NOT_INVERTED,
         MistakeId.USED_WORLD_MATRIX,
     )
-    C, det = cofactor(A), determinant(A)
+    C, det = cofactor_matrix(A), determinant(A)
     steps = (
         equation("C = ", C),
         equation(f"det A = {written(det)}"),
@@ -144,7 +144,7 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
     n = [draws.choice(MOVES) for _ in range(3)]
     world = World(rotate_degrees=_quarter_turn(draws), scale=tuple(scale))
     question = Question(Subject.NORMAL, Setup(world), normal=tuple(n))
-    A = linear(world.world_from_object)
+    A = linear_part(world.world_from_object)
     task = (
         equation("A = ", A, ", n = ", column([Fraction(x) for x in n])),
         Text(
@@ -153,7 +153,7 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
         ),
         Text("Three numbers; any positive multiple counts, and where A flattens, either sign."),
     )
-    steps: tuple[Block, ...] = (equation("C = ", cofactor(A)),)
+    steps: tuple[Block, ...] = (equation("C = ", cofactor_matrix(A)),)
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
         return _computed(number, Kind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told)))

@@ -16,9 +16,10 @@ from importlib.resources import files
 from typing import Any
 
 from nmatrix.enums import Handedness, NormalRule, Space
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.decompose import parts
 from nmatrix.linear.rational import RationalMatrix, to_floats
+from nmatrix.linear.rules import RULES
 from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -31,12 +32,12 @@ SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT)
 TESSELLATION = (32, 64)
 PLACED = ("eye", "target", "up")  # what places a camera that looks at something
 BACKGROUND = (0.93, 0.93, 0.93)
-WRONG_RULES = {
-    NormalRule.NONE: "A itself",
-    NormalRule.NOT_TRANSPOSED: "A⁻¹, not transposed",
-    NormalRule.NOT_INVERTED: "Aᵀ, not inverted",
-    NormalRule.COFACTOR: "the cofactors, without the sign of det",
-}
+WRONG_RULES = (
+    NormalRule.NONE,
+    NormalRule.NOT_TRANSPOSED,
+    NormalRule.NOT_INVERTED,
+    NormalRule.COFACTOR,
+)
 DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a direction
 STRETCHED = World(scale=(1, 2, 1))  # calls for everything that a shader may need
 
@@ -79,7 +80,7 @@ def page_data(setup: Setup) -> dict[str, Any]:
         "has_direction": light.direction is not None,
         "light_position": None if light.position is None else _floats(light.position),
         "shaders": _shaders(setup),
-        "rules": {rule.value: text for rule, text in WRONG_RULES.items()},
+        "rules": {rule.value: RULES[rule].title for rule in WRONG_RULES},
         "constants": {
             "light_color": _floats(WHITE),
             "ambient_color": _floats(AMBIENT),
@@ -114,7 +115,7 @@ def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[
         raise NoAnswerError(
             "world matrix (determinant 0)",
             "sliders cannot show a singular matrix that is not given by its parts",
-            "give --scale with a 0 in it",
+            f"give {quantity('scale')} with a 0 in it",
         )
     return _float3(taken.scale), taken.rotate, _float3(taken.shear)
 

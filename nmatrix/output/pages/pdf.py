@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from nmatrix.errors import IllegalValueError, MissingPackageError
+from nmatrix.errors import IllegalValueError, MissingPackageError, quantity
 from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.typ import typ
 from nmatrix.report import Text
@@ -83,7 +83,7 @@ def check_typst() -> None:
         import typst  # noqa: F401  # whether it is there
     except ImportError:
         raise MissingPackageError(
-            "--to pdf",
+            f"{quantity('to')} pdf",
             "it needs the package typst",
             "pip install 'nmatrix[pdf]', or print the HTML from a browser",
         ) from None

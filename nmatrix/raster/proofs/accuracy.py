@@ -14,7 +14,7 @@ from nmatrix.enums import NormalRule
 from nmatrix.linear.affine import compose as composed
 from nmatrix.linear.affine import rotation
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import affine, linear, product, rational, to_floats
+from nmatrix.linear.rational import affine_matrix, linear_part, product, rational_matrix, to_floats
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.angles import angle_map, normals_by
 from nmatrix.raster.proofs.proof import (
@@ -42,9 +42,9 @@ SQUASHED = Fraction(1, 1_000_000)
 def hard_world() -> World:
     """Return a map with κ = 10⁶ whose axes are not the coordinate axes: turn, squash, turn."""
     turn = rotation([Angle.degrees(25), Angle.degrees(40), Angle.degrees(15)])
-    squash = linear(composed(turn, (1, SQUASHED, 1)))
+    squash = linear_part(composed(turn, (1, SQUASHED, 1)))
     there = rotation([Angle.degrees(35), Angle.degrees(-20), Angle.degrees(50)])
-    return World(matrix=rational(to_floats(affine(product(squash, there)))))
+    return World(matrix=rational_matrix(to_floats(affine_matrix(product(squash, there)))))
 
 
 def accuracy(settings: ProofSettings) -> Proof:
@@ -93,7 +93,7 @@ def _squashed_back(settings: ProofSettings) -> Geometry:
     """Return a torus stretched so that the hard map makes it round: then its shade can be seen."""
     if settings.world is not None:
         return TORUS
-    A = np.array(to_floats(linear(hard_world().world_from_object)))
+    A = np.array(to_floats(linear_part(hard_world().world_from_object)))
     mesh = TORUS.mesh()
     tilt = rotation([Angle.degrees(50), Angle.degrees(0), Angle.degrees(20)])
     R = np.array(to_floats(tilt))
@@ -108,7 +108,7 @@ def _normals_in(precision: type, exact: DrawnScene) -> Array:
     The rows of the cofactor matrix are cross products of the rows of A.
     """
     (body,) = exact.loaded.bodies
-    A: Array = np.array(to_floats(linear(body.world_from_object.exact)), precision)
+    A: Array = np.array(to_floats(linear_part(body.world_from_object.exact)), precision)
     with np.errstate(all="ignore"):
         C = np.stack([np.cross(A[1], A[2]), np.cross(A[2], A[0]), np.cross(A[0], A[1])])
         moved = (C @ body.mesh.normals.T.astype(precision)).astype(np.float64)

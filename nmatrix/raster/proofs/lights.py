@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalRule, Space
-from nmatrix.linear.rational import linear, to_floats
+from nmatrix.linear.rational import linear_part, to_floats
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.proof import (
     TORUS,
@@ -103,7 +103,7 @@ def _with_light(exact: DrawnScene, rule: str) -> Array:
     (light,) = plan.lights
     assert light.direction is not None  # the proof's own light
     travel = np.array([[float(one)] for one in light.direction])
-    M = np.array(to_floats(linear(plan.body.world_from_object.exact)))
+    M = np.array(to_floats(linear_part(plan.body.world_from_object.exact)))
     moved = ShadingLight(np.array([[1.0]]), to_light=light_by_rule(-travel, M, rule))
 
     def without_metric(surface: Surface) -> Surface:

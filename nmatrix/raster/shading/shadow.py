@@ -123,7 +123,9 @@ def _parallel(
     reach = float(np.sqrt(((high - low) ** 2).sum())) / 2
     view = looking_along(rational_vector(centre.tolist()), direction, UP, Handedness.RIGHT)
     box = orthographic(Window(-reach, reach, -reach, reach), -reach, reach, CLIP)
-    light = rational.product(rational.rational(box), rational.rational(view.camera_from_world))
+    light = rational.product(
+        rational.rational_matrix(box), rational.rational_matrix(view.camera_from_world)
+    )
     drawn = _drawn(light, casters, size)
     distance = np.where(np.isinf(drawn), np.inf, -reach + drawn * 2 * reach)
     return ShadowMap(light, distance, -reach, reach, 2 * reach / size, is_perspective=False)
@@ -140,7 +142,9 @@ def _perspective(
     near = far * NEAREST
     view = looking_along(place, direction, UP, Handedness.RIGHT)
     cone = perspective(Angle.degrees(half_degrees), 1.0, near, far, CLIP)
-    light = rational.product(rational.rational(cone), rational.rational(view.camera_from_world))
+    light = rational.product(
+        rational.rational_matrix(cone), rational.rational_matrix(view.camera_from_world)
+    )
     found = ShadowMap(
         light,
         _drawn(light, casters, size),

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import NormalRule, Space
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector, to_floats
-from nmatrix.linear.rules import Carrier, carrier
+from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.spaces import metric
@@ -108,7 +108,7 @@ class ShadingSpace:
     def handed(self) -> int:
         """Return −1 where a mirror lies between the object and where lengths are measured."""
         of = self.body.world_from_object.exact if self.uses_metric else self.exact_from_object
-        return -1 if rational.determinant(rational.linear(of)) < 0 else 1
+        return -1 if rational.determinant(rational.linear_part(of)) < 0 else 1
 
     def positions(self) -> Array:
         """Return the vertices (3, V) in the space."""
@@ -120,13 +120,13 @@ class ShadingSpace:
 
     def carried_normals(self, rule: NormalRule) -> Array:
         """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
-        found = carrier(rule, self.exact_from_object)
+        found = normal_transform(rule, self.exact_from_object)
         if found is None:
             return np.zeros((3, len(self.body.mesh.normals)))
         given = self.body.mesh.normals.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
-        return carried_by(found, given)
+        return transform_normals(found, given)
 
     def normals(self, rule: NormalRule) -> Array:
         """Return the vertices' normals (3, V) at true length one, or zero where none is left.
@@ -168,7 +168,7 @@ class ShadingSpace:
         return as_array(rational.product(light_from_world, world_from_space))
 
 
-def carried_by(found: Carrier, normals: Array) -> Array:
+def transform_normals(found: NormalTransform, normals: Array) -> Array:
     """Return normals (3, V) through a rule's matrix, scaled so that nothing overflows."""
     K = as_array(found.matrix) if found.components == 4 or found.w else scaled_array(found.matrix)
     carried = multiply(K if found.w else K[:, :3], normals)

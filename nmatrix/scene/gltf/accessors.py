@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf.nodes import GltfScene, buffer_bytes
-from nmatrix.scene.gltf.records import Accessor, Primitive
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals
+from nmatrix.scene.gltf.file import GltfFile
+from nmatrix.scene.gltf.records import FAN, TRIANGLES, Accessor, Primitive
+from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, unit
 
 TYPES = {
     5120: np.int8,
@@ -26,14 +26,13 @@ TYPES = {
 }
 LARGEST = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}  # of normalised integers
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
-TRIANGLES, STRIP, FAN = 4, 5, 6
 MOST_ROWS = 1 << 28  # more than memory holds, and a damaged file asks for
 
 Array = NDArray[Any]
 
 
-def gltf_mesh(scene: GltfScene, index: int) -> Mesh | None:
-    """Return the triangles of a mesh, all primitives together, or None if it has none.
+def mesh_parts(file: GltfFile, index: int) -> list[Mesh]:
+    """Return the triangles of a mesh, primitive by primitive, of those that have any.
 
     Raises
     ------
@@ -41,19 +40,11 @@ def gltf_mesh(scene: GltfScene, index: int) -> Mesh | None:
         For buffers that are missing or too short, indices out of range, numbers that are not
         finite.
     """
-    parts = [_primitive(scene, one) for one in scene.document.meshes[index].primitives]
-    found = [part for part in parts if part is not None]
-    if not found:
-        return None
-    starts = np.cumsum([0, *(len(part.positions) for part in found)])
-    return Mesh(
-        np.concatenate([part.positions for part in found]),
-        np.concatenate([part.normals for part in found]),
-        np.concatenate([part.triangles + s for part, s in zip(found, starts, strict=False)]),
-    )
+    parts = (_triangle_mesh(file, one) for one in file.document.meshes[index].primitives)
+    return [part for part in parts if part is not None]
 
 
-def primitive_mesh(scene: GltfScene, mesh_index: int, primitive: int) -> Mesh:
+def primitive_mesh(file: GltfFile, mesh_index: int, primitive: int) -> Mesh:
     """Return the triangles of one primitive, with its coordinates, colours and tangents.
 
     Texture coordinates have v upwards; the file has it downwards.
@@ -61,18 +52,18 @@ def primitive_mesh(scene: GltfScene, mesh_index: int, primitive: int) -> Mesh:
     Raises
     ------
     IllegalValueError
-        As `gltf_mesh`, and for a primitive without triangles.
+        As `mesh_parts`, and for a primitive without triangles.
     """
-    record = scene.document.meshes[mesh_index].primitives[primitive]
-    found = _primitive(scene, record)
+    record = file.document.meshes[mesh_index].primitives[primitive]
+    found = _triangle_mesh(file, record)
     if found is None:
-        raise _bad(scene, f"primitive {primitive} of mesh {mesh_index} has no triangles")
-    uv = _attribute(scene, record, "TEXCOORD_0", (2,))
-    colours = _attribute(scene, record, "COLOR_0", (3, 4))
-    tangents = _attribute(scene, record, "TANGENT", (4,))
+        raise file.fault(f"primitive {primitive} of mesh {mesh_index} has no triangles")
+    uv = _attribute(file, record, "TEXCOORD_0", (2,))
+    colours = _attribute(file, record, "COLOR_0", (3, 4))
+    tangents = _attribute(file, record, "TANGENT", (4,))
     for one in (uv, colours, tangents):
         if one is not None and len(one) != len(found.positions):
-            raise _bad(scene, f"{len(one)} attributes stand beside {len(found.positions)} vertices")
+            raise file.fault(f"{len(one)} attributes stand beside {len(found.positions)} vertices")
     return replace(
         found,
         uv=None if uv is None else uv * (1, -1) + (0, 1),
@@ -82,50 +73,45 @@ def primitive_mesh(scene: GltfScene, mesh_index: int, primitive: int) -> Mesh:
 
 
 def _attribute(
-    scene: GltfScene, primitive: Primitive, name: str, widths: tuple[int, ...]
+    file: GltfFile, primitive: Primitive, name: str, widths: tuple[int, ...]
 ) -> Array | None:
     if name not in primitive.attributes:
         return None
-    found = _read(scene, primitive.attributes[name]).astype(np.float64)
+    found = _read(file, primitive.attributes[name]).astype(np.float64)
     if found.shape[1] not in widths:
-        raise _bad(scene, f"{name} has {found.shape[1]} components")
+        raise file.fault(f"{name} has {found.shape[1]} components")
     return found
 
 
-def _primitive(scene: GltfScene, primitive: Primitive) -> Mesh | None:
-    if "POSITION" not in primitive.attributes or primitive.mode not in (TRIANGLES, STRIP, FAN):
+def _triangle_mesh(file: GltfFile, primitive: Primitive) -> Mesh | None:
+    """Return a primitive's positions, normals and triangles, or None if it has no triangles."""
+    if not primitive.has_triangles:
         return None
-    positions = _vectors(scene, primitive.attributes["POSITION"])
+    positions = _vectors(file, primitive.attributes["POSITION"])
     if primitive.indices is None:
         order = np.arange(len(positions), dtype=np.intp)
     else:
-        order = _read(scene, primitive.indices).astype(np.intp).ravel()
+        order = _read(file, primitive.indices).astype(np.intp).ravel()
     triangles = _triangles(order, primitive.mode)
-    if triangles.size and (triangles.min() < 0 or triangles.max() >= len(positions)):
-        raise _bad(scene, f"index {int(triangles.max())} is beyond {len(positions)} vertices")
-    if "NORMAL" in primitive.attributes:
-        normals = _unit(_vectors(scene, primitive.attributes["NORMAL"]))
-    else:
-        normals = area_weighted_normals(positions, triangles)
     if len(triangles) == 0:
         return None
+    if triangles.min() < 0 or triangles.max() >= len(positions):
+        raise file.fault(f"index {int(triangles.max())} is beyond {len(positions)} vertices")
+    if "NORMAL" in primitive.attributes:
+        normals = unit(_vectors(file, primitive.attributes["NORMAL"]))
+    else:
+        normals = area_weighted_normals(positions, triangles)
     try:
         return Mesh(positions, normals, triangles)
     except IllegalValueError as error:
-        raise _bad(scene, str(error)) from None
+        raise file.fault(str(error)) from None
 
 
-def _vectors(scene: GltfScene, index: int) -> Array:
-    found = _read(scene, index)
+def _vectors(file: GltfFile, index: int) -> Array:
+    found = _read(file, index)
     if found.shape[1] != 3:
-        raise _bad(scene, f"accessor {index} has {found.shape[1]} components and needs 3")
+        raise file.fault(f"accessor {index} has {found.shape[1]} components and needs 3")
     return found.astype(np.float64)
-
-
-def _unit(vectors: Array) -> Array:
-    """Return the vectors at length one, as far as float32 left them short of it; zero stays."""
-    length = np.sqrt((vectors * vectors).sum(axis=1, keepdims=True))
-    return np.asarray(np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0))
 
 
 def _triangles(order: Array, mode: int) -> Array:
@@ -139,50 +125,39 @@ def _triangles(order: Array, mode: int) -> Array:
     return np.stack([order[first], order[first + 1 + odd], order[first + 2 - odd]], 1)
 
 
-def _read(scene: GltfScene, index: int) -> Array:
-    accessors = scene.document.accessors
+def _read(file: GltfFile, index: int) -> Array:
+    accessors = file.document.accessors
     if not 0 <= index < len(accessors):
-        raise _bad(scene, f"accessor {index} does not exist")
+        raise file.fault(f"accessor {index} does not exist")
     record = accessors[index]
     known = record.component_type in TYPES and record.type in WIDTHS
     if not known or not 0 <= record.count <= MOST_ROWS:
-        raise _bad(scene, f"accessor {index} has an unknown type or size")
+        raise file.fault(f"accessor {index} has an unknown type or size")
     if record.sparse is not None:
-        raise _bad(scene, f"accessor {index} is sparse, which this reader does not know")
-    found = _from_view(scene, record)
+        raise file.fault(f"accessor {index} is sparse, which this reader does not know")
+    found = _from_view(file, record)
     if record.normalized and record.component_type in LARGEST:
         return np.maximum(found / np.float64(LARGEST[record.component_type]), -1.0)
     if not np.isfinite(found).all():
         row = int(np.argwhere(~np.isfinite(found))[0][0])
-        raise _bad(scene, f"row {row} of accessor {index} is not a finite number")
+        raise file.fault(f"row {row} of accessor {index} is not a finite number")
     return found
 
 
-def _from_view(scene: GltfScene, record: Accessor) -> Array:
+def _from_view(file: GltfFile, record: Accessor) -> Array:
     kind, width = np.dtype(TYPES[record.component_type]), WIDTHS[record.type]
-    if record.buffer_view is None:
+    if record.buffer_view is None or record.count == 0:
         return np.zeros((record.count, width), kind)
-    views = scene.document.buffer_views
+    views = file.document.buffer_views
     if not 0 <= record.buffer_view < len(views):
-        raise _bad(scene, f"buffer view {record.buffer_view} does not exist")
+        raise file.fault(f"buffer view {record.buffer_view} does not exist")
     view = views[record.buffer_view]
-    content = buffer_bytes(scene, view.buffer)
+    content = file.buffer(view.buffer)
     row = kind.itemsize * width
     stride = view.byte_stride or row
     start = view.byte_offset + record.byte_offset
     end = start + stride * (record.count - 1) + row
-    if (
-        min(start, view.byte_offset, record.byte_offset) < 0
-        or stride < row
-        or (record.count and end > len(content))
-    ):
-        raise _bad(scene, "an accessor reaches beyond its buffer")
-    return (
-        np.ndarray((record.count, width), kind, content, start, (stride, kind.itemsize))
-        if record.count
-        else np.zeros((0, width), kind)
-    )
-
-
-def _bad(scene: GltfScene, why: str) -> IllegalValueError:
-    return IllegalValueError(f"{scene.path}", why, "export it again")
+    first = min(start, view.byte_offset, record.byte_offset)
+    if first < 0 or stride < row or end > len(content):
+        raise file.fault("an accessor reaches beyond its buffer")
+    return np.ndarray((record.count, width), kind, content, start, (stride, kind.itemsize))

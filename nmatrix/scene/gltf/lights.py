@@ -18,12 +18,12 @@ import msgspec
 from nmatrix.enums import Handedness
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.linear.projection import Window
-from nmatrix.linear.rational import ONE, RationalMatrix, apply, rational, translation
+from nmatrix.linear.rational import ONE, RationalMatrix, apply, rational_matrix, translation
 from nmatrix.linear.rounding import nearest
 from nmatrix.linear.view import looking_along
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
-from nmatrix.scene.gltf.nodes import GltfScene, Node
+from nmatrix.scene.gltf.file import GltfFile, Node
 from nmatrix.scene.gltf.records import (
     CameraRecord,
     PunctualLight,
@@ -39,14 +39,14 @@ WIDEST = 90.0  # degrees, of half a cone
 
 
 @dataclass(frozen=True)
-class Carried:
+class CarriedLight:
     """A light and the node that carries it."""
 
     light: PunctualLight
     node: Node
 
 
-def carried_lights(file: GltfScene, drawn: Sequence[int]) -> tuple[Carried, ...]:
+def carried_lights(file: GltfFile, drawn: Sequence[int]) -> tuple[CarriedLight, ...]:
     """Return the lights of the nodes that are drawn.
 
     Raises
@@ -65,14 +65,14 @@ def carried_lights(file: GltfScene, drawn: Sequence[int]) -> tuple[Carried, ...]
                 at = msgspec.convert(extensions[LIGHTS], PunctualReference).light
                 if not 0 <= at < len(lights):
                     raise _bad(file, file.nodes[index], f"light {at} does not exist")
-                found.append(Carried(lights[at], file.nodes[index]))
+                found.append(CarriedLight(lights[at], file.nodes[index]))
     except msgspec.ValidationError as error:
-        raise IllegalValueError(f"{file.path}", f"{LIGHTS}: {error}", "export it again") from None
+        raise file.fault(f"{LIGHTS}: {error}") from None
     return tuple(found)
 
 
 def read_lights(
-    file: GltfScene, carried: Sequence[Carried], radius: float
+    file: GltfFile, carried: Sequence[CarriedLight], radius: float
 ) -> tuple[SceneLight, ...]:
     """Return the lights, the brightest with intensity 1."""
     brightest = max((one.light.intensity for one in carried), default=0.0) or 1.0
@@ -102,7 +102,9 @@ def unique(name: str, taken: dict[str, int]) -> str:
     return found
 
 
-def _light(file: GltfScene, one: Carried, brightest: float, radius: float, name: str) -> SceneLight:
+def _light(
+    file: GltfFile, one: CarriedLight, brightest: float, radius: float, name: str
+) -> SceneLight:
     light, world = one.light, one.node.world_from_object
     if light.type not in (LightKind.DIRECTIONAL, LightKind.POINT, LightKind.SPOT):
         raise _bad(file, one.node, f"light of type {light.type[:20]} is unknown")
@@ -128,7 +130,7 @@ def _light(file: GltfScene, one: Carried, brightest: float, radius: float, name:
     )
 
 
-def _cone(file: GltfScene, one: Carried) -> tuple[float, float]:
+def _cone(file: GltfFile, one: CarriedLight) -> tuple[float, float]:
     if one.light.spot is None:
         return (0.0, 45.0)
     inner, outer = one.light.spot.inner_cone_angle, one.light.spot.outer_cone_angle
@@ -137,7 +139,7 @@ def _cone(file: GltfScene, one: Carried) -> tuple[float, float]:
     return min(degrees(inner), WIDEST), min(degrees(outer), WIDEST)
 
 
-def camera(file: GltfScene, node: Node, index: int) -> tuple[View, Lens]:
+def camera(file: GltfFile, node: Node, index: int) -> tuple[View, Lens]:
     """Return a node's camera; the node's scale does not matter, as the format says.
 
     Raises
@@ -158,7 +160,7 @@ def camera(file: GltfScene, node: Node, index: int) -> tuple[View, Lens]:
         _ = lens.clip_from_camera
     except NMatrixError as error:
         raise _bad(file, node, f"its camera: {error}") from None
-    return View(matrix=rational(found.camera_from_world)), lens
+    return View(matrix=rational_matrix(found.camera_from_world)), lens
 
 
 def _lens(record: CameraRecord) -> Lens | None:
@@ -177,7 +179,7 @@ def _lens(record: CameraRecord) -> Lens | None:
     return Lens(ortho=window, near=box.znear, far=box.zfar, aspect=abs(box.xmag / (box.ymag or 1)))
 
 
-def radius_of(file: GltfScene, places: Sequence[tuple[RationalMatrix, int]]) -> float:
+def radius_of(file: GltfFile, places: Sequence[tuple[RationalMatrix, int]]) -> float:
     """Return half the diagonal of what is drawn, by the bounds that the file states; 1 if none.
 
     `places` are world matrices with the index of a mesh.
@@ -207,7 +209,7 @@ def corners_of(low: Sequence[float], high: Sequence[float]) -> Iterator[tuple[fl
     return iterproduct(*zip(low, high, strict=True))
 
 
-def _bounds(file: GltfScene, mesh: int) -> list[tuple[list[float], list[float]]]:
+def _bounds(file: GltfFile, mesh: int) -> list[tuple[list[float], list[float]]]:
     found = []
     for primitive in file.document.meshes[mesh].primitives:
         index = primitive.attributes.get("POSITION", -1)
@@ -222,5 +224,5 @@ def _floats(values: Sequence[Fraction]) -> Vector:
     return tuple(nearest(value) for value in values)
 
 
-def _bad(file: GltfScene, node: Node, why: str) -> IllegalValueError:
+def _bad(file: GltfFile, node: Node, why: str) -> IllegalValueError:
     return IllegalValueError(f"{file.path} ({node.name[:60]})", why, "mend the file")

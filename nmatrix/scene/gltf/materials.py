@@ -1,24 +1,23 @@
-"""The materials of a glTF file as far as they are drawn, and a sentence for what is not."""
+"""The materials of a glTF file as far as they are drawn, and a remark for what is not."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from urllib.parse import unquote
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf.nodes import LONGEST_URI, GltfScene, image_bytes
+from nmatrix.scene.gltf.file import LONGEST_URI, GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, TextureReference
 from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
 from nmatrix.scene.words import Sides
 
-NAMED = 4  # files that a remark names
+MOST_NAMED = 4  # files that a remark names
 
 
 @dataclass
 class Materials:
     """The materials of one file; it collects what they could not bring along."""
 
-    file: GltfScene
+    file: GltfFile
     missing: list[str] = field(default_factory=list)
     left_out: set[str] = field(default_factory=set)
 
@@ -32,7 +31,7 @@ class Materials:
         """
         records = self.file.document.materials
         if index is not None and not 0 <= index < len(records):
-            raise self._bad(f"material {index} does not exist")
+            raise self.file.fault(f"material {index} does not exist", "mend the file")
         record = MaterialRecord() if index is None else records[index]
         surface = record.pbr_metallic_roughness or MetallicRoughness()
         red, green, blue, alpha = (min(max(one, 0.0), 1.0) for one in surface.base_color_factor)
@@ -51,14 +50,14 @@ class Materials:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return what was left out, a short sentence each."""
+        """Return a sentence for all that is not drawn, and one for images that are missing."""
         found = []
         if self.left_out:
             found.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
         if self.missing:
             names = list(dict.fromkeys(self.missing))
-            more = ", …" if len(names) > NAMED else ""
-            found.append(f"Images are missing: {', '.join(names[:NAMED])}{more}.")
+            more = ", …" if len(names) > MOST_NAMED else ""
+            found.append(f"Images are missing: {', '.join(names[:MOST_NAMED])}{more}.")
         return tuple(found)
 
     def _note(self, record: MaterialRecord, surface: MetallicRoughness) -> None:
@@ -79,17 +78,17 @@ class Materials:
             return None
         document = self.file.document
         if not 0 <= reference.index < len(document.textures):
-            raise self._bad(f"texture {reference.index} does not exist")
+            raise self.file.fault(f"texture {reference.index} does not exist", "mend the file")
         source = document.textures[reference.index].source
         if source is None:
             return None
         if not 0 <= source < len(document.images):
-            raise self._bad(f"image {source} does not exist")
+            raise self.file.fault(f"image {source} does not exist", "mend the file")
         record = document.images[source]
         uri = record.uri
         if uri is None or uri.startswith("data:"):
             name = f"{self.file.path} (image {source})"
-            return EmbeddedImage(name, image_bytes(self.file, record))
+            return EmbeddedImage(name, self.file.image(record))
         name = unquote(uri[:LONGEST_URI])
         path = self.file.path.parent / name
         try:
@@ -99,6 +98,3 @@ class Materials:
             pass
         self.missing.append(name if name.isprintable() else "one without a readable name")
         return None
-
-    def _bad(self, why: str) -> IllegalValueError:
-        return IllegalValueError(f"{self.file.path}", why, "mend the file")

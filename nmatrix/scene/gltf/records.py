@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
+TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
+
 
 class NodeRecord(msgspec.Struct):
     """A node as the file has it."""
@@ -25,9 +27,14 @@ class Primitive(msgspec.Struct):
 
     attributes: dict[str, int] = {}
     indices: int | None = None
-    mode: int = 4
+    mode: int = TRIANGLES
     material: int | None = None
     targets: list[dict[str, int]] = []
+
+    @property
+    def has_triangles(self) -> bool:
+        """True for lists, strips and fans of triangles that have positions."""
+        return self.mode in (TRIANGLES, STRIP, FAN) and "POSITION" in self.attributes
 
 
 class MeshRecord(msgspec.Struct):
@@ -38,7 +45,7 @@ class MeshRecord(msgspec.Struct):
 
 
 class Accessor(msgspec.Struct, rename="camel"):
-    """How to read numbers out of a buffer view."""
+    """Numbers in a buffer view: their type, how many, where they begin."""
 
     component_type: int
     count: int
@@ -94,7 +101,7 @@ class CameraRecord(msgspec.Struct):
 
 
 class TextureReference(msgspec.Struct, rename="camel"):
-    """Which texture a material uses, by which coordinates."""
+    """A material's texture, and the set of coordinates that it is read by."""
 
     index: int
     tex_coord: int = 0
@@ -161,7 +168,7 @@ class PunctualLights(msgspec.Struct):
 
 
 class PunctualReference(msgspec.Struct):
-    """Which light a node carries."""
+    """The light that a node carries."""
 
     light: int
 

@@ -5,21 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from nmatrix.errors import IllegalValueError
 from nmatrix.scene.camera import View
-from nmatrix.scene.geometry import Geometry, GltfGeometry, TangentGeometry
+from nmatrix.scene.geometry import Geometry, TangentGeometry
+from nmatrix.scene.gltf.file import GltfFile, Node, read_gltf
 from nmatrix.scene.gltf.lights import LIGHTS, camera, carried_lights, radius_of, read_lights, unique
 from nmatrix.scene.gltf.materials import Materials
-from nmatrix.scene.gltf.nodes import GltfScene, Node, read_gltf
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.material import Material
 from nmatrix.scene.scene import Scene, SceneObject, Settings
-from nmatrix.scene.toml.lights import DAYLIGHT
 from nmatrix.scene.world import World
 
-TRIANGLES = (4, 5, 6)  # lists, strips, fans
+if TYPE_CHECKING:
+    from nmatrix.scene.meshes.mesh import Mesh
+
 SIDE = 512  # pixels, the longer one
 # Their meshes cannot be read without them.
 PACKED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression")
@@ -36,11 +38,26 @@ def gltf_scene(path: Path) -> Scene:
     return _Reading(read_gltf(path)).scene()
 
 
+@dataclass(frozen=True)
+class GltfGeometry:
+    """One primitive of one mesh of a glTF file."""
+
+    file: GltfFile
+    mesh_index: int
+    primitive: int
+
+    def mesh(self) -> Mesh:
+        """Read the triangles."""
+        from nmatrix.scene.gltf.accessors import primitive_mesh
+
+        return primitive_mesh(self.file, self.mesh_index, self.primitive)
+
+
 @dataclass(frozen=True, eq=False)
 class _Reading:
     """A file on its way to a scene."""
 
-    file: GltfScene
+    file: GltfFile
 
     @cached_property
     def materials(self) -> Materials:
@@ -55,13 +72,13 @@ class _Reading:
         else:
             index = document.scene or 0
             if not 0 <= index < len(document.scenes):
-                raise self._bad(f"scene {index} does not exist")
+                raise self.file.fault(f"scene {index} does not exist")
             roots = document.scenes[index].nodes
         waiting, found = list(reversed(roots)), dict[int, None]()
         while waiting:
             at = waiting.pop()
             if not 0 <= at < len(document.nodes):
-                raise self._bad(f"node {at} does not exist")
+                raise self.file.fault(f"node {at} does not exist")
             if at not in found:
                 found[at] = None
                 waiting.extend(reversed(document.nodes[at].children))
@@ -70,12 +87,12 @@ class _Reading:
     def scene(self) -> Scene:
         packed = [one for one in PACKED if one in self.file.document.extensions_required]
         if packed:
-            raise self._bad(
+            raise self.file.fault(
                 f"its meshes are packed by {packed[0]}, which this reader does not know"
             )
         objects = self._objects()
         if not objects:
-            raise self._bad("it draws nothing: there are no triangles in its scene")
+            raise self.file.fault("it draws nothing: there are no triangles in its scene")
         carried = carried_lights(self.file, self.drawn)
         places = [
             (node.world_from_object, node.mesh)
@@ -104,7 +121,7 @@ class _Reading:
             if node.mesh is None:
                 continue
             for i, primitive in enumerate(self.file.document.meshes[node.mesh].primitives):
-                if not _has_triangles(primitive):
+                if not primitive.has_triangles:
                     continue
                 key = (node.mesh, i)
                 if key not in shared:
@@ -147,7 +164,7 @@ class _Reading:
     def _remarks(self, lights: int) -> tuple[str, ...]:
         document = self.file.document
         primitives = [p for mesh in document.meshes for p in mesh.primitives]
-        others = sum(not _has_triangles(one) for one in primitives)
+        others = sum(not one.has_triangles for one in primitives)
         unknown = [one for one in document.extensions_used if one != LIGHTS]
         outside = len(document.nodes) - len(self.drawn)
         spoken = {
@@ -165,9 +182,6 @@ class _Reading:
         }
         return (*(text for text, applies in spoken.items() if applies), *self.materials.remarks)
 
-    def _bad(self, why: str) -> IllegalValueError:
-        return IllegalValueError(f"{self.file.path}", why, "export it again")
-
 
 def _own_place(node: Node, record: NodeRecord) -> World:
     """Return a node's place under its parent, in parts where the file has parts."""
@@ -178,10 +192,6 @@ def _own_place(node: Node, record: NodeRecord) -> World:
         quaternion=None if record.rotation is None else tuple(record.rotation),
         scale=tuple(record.scale or (1, 1, 1)),
     )
-
-
-def _has_triangles(primitive: Primitive) -> bool:
-    return primitive.mode in TRIANGLES and "POSITION" in primitive.attributes
 
 
 def _size(aspect: float) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -61,7 +62,7 @@ class Mesh:
 
     @cached_property
     def is_closed(self) -> bool:
-        """Return whether the surface has an inside.
+        """True if the surface has an inside.
 
         Then each edge is shared by two triangles, turned against each other, once vertices in the
         same place count as one.
@@ -70,9 +71,39 @@ class Mesh:
 
     @property
     def degenerate_normals(self) -> int:
-        """Return how many normals are no direction: zero, or not finite."""
+        """The number of normals that are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)
         return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+
+
+def joined(parts: Sequence[Mesh]) -> Mesh:
+    """Return one mesh of several; coordinates and colours stay where every part has them."""
+    if len(parts) == 1:
+        return parts[0]
+    starts = np.cumsum([0, *(len(part.positions) for part in parts)])
+    uv = [part.uv for part in parts if part.uv is not None]
+    colours = [part.colours for part in parts if part.colours is not None]
+    return Mesh(
+        np.concatenate([part.positions for part in parts]),
+        np.concatenate([part.normals for part in parts]),
+        np.concatenate([part.triangles + s for part, s in zip(parts, starts, strict=False)]),
+        uv=np.concatenate(uv) if len(uv) == len(parts) else None,
+        colours=np.concatenate(colours) if len(colours) == len(parts) else None,
+    )
+
+
+def unit(vectors: NDArray[Any]) -> Array:
+    """Return the vectors at length one, however long they are; the zero vector stays zero.
+
+    Examples
+    --------
+    >>> unit(np.array([[0.0, 3.0, 4.0], [0.0, 0.0, 0.0]])).tolist()
+    [[0.0, 0.6, 0.8], [0.0, 0.0, 0.0]]
+    """
+    _, exponents = np.frexp(np.abs(vectors).max(axis=1, keepdims=True))
+    scaled = np.ldexp(vectors, -exponents)  # exactly, so that no square overflows or vanishes
+    length = np.sqrt((scaled * scaled).sum(axis=1, keepdims=True))
+    return np.asarray(np.divide(scaled, length, out=np.zeros_like(scaled), where=length > 0))
 
 
 def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:

@@ -57,7 +57,7 @@ def _derivatives(mesh: Mesh, uv: Array) -> tuple[Array, Array]:
 
 
 def _across(normals: Array) -> Array:
-    """Return some unit vector across each normal, for places where u does not grow."""
+    """Return a unit vector across each normal, for places where u does not grow."""
     least = np.eye(3)[np.abs(normals).argmin(axis=1)]
     found = np.cross(least, normals)
     length = np.sqrt((found * found).sum(axis=1, keepdims=True))

@@ -1,4 +1,4 @@
-"""Whether a surface has an inside: each edge is shared by two triangles, turned against each other.
+"""Watertight surfaces: each edge is shared by two triangles, turned against each other.
 
 Edges are directed from corner to corner, and named by the places of both. Memory follows parts of
 the mesh, never the whole of its edges.
@@ -21,7 +21,7 @@ _ODD = np.array([0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB], np
 
 
 def is_watertight(positions: Array, triangles: Array) -> bool:
-    """Return whether every directed edge occurs once, and its reverse once.
+    """Check that every directed edge occurs once, and its reverse once: then there is an inside.
 
     Vertices in the same place count as one; triangles with two corners in one place, as none.
 
@@ -40,7 +40,7 @@ def is_watertight(positions: Array, triangles: Array) -> bool:
 
 
 def _is_paired(place: Array, triangles: Array, count: int, group: tuple[int, int]) -> bool:
-    """Return whether the edges whose lower end belongs to a group occur once in either sense."""
+    """Check that the edges whose lower end belongs to a group occur once in either sense."""
     there, back = [], []
     for start, end in _edges(place, triangles):
         kept = np.minimum(start, end) % group[1] == group[0]

@@ -8,17 +8,16 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading.files import file_bytes
-from nmatrix.reading.quote import quoted
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.scene import Scene
-from nmatrix.scene.toml.faults import Place, printable, shown, suggestion
+from nmatrix.scene.toml.drawing import camera, material, settings
 from nmatrix.scene.toml.lights import read_lights
-from nmatrix.scene.toml.objects import entries, objects
+from nmatrix.scene.toml.objects import named_objects, scene_objects
 from nmatrix.scene.toml.records import SceneRecord
-from nmatrix.scene.toml.view import camera, material, settings
+from nmatrix.scene.toml.table import SceneTable, printable, shown, suggestion
 
 LARGEST = 4_000_000  # bytes
 _SPELLED = ("inf", "nan")
@@ -34,22 +33,21 @@ def read_scene(path: Path) -> Scene:
     """
     raw = _raw(path)
     _check_tables(path, raw)
-    drawing = settings(Place(path, "[render]", raw.get("render", {})))
+    drawing = settings(SceneTable(path, "[render]", raw.get("render", {})))
     aspect = drawing.size[0] / drawing.size[1]
     materials = {
-        name: material(Place(path, f"[materials.{printable(name)}]", table), name)
+        name: material(SceneTable(path, f"[materials.{printable(name)}]", table), name)
         for name, table in raw.get("materials", {}).items()
     }
-    by_name = entries(_tables(path, raw, "object"))
-    found = objects(by_name, materials)
-    if not found:
+    objects = scene_objects(named_objects(_tables(path, raw, "object")), materials)
+    if not objects:
         raise IllegalValueError(f"{path}", "it draws nothing", 'add shape = "sphere" to an object')
-    lights = read_lights(_tables(path, raw, "light"), [one.name for one in found])
+    lights = read_lights(_tables(path, raw, "light"), [one.name for one in objects])
     view, lens = View(), Lens(aspect=aspect)
     if "camera" in raw:
-        view, lens = camera(Place(path, "[camera]", raw["camera"]), aspect)
+        view, lens = camera(SceneTable(path, "[camera]", raw["camera"]), aspect)
     return Scene(
-        objects=found,
+        objects=objects,
         lights=lights,
         view=view,
         lens=lens,
@@ -61,7 +59,7 @@ def read_scene(path: Path) -> Scene:
 
 
 def _raw(path: Path) -> dict[str, Any]:
-    """Return what the file says, as TOML has it."""
+    """Return the file's tables, as TOML has them."""
     text = _text(path)
     try:
         return tomllib.loads(text, parse_float=lambda number: _float(path, number))
@@ -101,28 +99,28 @@ def _float(path: Path, text: str) -> float:
 
 
 def _check_tables(path: Path, raw: dict[str, Any]) -> None:
-    place = Place(path, raw=raw)
+    whole = SceneTable(path, raw=raw)
     known = SceneRecord.__struct_fields__
     for key, value in raw.items():
         if key not in known:
-            raise place.refused(
+            raise whole.refused(
                 printable(key), "a scene file has no such table", suggestion(key, known)
             )
         is_list = key in ("object", "light")
         if not isinstance(value, list if is_list else dict):
             table = f"[[{key}]]" if is_list else f"[{key}]"
-            raise place.refused(f"{key} ({shown(value)})", f"it is written {table}", "see the docs")
+            raise whole.refused(f"{key} ({shown(value)})", f"it is written {table}", "see the docs")
     if not raw.get("object"):
-        raise place.refused(
+        raise whole.refused(
             "[[object]]", "the scene has none", 'add [[object]] with shape = "sphere"'
         )
 
 
-def _tables(path: Path, raw: dict[str, Any], key: str) -> list[Place]:
+def _tables(path: Path, raw: dict[str, Any], key: str) -> list[SceneTable]:
     """Return the tables of a list, each with a name by which a message finds it."""
     found = []
     for index, table in enumerate(raw.get(key, [])):
         name = table.get("name") if isinstance(table, dict) else None
         label = f" {shown(name)}" if isinstance(name, str) else ""
-        found.append(Place(path, f"[[{key}]] {index + 1}{label}", table))
+        found.append(SceneTable(path, f"[[{key}]] {index + 1}{label}", table))
     return found

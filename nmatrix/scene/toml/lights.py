@@ -7,15 +7,14 @@ from dataclasses import replace
 from math import inf
 
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.vectors import direction_from_angles, normalize
+from nmatrix.linear.vectors import direction_from_angles
 from nmatrix.report import Vector
-from nmatrix.scene.light import EYE, WORLD, SceneLight
-from nmatrix.scene.material import Colour, grey
-from nmatrix.scene.toml.faults import Place, converted, suggestion
+from nmatrix.scene.light import DAYLIGHT, EYE, WORLD, SceneLight
+from nmatrix.scene.material import colour
 from nmatrix.scene.toml.records import LightRecord
+from nmatrix.scene.toml.table import SceneTable, suggestion
 from nmatrix.scene.words import LightKind
 
-DAYLIGHT = SceneLight("light", LightKind.DIRECTIONAL, direction=normalize((-1, -1, -1)))
 AHEAD: Vector = (0, 0, -1)  # in front of an eye
 WIDEST = 90  # degrees
 
@@ -30,7 +29,7 @@ _KEYS = {
 }
 
 
-def read_lights(tables: list[Place], homes: Collection[str]) -> tuple[SceneLight, ...]:
+def read_lights(tables: list[SceneTable], homes: Collection[str]) -> tuple[SceneLight, ...]:
     """Return the lights in the file's order, or daylight; `homes` are the objects they may follow.
 
     Raises
@@ -40,27 +39,21 @@ def read_lights(tables: list[Place], homes: Collection[str]) -> tuple[SceneLight
         is taken.
     """
     found: dict[str, SceneLight] = {}
-    for index, place in enumerate(tables):
-        light = _light(place, converted(place, LightRecord), index, homes)
+    for index, table in enumerate(tables):
+        light = _light(table, table.checked(LightRecord), index, homes)
         if light.name in found:
-            raise place.fault("name", "another light has it already", "choose another")
+            raise table.fault("name", "another light has it already", "choose another")
         found[light.name] = light
     return tuple(found.values()) or (DAYLIGHT,)
 
 
-def colour(value: float | list[float]) -> Colour:
-    """Return a colour from one level or from three."""
-    if isinstance(value, list):
-        red, green, blue = value
-        return red, green, blue
-    return grey(value)
-
-
-def _light(place: Place, record: LightRecord, index: int, homes: Collection[str]) -> SceneLight:
-    _check_keys(place, record)
+def _light(
+    table: SceneTable, record: LightRecord, index: int, homes: Collection[str]
+) -> SceneLight:
+    _check_keys(table, record)
     if record.fixed_to not in (WORLD, EYE, *homes):
         near = suggestion(record.fixed_to, (WORLD, EYE, *homes))
-        raise place.fault("fixed_to", "it is world, eye, or an object that is drawn", near)
+        raise table.fault("fixed_to", "it is world, eye, or an object that is drawn", near)
     light = SceneLight(
         name=record.name or f"light {index + 1}",
         kind=record.kind,
@@ -70,62 +63,62 @@ def _light(place: Place, record: LightRecord, index: int, homes: Collection[str]
         shadows=record.shadows,
         attenuation=record.attenuation,
         range=inf if record.range is None else record.range,
-        cone_degrees=_cone(place, record),
+        cone_degrees=_cone(table, record),
     )
     if light.has_position:
-        light = replace(light, position=_position(place, record))
-    return replace(light, direction=_direction(place, record)) if light.has_direction else light
+        light = replace(light, position=_position(table, record))
+    return replace(light, direction=_direction(table, record)) if light.has_direction else light
 
 
-def _check_keys(place: Place, record: LightRecord) -> None:
+def _check_keys(table: SceneTable, record: LightRecord) -> None:
     kind = record.kind
-    for key in place.raw:
+    for key in table.raw:
         if key not in _KEYS[kind]:
             fitting = [k.value for k, keys in _KEYS.items() if key in keys]
-            raise place.fault(
+            raise table.fault(
                 key, f"light of kind {kind} has no {key}", f"kind {' or '.join(fitting)} has"
             )
     if not any(record.attenuation):
-        raise place.fault("attenuation", "c, l and q are all zero", "no attenuation is 1 0 0")
+        raise table.fault("attenuation", "c, l and q are all zero", "no attenuation is 1 0 0")
 
 
-def _position(place: Place, record: LightRecord) -> Vector:
+def _position(table: SceneTable, record: LightRecord) -> Vector:
     if record.position is not None:
         return record.position
     if record.fixed_to == WORLD:
-        raise place.refused(
+        raise table.refused(
             "position", f"light of kind {record.kind} is somewhere", "add position = [x, y, z]"
         )
     return (0, 0, 0)
 
 
-def _direction(place: Place, record: LightRecord) -> Vector:
+def _direction(table: SceneTable, record: LightRecord) -> Vector:
     if record.direction is not None and record.angles is not None:
-        raise place.refused("direction with angles", "both are the direction", "keep one of them")
+        raise table.refused("direction with angles", "both are the direction", "keep one of them")
     if record.angles is not None:
         alpha, beta = map(Angle.degrees, record.angles)
         return direction_from_angles(alpha, beta)
     if record.direction is not None:
         if not any(record.direction):
-            raise place.fault(
+            raise table.fault(
                 "direction", "light that travels nowhere lights nothing", "try [-1, -1, -1]"
             )
         return record.direction
     if record.fixed_to == EYE:
         return AHEAD
     if record.kind is LightKind.SPOT:
-        raise place.refused(
+        raise table.refused(
             "direction", "light of kind spot points somewhere", "add direction = [x, y, z]"
         )
     return DAYLIGHT.direction
 
 
-def _cone(place: Place, record: LightRecord) -> tuple[float, float]:
+def _cone(table: SceneTable, record: LightRecord) -> tuple[float, float]:
     if record.cone is None:
         return (20.0, 30.0)
     inner, outer = record.cone
     if not inner <= outer <= WIDEST or outer == 0:
-        raise place.fault(
+        raise table.fault(
             "cone", "it is the inner and the outer half angle, at most 90 degrees", "try [20, 30]"
         )
     return record.cone

@@ -27,16 +27,16 @@ Pixels = Annotated[int, Meta(ge=1, le=MOST_PIXELS)]
 Rows = list[list[float]]
 
 
-class Table(Struct, frozen=True, forbid_unknown_fields=True):
+class Record(Struct, frozen=True, forbid_unknown_fields=True):
     """A table of a scene file: a key that it does not know is an error."""
 
 
-class CameraRecord(Table, frozen=True):
+class CameraRecord(Record, frozen=True):
     """Where the camera is and how it projects."""
 
-    eye: Annotated[Three | None, Meta(description="The camera's place; 0 0 5.")] = None
-    target: Annotated[Three | None, Meta(description="What it looks at; 0 0 0.")] = None
-    up: Annotated[Three | None, Meta(description="What is up; 0 1 0.")] = None
+    eye: Annotated[Three | None, Meta(description="The camera's place, 0 0 5 by default.")] = None
+    target: Annotated[Three | None, Meta(description="What it looks at, 0 0 0 by default.")] = None
+    up: Annotated[Three | None, Meta(description="What is up, 0 1 0 by default.")] = None
     elevation: Annotated[
         float | None, Meta(description="Look up by degrees, instead of a target.")
     ] = None
@@ -47,14 +47,14 @@ class CameraRecord(Table, frozen=True):
     )
     fov: Annotated[
         Annotated[float, Meta(gt=0, lt=180)] | None,
-        Meta(description="Vertical field of view in degrees; 60."),
+        Meta(description="Vertical field of view in degrees, 60 by default."),
     ] = None
     aspect: Annotated[
         Annotated[float, Meta(gt=0)] | None,
-        Meta(description="Width over height; by default that of the picture."),
+        Meta(description="Width over height, by default that of the picture."),
     ] = None
     near: Annotated[float, Meta(description="Near distance.")] = 0.1
-    far: Annotated[float, Meta(description="Far distance; inf is allowed.")] = 100.0
+    far: Annotated[float, Meta(description="Far distance, or inf.")] = 100.0
     ortho: Annotated[
         Four | None, Meta(description="A parallel view: left, right, bottom, top.")
     ] = None
@@ -69,7 +69,7 @@ class CameraRecord(Table, frozen=True):
     )
 
 
-class LightRecord(Table, frozen=True):
+class LightRecord(Record, frozen=True):
     """One light."""
 
     name: Annotated[str | None, Meta(description="By which --light finds it.")] = None
@@ -80,7 +80,7 @@ class LightRecord(Table, frozen=True):
         Meta(description="The direction by two angles α and β, in degrees."),
     ] = None
     position: Annotated[Three | None, Meta(description="Of a point or spot light.")] = None
-    color: Annotated[ColourValue, Meta(description="Red, green, blue, or one grey level.")] = 1.0
+    color: Annotated[ColourValue, Meta(description="One grey level, or red, green, blue.")] = 1.0
     intensity: Annotated[NotNegative, Meta(description="Multiplies the colour.")] = 1.0
     attenuation: Annotated[
         tuple[NotNegative, NotNegative, NotNegative],
@@ -88,17 +88,19 @@ class LightRecord(Table, frozen=True):
     ] = (1.0, 0.0, 0.0)
     range: Annotated[
         Annotated[float, Meta(gt=0)] | None,
-        Meta(description="Beyond this distance nothing arrives; inf is allowed."),
+        Meta(description="Beyond this distance nothing arrives, or inf."),
     ] = None
     cone: Annotated[
         tuple[NotNegative, NotNegative] | None,
-        Meta(description="Half angles of a spot light in degrees, inner and outer; 20 30."),
+        Meta(
+            description="Inner and outer half angle of a spot light in degrees, 20 30 by default."
+        ),
     ] = None
     fixed_to: Annotated[str, Meta(description="world, eye, or the name of an object.")] = "world"
     shadows: Annotated[bool, Meta(description="Whether it casts shadows.")] = False
 
 
-class ObjectRecord(Table, frozen=True):
+class ObjectRecord(Record, frozen=True):
     """One object; without a shape, a mesh or a copy it is a group, which only places others."""
 
     name: Annotated[str | None, Meta(description="By which others refer to it.")] = None
@@ -135,12 +137,18 @@ class ObjectRecord(Table, frozen=True):
     material: Annotated[str | None, Meta(description="A name under [materials].")] = None
 
 
-class MaterialRecord(Table, frozen=True):
+class MaterialRecord(Record, frozen=True):
     """What a surface does with light."""
 
-    ambient: Annotated[ColourValue | None, Meta(description="Reflected ambient light.")] = None
-    diffuse: Annotated[ColourValue | None, Meta(description="Light reflected evenly.")] = None
-    specular: Annotated[ColourValue | None, Meta(description="Light in the highlight.")] = None
+    ambient: Annotated[
+        ColourValue | None, Meta(description="Reflected ambient light, grey or r, g, b.")
+    ] = None
+    diffuse: Annotated[
+        ColourValue | None, Meta(description="Light reflected evenly, grey or r, g, b.")
+    ] = None
+    specular: Annotated[
+        ColourValue | None, Meta(description="Light in the highlight, grey or r, g, b.")
+    ] = None
     shininess: Annotated[NotNegative, Meta(description="Exponent of the highlight.")] = 32.0
     reflection: Annotated[Reflection, Meta(description="The model of reflection.")] = (
         Reflection.LAMBERT
@@ -163,20 +171,22 @@ class MaterialRecord(Table, frozen=True):
     vertex_colours: Annotated[bool, Meta(description="Whether to use the mesh's colours.")] = False
 
 
-class FogRecord(Table, frozen=True):
+class FogRecord(Record, frozen=True):
     """Fog between two distances from the eye."""
 
     end: Annotated[Annotated[float, Meta(gt=0)], Meta(description="All is fog from here on.")]
     start: Annotated[NotNegative, Meta(description="No fog up to here.")] = 0.0
-    color: Annotated[ColourValue | None, Meta(description="By default the background.")] = None
+    color: Annotated[
+        ColourValue | None, Meta(description="Grey or r, g, b, by default the background.")
+    ] = None
 
 
-class RenderRecord(Table, frozen=True):
+class RenderRecord(Record, frozen=True):
     """How the scene is drawn."""
 
     space: Annotated[Space, Meta(description="The space to compute light in.")] = Space.WORLD
     space_matrix: Annotated[
-        Rows | None, Meta(description="Space from world, for space custom.")
+        Rows | None, Meta(description="Rows of space from world, for space custom.")
     ] = None
     shading: Annotated[Shading, Meta(description="Light per face, vertex or fragment.")] = (
         Shading.PHONG
@@ -186,8 +196,10 @@ class RenderRecord(Table, frozen=True):
         512,
     )
     samples: Annotated[Literal[1, 4, 16, 64], Meta(description="Samples of each pixel.")] = 4
-    background: Annotated[ColourValue, Meta(description="Colour behind everything.")] = 0.93
-    fog: Annotated[FogRecord | None, Meta(description="Fog.")] = None
+    background: Annotated[
+        ColourValue, Meta(description="Colour behind everything, grey or r, g, b.")
+    ] = 0.93
+    fog: Annotated[FogRecord | None, Meta(description="A table with start, end and color.")] = None
     gamma: Annotated[bool, Meta(description="Write sRGB instead of linear levels.")] = False
     depth_bits: Annotated[
         Literal[16, 24, "float32", "full"], Meta(description="How finely depth is stored.")
@@ -198,7 +210,7 @@ class RenderRecord(Table, frozen=True):
     ] = 512
 
 
-class SceneRecord(Table, frozen=True):
+class SceneRecord(Record, frozen=True):
     """A scene: objects, lights, a camera, materials, and how to draw it."""
 
     object: Annotated[

@@ -1,1 +1,1 @@
-"""The hard cases: inputs with exact answers, and everyone who tries."""
+"""The hard cases: inputs with exact answers, and the methods that are judged on them."""

@@ -1,4 +1,4 @@
-"""N14 to N19, M2: what else stands in a matrix: a translation, a projection, no number at all."""
+"""Normals and what else stands in a matrix: a translation, a projection, no number at all."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from nmatrix.enums import NormalRule
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.compensated import cofactors
 from nmatrix.linear.projection import perspective
-from nmatrix.linear.rational import rational
-from nmatrix.linear.rules import carrier
+from nmatrix.linear.rational import rational_matrix
+from nmatrix.linear.rules import normal_transform
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.shapes import as_affine
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own, spelled
@@ -32,8 +32,8 @@ def _moved(by: float) -> Array:
 
 
 def by_rule(rule: NormalRule, M: Array, n: Sequence[float]) -> list[float]:
-    """Return what one of the rules that people use makes of a normal, at length one."""
-    found = carrier(rule, rational(M.tolist()))
+    """Carry a normal by one of the rules that people use, and normalise it."""
+    found = normal_transform(rule, rational_matrix(M.tolist()))
     assert found is not None  # the cases are invertible
     matrix = np.array([[float(x) for x in row] for row in found.matrix])
     carried = (matrix @ [*n, found.w])[: found.components]
@@ -42,7 +42,7 @@ def by_rule(rule: NormalRule, M: Array, n: Sequence[float]) -> list[float]:
 
 
 def _four_components(id_: str, by: float, reason: str) -> Case:
-    """Take w into the length."""
+    """Make a case in which w is taken into the length."""
     M = _moved(by)
     four = Contestant("four-component-normalise", lambda: by_rule(NormalRule.FOUR_COMPONENT, M, X))
     return Case(
@@ -56,7 +56,7 @@ def _four_components(id_: str, by: float, reason: str) -> Case:
 
 
 def _projective() -> Case:
-    """P·V·M is no affine map: it has no normal matrix, and must be refused as one."""
+    """P·V·M is not affine: it has no normal matrix, and must be refused as a world matrix."""
     P = np.array(perspective(Angle.degrees(30), 1.0, 0.1, 100.0))
     PVM = P @ _moved(1.0)
 
@@ -78,7 +78,7 @@ def _projective() -> Case:
 
 
 def _not_finite() -> Case:
-    """One number that is none; the answer must name it."""
+    """Make a case of an entry that is NaN, and must be refused by name."""
     A = np.diag([1.0, float("nan"), 1.0])
     return Case(
         "N16",
@@ -94,7 +94,7 @@ def _not_finite() -> Case:
 
 
 def _golden_minor() -> Case:
-    """Take a 2×2 determinant of float32 numbers that cancels to a thousandth."""
+    """Make a case of a 2×2 determinant of float32 numbers that cancels to a thousandth."""
     a, b, c, d = (np.float32(x) for x in (33962.035, -30438.8, 41563.4, -24871.969))
     A = np.zeros((3, 3, 1))
     A[0, 0], A[0, 1], A[1, 0], A[1, 1], A[2, 2] = a, b, c, d, 1

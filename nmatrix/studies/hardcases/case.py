@@ -1,4 +1,4 @@
-"""A hard case: an input, its exact answer, the reason, and contestants; and how they are judged."""
+"""A hard case: an input, its exact answer, why it is hard, and the contestants that are judged."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Compute = Callable[[], Sequence[float] | None]
 RIGHT, IMPRECISE = 1e-14, 1e-6  # radians, or relative
 
 
-class Verdict(StrEnum):
-    """What became of one contestant on one case."""
+class CaseVerdict(StrEnum):
+    """The judgement of one contestant on one case."""
 
     RIGHT = "right"
     IMPRECISE = "imprecise"
@@ -31,7 +31,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Contestant:
-    """One way to answer: `compute` returns numbers, or None where it says that there is none."""
+    """One way to answer: `compute` returns numbers, or None to say that there is no answer."""
 
     name: str
     compute: Compute
@@ -40,10 +40,10 @@ class Contestant:
 
 @dataclass(frozen=True)
 class Result:
-    """How one contestant did; the error is in radians for directions, else relative."""
+    """One contestant's judgement; the error is in radians for directions, else relative."""
 
     method: str
-    verdict: Verdict
+    verdict: CaseVerdict
     error: float | None
     is_ours: bool
 
@@ -57,7 +57,7 @@ class Case:
     expected
         The exact answer, or None where there is none and that must be said.
     is_direction
-        Whether only the direction of the answer counts; `or_opposite`, either sense of it.
+        Only the direction of the answer counts, not its length.
     within
         What still counts as right, relative or in radians.
     """
@@ -69,59 +69,69 @@ class Case:
     reason: str
     contestants: tuple[Contestant, ...]
     is_direction: bool = False
-    or_opposite: bool = False
     within: float = RIGHT
     made_by: str = ""  # the options of a case that is not of the catalogue
 
     @property
     def replay(self) -> str:
-        """Return the command that shows this case again."""
+        """The command that shows this case again."""
         return f"nmatrix stress {self.made_by}--case {self.id}"
 
     def results(self) -> tuple[Result, ...]:
-        """Let every contestant try."""
+        """Judge every contestant."""
         return tuple(self._judged(one) for one in self.contestants)
 
     def _judged(self, one: Contestant) -> Result:
         found = _tried(one)
-        verdict, error = self._verdict(found)
+        verdict, error = judge(
+            found, self.expected, is_direction=self.is_direction, within=self.within
+        )
         return Result(one.name, verdict, error, one.is_ours)
 
-    def _verdict(self, found: Numbers | None) -> tuple[Verdict, float | None]:
-        if self.expected is None:
-            return _of_no_answer(found), None
-        if found is None or not _all_finite(found):
-            return Verdict.NAN, None
-        if any(self.expected) and not any(found):
-            return Verdict.ZERO, None
-        error = self._error([Fraction(x) for x in found], self.expected)
-        return self._of_error(error), error
 
-    def _of_error(self, error: float) -> Verdict:
-        if self.is_direction and error > pi / 2:
-            return Verdict.FLIPPED
-        if error <= self.within:
-            return Verdict.RIGHT
-        return Verdict.IMPRECISE if error <= IMPRECISE else Verdict.WRONG
+def judge(
+    found: Numbers | None,
+    expected: Sequence[Fraction] | None,
+    *,
+    is_direction: bool = False,
+    within: float = RIGHT,
+) -> tuple[CaseVerdict, float | None]:
+    """Judge an answer against the exact one, and measure its error where it has one.
 
-    def _error(self, found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
-        if self.is_direction:
-            turned = angle(found, true)
-            return min(turned, pi - turned) if self.or_opposite else turned
-        size = max(abs(t) for t in true) or Fraction(1)
-        error = max(abs(f - t) for f, t in zip(found, true, strict=True)) / size
-        return float(min(error, Fraction(10) ** 300))
+    None is the answer that there is none. Errors are in radians for directions, else relative to
+    the largest number.
+
+    Examples
+    --------
+    >>> judge((0.0, 2.0), exactly(1, 0), is_direction=True)[0].value
+    'wrong'
+    >>> judge((-1.0, 0.0), exactly(1, 0), is_direction=True)[0].value
+    'flipped'
+    """
+    is_number = found is not None and all(map(isfinite, found))
+    if expected is None:
+        silent = CaseVerdict.NOT_REPORTED if is_number else CaseVerdict.NAN
+        return (CaseVerdict.RIGHT if found is None else silent), None
+    if found is None or not is_number:
+        return CaseVerdict.NAN, None
+    if any(expected) and not any(found):
+        return CaseVerdict.ZERO, None
+    exact = [Fraction(x) for x in found]
+    error = angle(exact, expected) if is_direction else _relative(exact, expected)
+    if is_direction and error > pi / 2:
+        return CaseVerdict.FLIPPED, error
+    judged = CaseVerdict.IMPRECISE if error <= IMPRECISE else CaseVerdict.WRONG
+    return (CaseVerdict.RIGHT if error <= within else judged), error
 
 
-def _of_no_answer(found: Numbers | None) -> Verdict:
-    """Judge what is said where there is nothing to say."""
-    if found is None:
-        return Verdict.RIGHT
-    return Verdict.NOT_REPORTED if _all_finite(found) else Verdict.NAN
+def _relative(found: Sequence[Fraction], true: Sequence[Fraction]) -> float:
+    size = max(abs(t) for t in true) or Fraction(1)
+    error = max(abs(f - t) for f, t in zip(found, true, strict=True)) / size
+    return float(min(error, Fraction(10) ** 300))
 
 
 def _tried(one: Contestant) -> Numbers | None:
-    """Return what a contestant answers; an error of ours is an answer, another's is none."""
+    """Let a contestant answer: an NMatrixError says that there is none, other errors are NaN."""
     import numpy as np
 
     with np.errstate(all="ignore"):
@@ -134,17 +144,13 @@ def _tried(one: Contestant) -> Numbers | None:
     return None if found is None else tuple(map(float, found))
 
 
-def _all_finite(found: Numbers) -> bool:
-    return all(map(isfinite, found))
-
-
 def own(name: str, compute: Compute) -> Contestant:
-    """Return one of nmatrix's own ways."""
+    """Make a contestant of one of nmatrix's own ways."""
     return Contestant(name, compute, is_ours=True)
 
 
 def spelled(rows: Iterable[Iterable[float]]) -> str:
-    """Return a matrix as text that is read back to the very same floats.
+    """Write a matrix as text that is read back to the very same floats.
 
     Examples
     --------

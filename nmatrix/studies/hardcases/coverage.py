@@ -1,4 +1,4 @@
-"""R1 to R6: which samples a triangle covers, each of them exactly once."""
+"""The samples that triangles cover, each of them exactly once."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
+from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace
 from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, Tile
@@ -33,42 +33,54 @@ FLAT = np.array([[-1.0, -1, -4], [0, 0, -4], [1, 1, -4]])  # no area
 VIEW = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -0.02], [0, 0, -1, 0]])
 
 
+def rasterized(
+    corners: Array,
+    matrix: Array,
+    size: int = SIZE,
+    clip: ClipSpace = DEFAULT_CLIP_SPACE,
+    buffer: DepthBuffer = DepthBuffer.FULL,
+) -> Array:
+    """Draw triangles with corners (3 N, 3); the visibility keys (size, size) of the samples."""
+    faces = np.arange(len(corners)).reshape(-1, 3)
+    mesh = Mesh(corners, np.tile([0.0, 1, 0], (len(corners), 1)), faces)
+    tile = Tile.empty((0, size), size, buffer)
+    tile.add(project(mesh, matrix, Canvas(size, size), clip), 0)
+    return np.asarray(tile.keys).reshape(size, size)
+
+
 def drawn(corners: Array, matrix: Array) -> Array:
-    """Return where the rasterizer draws one triangle, as 0 and 1 over the samples."""
-    mesh = Mesh(corners, np.tile([0.0, 1, 0], (3, 1)), np.array([[0, 1, 2]]))
-    tile = Tile.empty((0, SIZE), SIZE, DepthBuffer.FULL)
-    tile.add(project(mesh, matrix, Canvas(SIZE, SIZE), DEFAULT_CLIP_SPACE), 0)
-    return np.asarray(tile.keys != EMPTY).reshape(SIZE, SIZE).astype(int)
+    """Return the rasterizer's coverage of one triangle, as 0 and 1 over the samples."""
+    return np.asarray(rasterized(corners, matrix) != EMPTY).astype(int)
 
 
 def drawn_flat(corners: Array) -> Array:
-    """Return the same for corners (3, 2) in pixels, with samples at whole numbers."""
+    """Return the rasterizer's coverage for corners (3, 2) in pixels; samples at whole numbers."""
     x, y = (corners.T + 0.5) / (SIZE / 2) - 1
     return drawn(np.stack([x, -y, np.zeros(3)], axis=1), np.eye(4))
 
 
-def filled(corners: Array, inside: Inside, kind: type = np.float64) -> Array:
-    """Return what edge functions cover, whatever the winding, as 0 and 1 over the samples."""
-    x, y = corners.T.astype(kind)
-    frame: Array = FRAME.astype(kind)
-    rows, columns = frame[:, None], frame[None]
-    edges = [
+def _edges(corners: Array, samples: Array) -> list[Array]:
+    """Evaluate the three edge functions at all samples, in the type of the numbers given."""
+    x, y = corners.T
+    rows, columns = samples[:, None], samples[None]
+    return [
         (x[j] - x[i]) * (rows - y[i]) - (y[j] - y[i]) * (columns - x[i])
         for i, j in ((0, 1), (1, 2), (2, 0))
     ]
+
+
+def filled(corners: Array, inside: Inside, dtype: type = np.float64) -> Array:
+    """Return the coverage by edge functions, whatever the winding, as 0 and 1 over the samples."""
+    edges = _edges(corners.astype(dtype), FRAME.astype(dtype))
     front = np.all([inside(edge, 0.0) for edge in edges], axis=0)
     back = np.all([inside(-edge, 0.0) for edge in edges], axis=0)
     return np.asarray(front | back).astype(int)
 
 
 def _in_whole_numbers(corners: Array) -> Array:
-    """Return what edge functions of 64-bit fixed point cover; they wrap around in silence."""
-    x, y = np.rint(corners.T * SUBPIXELS).astype(np.int64)
-    at = (FRAME * SUBPIXELS).astype(np.int64)
-    edges = [
-        (x[j] - x[i]) * (at[:, None] - y[i]) - (y[j] - y[i]) * (at[None] - x[i])
-        for i, j in ((0, 1), (1, 2), (2, 0))
-    ]
+    """Return the coverage by edge functions of 64-bit fixed point, which wrap around silently."""
+    fixed = np.rint(corners * SUBPIXELS).astype(np.int64)
+    edges = _edges(fixed, (FRAME * SUBPIXELS).astype(np.int64))
     return np.asarray(np.all([edge > 0 for edge in edges], axis=0)).astype(int)
 
 
@@ -91,7 +103,7 @@ def _true_samples(end: int) -> Fraction:
 
 
 def _divided_first(corners: Array) -> list[float]:
-    """Divide by w at once, behind the eye too, and fill what comes out."""
+    """Divide by w before clipping, behind the eye too, and fill the result."""
     clip = np.c_[corners, np.ones(3)] @ VIEW.T
     x, y = clip[:, :2].T / clip[:, 3]
     pixels = np.stack([(x + 1) * SIZE / 2 - 0.5, (1 - y) * SIZE / 2 - 0.5], axis=1)
@@ -120,7 +132,7 @@ def once_case(
     reason: str,
     naive: Sequence[tuple[str, Callable[[Array], Array]]],
 ) -> Case:
-    """Return a case of triangles (N, 3, 2) that fill the picture: doubles and gaps must be 0."""
+    """Make a case of triangles (N, 3, 2) that fill the picture: doubles and gaps must be 0."""
 
     def counted(cover: Callable[[Array], Array]) -> Callable[[], list[float]]:
         def count() -> list[float]:

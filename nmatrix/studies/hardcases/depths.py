@@ -1,4 +1,4 @@
-"""D1 to D8: fields of view, near and far, and what depth can tell apart."""
+"""Fields of view, near and far planes, and the gaps that depth can resolve."""
 
 from __future__ import annotations
 
@@ -14,15 +14,13 @@ from nmatrix.enums import DepthRange, Frame
 from nmatrix.linear.affine import compose, rotation, translation_matrix
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
-from nmatrix.linear.rational import RationalMatrix, rational, rational_vector, to_floats
-from nmatrix.raster.triangles.spans import Canvas
-from nmatrix.raster.triangles.vertices import project
-from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
-from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.linear.rational import RationalMatrix, rational_matrix, rational_vector, to_floats
+from nmatrix.raster.triangles.visibility import TRIANGLE_MASK
 from nmatrix.scene.words import DepthBuffer
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
+from nmatrix.studies.hardcases.coverage import rasterized
 
 Array = NDArray[Any]
 NEAR = 0.1
@@ -46,7 +44,7 @@ def _no_field(id_: str, fov: float, reason: str) -> Case:
 
 
 def _wide_field() -> Case:
-    """Take the last float64 before 180°, where 90° − x is rounded, and x is all that counts."""
+    """Take the last float64 before 180°: 90° − x is rounded, and only x counts."""
     fov = 179.99999999999997
     left = (180 - Fraction(fov)) / 2 * Fraction(pi) / 180  # 1/tan(90° − x) = tan x ≈ x + x³/3
     true = left + left**3 / 3
@@ -92,14 +90,12 @@ def _depth_row(
 
 
 def _nearer_wins(distance: float, gap: float, clip: ClipSpace, buffer: DepthBuffer) -> list[float]:
-    """Draw a far and a near wall, the far one first, and return whether the near one is seen."""
+    """Draw a far and then a near wall; 1 if the near one is seen everywhere, else 0."""
     walls = [distance * (1 + gap), distance]
     corners = [[x * z, y * z, -z] for z in walls for x, y in ((-3, -3), (3, -3), (0, 4))]
-    mesh = Mesh(np.array(corners), np.tile([0.0, 0, 1], (6, 1)), np.array([[0, 1, 2], [3, 4, 5]]))
     matrix = np.array(perspective(Angle.degrees(45), 1.0, NEAR, 1e5, clip))
-    tile = Tile.empty((0, 8), 8, buffer)
-    tile.add(project(mesh, matrix, Canvas(8, 8), clip), 0)
-    return [float((tile.keys & TRIANGLE_MASK == 1).all())]
+    keys = rasterized(np.array(corners), matrix, 8, clip, buffer)
+    return [float((keys & TRIANGLE_MASK == 1).all())]
 
 
 def _told_apart(id_: str, distance: float, gap: float) -> Case:
@@ -124,9 +120,9 @@ def _concatenated() -> Case:
     """P·V·M of an object and a camera that are both far away, in float32 and rounded once."""
     far = 2.0**20
     turn = [Angle.degrees(d) for d in (20, 30, 40)]
-    M = rational(to_floats(compose(rotation(turn), (1, 1, 1), translate=(far, 1, -far))))
+    M = rational_matrix(to_floats(compose(rotation(turn), (1, 1, 1), translate=(far, 1, -far))))
     V = translation_matrix((-far, 0, far - 5))
-    P = rational(perspective(Angle.degrees(30), 1.0, NEAR, inf))
+    P = rational_matrix(perspective(Angle.degrees(30), 1.0, NEAR, inf))
     point = (0.25, 0.5, -0.125)
     maps = ExactMaps(
         Transform(Frame.WORLD, Frame.OBJECT, M),

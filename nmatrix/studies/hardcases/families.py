@@ -1,4 +1,4 @@
-"""Directed random cases: inputs made to be hard, the same again for the same seed."""
+"""Directed random cases: inputs made to be hard, reproducible by their seed."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ NAMES = (*NORMAL_FAMILIES, GRID)
 
 
 def random_cases(count: int, seed: int) -> tuple[Case, ...]:
-    """Return so many cases, the families in turn; the first ones do not depend on the count.
+    """Generate so many cases, the families in turn; the first ones do not depend on the count.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""M1, M4 to M6: the mistakes that teaching material makes."""
+"""The mistakes that teaching material makes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Frame, Handedness, NormalRule
-from nmatrix.linear.rational import rational
+from nmatrix.linear.rational import rational_matrix
 from nmatrix.linear.view import look_at
 from nmatrix.spaces.transform import Transform
 from nmatrix.studies.hardcases.affine import by_rule
@@ -37,7 +37,9 @@ def _rule_case(id_: str, title: str, rule: NormalRule, M: Array, reason: str) ->
 
 
 def _light_case() -> Case:
-    V = rational(look_at((0, 0, 5), (0, 0, 0), (0, 1, 0), Handedness.RIGHT).camera_from_world)
+    V = rational_matrix(
+        look_at((0, 0, 5), (0, 0, 0), (0, 1, 0), Handedness.RIGHT).camera_from_world
+    )
     M = np.array([[1.0, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
     floats = np.array([[float(x) for x in row] for row in V])
     return Case(

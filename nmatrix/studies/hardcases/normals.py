@@ -1,4 +1,4 @@
-"""N1 to N18: normals through maps that stretch, mirror, flatten, and leave the range of floats."""
+"""Normals through maps that stretch, mirror, flatten, and leave the range of floats."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nmatrix.linear.affine import compose, rotation
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import linear, product, to_floats
+from nmatrix.linear.rational import linear_part, product, to_floats
 from nmatrix.studies.hardcases.case import Case, Contestant, spelled
 from nmatrix.studies.hardcases.oracle import exact_rows, true_normal
 from nmatrix.studies.methods import METHODS, Method
@@ -25,7 +25,7 @@ PLAIN: Vector = (1.0, 2.0, 3.0)
 
 
 def normal_case(id_: str, title: str, A: Array, n: Vector, reason: str) -> Case:
-    """Return a case whose answer is the exact normal of the floats given."""
+    """Make a case whose answer is the exact normal for the floats given."""
     return Case(
         id_,
         title,
@@ -38,7 +38,7 @@ def normal_case(id_: str, title: str, A: Array, n: Vector, reason: str) -> Case:
 
 
 def contestant(one: Method, A: Array, n: Vector) -> Contestant:
-    """Return a method on one matrix and one normal; ours says None where there is no normal."""
+    """Make a contestant of a method on one matrix and normal; ours says None for no normal."""
 
     def compute() -> Vector | None:
         found = tuple(one.normals(A[None], np.array([n]))[0].tolist())
@@ -53,13 +53,13 @@ def ours(A: Array, n: Vector) -> tuple[Contestant, ...]:
 
 
 def _turned(*scale: float | Fraction) -> Array:
-    """Return turn · scale · another turn, rounded once: axes that are nobody's."""
+    """Return rotation · scale · another rotation, rounded once: no axis stays where it is."""
     first = rotation([Angle.degrees(25), Angle.degrees(40), Angle.degrees(15)])
     block = compose(first, scale)
     second = compose(
         rotation([Angle.degrees(35), Angle.degrees(-20), Angle.degrees(50)]), (1, 1, 1)
     )
-    return np.array(to_floats(linear(product(block, second))))
+    return np.array(to_floats(linear_part(product(block, second))))
 
 
 def _smallest(A: Array) -> Vector:

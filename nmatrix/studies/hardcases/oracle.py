@@ -18,7 +18,7 @@ ROOT_BITS = 200
 
 
 def exact_rows(rows: Iterable[Iterable[float]]) -> list[list[Fraction]]:
-    """Return floats as the fractions that they are."""
+    """Convert floats to fractions, exactly."""
     return [[Fraction(entry) for entry in row] for row in rows]
 
 

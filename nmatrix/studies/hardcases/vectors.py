@@ -1,8 +1,8 @@
-"""V1 to V4 and E7: lengths, angles, and vectors without a direction."""
+"""Lengths, angles, and vectors without a direction."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import acos, atan2, sqrt
 
@@ -16,6 +16,17 @@ from nmatrix.studies.hardcases.oracle import root
 Vector = tuple[float, float, float]
 
 EASY: Vector = (3.0, 4.0, 12.0)
+BY_NORM = "v / np.linalg.norm(v)"
+
+
+def _normalising(
+    v: Sequence[float], asked: Callable[[Sequence[float]], Sequence[float]] = tuple
+) -> tuple[Contestant, ...]:
+    """Normalise a vector in both ways, and take from the result what is asked of it."""
+    return (
+        own("normalize", lambda: asked(normalize(v))),
+        Contestant(BY_NORM, lambda: asked(_by_norm(v))),
+    )
 
 
 def _zero_vector(id_: str, title: str) -> Case:
@@ -25,10 +36,7 @@ def _zero_vector(id_: str, title: str) -> Case:
         "(0, 0, 0)",
         None,
         "it has no direction, and must say so",
-        (
-            own("normalize", lambda: normalize((0.0, 0.0, 0.0))),
-            Contestant("v / np.linalg.norm(v)", lambda: _by_norm((0, 0, 0))),
-        ),
+        _normalising((0.0, 0.0, 0.0)),
     )
 
 
@@ -41,10 +49,7 @@ def _length_case(id_: str, scale: float) -> Case:
         f"(3, 4, 12) · {scale!r}",
         true,
         "its square leaves the floats, its direction does not",
-        (
-            own("normalize", lambda: normalize(v)),
-            Contestant("v / np.linalg.norm(v)", lambda: _by_norm(v)),
-        ),
+        _normalising(v),
         is_direction=True,
     )
 
@@ -62,15 +67,12 @@ def _length_error(id_: str, scale: float) -> Case:
         f"(3, 4, 12) · {scale:g}",
         exactly(1),
         "subnormal squares are inexact without a sign of it",
-        (
-            own("normalize", lambda: [sqrt(sum(x * x for x in normalize(v)))]),
-            Contestant("v / np.linalg.norm(v)", lambda: [sqrt(sum(x * x for x in _by_norm(v)))]),
-        ),
+        _normalising(v, lambda unit: [sqrt(sum(x * x for x in unit))]),
     )
 
 
 def _arctangent(x: Fraction) -> Fraction:
-    """Return atan x for a small x, by its series."""
+    """Compute atan x for a small x by its series."""
     return x - x**3 / 3 + x**5 / 5
 
 
@@ -90,7 +92,7 @@ def _angle_case(id_: str, size: float) -> Case:
 
 
 def _slanted_angle() -> Case:
-    """V3 for a pair off the axes, where the half-angle form is only absolutely accurate."""
+    """Make a case of vectors off the axes, where half-angle forms are only absolutely accurate."""
     size = 2.0**-46
     a = (1.0, 2.0, 3.0)
     b = (1.0 + 2 * size, 2.0 - size, 3.0)  # a + size · (2, −1, 0), and (2, −1, 0) ⟂ a
@@ -128,7 +130,7 @@ def _interpolated() -> Case:
         "what is left is rounding, and normalising makes a direction of it",
         (
             own("unit, with a shortest length", ours),
-            Contestant("v / np.linalg.norm(v)", lambda: _by_norm(middle[0])),
+            Contestant(BY_NORM, lambda: _by_norm(middle[0])),
         ),
     )
 

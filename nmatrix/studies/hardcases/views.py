@@ -1,4 +1,4 @@
-"""E1 to E6: views along up, and eyes far away."""
+"""Views along up, and eyes far away."""
 
 from __future__ import annotations
 
@@ -85,15 +85,15 @@ def _no_view() -> Case:
 
 
 def _eye_case(id_: str, far: float) -> Case:
-    turn = rational.linear(
-        rational.rational(
+    turn = rational.linear_part(
+        rational.rational_matrix(
             to_floats(compose(rotation([Angle.degrees(d) for d in (20, 30, 40)]), (1, 1, 1)))
         )
     )
-    M = rational.affine(turn, rational_vector((far, far, far)))
+    M = rational.affine_matrix(turn, rational_vector((far, far, far)))
     eye = tuple(far + x for x in (3.0, -2.0, 1.0))
     place = Transform(Frame.WORLD, Frame.OBJECT, M)
-    V = rational.rational(
+    V = rational.rational_matrix(
         look_at(eye, (far, far, far), UPRIGHT, Handedness.RIGHT).camera_from_world
     )
     camera = Transform(Frame.CAMERA, Frame.WORLD, V)
@@ -126,7 +126,7 @@ def _eye_case(id_: str, far: float) -> Case:
 
 
 def _orbit() -> Case:
-    """E4: straight up, where up × forward is zero; right follows from the azimuth."""
+    """Look straight up, where up × forward is zero; the azimuth still gives right."""
     turn = Angle.degrees(30)
 
     def ours() -> list[float]:

@@ -14,7 +14,7 @@ from nmatrix.enums import Convention
 from nmatrix.linear import rational as exact
 from nmatrix.linear.affine import AXES, rotation_about
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import affine, apply, rational
+from nmatrix.linear.rational import affine_matrix, apply, rational_matrix
 from nmatrix.report import Number, Vector
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.setup import Light, Setup
@@ -125,8 +125,8 @@ def _reordered_views(view: View, angles: FirstPerson) -> Iterator[View]:
         "Y": sideways if view.convention is Convention.POLIMI else -sideways,
     }
     about = {axis: rotation_about(axis, turn) for axis, turn in turns.items()}
-    eye = rational((view.eye,))[0]
+    eye = rational_matrix((view.eye,))[0]
     for order in permutations("ZXY"):
         turned = exact.product(*(about[axis] for axis in order))
         moved = apply(turned, eye)
-        yield replace(view, angles=None, matrix=affine(turned, tuple(-x for x in moved)))
+        yield replace(view, angles=None, matrix=affine_matrix(turned, tuple(-x for x in moved)))

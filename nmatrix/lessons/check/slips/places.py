@@ -11,11 +11,11 @@ from nmatrix.enums import Space
 from nmatrix.lessons.check.question import Question, Setting, Subject
 from nmatrix.linear.rational import (
     RationalMatrix,
-    affine,
+    affine_matrix,
     apply,
     determinant,
     inverse,
-    linear,
+    linear_part,
     product,
     translation,
     transpose,
@@ -28,7 +28,7 @@ def used_world_matrix(question: Question, right: Setting) -> Setting | None:
     """Move a light or the eye by M; into object space a symmetric M is the course's own rule."""
     if question.subject not in LIGHTING:
         return None
-    A = linear(right.world_from_object)
+    A = linear_part(right.world_from_object)
     if question.is_direction and question.space is Space.OBJECT and transpose(A) == A:
         return None
     return replace(right, space_from_world=right.world_from_object)
@@ -86,19 +86,19 @@ _STILL = (Space.WORLD, Space.STATIC)
 
 def _moved_last(T_A: RationalMatrix) -> RationalMatrix:
     """Return A·T of the matrix T·A: its translation becomes A t."""
-    block = linear(T_A)
-    return affine(block, apply(block, translation(T_A)))
+    block = linear_part(T_A)
+    return affine_matrix(block, apply(block, translation(T_A)))
 
 
 def _moved_first(R_T: RationalMatrix) -> RationalMatrix:
     """Return T·R of the matrix R·T: its translation, R t, becomes t."""
-    block = linear(R_T)
-    return affine(block, apply(inverse(block), translation(R_T)))
+    block = linear_part(R_T)
+    return affine_matrix(block, apply(inverse(block), translation(R_T)))
 
 
 def _invertible(setting: Setting) -> Setting | None:
     """Return the setting with S inverted, if it can be."""
     S = setting.space_from_world
-    if determinant(linear(S)) == 0:
+    if determinant(linear_part(S)) == 0:
         return None
     return replace(setting, space_from_world=inverse(S))

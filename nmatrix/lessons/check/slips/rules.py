@@ -12,11 +12,11 @@ from nmatrix.linear.rational import (
     apply,
     determinant,
     inverse_transpose,
-    linear,
+    linear_part,
     rational_vector,
 )
 from nmatrix.linear.rounding import integers, over_root
-from nmatrix.linear.rules import Carrier, carrier
+from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.report import Vector
 
 NORMAL_RULES = {
@@ -37,19 +37,19 @@ def by_normal_rule(mistake: MistakeId, question: Question, by: Setting) -> Ratio
         return None
     if rule is NormalRule.FOUR_COMPONENT and not question.unit:
         return None  # the length is all that is wrong with it
-    if rule is NormalRule.COFACTOR and determinant(linear(by.space_from_object)) > 0:
+    if rule is NormalRule.COFACTOR and determinant(linear_part(by.space_from_object)) > 0:
         return None  # without a mirror the sign is right
-    found = carrier(rule, by.space_from_object)
+    found = normal_transform(rule, by.space_from_object)
     if found is None:
         return None
     if question.normal is None:
-        return linear(found.matrix)
+        return linear_part(found.matrix)
     return _carried(found, question.normal)
 
 
 def course_light_rule(question: Question, by: Setting) -> RationalMatrix | None:
     """Return the light direction by the inverse transpose of S."""
-    B = linear(by.space_from_world)
+    B = linear_part(by.space_from_world)
     if not _is_light_direction(question) or determinant(B) == 0:
         return None
     return ((*apply(inverse_transpose(B), light_vector(question)[:3]), ZERO),)
@@ -66,9 +66,8 @@ def _is_light_direction(question: Question) -> bool:
     return question.light is LightPart.DIRECTION
 
 
-def _carried(found: Carrier, normal: Vector) -> RationalMatrix:
-    n = rational_vector(normal)
-    moved = apply(found.matrix, (*n, ONE if found.w else ZERO))
+def _carried(found: NormalTransform, normal: Vector) -> RationalMatrix:
+    moved = found.applied_to(rational_vector(normal))
     if found.components == 3:
         return (moved,)
     numbers, _ = integers(moved)

@@ -1,4 +1,4 @@
-"""R7 to R10, M3: weights, depth and light at one sample."""
+"""Weights, depth and light at one sample."""
 
 from __future__ import annotations
 
@@ -10,19 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Reflection
-from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight
 from nmatrix.raster.shading.space import Measure
 from nmatrix.raster.triangles.fragments import exact_weights
 from nmatrix.raster.triangles.run_expansion import RunExpansion
-from nmatrix.raster.triangles.spans import Canvas
-from nmatrix.raster.triangles.vertices import project
-from nmatrix.raster.triangles.visibility import STEPS, TRIANGLE_BITS, Tile
+from nmatrix.raster.triangles.visibility import STEPS, TRIANGLE_BITS
 from nmatrix.scene.material import Material, grey
-from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.words import DepthBuffer
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
-from nmatrix.studies.hardcases.coverage import SIZE, VIEW
+from nmatrix.studies.hardcases.coverage import SIZE, VIEW, rasterized
 from nmatrix.studies.hardcases.oracle import exact_rows, root, solve
 
 Array = NDArray[Any]
@@ -44,10 +40,7 @@ SAMPLE = (40, 32)  # row and column
 
 
 def _depth_drawn() -> list[float]:
-    mesh = Mesh(SLOPED, np.tile([0.0, 0, 1], (3, 1)), np.array([[0, 1, 2]]))
-    tile = Tile.empty((0, SIZE), SIZE, DepthBuffer.FULL)
-    tile.add(project(mesh, VIEW, Canvas(SIZE, SIZE), DEFAULT_CLIP_SPACE), 0)
-    code = int(tile.keys.reshape(SIZE, SIZE)[SAMPLE]) >> TRIANGLE_BITS
+    code = int(rasterized(SLOPED, VIEW)[SAMPLE]) >> TRIANGLE_BITS
     return [code / STEPS[DepthBuffer.FULL]]
 
 
@@ -62,7 +55,7 @@ def _true_depth() -> tuple[Fraction, ...]:
 
 
 def _depth_in_perspective() -> list[float]:
-    """Weigh depth as perspective weighs what vertices say."""
+    """Interpolate depth with perspective weights, as attributes of vertices are."""
     row, column = SAMPLE
     clip = np.c_[SLOPED, np.ones(3)] @ VIEW.T
     x, y, z = (clip[:, :3] / clip[:, 3:]).T
@@ -104,7 +97,7 @@ NORMAL, TO_LIGHT = np.array([1.0, 1.0, 0.0]), np.array([0.3, 0.9, 0.2])
 
 
 def _lit_in_object_space() -> list[float]:
-    """Return n·l where the picture computes it: in object space, measured by its metric."""
+    """Return n·l as the renderer computes it in object space, by the metric."""
     metric = Measure(SQUEEZED, np.linalg.inv(SQUEEZED).T)
     n = NORMAL[:, None] / metric.normal_length(NORMAL[:, None])
     to_light = np.linalg.solve(SQUEEZED, TO_LIGHT)[:, None]

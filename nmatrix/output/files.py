@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 
 
 def refuse_existing(paths: Sequence[Path], *, force: bool) -> None:
@@ -25,7 +25,9 @@ def refuse_existing(paths: Sequence[Path], *, force: bool) -> None:
             raise _exists(path)
         if not path.parent.is_dir():
             raise IllegalValueError(
-                f"{path}", f"there is no folder {path.parent}", "choose another one with -o"
+                f"{path}",
+                f"there is no folder {path.parent}",
+                f"choose another one with {quantity('output')}",
             )
 
 
@@ -35,10 +37,14 @@ def _is_taken(path: Path) -> bool:
 
 
 def _exists(path: Path) -> IllegalValueError:
-    return IllegalValueError(f"{path}", "the file exists", "use --force, or -o with another name")
+    return IllegalValueError(
+        f"{path}",
+        "the file exists",
+        f"use {quantity('force')}, or {quantity('output')} with another name",
+    )
 
 
-def write_file(path: Path, content: bytes, *, force: bool) -> None:
+def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
     """Write a file under a temporary name beside its place, then rename it.
 
     A device or a pipe is written to, not replaced.
@@ -65,5 +71,7 @@ def write_file(path: Path, content: bytes, *, force: bool) -> None:
             raise
     except OSError as error:
         raise IllegalValueError(
-            f"{path}", f"it cannot be written ({error.strerror})", "choose another folder with -o"
+            f"{path}",
+            f"it cannot be written ({error.strerror})",
+            f"choose another folder with {quantity('output')}",
         ) from None

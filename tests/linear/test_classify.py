@@ -1,18 +1,18 @@
-"""The condition and the worst angle against a singular value decomposition of many digits."""
+"""Kinds of maps: the condition and the worst angle against decompositions of many digits."""
 
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
 from fractions import Fraction
 from math import inf, nextafter
 
 import mpmath
 import pytest
 
-from nmatrix.linear.arctangent import angle_between, arctangent
+from nmatrix.linear.classify import condition, worst_angle_deg
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import nearest
-from nmatrix.linear.spectrum import condition, worst_angle_deg
 
 DIGITS = 1500
 
@@ -58,17 +58,32 @@ def test_a_uniform_scale_bends_nothing() -> None:
     assert worst_angle_deg(LinearMap.of([[0, 3, 0], [3, 0, 0], [0, 0, -3]])) == 0.0
 
 
-def test_arctangents_and_angles_are_right_to_the_last_bit_kept() -> None:
-    numbers = random.Random(4)
-    with mpmath.workdps(400):
-        for _ in range(300):
-            t = Fraction(2) ** numbers.randint(-900, 900) * Fraction(numbers.random() + 0.5)
-            assert abs(exact(arctangent(t)) / mpmath.atan(exact(t)) - 1) < mpmath.mpf(2) ** -130
-        for _ in range(300):
-            a, b = ([numbers.randint(-99, 99) or 1 for _ in range(3)] for _ in range(2))
-            c = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-            sine = mpmath.sqrt(sum(x * x for x in c))
-            angle = mpmath.atan2(sine, sum(x * y for x, y in zip(a, b, strict=True)))
-            found = angle_between(a, b)
-            assert abs(exact(found) - angle) <= mpmath.mpf(2) ** -130 * angle
-            assert nearest(found) == float(angle)
+NARROW = """
+import decimal, runpy, sys
+wide = decimal.Context
+decimal.MAX_PREC = decimal.MAX_EMAX = 425_000_000
+decimal.MIN_EMIN = -425_000_000
+
+def narrow(*values, **given):
+    found = wide(*values, **given)
+    limits = decimal.MAX_PREC, decimal.MAX_EMAX, -decimal.MIN_EMIN
+    if any(a > b for a, b in zip((found.prec, found.Emax, -found.Emin), limits)):
+        raise ValueError("valid values are those of 32 bits")
+    return found
+
+decimal.Context = narrow
+try:
+    runpy.run_module("nmatrix", run_name="__main__", alter_sys=True)
+except SystemExit as left:
+    sys.exit(left.code)
+"""
+
+
+@pytest.mark.parametrize(
+    "line", ["world --scale 1 2 1", "normal 2,0,0,0,1,0,0,0,1", "derive nonuniform --scale 1 2 1"]
+)
+def test_commands_run_where_decimals_have_the_limits_of_32_bits(line: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", NARROW, *line.split()], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr

@@ -1,8 +1,7 @@
-"""The camera, the materials and the settings of a scene file."""
+"""How a scene file is drawn: its camera, its materials and its settings."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,44 +11,44 @@ from nmatrix.errors import NMatrixError
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.material import AMBIENT_SHARE, CHECKER, Colour, Material
+from nmatrix.scene.material import AMBIENT_SHARE, CHECKER, Colour, Material, colour
 from nmatrix.scene.scene import Fog, Settings
-from nmatrix.scene.toml.faults import Place, converted
-from nmatrix.scene.toml.lights import colour
-from nmatrix.scene.toml.objects import matrix_of
 from nmatrix.scene.toml.records import CameraRecord, FogRecord, MaterialRecord, RenderRecord
+from nmatrix.scene.toml.table import SceneTable
 from nmatrix.scene.words import DepthBuffer, Sides
 
 SIDES = {None: Sides.AS_NEEDED, True: Sides.BOTH, False: Sides.FRONT}
 
 
-def camera(place: Place, aspect: float) -> tuple[View, Lens]:
-    """Return where the camera is and how it projects; `aspect` is the picture's.
+def camera(table: SceneTable, aspect: float) -> tuple[View, Lens]:
+    """Return the camera and its lens; `aspect` is the picture's.
 
     Raises
     ------
     IllegalValueError
         For contradictions, an eye that is its target, distances out of order.
     """
-    record = converted(place, CameraRecord)
-    view, lens = _view(place, record), _lens(place, record, aspect)
-    _check_distances(place, record)
+    record = table.checked(CameraRecord)
+    view, lens = _view(table, record), _lens(table, record, aspect)
+    _check_distances(table, record)
     try:
         view.placed()
         _ = lens.clip_from_camera
     except NMatrixError as error:
-        raise place.refused("the camera", str(error).replace("--", ""), "") from None
+        raise table.refused("the camera", str(error), "") from None
     return view, lens
 
 
-def _view(place: Place, record: CameraRecord) -> View:
-    angles = [key for key in ("elevation", "angle", "roll") if key in place.raw]
+def _view(table: SceneTable, record: CameraRecord) -> View:
+    angles = [key for key in ("elevation", "angle", "roll") if key in table.raw]
     if angles:
-        _refuse(place, angles[0], ("target", "up"), "both say where to look")
+        table.refuse_beside(angles[0], ("target", "up"), "both say where to look")
         if record.handed is Handedness.LEFT:
-            _refuse(place, angles[0], ("handed",), "the angles are for a camera that looks down −z")
+            table.refuse_beside(
+                angles[0], ("handed",), "the angles are for a camera that looks down −z"
+            )
     elif record.convention is not Convention.STANDARD:
-        raise place.fault("convention", "it is about elevation and angle", "add them")
+        raise table.fault("convention", "it is about elevation and angle", "add them")
     turned = FirstPerson(record.elevation or 0.0, record.angle or 0.0, record.roll or 0.0)
     return View(
         eye=record.eye or View.eye,
@@ -61,11 +60,11 @@ def _view(place: Place, record: CameraRecord) -> View:
     )
 
 
-def _lens(place: Place, record: CameraRecord, aspect: float) -> Lens:
+def _lens(table: SceneTable, record: CameraRecord, aspect: float) -> Lens:
     if record.ortho is not None:
-        _refuse(place, "ortho", ("fov", "aspect", "frustum"), "both shape the view")
+        table.refuse_beside("ortho", ("fov", "aspect", "frustum"), "both shape the view")
     if record.frustum is not None:
-        _refuse(place, "frustum", ("fov", "aspect"), "both shape the view")
+        table.refuse_beside("frustum", ("fov", "aspect"), "both shape the view")
     return Lens(
         fov_degrees=record.fov or Lens.fov_degrees,
         aspect=record.aspect or aspect,
@@ -77,21 +76,15 @@ def _lens(place: Place, record: CameraRecord, aspect: float) -> Lens:
     )
 
 
-def _check_distances(place: Place, record: CameraRecord) -> None:
+def _check_distances(table: SceneTable, record: CameraRecord) -> None:
     if record.ortho is None and record.near <= 0:
-        raise place.fault("near", "a perspective view needs it above 0", "try near = 0.1")
+        raise table.fault("near", "a perspective view needs it above 0", "try near = 0.1")
     if record.near >= record.far:
-        key = "far" if "far" in place.raw else "near"
-        raise place.fault(key, f"near is {record.near:g} and far is {record.far:g}", "swap them")
+        key = "far" if "far" in table.raw else "near"
+        raise table.fault(key, f"near is {record.near:g} and far is {record.far:g}", "swap them")
 
 
-def _refuse(place: Place, key: str, others: Sequence[str], because: str) -> None:
-    beside = [other for other in others if other in place.raw]
-    if beside:
-        raise place.refused(f"{key} with {', '.join(beside)}", because, "keep one of them")
-
-
-def material(place: Place, name: str) -> Material:
+def material(table: SceneTable, name: str) -> Material:
     """Return a material.
 
     Raises
@@ -99,20 +92,20 @@ def material(place: Place, name: str) -> Material:
     IllegalValueError
         For levels out of bounds and for images that are missing.
     """
-    record = converted(place, MaterialRecord)
-    found = Material(
+    record = table.checked(MaterialRecord)
+    own = Material(
         name=name,
         shininess=record.shininess,
         reflection=record.reflection,
         opacity=record.opacity,
-        texture=_texture(place, record),
-        normal_map=None if record.normal_map is None else place.file("normal_map"),
+        texture=_texture(table, record),
+        normal_map=None if record.normal_map is None else table.file("normal_map"),
         toon_steps=record.toon_steps,
         outline=record.outline,
         vertex_colours=record.vertex_colours,
         sides=SIDES[record.two_sided],
     )
-    return replace(found, **_colours(record))
+    return replace(own, **_colours(record))
 
 
 def _colours(record: MaterialRecord) -> dict[str, Any]:
@@ -128,24 +121,24 @@ def _colours(record: MaterialRecord) -> dict[str, Any]:
     return given
 
 
-def _texture(place: Place, record: MaterialRecord) -> Path | str | None:
-    return record.texture if record.texture in (None, CHECKER) else place.file("texture")
+def _texture(table: SceneTable, record: MaterialRecord) -> Path | str | None:
+    return record.texture if record.texture in (None, CHECKER) else table.file("texture")
 
 
-def settings(place: Place) -> Settings:
-    """Return how the scene is drawn.
+def settings(table: SceneTable) -> Settings:
+    """Return the settings of the table [render].
 
     Raises
     ------
     IllegalValueError
         For values out of bounds, and a space matrix without its space.
     """
-    fog = converted(place.inner("fog"), FogRecord) if _holds_table(place, "fog") else None
-    record = converted(place, RenderRecord)
+    fog = table.inner("fog").checked(FogRecord) if _holds_table(table, "fog") else None
+    record = table.checked(RenderRecord)
     if record.space_matrix is None and record.space is Space.CUSTOM:
-        raise place.fault("space", "it needs its matrix", "add space_matrix")
+        raise table.fault("space", "it needs its matrix", "add space_matrix")
     if record.space_matrix is not None and record.space is not Space.CUSTOM:
-        raise place.refused(
+        raise table.refused(
             f"space_matrix with space {record.space}",
             "only custom space takes a matrix",
             'write space = "custom"',
@@ -155,24 +148,24 @@ def settings(place: Place) -> Settings:
         space=record.space,
         space_matrix=None
         if record.space_matrix is None
-        else matrix_of(place, "space_matrix", record.space_matrix),
+        else table.affine_matrix("space_matrix", record.space_matrix),
         shading=record.shading,
         size=record.size,
         samples=record.samples,
         background=background,
-        fog=None if fog is None else _fog(place.inner("fog"), fog, background),
+        fog=None if fog is None else _fog(table.inner("fog"), fog, background),
         gamma=record.gamma,
         depth=DepthBuffer(str(record.depth_bits)),
         shadow_map=record.shadow_map,
     )
 
 
-def _holds_table(place: Place, key: str) -> bool:
-    return isinstance(place.raw, dict) and isinstance(place.raw.get(key), dict)
+def _holds_table(table: SceneTable, key: str) -> bool:
+    return isinstance(table.raw, dict) and isinstance(table.raw.get(key), dict)
 
 
-def _fog(place: Place, record: FogRecord, background: Colour) -> Fog:
+def _fog(table: SceneTable, record: FogRecord, background: Colour) -> Fog:
     if record.start >= record.end:
-        raise place.fault("start", f"it is not before the end, {record.end:g}", "swap them")
+        raise table.fault("start", f"it is not before the end, {record.end:g}", "swap them")
     own = background if record.color is None else colour(record.color)
     return Fog(own, record.start, record.end)

@@ -1,17 +1,34 @@
-"""The rows of a study: what was measured, which of them nobody beats, and what answers a wish."""
+"""What a study measured: methods in settings, the Pareto front, and the best row for a target."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 from math import inf
 
 from nmatrix.studies.harness import Ratio
 
 
+class Study(StrEnum):
+    """The studies of `nmatrix cost`."""
+
+    NORMALS = "normals"
+    SHADING = "shading"
+    SPACES = "spaces"
+
+
+class Unit(StrEnum):
+    """The unit of a study's errors."""
+
+    RADIANS = "rad"
+    LEVELS = "levels"
+    MULTIPLICATIONS = "multiplications a vertex"
+
+
 @dataclass(frozen=True)
-class Row:
-    """One method in one setting.
+class Measurement:
+    """One row of a study: the error and the time of one method in one setting.
 
     `error` is None where there is no error to speak of; `failures` counts wrong answers: not a
     number, zero, flipped, or undefined and not reported. `more` are further figures by name. Rows
@@ -21,7 +38,7 @@ class Row:
     method: str
     setting: str
     error: float | None
-    unit: str
+    unit: Unit
     timing: Ratio
     failures: int = 0
     on_front: bool = False
@@ -29,21 +46,32 @@ class Row:
 
     @property
     def rank(self) -> tuple[int, float]:
-        """Return how bad it is: failures first, then the error."""
+        """Sort key by badness: failures first, then the error."""
         return self.failures, inf if self.error is None else self.error
 
 
-Task = Callable[[], Row]  # one row still to be measured
+Task = Callable[[], Measurement]  # one row still to be measured
 
 
-def with_fronts(rows: Sequence[Row]) -> tuple[Row, ...]:
+def by_setting(rows: Sequence[Measurement]) -> dict[str, list[Measurement]]:
+    """Group rows by their setting, in order of appearance; within a setting the fastest first."""
+    found: dict[str, list[Measurement]] = {}
+    for row in rows:
+        found.setdefault(row.setting, []).append(row)
+    for group in found.values():
+        group.sort(key=lambda row: row.timing.ratio)
+    return found
+
+
+def with_fronts(rows: Sequence[Measurement]) -> tuple[Measurement, ...]:
     """Mark in each setting the rows that no other beats in both time and error.
 
     Examples
     --------
-    >>> fast, slow, worse = (Ratio(t, t, t, t) for t in (1.0, 2.0, 3.0))
-    >>> rows = [Row("a", "s", 9, "rad", fast), Row("b", "s", 1, "rad", slow)]
-    >>> rows.append(Row("c", "s", 5, "rad", worse))
+    >>> fast, slow, slower = (Ratio(t, t, t, t) for t in (1.0, 2.0, 3.0))
+    >>> rows = [Measurement("a", "s", 9, Unit.RADIANS, fast),
+    ...         Measurement("b", "s", 1, Unit.RADIANS, slow),
+    ...         Measurement("c", "s", 5, Unit.RADIANS, slower)]
     >>> [row.on_front for row in with_fronts(rows)]
     [True, True, False]
     """
@@ -56,13 +84,13 @@ def with_fronts(rows: Sequence[Row]) -> tuple[Row, ...]:
     )
 
 
-def _beats(a: Row, b: Row) -> bool:
+def _beats(a: Measurement, b: Measurement) -> bool:
     times = a.timing.ratio, b.timing.ratio  # seconds drift between the rows of a study
     no_worse = times[0] <= times[1] and a.rank <= b.rank
     return no_worse and (times[0] < times[1] or a.rank < b.rank)
 
 
-def overall(rows: Sequence[Row]) -> tuple[Row, ...]:
+def overall(rows: Sequence[Measurement]) -> tuple[Measurement, ...]:
     """Return one row for each method: its worst error and longest time over all its settings.
 
     Who asks for an accuracy does not know which matrices will come.
@@ -77,13 +105,30 @@ def overall(rows: Sequence[Row]) -> tuple[Row, ...]:
     return with_fronts(found)
 
 
-def cheapest(rows: Sequence[Row], tolerance: float) -> Row | None:
+@dataclass(frozen=True)
+class Target:
+    """What is asked of a study: an error that is good enough, a time budget, or neither.
+
+    `tolerance` is in the study's own unit; `seconds` are for one call of what was timed.
+    """
+
+    tolerance: float | None = None
+    seconds: float | None = None
+
+    def met_by(self, rows: Sequence[Measurement]) -> Measurement | None:
+        """Return the cheapest row within the tolerance, or the most accurate within the budget."""
+        if self.tolerance is not None:
+            return cheapest(rows, self.tolerance)
+        return None if self.seconds is None else most_accurate(rows, self.seconds)
+
+
+def cheapest(rows: Sequence[Measurement], tolerance: float) -> Measurement | None:
     """Return the fastest row without failures whose error is within a tolerance."""
     good = [r for r in rows if not r.failures and r.error is not None and r.error <= tolerance]
     return min(good, key=lambda row: row.timing.ratio, default=None)
 
 
-def most_accurate(rows: Sequence[Row], seconds: float) -> Row | None:
+def most_accurate(rows: Sequence[Measurement], seconds: float) -> Measurement | None:
     """Return the most accurate row that takes no longer than so many seconds."""
     return min(
         (row for row in rows if row.timing.seconds <= seconds),

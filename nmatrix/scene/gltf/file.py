@@ -1,4 +1,4 @@
-"""glTF 2.0, read by its own rules: nodes, hierarchy, meshes; cycles and bad numbers are errors.
+"""A glTF 2.0 file, read by its own rules: nodes in their hierarchy, buffers, images.
 
 Files are `.gltf` (JSON, with buffers beside it or inside) or `.glb` (one container). World
 matrices are exact products of the local ones, rounded once at each node.
@@ -11,6 +11,7 @@ import binascii
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import isfinite
 from pathlib import Path
 from urllib.parse import unquote
@@ -19,13 +20,13 @@ import msgspec
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.affine import compose, rotation_from_quaternion
-from nmatrix.linear.rational import RationalMatrix, identity, product, rational, to_floats
+from nmatrix.linear.rational import RationalMatrix, identity, product, rational_matrix, to_floats
 from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 LONGEST_URI = 200
 UNIT_SLACK = 1e-6
-NAMED = 5  # nodes that a remark names
+MOST_NAMED = 5  # nodes that a remark names
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,8 @@ class Node:
 
 
 @dataclass(frozen=True, eq=False)
-class GltfScene:
-    """A file that was read: nodes in the file's order, and its bytes for the meshes."""
+class GltfFile:
+    """A file that was read: nodes in the file's order, and its bytes for meshes and images."""
 
     path: Path
     document: Document
@@ -49,8 +50,61 @@ class GltfScene:
     nodes: tuple[Node, ...]
     remarks: tuple[str, ...]
 
+    def fault(self, why: str, next_step: str = "export it again") -> IllegalValueError:
+        """Return the error for this file."""
+        return IllegalValueError(f"{self.path}", why, next_step)
 
-def read_gltf(path: Path) -> GltfScene:
+    @cached_property
+    def _buffers(self) -> dict[int, bytes]:
+        return {}
+
+    def buffer(self, index: int) -> bytes:
+        """Return the bytes of a buffer: embedded, beside the file, or the container's own.
+
+        They are read once, however many accessors look into them.
+
+        Raises
+        ------
+        IllegalValueError
+            If the buffer is missing or too short.
+        """
+        if index in self._buffers:
+            return self._buffers[index]
+        buffers = self.document.buffers
+        if not 0 <= index < len(buffers):
+            raise self.fault(f"buffer {index} does not exist", "mend the file")
+        record = buffers[index]
+        content = self.binary if record.uri is None else _from_uri(self.path, record.uri)
+        if len(content) < record.byte_length:
+            raise IllegalValueError(
+                f"{self.path} (buffer {index})",
+                f"it has {len(content)} bytes and needs {record.byte_length}",
+                "copy the file again",
+            )
+        self._buffers[index] = content
+        return content
+
+    def image(self, record: ImageRecord) -> bytes:
+        """Return the bytes of an image that the file holds itself.
+
+        Raises
+        ------
+        IllegalValueError
+            If they are missing or cut short.
+        """
+        if record.uri is not None:
+            return _from_uri(self.path, record.uri)
+        views = self.document.buffer_views
+        if record.buffer_view is None or not 0 <= record.buffer_view < len(views):
+            raise self.fault("an image has no bytes")
+        view = views[record.buffer_view]
+        content = self.buffer(view.buffer)
+        if view.byte_offset < 0 or view.byte_offset + view.byte_length > len(content):
+            raise self.fault("an image reaches beyond its buffer")
+        return content[view.byte_offset : view.byte_offset + view.byte_length]
+
+
+def read_gltf(path: Path) -> GltfFile:
     """Read the nodes of a `.gltf` or `.glb` file.
 
     Raises
@@ -66,7 +120,7 @@ def read_gltf(path: Path) -> GltfScene:
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise IllegalValueError(f"{path}", f"it is not glTF ({error})", "export it again") from None
     nodes, remarks = _placed(path, document)
-    return GltfScene(path, document, binary, nodes, remarks)
+    return GltfFile(path, document, binary, nodes, remarks)
 
 
 def _content(path: Path) -> bytes:
@@ -74,6 +128,17 @@ def _content(path: Path) -> bytes:
         return path.read_bytes()
     except OSError as error:
         raise IllegalValueError(f"{path}", f"{error.strerror}", "check the name") from None
+
+
+def _from_uri(path: Path, uri: str) -> bytes:
+    if uri.startswith("data:"):
+        try:
+            return base64.b64decode(uri.partition(",")[2], validate=True)
+        except (binascii.Error, ValueError):
+            raise IllegalValueError(
+                f"{path}", "an embedded buffer is not base64", "export it again"
+            ) from None
+    return _content(path.parent / unquote(uri[:LONGEST_URI]))
 
 
 def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:
@@ -105,11 +170,11 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         try:
             local[index], off = _local(path, index, record)
         except NoAnswerError as error:
-            raise _bad(path, index, record, str(error)) from None
+            raise _node_fault(path, index, record, str(error)) from None
         try:
-            worlds[index] = rational(to_floats(product(above, local[index])))
+            worlds[index] = rational_matrix(to_floats(product(above, local[index])))
         except IllegalValueError as error:
-            raise _bad(path, index, record, str(error)) from None
+            raise _node_fault(path, index, record, str(error)) from None
         if off:
             off_length.append(_name(index, record))
     nodes = tuple(
@@ -120,7 +185,7 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         return nodes, ()
     return nodes, (
         f"{len(off_length)} quaternions were not of length one and were normalised: "
-        f"{', '.join(off_length[:NAMED])}{', …' if len(off_length) > NAMED else ''}.",
+        f"{', '.join(off_length[:MOST_NAMED])}{', …' if len(off_length) > MOST_NAMED else ''}.",
     )
 
 
@@ -130,16 +195,16 @@ def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int
     for index, record in enumerate(nodes):
         for child in record.children:
             if not 0 <= child < len(nodes):
-                raise _bad(path, index, record, f"child {child} does not exist")
+                raise _node_fault(path, index, record, f"child {child} does not exist")
             if parents[child] is not None:
-                raise _bad(path, child, nodes[child], "it has two parents")
+                raise _node_fault(path, child, nodes[child], "it has two parents")
             parents[child] = index
     order = [index for index, parent in enumerate(parents) if parent is None]
     for index in order:  # grows while it is walked: children follow their parents
         order.extend(nodes[index].children)
     if len(order) < len(nodes):
         missing = min(set(range(len(nodes))) - set(order))
-        raise _bad(
+        raise _node_fault(
             path, missing, nodes[missing], "it is its own ancestor: the hierarchy is a cycle"
         )
     return order, parents
@@ -149,13 +214,13 @@ def _local(path: Path, index: int, record: NodeRecord) -> tuple[RationalMatrix, 
     given = [record.matrix, record.translation, record.rotation, record.scale]
     for numbers, size in zip(given, (16, 3, 4, 3), strict=True):
         if numbers is not None and (len(numbers) != size or not all(map(isfinite, numbers))):
-            raise _bad(path, index, record, f"a transform needs {size} finite numbers")
+            raise _node_fault(path, index, record, f"a transform needs {size} finite numbers")
     if record.matrix is not None:
         columns = [record.matrix[i : i + 4] for i in range(0, 16, 4)]
         rows = list(zip(*columns, strict=True))
         if tuple(rows[3]) != (0, 0, 0, 1):
-            raise _bad(path, index, record, "its matrix does not end in 0 0 0 1")
-        return rational(rows), False
+            raise _node_fault(path, index, record, "its matrix does not end in 0 0 0 1")
+        return rational_matrix(rows), False
     quaternion = record.rotation or [0, 0, 0, 1]
     length = sum(component * component for component in quaternion) ** 0.5
     turned = rotation_from_quaternion(quaternion)
@@ -165,7 +230,7 @@ def _local(path: Path, index: int, record: NodeRecord) -> tuple[RationalMatrix, 
 
 def _mesh(path: Path, index: int, record: NodeRecord, document: Document) -> int | None:
     if record.mesh is not None and not 0 <= record.mesh < len(document.meshes):
-        raise _bad(path, index, record, f"mesh {record.mesh} does not exist")
+        raise _node_fault(path, index, record, f"mesh {record.mesh} does not exist")
     return record.mesh
 
 
@@ -173,60 +238,5 @@ def _name(index: int, record: NodeRecord) -> str:
     return record.name or f"node {index}"
 
 
-def _bad(path: Path, index: int, record: NodeRecord, why: str) -> IllegalValueError:
+def _node_fault(path: Path, index: int, record: NodeRecord, why: str) -> IllegalValueError:
     return IllegalValueError(f"{path} ({_name(index, record)[:60]})", why, "mend the file")
-
-
-def buffer_bytes(scene: GltfScene, index: int) -> bytes:
-    """Return the bytes of a buffer: embedded, beside the file, or the container's own.
-
-    Raises
-    ------
-    IllegalValueError
-        If the buffer is missing or too short.
-    """
-    buffers = scene.document.buffers
-    if not 0 <= index < len(buffers):
-        raise IllegalValueError(f"{scene.path}", f"buffer {index} does not exist", "mend the file")
-    record = buffers[index]
-    content = scene.binary if record.uri is None else _from_uri(scene.path, record.uri)
-    if len(content) < record.byte_length:
-        raise IllegalValueError(
-            f"{scene.path} (buffer {index})",
-            f"it has {len(content)} bytes and needs {record.byte_length}",
-            "copy the file again",
-        )
-    return content
-
-
-def image_bytes(scene: GltfScene, record: ImageRecord) -> bytes:
-    """Return the bytes of an image that the file holds itself.
-
-    Raises
-    ------
-    IllegalValueError
-        If they are missing or cut short.
-    """
-    if record.uri is not None:
-        return _from_uri(scene.path, record.uri)
-    views = scene.document.buffer_views
-    if record.buffer_view is None or not 0 <= record.buffer_view < len(views):
-        raise IllegalValueError(f"{scene.path}", "an image has no bytes", "export it again")
-    view = views[record.buffer_view]
-    content = buffer_bytes(scene, view.buffer)
-    if view.byte_offset < 0 or view.byte_offset + view.byte_length > len(content):
-        raise IllegalValueError(
-            f"{scene.path}", "an image reaches beyond its buffer", "export it again"
-        )
-    return content[view.byte_offset : view.byte_offset + view.byte_length]
-
-
-def _from_uri(path: Path, uri: str) -> bytes:
-    if uri.startswith("data:"):
-        try:
-            return base64.b64decode(uri.partition(",")[2], validate=True)
-        except (binascii.Error, ValueError):
-            raise IllegalValueError(
-                f"{path}", "an embedded buffer is not base64", "export it again"
-            ) from None
-    return _content(path.parent / unquote(uri[:LONGEST_URI]))

@@ -1,0 +1,201 @@
+"""Commands that stand by themselves: the calculator, derivations, checks, files and their plans."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from pathlib import Path
+
+from nmatrix.api.report import Report
+from nmatrix.api.setup import Part, Setup, setup_values, world_part
+from nmatrix.enums import Space, space_named
+from nmatrix.linear.values import named_file, number, refused, text, vector, whole
+from nmatrix.reading.arrays import read_matrix
+
+NO_SETUP = Setup()
+
+
+def calc(
+    expression: str,
+    setup: Setup = NO_SETUP,
+    *,
+    let: Mapping[str, object] | None = None,
+    steps: bool = False,
+    rounded: bool = False,
+) -> Report:
+    """Return the value of an expression of the matrix calculator, in exact fractions.
+
+    Parameters
+    ----------
+    expression
+        Over M, V and P of the setup, literals, and the names of `let`.
+    let
+        Numbers, vectors and matrices by name.
+    steps
+        Keep every operation.
+    rounded
+        Round every operation to float64 (`--float`).
+
+    Raises
+    ------
+    IllegalValueError
+        For a fault in the expression, with a caret in front of it.
+    NoAnswerError
+        For the inverse of a singular matrix, a division by zero, a direction of length zero.
+
+    Examples
+    --------
+    >>> calc("det(A) / 4", let={"A": [[1, 2], [3, 4]]}).data["value"]
+    -0.5
+    """
+    from nmatrix.calculator.answer import report
+    from nmatrix.calculator.evaluate import calculate
+    from nmatrix.calculator.names import names_of, with_name
+    from nmatrix.calculator.values import Arithmetic
+
+    typed = text(expression, "expression")
+    names = names_of(setup_values(setup), typed)
+    for name, value in _mapping({} if let is None else let, "let").items():
+        rows = (
+            ((Fraction(number(value, name)),),)
+            if _is_number(value)
+            else read_matrix(value, name).rows_exact
+        )
+        names = with_name(names, text(name, "let"), rows)
+    arithmetic = Arithmetic.FLOAT if rounded else Arithmetic.EXACT
+    return Report(report(calculate(typed, names, arithmetic), with_steps=steps))
+
+
+def derive(case: str = "rule", world: Part = None) -> Report:
+    """Return a lesson, each step proved by SymPy; with a world, your own matrix after it.
+
+    Parameters
+    ----------
+    case
+        rule, cofactor, translation, rotation, uniform, nonuniform, shear, mirror, singular,
+        lightdirection, eye, metric, reflection or all.
+    world
+        As for `Setup`; fractions stay fractions, and 30° gives √3/2.
+
+    Examples
+    --------
+    >>> lesson = derive("mirror").data["cases"][0]
+    >>> all(step["verified"] for step in lesson["steps"])
+    True
+    """
+    from nmatrix.lessons.derive.lesson import derive as answer
+
+    return Report(answer(text(case, "case"), None if world is None else world_part(world)))
+
+
+def check(
+    what: str,
+    answer: object,
+    setup: Setup = NO_SETUP,
+    *,
+    space: str | Space = Space.WORLD,
+    unit: bool = False,
+    tolerance: float | None = None,
+    normal: object = None,
+) -> Report:
+    """Return whether an answer is right to its digits, and if not, which mistake gives it.
+
+    `data` has the verdict: correct, mistake or unknown; a wrong answer is also the `failure`.
+
+    Parameters
+    ----------
+    what
+        world, view, projection, normal, light or eye.
+    answer
+        Text in any notation, or an array-like: a matrix, or 3 or 4 numbers for light and eye.
+    unit
+        A direction must have length 1.
+    tolerance
+        How far an entry may be off, in place of the digits given.
+    normal
+        The normal to carry, in object space, where that and not the matrix is asked for.
+
+    Examples
+    --------
+    >>> stretched = Setup(world={"scale": (1, 2, 1)})
+    >>> check("normal", [[1, 0, 0], [0, 2, 0], [0, 0, 1]], stretched).data["mistake"]
+    'not-inverted'
+    """
+    from nmatrix.answers.check import check as checked
+    from nmatrix.enums import chosen
+    from nmatrix.lessons.check.question import Question, Subject
+
+    question = Question(
+        chosen(Subject, what, "what"),
+        setup_values(setup),
+        space_named(space),
+        unit=bool(unit),
+        tolerance=None if tolerance is None else Fraction(number(tolerance, "tolerance")),
+        normal=None if normal is None else vector(normal, 3, "normal"),
+    )
+    return Report(checked(question, read_matrix(answer, "answer")))
+
+
+def check_exercise(
+    exercise: int, answer: str, *, seed: str | int, student: str = "", salt: bytes = b""
+) -> Report:
+    """Return whether the answer to an exercise of a student's sheet is right.
+
+    Parameters
+    ----------
+    exercise
+        Its number on the sheet, from 1.
+    answer
+        Text as on paper: numbers, or the letter or words of a choice.
+    seed, student, salt
+        Those that the sheet was made with.
+
+    Raises
+    ------
+    IllegalValueError
+        For a number that no exercise has, or an answer that cannot be read.
+
+    Examples
+    --------
+    >>> check_exercise(2, "1 0 0; 0 1 0; 0 0 1", seed=7, student="Ada").data["verdict"]
+    'unknown'
+    """
+    from nmatrix.answers.exercise import check_exercise as checked
+    from nmatrix.lessons.exercises.scheme import Sheet
+
+    sheet = Sheet(_seed(seed), text(student, "student"), _bytes(salt, "salt"))
+    return Report(checked(whole(exercise, "exercise"), sheet, text(answer, "answer")))
+
+
+def plan(scene: str | Path) -> Report:
+    """Return which effects a scene file calls for, why, and how safely the others are left out."""
+    from nmatrix.answers.plan import plan_of_file
+
+    return Report(plan_of_file(named_file(scene, "scene")))
+
+
+def inspect(file: str | Path) -> Report:
+    """Return the kind of map of each node of a glTF scene, and where normals break on it."""
+    from nmatrix.answers.inspect import inspect_file, report
+
+    return Report(report(inspect_file(named_file(file, "file"))))
+
+
+def _mapping(value: object, name: str) -> Mapping[str, object]:
+    if isinstance(value, Mapping):
+        return value
+    raise refused(value, name, "it is not a dict of names and values", "give {name: value}")
+
+
+def _is_number(value: object) -> bool:
+    return not isinstance(value, str) and not hasattr(value, "__len__")
+
+
+def _seed(value: object) -> str:
+    return value if isinstance(value, str) else str(whole(value, "seed"))
+
+
+def _bytes(value: object, name: str) -> bytes:
+    if isinstance(value, bytes):
+        return value
+    raise refused(value, name, "it is not bytes", 'write b"..."')

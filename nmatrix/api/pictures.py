@@ -1,0 +1,91 @@
+"""Pictures for Python callers: proofs, scene files and meshes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nmatrix.api.report import Picture
+from nmatrix.api.setup import Setup, setup_values
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen, space_named
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.values import named_file, vector
+
+
+def render(
+    subject: str | Path = "normals",
+    setup: Setup | None = None,
+    *,
+    mesh: str | Path | None = None,
+    size: object = None,
+    shading: str | Shading | None = None,
+    reflection: str | Reflection | None = None,
+    normals: str | NormalRule | None = None,
+    space: str | Space | None = None,
+    samples: int | None = None,
+    effects: str | Effort = Effort.PLANNED,
+) -> Picture:
+    r"""Draw a proof by its name, a scene file, a glTF file or a mesh.
+
+    Parameters
+    ----------
+    subject
+        `nmatrix render --list` names the proofs; scenes are .toml, .gltf, .glb, meshes .obj, .ply,
+        .stl.
+    setup
+        For a proof: its world, view, lens and light in place of the proof's own.
+    mesh
+        For a proof: a mesh file to draw it of.
+    size
+        Width and height in pixels, for a proof of each panel.
+    shading, reflection, normals, space, samples, effects
+        As the command line has them; None leaves them to the file or the proof.
+
+    Raises
+    ------
+    IllegalValueError
+        For an unknown subject, a file that cannot be drawn, or a setup beside a file.
+
+    Examples
+    --------
+    >>> picture = render("bias", size=(120, 90))
+    >>> picture.image.dtype, picture.png[:4]
+    (dtype('uint8'), b'\x89PNG')
+    """
+    from nmatrix.answers.render import (
+        PictureChoices,
+        checked_subject,
+        proof_frame,
+        scene_frame,
+    )
+    from nmatrix.answers.render import render as answer
+    from nmatrix.raster.proofs.catalogue import catalogued
+    from nmatrix.scene.meshes.file import read_mesh
+    from nmatrix.scene.open import scene_of
+
+    name = checked_subject(str(named_file(subject, "subject")))
+    choices = PictureChoices(
+        None if size is None else vector(size, 2, "size"),
+        None if shading is None else chosen(Shading, shading, "shading"),
+        None if reflection is None else chosen(Reflection, reflection, "reflection"),
+        None if normals is None else chosen(NormalRule, normals, "normals"),
+        None if space is None else space_named(space),
+        None if setup is None else setup_values(setup).space_matrix,
+        samples,
+        chosen(Effort, effects, "effects"),
+    )
+    if catalogued(name) is not None:
+        loaded = None if mesh is None else read_mesh(named_file(mesh, "mesh"))
+        of_mesh = None if mesh is None else Path(mesh).stem
+        values = setup_values(Setup() if setup is None else setup)
+        frame = proof_frame(name, values, choices, mesh=loaded, subject=of_mesh)
+    else:
+        for given, value in (("setup", setup), ("mesh", mesh)):
+            if value is not None:
+                raise IllegalValueError(
+                    f"{name[:60]} with {quantity(given)}",
+                    "both say what to draw",
+                    "keep one of them",
+                )
+        frame = scene_frame(scene_of(named_file(name, "subject")), Path(name).stem, choices)
+    proof = frame.draw()
+    return Picture(answer(proof), proof.image, proof.png())

@@ -1,0 +1,137 @@
+"""What a command answers to a Python caller: values, every format, a notebook's view."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from nmatrix import report
+from nmatrix.enums import Format, Layout, chosen
+from nmatrix.errors import NMatrixError
+
+BESIDE = ("command", "version", "layout", "remarks")  # in the JSON, beside the answer's own keys
+
+
+@dataclass(frozen=True, repr=False)
+class Report:
+    """One answer: its numbers in `data`, its sentences in `remarks`, and `to` for every format.
+
+    A notebook shows it with its formulas; `print` shows what a terminal would.
+
+    Examples
+    --------
+    >>> import nmatrix
+    >>> answer = nmatrix.Setup(world={"scale": (1, 2, 1)}).world()
+    >>> answer.data["transform"], answer.data["determinant"]
+    ('non-uniform-scale', 2.0)
+    >>> print(answer.to("numpy").splitlines()[3])
+    world_from_object = np.array([
+    """
+
+    answer: report.Report
+
+    @property
+    def command(self) -> str:
+        """The command that gives the same answer."""
+        return self.answer.command
+
+    @cached_property
+    def data(self) -> dict[str, Any]:
+        """The keys of the command's JSON: numbers, rows, texts, None where there is none."""
+        return {key: one for key, one in self._json.items() if key not in BESIDE}
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """The teaching part, sentence by sentence."""
+        return tuple(self._json["remarks"])
+
+    @property
+    def failure(self) -> NMatrixError | None:
+        """The error that the answer still ends in: an undefined normal, a wrong answer."""
+        return self.answer.failure
+
+    @cached_property
+    def _json(self) -> Mapping[str, Any]:
+        found: Mapping[str, Any] = json.loads(self.to("json"))
+        return found
+
+    def to(
+        self,
+        format: str | Format = Format.TEXT,  # the option's name
+        *,
+        digits: int = 6,
+        layout: str | Layout = Layout.ROW_MAJOR,
+    ) -> str:
+        """Return the answer as text, json, csv, latex, markdown, mathml, typst, glsl, js or numpy.
+
+        Parameters
+        ----------
+        format, layout
+            As the command line has them.
+        digits
+            Significant digits for people; machine formats print what reads back as the same float.
+
+        Raises
+        ------
+        IllegalValueError
+            For another word, digits outside 1 to 17, or a format that cannot say this answer.
+        """
+        from nmatrix.output.options import OutputOptions
+        from nmatrix.output.write import write
+
+        return write(
+            self.answer,
+            OutputOptions(
+                chosen(Format, format, "format"), digits, chosen(Layout, layout, "layout")
+            ),
+        )
+
+    def __str__(self) -> str:
+        return self.to("text")
+
+    def __repr__(self) -> str:
+        """Name the command and the keys of its data."""
+        return f"<Report of nmatrix {self.command}: {', '.join(self.data)}>"
+
+    def _repr_mimebundle_(self, **_: object) -> dict[str, str]:
+        """Show the answer in a notebook: HTML with MathML, LaTeX, and text for all others."""
+        bundle = {"text/plain": str(self)}
+        for kind, word in (("text/html", "mathml"), ("text/latex", "latex")):
+            try:
+                bundle[kind] = self.to(word)
+            except NMatrixError:  # a format that cannot say this answer is left out
+                continue
+        return bundle
+
+
+@dataclass(frozen=True, repr=False)
+class Picture(Report):
+    """A picture with its numbers: pixels in `image`, PNG in `png`; a notebook shows it.
+
+    Parameters
+    ----------
+    image
+        (height, width, 3) bytes of sRGB, the top row first.
+    png
+        The same as a PNG file, with its numbers in text chunks.
+    """
+
+    image: Any
+    png: bytes
+
+    def save(self, path: str | Path, *, force: bool = False) -> None:
+        """Write the PNG file, whole or not at all; over another file only by `force`."""
+        from nmatrix.output.files import write_file
+
+        write_file(Path(path), self.png, force=force)
+
+    def _repr_png_(self) -> bytes:
+        return self.png
+
+    def _repr_mimebundle_(self, **_: object) -> dict[str, Any]:
+        """Show the picture in a notebook, and its numbers where there are only words."""
+        return {"text/plain": str(self), "image/png": self.png}

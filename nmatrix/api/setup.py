@@ -1,0 +1,240 @@
+"""One object under one camera, lens and light, and every question that can be asked about it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from nmatrix.api.report import Report
+from nmatrix.enums import (
+    NORMAL_METHODS,
+    NormalRule,
+    Reflection,
+    Shading,
+    Space,
+    chosen,
+    space_named,
+)
+from nmatrix.linear.values import named_file, plain_value, real, refused, settle, vector
+from nmatrix.scene import setup
+from nmatrix.scene.camera import View
+from nmatrix.scene.given import lens_of, light_of, view_of, world_of
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.setup import Light
+from nmatrix.scene.world import World
+
+Part = Any  # a frozen value, a mapping of the options' names, or a matrix
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class Setup:
+    """An object's place, a camera, a lens and a light; its methods are the commands.
+
+    Each part is a frozen value (`World`, `View`, `Lens`, `Light`), or a mapping with the names of
+    the command line's options in snake case, angles in degrees or as `Angle`; the first three may
+    also be a matrix. What is not given is the command line's default: an object at the origin, an
+    eye at (0, 0, 5) that looks at it, 60° of view, light along (−1, −1, −1).
+
+    Parameters
+    ----------
+    world, view, lens, light
+        The four parts.
+    space_matrix
+        `space_from_world` of the custom space, 3×3 or affine 4×4.
+    tolerance
+        How far columns may be off, relatively, for the kind of a map.
+
+    Raises
+    ------
+    IllegalValueError
+        For a name, a value or a contradiction that the command line refuses too.
+
+    Examples
+    --------
+    >>> stretched = Setup(world={"scale": (1, 2, 1)})
+    >>> stretched.normal([(1, 1, 0)]).data["normals"][0]["transformed"]
+    [0.8944271909999159, 0.4472135954999579, 0.0]
+    >>> stretched.light("object").data["position"] is None
+    True
+    """
+
+    values: setup.Setup
+
+    def __init__(
+        self,
+        world: Part = None,
+        view: Part = None,
+        lens: Part = None,
+        light: Part = None,
+        *,
+        space_matrix: object = None,
+        tolerance: float | None = None,
+    ) -> None:
+        more = {"space_matrix": space_matrix, "tolerance": tolerance}
+        values = setup.Setup(
+            world_part(world),
+            _part(view, View, view_of, "view_matrix"),
+            _part(lens, Lens, lens_of, "projection_matrix"),
+            _part(light, Light, light_of, None),
+            **{name: value for name, value in more.items() if value is not None},  # type: ignore[arg-type]  # read there
+        )
+        settle(self, values=values)
+
+    def __repr__(self) -> str:
+        """Show the parts that are not the usual ones."""
+        usual, mine = setup.Setup(), self.values
+        names = ("world", "view", "lens", "light", "space_matrix", "tolerance")
+        parts = ((name, getattr(mine, name)) for name in names)
+        shown = (f"{name}={one!r}" for name, one in parts if one != getattr(usual, name))
+        return f"Setup({', '.join(shown)})"
+
+    @classmethod
+    def from_scene(
+        cls, file: str | Path, *, object: str | None = None, light: str | None = None
+    ) -> Setup:
+        """Return one object of a scene file under one of its lights: the first, or by name.
+
+        Raises
+        ------
+        IllegalValueError
+            For a file that is no scene, or a name that is not in it.
+        """
+        from nmatrix.scene.chosen import setup_of
+        from nmatrix.scene.open import scene_of
+
+        found = cls.__new__(cls)
+        settle(found, values=setup_of(scene_of(named_file(file, "file")), object, light))
+        return found
+
+    def world(self) -> Report:
+        """Return the world matrix, what kind of map it is, its parts and its normal matrix."""
+        from nmatrix.answers.world import world
+
+        return Report(world(self.values))
+
+    def view(self) -> Report:
+        """Return the view matrix, its two factors and the camera's axes."""
+        from nmatrix.answers.view import view
+
+        return Report(view(self.values))
+
+    def projection(self) -> Report:
+        """Return the projection matrix and the smallest gaps that its depth can tell."""
+        from nmatrix.answers.projection import projection
+
+        return Report(projection(self.values))
+
+    def normal(
+        self,
+        normals: object = (),
+        *,
+        space: str | Space = Space.WORLD,
+        method: str | NormalRule = NormalRule.EXACT,
+    ) -> Report:
+        """Return the normal matrix from object space, and what becomes of some normals.
+
+        A normal without an image is None with its status; `failure` then says why.
+
+        Parameters
+        ----------
+        normals
+            One normal or several, in object space.
+        method
+            exact, or inverse, cofactor, none to compare with.
+        """
+        from nmatrix.answers.normal import NormalRequest, normal
+
+        request = NormalRequest(
+            _vectors(normals, "normals"),
+            space_named(space),
+            chosen(NormalRule, method, "method", NORMAL_METHODS),
+        )
+        return Report(normal(self.values, request))
+
+    def light(self, space: str | Space | None = None) -> Report:
+        """Return the light's direction and position in a space, or in the four usual ones."""
+        from nmatrix.answers.light import light
+
+        return Report(light(self.values, None if space is None else space_named(space)))
+
+    def eye(self, space: str | Space | None = None) -> Report:
+        """Return the eye in a space, or in the four usual ones."""
+        from nmatrix.answers.light import eye
+
+        return Report(eye(self.values, None if space is None else space_named(space)))
+
+    def space(
+        self,
+        space: str | Space = Space.WORLD,
+        *,
+        shading: str | Shading = Shading.PHONG,
+        reflection: str | Reflection = Reflection.BLINN_PHONG,
+    ) -> Report:
+        """Return the sheet of a shading space: its data, uniforms, cost and shaders."""
+        from nmatrix.answers.space import space as answer
+        from nmatrix.spaces.uniforms import Request
+
+        request = Request(
+            space_named(space),
+            chosen(Shading, shading, "shading"),
+            chosen(Reflection, reflection, "reflection"),
+        )
+        return Report(answer(self.values, request))
+
+    def trace(
+        self, point: object = (0, 0, 0), *, normal: object = None, viewport: object = (512, 512)
+    ) -> Report:
+        """Return one vertex in every frame from object space to the window.
+
+        Parameters
+        ----------
+        point, normal
+            In object space.
+        viewport
+            Width and height in pixels.
+        """
+        from nmatrix.answers.trace import trace
+        from nmatrix.spaces.trace import Viewport
+
+        return Report(
+            trace(
+                self.values,
+                vector(point, 3, "point"),
+                None if normal is None else vector(normal, 3, "normal"),
+                Viewport(*(real(side, "viewport") for side in vector(viewport, 2, "viewport"))),
+            )
+        )
+
+
+def setup_values(given: object) -> setup.Setup:
+    """Return the frozen values of a setup that was given as `setup`."""
+    if isinstance(given, Setup):
+        return given.values
+    raise refused(given, "setup", "it is no Setup", "give nmatrix.Setup(...)")
+
+
+def world_part(world: Part) -> World:
+    """Return a world from a frozen value, a mapping or a matrix."""
+    found: World = _part(world, World, world_of, "world_matrix")
+    return found
+
+
+def _part(given: Part, kind: type[Any], read: Any, matrix: str | None) -> Any:  # noqa: ANN401
+    """Return a part of a setup from whatever described it."""
+    if isinstance(given, kind):
+        return given
+    if given is None or isinstance(given, Mapping) or matrix is None:
+        return read({} if given is None else given)
+    return read({matrix: given})
+
+
+def _vectors(given: object, name: str) -> tuple[Any, ...]:
+    """Return vectors of three, from one or from several."""
+    listed = plain_value(given, name)
+    if isinstance(listed, tuple | list) and listed and not hasattr(listed[0], "__len__"):
+        return (vector(listed, 3, name),)
+    if not isinstance(listed, tuple | list):
+        return (vector(given, 3, name),)
+    return tuple(vector(one, 3, f"{name}[{i}]") for i, one in enumerate(listed))

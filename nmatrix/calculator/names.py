@@ -1,0 +1,66 @@
+"""The names that an expression may use: M, V and P of a setup, and those that the user adds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from nmatrix.calculator.functions import FUNCTIONS
+from nmatrix.calculator.values import Value
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.scene.setup import Setup
+from nmatrix.scene.world import World
+
+SCENE_NAMES = ("M", "V", "P")
+
+
+def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[str, Value]:
+    """Return M, V and P, the last two only where the expression may ask for them.
+
+    M is exact where it is rational: in quarter turns, or without angles. `typed` is the world with
+    its numbers as they were typed, where those are not the floats of the setup.
+    """
+    world = typed or setup.world
+    exact = _is_rational(world)
+    names = {"M": Value(world.exact if exact else setup.world.world_from_object, exact=exact)}
+    if "V" in expression:
+        names["V"] = Value(setup.camera.camera_from_world)
+    if "P" in expression:
+        names["P"] = Value(setup.lens.clip_from_camera)
+    return names
+
+
+def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> dict[str, Value]:
+    """Return the names and one more, for a number, a vector (one row) or a matrix.
+
+    Raises
+    ------
+    IllegalValueError
+        For what is no name, or is taken.
+
+    Examples
+    --------
+    >>> with_name({}, "a", ((Fraction(2),),))["a"].scalar
+    Fraction(2, 1)
+    """
+    if not (name.isascii() and name.isidentifier()):
+        raise IllegalValueError(
+            f"{quantity('let')} ({name[:40]})",
+            "it is NAME=MATRIX",
+            f'try {quantity("let")} "A=1 0; 0 2"',
+        )
+    if name in FUNCTIONS or name in SCENE_NAMES or name in names:
+        raise IllegalValueError(
+            f"{quantity('let')} {name}", "the name is taken", "choose another one"
+        )
+    if len(rows) == 1:
+        return {**names, name: Value(rows[0][0] if len(rows[0]) == 1 else rows[0])}
+    return {**names, name: Value(rows)}
+
+
+def _is_rational(world: World) -> bool:
+    """Return whether a world matrix is rational: quarter turns, or no angles at all."""
+    if world.matrix is not None or world.quaternion is not None:
+        return True
+    return all(Fraction(turn) % 90 == 0 for turn in world.rotate_degrees)

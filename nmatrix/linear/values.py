@@ -1,0 +1,136 @@
+"""Numbers and vectors that Python callers give, as exact numbers; all else is refused by name.
+
+Anything array-like will do: its `tolist` makes Python numbers of it, so NumPy need not be there.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+from math import isfinite
+from numbers import Rational
+from os import PathLike, fspath
+from pathlib import Path
+
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.report import Number, Vector
+
+LONGEST = 40  # characters of a value that an error shows
+
+
+def number(value: object, name: str) -> Number:
+    """Return a finite real number as the int, float or fraction that it is.
+
+    Raises
+    ------
+    IllegalValueError
+        For anything else; it says what came.
+
+    Examples
+    --------
+    >>> number(2, "near"), number(Decimal("0.1"), "near")
+    (2, Fraction(1, 10))
+    """
+    plain = plain_value(value, name)
+    if isinstance(plain, float) and isfinite(plain):
+        return float(plain)
+    if isinstance(plain, int) and not isinstance(plain, bool):
+        return int(plain)
+    if isinstance(plain, Rational) and not isinstance(plain, bool):
+        return Fraction(plain)
+    if isinstance(plain, Decimal) and plain.is_finite():
+        return Fraction(plain)
+    raise refused(value, name, "it is not a finite real number", "give a number")
+
+
+def real(value: object, name: str) -> float:
+    """Return the float64 nearest to a number.
+
+    Raises
+    ------
+    IllegalValueError
+        Also for a number beyond the largest float64.
+    """
+    try:
+        return float(number(value, name))
+    except OverflowError:
+        raise refused(value, name, "no float64 is as large", "give a smaller number") from None
+
+
+def whole(value: object, name: str) -> int:
+    """Return a whole number."""
+    found = number(value, name)
+    if found != int(found):
+        raise refused(value, name, "it is not a whole number", "give a whole number")
+    return int(found)
+
+
+def vector(values: object, size: int, name: str) -> Vector:
+    """Return so many numbers from any array-like of one axis.
+
+    Examples
+    --------
+    >>> vector([1, 2.5, 3], 3, "scale")
+    (1, 2.5, 3)
+    """
+    if type(values) is tuple and len(values) == size and all(map(_is_exact, values)):
+        return values
+    entries = listed(values, name, (size,))
+    return tuple(number(one, f"{name}[{i}]") for i, one in enumerate(entries))
+
+
+def _is_exact(value: object) -> bool:
+    """Return whether a value is a number already: what is built from numbers is not read again."""
+    return type(value) in (int, Fraction) or (type(value) is float and isfinite(value))
+
+
+def listed(values: object, name: str, sizes: tuple[int, ...]) -> list[object]:
+    """Return the entries of an array-like of one axis, as many as one of the sizes.
+
+    Raises
+    ------
+    IllegalValueError
+        For anything else, and for another number of entries.
+    """
+    plain = plain_value(values, name)
+    wanted = " or ".join(map(str, sizes))
+    if not isinstance(plain, list | tuple):
+        raise refused(values, name, "it is not a list of numbers", f"give {wanted} numbers")
+    if len(plain) not in sizes:
+        raise refused(values, name, f"it has {len(plain)} entries", f"give {wanted} numbers")
+    return list(plain)
+
+
+def plain_value(value: object, name: str) -> object:
+    """Return an array as lists, a scalar of an array as a number, everything else as it is."""
+    if hasattr(value, "mask"):
+        raise refused(value, name, "a masked entry has no value", "fill it: .filled(0.0)")
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def text(value: object, name: str) -> str:
+    """Return a text."""
+    if isinstance(value, str):
+        return value
+    raise refused(value, name, "it is not text", "put it in quotes")
+
+
+def named_file(value: object, name: str) -> Path:
+    """Return the path that a text or a path names."""
+    if isinstance(value, str | PathLike) and not isinstance(fspath(value), bytes):
+        return Path(value)
+    raise refused(value, name, "it is not the name of a file", "give text or a path")
+
+
+def settle(value: object, **fields: object) -> None:
+    """Set fields of a frozen value while it is made, once they have been read."""
+    for name, one in fields.items():
+        object.__setattr__(value, name, one)
+
+
+def refused(value: object, name: str, why: str, next_step: str) -> IllegalValueError:
+    """Return the error for a value that a parameter cannot take; `name` may end in an index."""
+    shown = " ".join(repr(value).split())
+    short = shown if len(shown) <= LONGEST else f"{shown[: LONGEST - 1]}…"
+    head, bracket, place = name.partition("[")
+    return IllegalValueError(f"{quantity(head)}{bracket}{place} ({short})", why, next_step)

@@ -1,0 +1,222 @@
+"""A setup in Python answers as the command line does, in data, in every format, and in errors."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nmatrix
+from nmatrix.enums import Format
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENE = ROOT / "docs" / "scenes" / "hierarchy.toml"
+BESIDE = ("command", "version", "layout", "remarks")
+
+PARTS: dict[str, dict[str, Any]] = {
+    "usual": {},
+    "parts": {
+        "world": {"scale": (1, 2, 1), "rotate": (10, 20, 30), "order": "ZYX"},
+        "view": {"eye": (3, 2, 1), "target": (0, 1, 0), "handed": "left"},
+        "lens": {"fov": 40, "aspect": 1.5, "near": 0.5, "far": 50, "handed": "left"},
+        "light": {"light_direction": (0.5, -1, 0.25), "light_position": (1, 2, 3)},
+    },
+    "alternatives": {
+        "world": {"quaternion": (1, 2, 3, 4), "translate": (5, 0, 0)},
+        "view": {"eye": (3, 2, 1), "elevation": -20, "angle": 30, "roll": 5},
+        "lens": {"ortho": (-2, 2, -1, 1), "near": 0, "far": 9, "api": "vulkan"},
+        "light": {"light_angles": (30, 40)},
+    },
+    "mirrored": {
+        "world": {"scale": (-1, 1, 1), "shear": (0.5, 0, 0)},
+        "lens": {"frustum": (-1, 2, -1, 1), "near": 1, "depth": "reversed", "clip_y": "down"},
+    },
+    "course": {"world": {"rotate": (30, 60, 10), "convention": "polimi"}},
+}
+QUESTIONS: dict[str, Any] = {
+    "world": lambda setup: setup.world(),
+    "view": lambda setup: setup.view(),
+    "projection": lambda setup: setup.projection(),
+    "normal --normal 1 2 3": lambda setup: setup.normal([(1, 2, 3)]),
+    "normal --space camera --method none --normal 1 2 3": lambda setup: setup.normal(
+        (1, 2, 3), space="view", method="none"
+    ),
+    "light": lambda setup: setup.light(),
+    "light object": lambda setup: setup.light("model"),
+    "eye": lambda setup: setup.eye(),
+    "eye object": lambda setup: setup.eye("object"),
+    "space camera": lambda setup: setup.space("camera"),
+    "space object --shading gouraud --reflection toon": lambda setup: setup.space(
+        "object", shading="gouraud", reflection="toon"
+    ),
+    "trace --point 1 0.5 0.25 --normal 0 1 0 --viewport 512 512": lambda setup: setup.trace(
+        (1, 0.5, 0.25), normal=(0, 1, 0)
+    ),
+}
+TAKES = {
+    "world": ("world",), "view": ("view",), "projection": ("lens",), "normal": ("world", "view"),
+    "light": ("world", "view", "light"), "eye": ("world", "view"),
+    "space": ("world", "view", "lens", "light"), "trace": ("world", "view", "lens"),
+}  # fmt: skip
+
+
+def options(parts: dict[str, Any], command: str) -> str:
+    """Spell the parts that a command takes as its options."""
+    found: dict[str, Any] = {}
+    for part in TAKES[command]:
+        found |= parts.get(part, {})
+    words = []
+    for name, value in found.items():
+        shown = " ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+        words.append(f"--{name.replace('_', '-')} {shown}")
+    return " ".join(words)
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+@pytest.mark.parametrize("name", PARTS)
+def test_a_setup_answers_as_the_command_line(name: str, question: str, nmatrix) -> None:
+    parts, command = PARTS[name], question.split()[0]
+    spelled = options(parts, command)
+    if command == "normal" and "--scale" not in spelled and name == "usual":
+        spelled = "--scale 1 1 1"
+    code, out, err = nmatrix(f"{question} {spelled} -f json")
+    report = QUESTIONS[question](setup_of({part: parts.get(part) for part in TAKES[command]}))
+    assert code == 0, err
+    told = json.loads(out)
+    assert report.data == {key: one for key, one in told.items() if key not in BESIDE}
+    assert list(report.remarks) == told["remarks"]
+    assert report.command == told["command"]
+
+
+def setup_of(parts: dict[str, Any]) -> nmatrix.Setup:
+    return nmatrix.Setup(**parts)
+
+
+def test_parts_are_mappings_values_or_matrices_alike() -> None:
+    by_name = nmatrix.Setup(world={"scale": (1, 2, 1)}, light={"light_position": (1, 2, 3)})
+    by_value = nmatrix.Setup(
+        nmatrix.World(scale=[1, 2, 1]), light=nmatrix.Light(position=np.array([1, 2, 3]))
+    )
+    by_matrix = nmatrix.Setup(np.diag([1, 2, 1]), light=nmatrix.Light(position=(1, 2, 3)))
+    assert by_name.light("object").data == by_value.light("object").data
+    assert by_name.light("object").data == by_matrix.light("object").data
+
+
+def test_an_angle_and_degrees_are_the_same_turn() -> None:
+    for degrees in (30, 12.5, -170.0, 1e-3):
+        turn = nmatrix.Angle.degrees(degrees)
+        assert nmatrix.World(rotate_degrees=(0, turn, 0)).exact == (
+            nmatrix.World(rotate_degrees=(0, degrees, 0)).exact
+        )
+    half = nmatrix.Setup(lens={"fov": nmatrix.Angle.radians(1.0)}).projection().data
+    in_radians = nmatrix.perspective(1.0, 1.0, 0.1, 100)
+    assert np.allclose(half["clip_from_camera"], in_radians, rtol=4e-16, atol=0)
+
+
+def test_a_scene_gives_the_setup_that_its_options_give(nmatrix) -> None:
+    import nmatrix as package
+
+    setup = package.Setup.from_scene(SCENE, object="hand")
+    for command in ("world", "view", "projection", "light object", "eye object"):
+        _, out, _ = nmatrix(f"{command} --scene {SCENE} --object hand -f json")
+        told = json.loads(out)
+        method, *space = command.split()
+        found = getattr(setup, method)(*space).data
+        assert found == {key: one for key, one in told.items() if key not in BESIDE}
+
+
+@pytest.mark.parametrize("format", Format)
+def test_a_report_is_written_as_the_command_line_writes_it(format: Format, nmatrix) -> None:
+    import nmatrix as package
+
+    _, out, _ = nmatrix(f"world --scale 1 2 1 -f {format} --digits 9")
+    report = package.Setup(world={"scale": (1, 2, 1)}).world()
+    assert report.to(format.value, digits=9) == out
+
+
+def test_a_notebook_sees_mathml_latex_and_text() -> None:
+    shown = nmatrix.Setup().world()._repr_mimebundle_()
+    assert set(shown) == {"text/plain", "text/html", "text/latex"}
+    assert "<math" in shown["text/html"]
+    assert "bmatrix" in shown["text/latex"]
+    assert "\x1b" not in shown["text/plain"]
+
+
+def test_a_notebook_sees_a_picture() -> None:
+    picture = nmatrix.render("bias", size=(60, 40))
+    assert picture._repr_png_() == picture._repr_mimebundle_()["image/png"] == picture.png
+    assert picture.png.startswith(b"\x89PNG")
+    assert picture.image.dtype == np.uint8
+    assert picture.data["width"] == picture.image.shape[1]
+
+
+def test_a_picture_of_a_file_is_the_command_lines(tmp_path: Path, nmatrix) -> None:
+    import nmatrix as package
+
+    target = tmp_path / "hierarchy.png"
+    nmatrix(f"render {SCENE} --size 48 36 --shading gouraud --samples 1 -o {target}")
+    picture = package.render(SCENE, size=(48, 36), shading="gouraud", samples=1)
+    assert picture.png == target.read_bytes()
+    picture.save(tmp_path / "again.png")
+    assert (tmp_path / "again.png").read_bytes() == picture.png
+    with pytest.raises(package.IllegalValueError, match="the file exists"):
+        picture.save(tmp_path / "again.png")
+
+
+def test_a_proof_draws_the_setup_that_it_is_given(tmp_path: Path, nmatrix) -> None:
+    import nmatrix as package
+
+    nmatrix(f"render normals --scale 1 3 1 --size 60 40 -o {tmp_path / 'normals.png'}")
+    picture = package.render("normals", package.Setup({"scale": (1, 3, 1)}), size=(60, 40))
+    assert picture.png == (tmp_path / "normals.png").read_bytes()
+
+
+def test_an_undefined_normal_is_told_and_the_others_are_answered() -> None:
+    report = nmatrix.Setup(world={"scale": (1, 0, 1)}).normal([(0, 1, 0), (1, 0, 0)])
+    assert [one["status"] for one in report.data["normals"]] == ["two-sided", "undefined"]
+    assert isinstance(report.failure, nmatrix.NoAnswerError)
+
+
+def test_the_calculator_knows_the_setup_and_further_names() -> None:
+    setup = nmatrix.Setup(world={"scale": (1, 2, 1)})
+    found = nmatrix.calc(
+        "normalize(A @ linear(M) @ v)", setup, let={"A": np.eye(3), "v": (0, 1, 0)}
+    )
+    assert found.data["value"] == [0.0, 1.0, 0.0]
+    assert nmatrix.calc("a / 3", let={"a": Fraction(1, 3)}).data["exact"] == "1/9"
+    with pytest.raises(nmatrix.IllegalValueError, match="let M: the name is taken"):
+        nmatrix.calc("M", let={"M": 1})
+
+
+def test_a_wrong_answer_is_named_and_is_the_failure() -> None:
+    setup = nmatrix.Setup(world={"scale": (1, 2, 1)})
+    right = np.diag([1, 0.5, 1])
+    assert nmatrix.check("normal", right, setup).failure is None
+    wrong = nmatrix.check("normal", np.linalg.inv(right), setup)
+    assert isinstance(wrong.failure, nmatrix.CheckFailedError)
+    assert nmatrix.check("normal", "1 0 0; 0 0.5 0; 0 0 1", setup).data["verdict"] == "correct"
+
+
+def test_errors_speak_of_parameters_and_the_shell_of_options(nmatrix) -> None:
+    import nmatrix as package
+
+    _, _, err = nmatrix("projection --fov 200")
+    assert "try --fov 60" in err
+    with pytest.raises(package.IllegalValueError, match="try fov 60"):
+        package.Setup(lens={"fov": 200}).projection()
+    with pytest.raises(package.IllegalValueError, match=r"^world_matrix with scale: "):
+        package.Setup({"world_matrix": np.eye(4), "scale": (1, 2, 1)})
+
+
+def test_a_transform_of_an_array_checks_frames_and_is_exact() -> None:
+    world = nmatrix.Transform.of("world", "object", np.diag([0.1, 2, 1]))
+    camera = nmatrix.Transform.of(nmatrix.Frame.CAMERA, nmatrix.Frame.WORLD, np.eye(4))
+    assert (camera @ world).point((1, 1, 1)) == (0.1, 2.0, 1.0)
+    assert world.exact[0][0] == Fraction(0.1)
+    assert world.inverse().vector((0.1, 2, 1)) == (1.0, 1.0, 1.0)
+    with pytest.raises(nmatrix.FrameError):
+        world @ camera

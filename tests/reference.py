@@ -1,0 +1,113 @@
+"""The reference of the Python face: `docs/reference.md`, made of the docstrings.
+
+`python tests/reference.py` writes it anew; a test compares.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from enum import StrEnum
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import nmatrix
+
+ENUM = re.compile(r"<\w+\.\w+: ('[^']*')>")  # a default, as Python shows it
+QUOTED_TYPE = re.compile(r"(?<=\w): '([^']*)'")
+LINE = 88  # characters of a call that stays on one line
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "reference.md"
+OPENING = """# Reference
+
+Every public name of `nmatrix`, with its docstring; [the tour](python.md) shows how they go
+together. This page is made by `python tests/reference.py`.
+"""
+PARTS = {
+    "Arrays": "nmatrix.api.normals nmatrix.api.builders",
+    "Setups and reports": "nmatrix.api.setup nmatrix.api.report",
+    "Commands": "nmatrix.api.commands nmatrix.api.pictures",
+    "Values": "nmatrix.scene.world nmatrix.scene.camera nmatrix.scene.lens nmatrix.scene.setup "
+    "nmatrix.linear.angle nmatrix.linear.projection nmatrix.linear.classify "
+    "nmatrix.spaces.transform",
+    "Words": "nmatrix.enums",
+    "Errors": "nmatrix.errors",
+}
+
+
+def reference() -> str:
+    """Return the whole page."""
+    names = [name for name in nmatrix.__all__ if not name.startswith("_")]
+    written = [OPENING]
+    for title, modules in PARTS.items():
+        written.append(f"## {title}\n")
+        found = ((name, getattr(nmatrix, name)) for name in names)
+        written += [entry(name, one) for name, one in found if one.__module__ in modules.split()]
+    return "\n".join(written).rstrip() + "\n"
+
+
+def entry(name: str, one: Any) -> str:
+    """Return one name: its signature, its docstring, and its methods or words."""
+    if isinstance(one, type) and issubclass(one, StrEnum):
+        words = ", ".join(f"`{member.value}`" for member in one)
+        return f"### {name}\n\n{prose(one)}\n\nWords: {words}.\n"
+    if isinstance(one, type) and issubclass(one, Exception):
+        return f"### {name}\n\n{prose(one)}\n"
+    written = [f"### {name}\n\n{signature(name, one)}\n\n{prose(one)}\n"]
+    if isinstance(one, type):
+        members = [
+            (member, found)
+            for member, found in inspect.getmembers(one)
+            if not member.startswith("_") and _is_ours(one, member) and inspect.getdoc(found)
+        ]
+        written += [
+            f"#### {name}.{member}\n\n{signature(member, found)}\n\n{prose(found)}\n"
+            for member, found in members
+            if callable(found)
+        ]
+        written += [
+            f"#### {name}.{member}\n\n{prose(found)}\n"
+            for member, found in members
+            if isinstance(found, property | cached_property)
+        ]
+    return "\n".join(written)
+
+
+def prose(one: Any) -> str:
+    """Return a docstring as Markdown: sections in bold, parameters as a list, doctests as code."""
+    text = inspect.getdoc(one) or ""
+    text = re.sub(r"^(\w[\w ]*)\n-{3,}$", r"**\1**\n", text, flags=re.MULTILINE)
+    lines, code = [], False
+    for line in text.splitlines():
+        if line.startswith(">>> ") and not code:
+            lines += ["```python", line]
+            code = True
+        elif code and not line:
+            lines += ["", "```", ""]
+            code = False
+        else:
+            lines.append(line if code else re.sub(r"^(\w[\w, ]*)$", r"* `\1`", line))
+    return "\n".join([*lines, *(["", "```"] if code else [])])
+
+
+def signature(name: str, one: Any) -> str:
+    """Return a call with its parameters, one on a line where they do not fit on one."""
+    found = inspect.signature(one)
+    shown = [str(each) for each in found.parameters.values() if each.name != "self"]
+    marks = [each.kind for each in found.parameters.values() if each.name != "self"]
+    if inspect.Parameter.KEYWORD_ONLY in marks:
+        shown.insert(marks.index(inspect.Parameter.KEYWORD_ONLY), "*")
+    returned = "" if isinstance(one, type) else f" -> {found.return_annotation!s}"
+    call = f"{name}({', '.join(shown)}){returned}"
+    if len(call) > LINE:
+        call = f"{name}(\n" + "".join(f"    {part},\n" for part in shown) + f"){returned}"
+    plain = QUOTED_TYPE.sub(r": \1", ENUM.sub(r"\1", call))
+    return f"```python\n{plain}\n```"
+
+
+def _is_ours(one: type, name: str) -> bool:
+    return any(name in vars(kind) for kind in one.__mro__ if kind.__module__.startswith("nmatrix"))
+
+
+if __name__ == "__main__":
+    PAGE.write_text(reference())

@@ -1,0 +1,251 @@
+"""The numbers of glTF meshes: every way to store triangles, and one line for every damage."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from pathlib import Path
+from struct import pack
+
+import numpy as np
+import pytest
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.scene.gltf.accessors import mesh_parts, primitive_mesh
+from nmatrix.scene.gltf.file import GltfFile, read_gltf
+from nmatrix.scene.gltf.records import FAN, STRIP
+
+BYTE, SHORT, UNSIGNED_SHORT, FLOAT = 5120, 5122, 5123, 5126
+# Five points on the edge of a convex shape, counter-clockwise.
+POINTS = [(0, 0, 0), (2, 0, 0), (3, 1, 0), (2, 2, 0), (0, 2, 0)]
+
+
+def written(
+    folder: Path,
+    stored: dict[str, tuple[bytes, dict[str, object]]],
+    *,
+    mode: int = 4,
+    indices: str | None = None,
+    **changes: object,
+) -> GltfFile:
+    """Return a file of one mesh whose attributes are these bytes, described by these accessors."""
+    content, accessors, views = b"", [], []
+    for data, accessor in stored.values():
+        content += b"\0" * (-len(content) % 4)
+        views.append({"buffer": 0, "byteOffset": len(content), "byteLength": len(data)})
+        accessors.append({"bufferView": len(views) - 1, **accessor})
+        content += data
+    numbers = {name: index for index, name in enumerate(stored)}
+    primitive: dict[str, object] = {
+        "attributes": {name: index for name, index in numbers.items() if name != indices},
+        "mode": mode,
+    }
+    if indices is not None:
+        primitive["indices"] = numbers[indices]
+    uri = f"data:application/octet-stream;base64,{b64encode(content).decode()}"
+    document = {
+        "asset": {"version": "2.0"},
+        "meshes": [{"primitives": [primitive]}],
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(content), "uri": uri}],
+    } | changes
+    path = folder / "made.gltf"
+    path.write_text(json.dumps(document))
+    return read_gltf(path)
+
+
+def floats(rows: list[tuple[float, ...]]) -> tuple[bytes, dict[str, object]]:
+    width = len(rows[0])
+    data = b"".join(pack(f"<{width}f", *row) for row in rows)
+    return data, {"componentType": FLOAT, "count": len(rows), "type": f"VEC{width}"}
+
+
+def shorts(numbers: list[int]) -> tuple[bytes, dict[str, object]]:
+    data = pack(f"<{len(numbers)}H", *numbers)
+    return data, {"componentType": UNSIGNED_SHORT, "count": len(numbers), "type": "SCALAR"}
+
+
+def turned_like(normal: tuple[float, float, float], corners: np.ndarray) -> bool:
+    """Return whether a triangle is counter-clockwise seen from where the normal points."""
+    a, b, c = corners
+    return float(np.dot(np.cross(b - a, c - a), normal)) > 0
+
+
+def test_a_strip_shares_edges_and_turns_every_triangle_the_same_way(tmp_path: Path) -> None:
+    """Corners go zigzag, so that as they stand every second triangle would be turned around."""
+    zigzag = [POINTS[i] for i in (0, 1, 4, 2, 3)]
+    file = written(tmp_path, {"POSITION": floats(zigzag)}, mode=STRIP)
+    mesh = primitive_mesh(file, 0, 0)
+    assert [set(one) for one in mesh.triangles.tolist()] == [{0, 1, 2}, {1, 2, 3}, {2, 3, 4}]
+    assert all(turned_like((0, 0, 1), mesh.positions[one]) for one in mesh.triangles)
+
+
+def test_a_fan_shares_its_first_corner(tmp_path: Path) -> None:
+    order = shorts([4, 0, 1, 2, 3])
+    file = written(tmp_path, {"POSITION": floats(POINTS), "i": order}, mode=FAN, indices="i")
+    mesh = primitive_mesh(file, 0, 0)
+    assert mesh.triangles.tolist() == [[4, 0, 1], [4, 1, 2], [4, 2, 3]]
+    assert all(turned_like((0, 0, 1), mesh.positions[one]) for one in mesh.triangles)
+
+
+def test_a_list_leaves_corners_beyond_its_last_triangle_out(tmp_path: Path) -> None:
+    mesh = primitive_mesh(written(tmp_path, {"POSITION": floats(POINTS)}), 0, 0)
+    assert mesh.triangles.tolist() == [[0, 1, 2]]
+
+
+@pytest.mark.parametrize("mode", [4, STRIP, FAN])
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_fewer_than_three_corners_are_no_triangle(tmp_path: Path, mode: int, count: int) -> None:
+    stored = {"POSITION": floats(POINTS), "i": shorts([0] * count)}
+    file = written(tmp_path, stored, mode=mode, indices="i")
+    assert mesh_parts(file, 0) == []
+    with pytest.raises(IllegalValueError, match="primitive 0 of mesh 0 has no triangles"):
+        primitive_mesh(file, 0, 0)
+
+
+def test_a_whole_mesh_is_read_primitive_by_primitive_without_lines(tmp_path: Path) -> None:
+    triangle = {"attributes": {"POSITION": 0}}
+    primitives = [triangle, {**triangle, "mode": 1}, {"attributes": {}}, {**triangle, "mode": 6}]
+    file = written(tmp_path, {"POSITION": floats(POINTS)}, meshes=[{"primitives": primitives}, {}])
+    assert [len(part.triangles) for part in mesh_parts(file, 0)] == [1, 3]
+    assert mesh_parts(file, 1) == []
+
+
+@pytest.mark.parametrize(
+    ("component", "code", "stored", "expected"),
+    [
+        (BYTE, "b", (127, -127, -128), (1, -1, -1)),
+        (SHORT, "h", (32767, -32767, -32768), (1, -1, -1)),
+        (UNSIGNED_SHORT, "H", (65535, 0, 13107), (1, 0, 0.2)),
+    ],
+)
+def test_normalised_integers_reach_from_minus_one_to_one(
+    tmp_path: Path, component: int, code: str, stored: tuple[int, ...], expected: tuple[float, ...]
+) -> None:
+    row = pack(f"<3{code}", *stored)
+    row += b"\0" * (-len(row) % 4)
+    positions = {"componentType": component, "normalized": True, "count": 3, "type": "VEC3"}
+    view = {"buffer": 0, "byteLength": 3 * len(row), "byteStride": len(row)}
+    file = written(tmp_path, {"POSITION": (row * 3, positions)}, bufferViews=[view])
+    assert primitive_mesh(file, 0, 0).positions.tolist() == [list(expected)] * 3
+
+
+def test_integers_that_are_not_normalised_stay_what_they_are(tmp_path: Path) -> None:
+    data = pack("<12h", 0, 0, 0, 0, 700, 0, 0, 0, 0, -700, 0, 0)
+    positions = {"componentType": SHORT, "count": 3, "type": "VEC3"}
+    view = {"buffer": 0, "byteLength": len(data), "byteStride": 8}
+    file = written(tmp_path, {"POSITION": (data, positions)}, bufferViews=[view])
+    assert primitive_mesh(file, 0, 0).positions.tolist() == [[0, 0, 0], [700, 0, 0], [0, -700, 0]]
+
+
+def test_attributes_may_stand_between_each_other(tmp_path: Path) -> None:
+    normal = (0.0, 3.0, 0.0)
+    data = b"".join(pack("<6f", *place, *normal) for place in POINTS[:3])
+    shared = {"componentType": FLOAT, "count": 3, "type": "VEC3", "bufferView": 0}
+    file = written(
+        tmp_path,
+        {"POSITION": (data, shared), "NORMAL": (b"", {**shared, "byteOffset": 12})},
+        bufferViews=[{"buffer": 0, "byteLength": len(data), "byteStride": 24}],
+    )
+    mesh = primitive_mesh(file, 0, 0)
+    assert mesh.positions.tolist() == [list(map(float, place)) for place in POINTS[:3]]
+    assert mesh.normals.tolist() == [[0, 1, 0]] * 3  # at length one
+
+
+def test_normals_that_are_missing_are_those_of_the_triangles(tmp_path: Path) -> None:
+    mesh = primitive_mesh(written(tmp_path, {"POSITION": floats(POINTS[:3])}), 0, 0)
+    assert mesh.normals.tolist() == [[0, 0, 1]] * 3
+
+
+def test_an_accessor_without_a_view_is_all_zeros(tmp_path: Path) -> None:
+    zeros = {"componentType": FLOAT, "count": 3, "type": "VEC3"}
+    positions = {**zeros, "bufferView": 0}
+    file = written(tmp_path, {"POSITION": floats(POINTS[:3])}, accessors=[positions, zeros])
+    file.document.meshes[0].primitives[0].attributes["NORMAL"] = 1
+    assert primitive_mesh(file, 0, 0).degenerate_normals == 3
+
+
+def test_a_buffer_is_read_once_for_all_accessors(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    data, accessor = floats(POINTS)
+    (tmp_path / "a b.bin").write_bytes(data)
+    file = written(
+        tmp_path,
+        {"POSITION": (data, accessor), "NORMAL": (b"", {**accessor, "bufferView": 0})},
+        buffers=[{"byteLength": len(data), "uri": "a%20b.bin"}],
+    )
+    read = []
+
+    def counted(path: Path) -> bytes:
+        read.append(path.name)
+        return data
+
+    monkeypatch.setattr(Path, "read_bytes", counted)
+    for _ in range(3):
+        primitive_mesh(file, 0, 0)
+    assert read == ["a b.bin"]
+
+
+GOOD = {"bufferView": 0, "componentType": FLOAT, "count": 3, "type": "VEC3"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"accessors": []}, "accessor 0 does not exist"),
+        ({"accessors": [{**GOOD, "componentType": 5124}]}, "accessor 0 has an unknown type or"),
+        ({"accessors": [{**GOOD, "type": "MAT9"}]}, "accessor 0 has an unknown type or size"),
+        ({"accessors": [{**GOOD, "count": -1}]}, "accessor 0 has an unknown type or size"),
+        ({"accessors": [{**GOOD, "count": 1 << 40}]}, "accessor 0 has an unknown type or size"),
+        ({"accessors": [{**GOOD, "sparse": {"count": 1}}]}, "accessor 0 is sparse"),
+        ({"accessors": [{**GOOD, "type": "VEC2"}]}, "accessor 0 has 2 components and needs 3"),
+        ({"accessors": [{**GOOD, "bufferView": 7}]}, "buffer view 7 does not exist"),
+        ({"accessors": [{**GOOD, "count": 4}]}, "an accessor reaches beyond its buffer"),
+        ({"accessors": [{**GOOD, "byteOffset": -4}]}, "an accessor reaches beyond its buffer"),
+        (
+            {"bufferViews": [{"buffer": 0, "byteLength": 36, "byteStride": 8}]},
+            "an accessor reaches beyond its buffer",
+        ),
+        ({"bufferViews": [{"buffer": 2, "byteLength": 36}]}, "buffer 2 does not exist"),
+        ({"buffers": [{"byteLength": 99, "uri": "data:,AAAA"}]}, "3 bytes and needs 99; copy"),
+        ({"buffers": [{"byteLength": 3, "uri": "data:,A?A"}]}, "embedded buffer is not base64"),
+        ({"buffers": [{"byteLength": 3, "uri": "none.bin"}]}, "none.bin: No such file"),
+        ({"buffers": [{"byteLength": 36}]}, "it has 0 bytes and needs 36"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_every_damage_of_the_numbers_has_one_line(
+    tmp_path: Path, changes: dict[str, object], words: str
+) -> None:
+    file = written(tmp_path, {"POSITION": floats(POINTS[:3])}, **changes)
+    for read in (lambda: primitive_mesh(file, 0, 0), lambda: mesh_parts(file, 0)):
+        with pytest.raises(IllegalValueError) as caught:
+            read()
+        message = str(caught.value)
+        assert words in message
+        assert message.startswith(str(tmp_path))
+        assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("stored", "words"),
+    [
+        ({"POSITION": floats([(0, 0, 0), (1, float("nan"), 0), (0, 1, 0)])}, "row 1 of accessor 0"),
+        ({"POSITION": floats(POINTS), "NORMAL": floats(POINTS[:3])}, "5 positions and 3 normals"),
+        ({"POSITION": floats(POINTS), "TEXCOORD_0": floats([(0, 0)])}, "1 attributes stand beside"),
+        ({"POSITION": floats(POINTS), "TEXCOORD_0": floats(POINTS)}, "TEXCOORD_0 has 3 compo"),
+    ],
+)
+def test_attributes_that_do_not_fit_are_refused(
+    tmp_path: Path, stored: dict[str, tuple[bytes, dict[str, object]]], words: str
+) -> None:
+    with pytest.raises(IllegalValueError, match=words):
+        primitive_mesh(written(tmp_path, stored), 0, 0)
+
+
+def test_an_index_beyond_the_vertices_is_refused(tmp_path: Path) -> None:
+    stored = {"POSITION": floats(POINTS[:3]), "i": shorts([0, 1, 3])}
+    with pytest.raises(IllegalValueError, match="index 3 is beyond 3 vertices"):
+        primitive_mesh(written(tmp_path, stored, indices="i"), 0, 0)
