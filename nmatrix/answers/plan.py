@@ -6,10 +6,10 @@ from pathlib import Path
 
 from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.emit import shaders
+from nmatrix.raster.planning.glsl import shaders
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
+from nmatrix.raster.planning.recipe import Decision
 from nmatrix.report import (
     Block,
     Code,

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster.proofs.brief import Brief, Proof
-from nmatrix.raster.proofs.catalogue import entry
-from nmatrix.raster.proofs.frames import Job
+from nmatrix.raster.proofs.catalogue import catalogued
+from nmatrix.raster.proofs.frames import PictureFrame
+from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.meshes.mesh import Mesh
@@ -59,18 +59,18 @@ class ProofSubject:
     has_view: bool
 
 
-def proof_job(
+def proof_frame(
     name: str,
     subject: ProofSubject,
     choices: PictureChoices,
     clock: Callable[[], float] = float,
-) -> Job:
-    """Return the job of drawing a proof of a subject; `clock` tells seconds."""
+) -> PictureFrame:
+    """Return the frame of drawing a proof of a subject; `clock` tells seconds."""
     setup = subject.setup
     settings = replace(choices.over(Settings(size=PANEL)), space_matrix=setup.space_matrix)
-    return Job(
+    return PictureFrame(
         name,
-        brief=Brief(
+        settings=ProofSettings(
             subject.name,
             subject.mesh,
             setup.world if subject.has_world else None,
@@ -84,8 +84,8 @@ def proof_job(
     )
 
 
-def scene_job(scene: Scene, name: str, choices: PictureChoices) -> Job:
-    """Return the job of drawing a scene under what was chosen."""
+def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFrame:
+    """Return the frame of a scene under what was chosen."""
     settings = choices.over(scene.settings)
     found = replace(scene.sized(*settings.size), settings=settings)
     if choices.reflection is not None:
@@ -94,7 +94,7 @@ def scene_job(scene: Scene, name: str, choices: PictureChoices) -> Job:
             for one in found.objects
         )
         found = replace(found, objects=tuple(objects))
-    return Job(name, scene=found)
+    return PictureFrame(name, scene=found)
 
 
 def checked_subject(subject: str) -> str:
@@ -105,7 +105,10 @@ def checked_subject(subject: str) -> str:
     IllegalValueError
         If it is neither.
     """
-    if entry(subject) is None and Path(subject).suffix.lower() not in (*SCENES, *MESH_SUFFIXES):
+    if catalogued(subject) is None and Path(subject).suffix.lower() not in (
+        *SCENES,
+        *MESH_SUFFIXES,
+    ):
         raise IllegalValueError(
             f"render ({subject[:60]})",
             f"it is no proof; scenes end in {', '.join(SCENES)}, "

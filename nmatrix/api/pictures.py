@@ -60,11 +60,11 @@ def render(
         PictureChoices,
         ProofSubject,
         checked_subject,
-        proof_job,
-        scene_job,
+        proof_frame,
+        scene_frame,
     )
     from nmatrix.answers.render import render as answer
-    from nmatrix.raster.proofs.catalogue import entry
+    from nmatrix.raster.proofs.catalogue import catalogued
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.open import scene_of
 
@@ -78,7 +78,7 @@ def render(
         None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
     )
-    if entry(name) is not None:
+    if catalogued(name) is not None:
         values = setup_values(Setup() if setup is None else setup)
         if values.lens.aspect == Lens().aspect:  # a panel's own
             values = replace(values, lens=replace(values.lens, aspect=choices.panel_aspect))
@@ -90,7 +90,7 @@ def render(
             has_world=values.world != World(),
             has_view=values.view != View(),
         )
-        job = proof_job(name, drawn, choices)
+        frame = proof_frame(name, drawn, choices)
     else:
         for given, value in (("setup", setup), ("mesh", mesh)):
             if value is not None:
@@ -99,6 +99,6 @@ def render(
                     "both say what to draw",
                     "keep one of them",
                 )
-        job = scene_job(scene_of(named_file(name, "subject")), Path(name).stem, choices)
-    proof = job.draw()
+        frame = scene_frame(scene_of(named_file(name, "subject")), Path(name).stem, choices)
+    proof = frame.draw()
     return Picture(answer(proof), proof.image, proof.png())

@@ -105,15 +105,15 @@ def _proofs(setup: Setup) -> Part:
     """Draw two proof images with their numbers in the alternative text."""
     from dataclasses import replace
 
-    from nmatrix.raster.proofs.brief import Brief
+    from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.raster.proofs.rules import mirror, normals
     from nmatrix.scene.scene import Settings
 
-    brief = Brief("normals", settings=replace(Settings(), size=PROOF_SIZE))
+    settings = ProofSettings("normals", picture=replace(Settings(), size=PROOF_SIZE))
     blocks: list[Block] = [Heading("Seen")]
     pictures = {}
     for name, draw in (("normals", normals), ("mirror", mirror)):
-        proof = draw(replace(brief, subject=name))
+        proof = draw(replace(settings, subject=name))
         pictures[f"{name}.png"] = proof.png()
         blocks.append(Figure(f"{name}.png", f"{TOLD[name]} {proof.verdict}", proof.verdict))
     return Part(tuple(blocks), pictures)

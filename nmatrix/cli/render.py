@@ -17,13 +17,13 @@ from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
-from nmatrix.raster.proofs.catalogue import PROOFS, entry
+from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from nmatrix.raster.proofs.brief import Proof
-    from nmatrix.raster.proofs.frames import Job
+    from nmatrix.raster.proofs.frames import PictureFrame
+    from nmatrix.raster.proofs.proof import Proof
 
 HELP = {
     "render": """nmatrix render normals --scale 1 2 1
@@ -59,16 +59,18 @@ def render(
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
     groups = OptionGroups(world, view, lens, light, space, scene=scene)
-    _write(_job(subject, mesh, groups, picture, common), frames, file, common)
+    _write(_frame(subject, mesh, groups, picture, common), frames, file, common)
 
 
-def _write(job: Job, frames: FrameOptions, file: FileOptions, common: CommonOptions) -> None:
+def _write(
+    frame: PictureFrame, frames: FrameOptions, file: FileOptions, common: CommonOptions
+) -> None:
     """Draw, write the files, and show the numbers."""
-    target = file.output or f"{job.name}.{'gif' if frames.count > 1 else 'png'}"
+    target = file.output or f"{frame.name}.{'gif' if frames.count > 1 else 'png'}"
     names = _names(target, frames.count)
     refuse_existing(names, force=file.force)
     started = time.perf_counter()
-    proofs = _draw(job, frames)
+    proofs = _draw(frame, frames)
     milliseconds = (time.perf_counter() - started) * 1000
     if target == "-":
         put_bytes(_content(proofs, "-")[0])
@@ -82,17 +84,17 @@ def _write(job: Job, frames: FrameOptions, file: FileOptions, common: CommonOpti
         show_picture(proofs[0].image, common)
 
 
-def _job(
+def _frame(
     subject: str,
     mesh: str | None,
     groups: OptionGroups,
     picture: PictureOptions,
     common: CommonOptions,
-) -> Job:
-    """Make the job that the command line asks for: a proof, or a scene."""
+) -> PictureFrame:
+    """Make the frame that the command line asks for: a proof, or a scene."""
     from nmatrix.answers.render import checked_subject
 
-    if entry(checked_subject(subject)) is not None:
+    if catalogued(checked_subject(subject)) is not None:
         return _proof(subject, mesh, groups, picture, common)
     for option, given in (("--mesh", mesh), ("--scene", groups.scene.scene_file)):
         if given is not None:
@@ -108,9 +110,9 @@ def _proof(
     groups: OptionGroups,
     picture: PictureOptions,
     common: CommonOptions,
-) -> Job:
-    """Make the job of a proof: a scene lends its object, its camera and its light."""
-    from nmatrix.answers.render import ProofSubject, proof_job
+) -> PictureFrame:
+    """Make the frame of a proof: a scene lends its object, its camera and its light."""
+    from nmatrix.answers.render import ProofSubject, proof_frame
     from nmatrix.scene.meshes.file import read_mesh
 
     choices = picture.choices(groups.space.chosen(None, None))
@@ -125,23 +127,25 @@ def _proof(
         has_world=groups.world.is_given or lent is not None,
         has_view=groups.view.is_given or (lent is not None and lent.has_camera),
     )
-    return proof_job(name, subject, choices, time.perf_counter)
+    return proof_frame(name, subject, choices, time.perf_counter)
 
 
-def _scene(path: Path, groups: OptionGroups, picture: PictureOptions, common: CommonOptions) -> Job:
-    """Make the job of a file's scene, with what the command line says in place of its own.
+def _scene(
+    path: Path, groups: OptionGroups, picture: PictureOptions, common: CommonOptions
+) -> PictureFrame:
+    """Make the frame of a file's scene, with what the command line says in place of its own.
 
     World options move the object that --object names, or the first.
     """
-    from nmatrix.answers.render import scene_job, scene_lights
+    from nmatrix.answers.render import scene_frame, scene_lights
 
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
     read, one = groups.scene.scene, groups.scene.chosen_object
     assert read is not None and one is not None  # a file was named
     choices = picture.choices(groups.space.chosen(None, read.settings.space))
-    job = scene_job(read, path.stem, choices)
-    assert job.scene is not None  # it draws one
-    found = job.scene
+    frame = scene_frame(read, path.stem, choices)
+    assert frame.scene is not None  # it draws one
+    found = frame.scene
     setup = groups.setup(common, aspect=found.lens.aspect)
     objects = found.objects
     if groups.world.is_given:
@@ -158,15 +162,17 @@ def _scene(path: Path, groups: OptionGroups, picture: PictureOptions, common: Co
         settings=replace(found.settings, space_matrix=setup.space_matrix),
         has_camera=found.has_camera or groups.view.is_given,
     )
-    return replace(job, scene=scene)
+    return replace(frame, scene=scene)
 
 
-def _draw(job: Job, frames: FrameOptions) -> list[Proof]:
+def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
     from nmatrix.raster.proofs.frames import drawn, turns
 
-    jobs = [job.turned(angle) for angle in turns(frames.count)] if frames.count > 1 else [job]
+    pictures = (
+        [frame.turned(angle) for angle in turns(frames.count)] if frames.count > 1 else [frame]
+    )
     with frames.executor() as executor:
-        return list(progress(drawn(jobs, executor), len(jobs), "frames"))
+        return list(progress(drawn(pictures, executor), len(pictures), "frames"))
 
 
 def _names(target: str, count: int) -> list[Path]:

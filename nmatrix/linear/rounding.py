@@ -28,7 +28,7 @@ def nearest(value: Fraction) -> float:
 
     Examples
     --------
-    >>> float_or_none(Fraction(1, 3))
+    >>> nearest(Fraction(1, 3))
     0.3333333333333333
     """
     try:

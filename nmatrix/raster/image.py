@@ -77,7 +77,7 @@ def compose(
 
 @dataclass(frozen=True)
 class _Grid:
-    """Where panels stand: their width and height in pixels, and the lines of text around them."""
+    """The grid of panels: their width and height in pixels, and the lines of text around them."""
 
     width: int
     height: int

@@ -22,8 +22,8 @@ from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.products import in_parts, moved
+from nmatrix.raster.triangles.products import chunks, multiply
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.scene.fitting import Ball, enclosing, fitted
 from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.material import Material
@@ -53,15 +53,15 @@ class Body:
 
     @cached_property
     def kind(self) -> Classification:
-        """Return what kind of map places the body; files hold float32 numbers."""
+        """Classify the map that places the body; files hold float32 numbers."""
         return classify(self.world_from_object.exact, FROM_FILE)
 
     def parts_world(self) -> Iterator[Array]:
-        """Give the vertices in the world, some at a time (3, n), so that memory is bounded."""
+        """Yield the vertices in the world, some at a time (3, n), so that memory is bounded."""
         M = np.array(to_floats(self.world_from_object.exact))[:3]
-        for part in in_parts(self.mesh.positions.T):
+        for part in chunks(self.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
-                yield moved(M, part)
+                yield multiply(M, part)
 
     @property
     def positions_world(self) -> Array:
@@ -112,7 +112,7 @@ class PlacedLight:
 
     @property
     def colour(self) -> tuple[float, ...]:
-        """Return what it sends: colour times intensity."""
+        """Return the light that it sends: colour times intensity."""
         return tuple(channel * self.light.intensity for channel in self.light.color)
 
 

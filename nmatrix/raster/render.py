@@ -17,7 +17,7 @@ from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
 from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_maps
 from nmatrix.raster.shading.space import ShadingSpace, as_array
-from nmatrix.raster.shading.surface import Look, Surface
+from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
 from nmatrix.raster.triangles.vertices import front_sign, project
@@ -29,7 +29,7 @@ Change = Callable[[Surface], Surface]
 
 @dataclass(frozen=True)
 class Work:
-    """What a picture took, counted: the same on every machine."""
+    """The work of a picture, counted: the same on every machine."""
 
     vertices: int
     triangles: int
@@ -103,32 +103,32 @@ def _drawable(
     projected = project(body.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
     surface = change(surface_of(plan, body, maps, front))
     return Drawable(
-        projected, surface.reads(projected), surface.colours, body.body.material.opacity
+        projected, surface.vertex(projected), surface.fragment, body.body.material.opacity
     )
 
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:
-    """Return how one body looks under its plan."""
+    """Return the surface of one body under its plan."""
     settings = plan.loaded.settings
     space = ShadingSpace(
         plan.loaded, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
     )
     lighting = Lighting(
         body.body.material,
-        tuple(_seen(one, space, body, maps, plan.channels) for one in body.lights),
+        tuple(light_in_space(one, space, body, maps, plan.channels) for one in body.lights),
         colour(ambient_light(plan.loaded), plan.channels),
         space.point(plan.loaded.eye),
         space.measure,
         body.effects,
     )
-    look = Look(
+    style = PictureStyle(
         settings.shading,
         plan.channels,
         _rule(plan, body),
         settings.fog,
         plan.picture[Effect.GAMMA].on,
     )
-    return Surface(space, lighting, look, body.effects, front)
+    return Surface(space, lighting, style, body.effects, front)
 
 
 def ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
@@ -141,23 +141,23 @@ def ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
 
 
 def _rule(plan: Plan, body: BodyPlan) -> NormalRule:
-    """Return how normals are carried: by the matrix itself where that is right."""
+    """Return the rule that carries normals: the matrix itself where that is right."""
     wanted = plan.loaded.settings.normals
     if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in body.effects:
         return NormalRule.NONE
     return wanted
 
 
-def _seen(
+def light_in_space(
     placed: PlacedLight,
     space: ShadingSpace,
     body: BodyPlan,
     maps: dict[str, list[ShadowMap]],
     channels: int,
 ) -> ShadingLight:
-    """Return a light as the body's shading space sees it."""
+    """Return a light in the body's shading space."""
     light = placed.light
-    looks = maps.get(light.name) if Effect.SHADOWS in body.effects else None
+    shadowed = maps.get(light.name) if Effect.SHADOWS in body.effects else None
     axis = None if placed.direction is None else space.direction(placed.direction)
     return ShadingLight(
         colour(placed.colour, channels),
@@ -169,7 +169,7 @@ def _seen(
         cone=tuple(cos(radians(angle)) for angle in light.cone_degrees)  # type: ignore[arg-type]  # two
         if light.kind is LightKind.SPOT
         else None,
-        occlusion=Occluded(looks, space) if looks and light.shadows else None,
+        occlusion=Occluded(shadowed, space) if shadowed and light.shadows else None,
     )
 
 

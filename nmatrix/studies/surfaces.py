@@ -13,7 +13,7 @@ from nmatrix.raster.planning.plan import Plan, everything
 from nmatrix.raster.render import Change, render
 from nmatrix.raster.shading.normals import angles_deg, unit
 from nmatrix.raster.shading.surface import Surface
-from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
 
 Array = NDArray[Any]
@@ -37,25 +37,25 @@ def with_effect(effect: Effect, *, on: bool) -> Change:
 class Float32Surface(Surface):
     """A surface whose attributes are float32 from the vertices to the light."""
 
-    def reads(self, projected: Projected) -> Reads:
+    def vertex(self, projected: Projected) -> VertexOutputs:
         """Return the attributes rounded."""
-        found = super().reads(projected)
+        found = super().vertex(projected)
         points, directions, faces = (
             {name: one.astype(np.float32) for name, one in some.items()}
             for some in (found.points, found.directions, found.faces)
         )
         return replace(found, points=points, directions=directions, faces=faces)
 
-    def colours(self, fragments: Fragments) -> Array:
+    def fragment(self, fragments: Fragments) -> Array:
         """Return the colours of the fragments, their values rounded to float32."""
         kept = {name: one.astype(np.float32) for name, one in fragments.values.items()}
-        return super().colours(replace(fragments, values=kept))
+        return super().fragment(replace(fragments, values=kept))
 
 
 class NormalSurface(Surface):
     """A surface that shows its unit normals in world space, from 0 to 1, in place of its light."""
 
-    def colours(self, fragments: Fragments) -> Array:
+    def fragment(self, fragments: Fragments) -> Array:
         """Return the normals as colours."""
         world = self.space.measure.normal_in_world(self._normals(fragments))
         return np.asarray(np.broadcast_to((world + 1.0) / 2.0, (3, len(fragments))))

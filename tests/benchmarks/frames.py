@@ -16,9 +16,9 @@ from nmatrix.raster.loaded_scene import LoadedScene, loaded
 from nmatrix.raster.planning.plan import Plan, planned
 from nmatrix.raster.render import render
 from nmatrix.raster.shading.space import as_array
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected, front_sign, project
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -114,10 +114,10 @@ class Frame:
         drawables = []
         for mesh in (self.mesh, *self.others):
             projected = self.projected(mesh)
-            reads = Reads(
+            outputs = VertexOutputs(
                 directions={"normal": projected.per_vertex(np.ascontiguousarray(mesh.normals.T))}
             )
-            drawables.append(Drawable(projected, reads, self.lambert))
+            drawables.append(Drawable(projected, outputs, self.lambert))
         return Drawing(drawables, self.canvas, np.array([BACKGROUND]))
 
     def lambert(self, found: Fragments) -> Array:

@@ -10,7 +10,7 @@ import pytest
 from nmatrix.enums import Frame, Reflection, Shading, Space
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.planning.emit import shaders
+from nmatrix.raster.planning.glsl import shaders
 from nmatrix.raster.planning.plan import planned
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.setup import Light, Setup

@@ -11,9 +11,8 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.raster.triangles import clip as clip_module
 from nmatrix.raster.triangles import vertices
-from nmatrix.raster.triangles.canvas import Canvas
 from nmatrix.raster.triangles.clip import GUARD, clip, whole
-from nmatrix.raster.triangles.spans import SUBPIXELS, spans
+from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas, spans
 from nmatrix.raster.triangles.vertices import Projected, project
 from nmatrix.scene.meshes.mesh import Mesh
 
@@ -40,7 +39,7 @@ def exact_pieces(triangle: np.ndarray, depth: DepthRange) -> list[list[Point]]:
 
 
 def cut_exactly(triangle: list[Point], plane: Plane) -> list[list[Point]]:
-    """Return what lies inside; a quad is halved from the corner beside the one that is gone."""
+    """Return the pieces inside; a quad is halved from the corner beside the one that is gone."""
     distance = [sum(a * b for a, b in zip(plane, p, strict=True)) for p in triangle]
     inside = [d >= 0 for d in distance]
     if sum(inside) in (0, 3):
@@ -53,7 +52,7 @@ def cut_exactly(triangle: list[Point], plane: Plane) -> list[list[Point]]:
 
 
 def exact_samples(triangle: np.ndarray, depth: DepthRange) -> set[tuple[int, int]]:
-    """Return what the exact pieces cover, snapped."""
+    """Return the samples that the exact pieces cover, snapped."""
     half = Fraction(SUBPIXELS, 2)
     snapped = [
         [
@@ -70,7 +69,7 @@ def exact_samples(triangle: np.ndarray, depth: DepthRange) -> set[tuple[int, int
 
 
 def our_samples(triangle: np.ndarray, depth: DepthRange) -> set[tuple[int, int]]:
-    """Return what is covered of one triangle of clip coordinates: a mesh of three unit vectors
+    """Return the samples of one triangle of clip coordinates: a mesh of three unit vectors
     and a matrix that holds the corners as columns give them exactly.
     """
     mesh = Mesh(np.eye(3), np.zeros((3, 3)), np.array([[0, 1, 2]]))

@@ -13,10 +13,10 @@ from nmatrix.linear.rational import identity
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.triangles import fragments as fragments_module
-from nmatrix.raster.triangles.fragments import Fragments, Reads, Weighing, interpolate
-from nmatrix.raster.triangles.runs import Runs
+from nmatrix.raster.triangles.fragments import Fragments, Interpolation, VertexOutputs, interpolate
 from nmatrix.raster.triangles.spans import SUBPIXELS, spans
 from nmatrix.raster.triangles.vertices import Projected
+from nmatrix.raster.triangles.visibility import Runs
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lens import Lens
@@ -59,36 +59,38 @@ def runs_of(projected: Projected) -> Runs:
 def whose(projected: Projected, runs: Runs, found: Fragments) -> np.ndarray:
     """Return the triangle of each fragment: what a constant of the triangles says."""
     numbers = np.arange(projected.triangles.shape[1], dtype=float)[None]
-    read = interpolate(projected, runs, SIZE, Reads(faces={"triangle": numbers}))
+    read = interpolate(projected, runs, SIZE, VertexOutputs(faces={"triangle": numbers}))
     assert (read.sample == found.sample).all()
     return read["triangle"][0].astype(int)
 
 
-def weights_of(projected: Projected, weighing: Weighing) -> tuple[np.ndarray, list[list[Fraction]]]:
+def weights_of(
+    projected: Projected, interpolation: Interpolation
+) -> tuple[np.ndarray, list[list[Fraction]]]:
     """Return weights (3, m) as attributes read them, and what they are exactly.
 
     Corner i of every triangle says 1 in channel i and 0 elsewhere.
     """
     runs = runs_of(projected)
     corners = np.tile(np.eye(3), projected.triangles.shape[1])
-    read = Reads(points={"weights": corners}, weighing=weighing)
+    read = VertexOutputs(points={"weights": corners}, interpolation=interpolation)
     found = interpolate(projected, runs, SIZE, read)
     triangles = whose(projected, runs, found)
     exact = [
-        true_weights(projected, triangle, *divmod(sample, SIZE), weighing)
+        true_weights(projected, triangle, *divmod(sample, SIZE), interpolation)
         for triangle, sample in zip(triangles.tolist(), found.sample.tolist(), strict=True)
     ]
     return found["weights"], exact
 
 
 def true_weights(
-    projected: Projected, triangle: int, row: int, column: int, weighing: Weighing
+    projected: Projected, triangle: int, row: int, column: int, interpolation: Interpolation
 ) -> list[Fraction]:
     corners = projected.triangles[:, triangle].tolist()
     x = [int(projected.x[i]) - SUBPIXELS * column for i in corners]
     y = [int(projected.y[i]) - SUBPIXELS * row for i in corners]
     areas = [abs(x[i - 2] * y[i - 1] - x[i - 1] * y[i - 2]) for i in range(3)]
-    if weighing is not Weighing.AFFINE:
+    if interpolation is not Interpolation.AFFINE:
         areas = [
             a * Fraction(projected.inverse_w[i].item()) for a, i in zip(areas, corners, strict=True)
         ]
@@ -115,43 +117,43 @@ def worst_absolute(found: np.ndarray, exact: list[list[Fraction]]) -> float:
 @pytest.mark.parametrize("reach", [SIZE * 256, BAND - SIZE * 256], ids=["small", "guard band"])
 def test_exact_weights_err_by_eight_units_at_the_most(ratio: float, reach: int) -> None:
     projected = loose_triangles(20, ratio, 1, reach)
-    found, exact = weights_of(projected, Weighing.EXACT)
+    found, exact = weights_of(projected, Interpolation.EXACT)
     assert found.shape[1] > 500
     assert ((found >= 0) & (found <= 1)).all()
     assert worst_relative(found, exact) <= 8 * U
 
 
 def test_affine_weights_are_areas() -> None:
-    found, exact = weights_of(loose_triangles(20, 1e12, 2), Weighing.AFFINE)
+    found, exact = weights_of(loose_triangles(20, 1e12, 2), Interpolation.AFFINE)
     assert worst_absolute(found, exact) <= 8 * U
 
 
 @pytest.mark.parametrize("ratio", [1.0, 16.0, 256.0])
 @pytest.mark.parametrize("reach", [SIZE * 256, BAND - SIZE * 256], ids=["small", "guard band"])
 def test_sums_err_by_rounding_alone_up_to_the_plans_ratio(ratio: float, reach: int) -> None:
-    found, exact = weights_of(loose_triangles(30, ratio, 3, reach), Weighing.SUMS)
+    found, exact = weights_of(loose_triangles(30, ratio, 3, reach), Interpolation.SUMS)
     assert worst_absolute(found, exact) <= 1e-12
 
 
 def test_sums_would_not_do_for_extreme_ratios() -> None:
-    found, exact = weights_of(loose_triangles(20, 1e12, 1), Weighing.SUMS)
+    found, exact = weights_of(loose_triangles(20, 1e12, 1), Interpolation.SUMS)
     assert worst_relative(found, exact) > 1e4 * 8 * U
     assert worst_absolute(found, exact) > 1e-12
 
 
-def single_precision(spread: object, areas: np.ndarray, near: np.ndarray) -> np.ndarray:
-    return RIGHT(spread, areas, near.astype(np.float32).astype(float))
+def single_precision(expansion: object, areas: np.ndarray, near: np.ndarray) -> np.ndarray:
+    return RIGHT(expansion, areas, near.astype(np.float32).astype(float))
 
 
-def normalised_by_area(spread: object, areas: np.ndarray, near: np.ndarray) -> np.ndarray:
+def normalised_by_area(expansion: object, areas: np.ndarray, near: np.ndarray) -> np.ndarray:
     start, growth = areas
-    weights = spread.ramps(start * near, growth * near)
-    return weights / spread.constants(start.sum(axis=0)[None])
+    weights = expansion.ramps(start * near, growth * near)
+    return weights / expansion.constants(start.sum(axis=0)[None])
 
 
-def from_rounded_growth(spread: object, areas: np.ndarray, near: np.ndarray) -> np.ndarray:
+def from_rounded_growth(expansion: object, areas: np.ndarray, near: np.ndarray) -> np.ndarray:
     start, growth = areas
-    weights = spread.ramps(start * near, growth * near)
+    weights = expansion.ramps(start * near, growth * near)
     return weights / weights.sum(axis=0)
 
 
@@ -162,14 +164,14 @@ def test_the_bound_of_weights_notices(
     mutant: Callable[..., np.ndarray], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(fragments_module, "exact_weights", mutant)
-    found, exact = weights_of(loose_triangles(20, 1e12, 1), Weighing.EXACT)
+    found, exact = weights_of(loose_triangles(20, 1e12, 1), Interpolation.EXACT)
     assert (np.abs(found.T - np.array(exact, float)) > 8 * U * np.array(exact, float)).any()
 
 
 def directions_and_points(projected: Projected) -> tuple[np.ndarray, np.ndarray]:
     rng = np.random.default_rng(4)
     values = rng.normal(size=(3, len(projected.x)))
-    read = Reads(points={"p": values}, directions={"d": values})
+    read = VertexOutputs(points={"p": values}, directions={"d": values})
     found = interpolate(projected, runs_of(projected), SIZE, read)
     return found["p"], found["d"]
 
@@ -185,8 +187,8 @@ def test_both_windings_read_the_same_and_know_their_side() -> None:
     one = loose_triangles(30, 64.0, 6)
     other = Projected(one.x, one.y, one.depth, one.inverse_w, one.triangles[::-1])
     values = np.random.default_rng(7).normal(size=(2, len(one.x)))
-    for weighing in Weighing:
-        read = Reads(points={"p": values}, weighing=weighing, front=1)
+    for interpolation in Interpolation:
+        read = VertexOutputs(points={"p": values}, interpolation=interpolation, front=1)
         a, b = (interpolate(p, runs_of(p), SIZE, read) for p in (one, other))
         assert (a.sample == b.sample).all()
         assert np.allclose(a["p"], b["p"], rtol=1e-12, atol=1e-13)
@@ -195,7 +197,7 @@ def test_both_windings_read_the_same_and_know_their_side() -> None:
 
 
 def weighs_exactly(gap: float) -> bool:
-    """Return what the plan decides for a floor of one cell, seen from a gap before its edge."""
+    """Plan a floor of one cell, seen from a gap before its edge: does it weigh exactly?"""
     scene = Scene(
         (SceneObject("floor", ShapeGeometry(Shape.PLANE, (1,)), identity(4)),),
         (SceneLight("bulb", LightKind.POINT, position=(0, 1, 0)),),

@@ -9,9 +9,9 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
 
 MESH = """
@@ -35,8 +35,8 @@ mesh = Mesh(positions.reshape(-1, 3), normals.reshape(-1, 3), triangles.reshape(
 
 DRAWING = """
 from nmatrix.linear.projection import ClipSpace
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.fragments import Reads
+from nmatrix.raster.triangles.spans import Canvas
+from nmatrix.raster.triangles.fragments import VertexOutputs
 from nmatrix.raster.image import levels
 from nmatrix.raster.triangles.picture import Drawable, Drawing
 from nmatrix.raster.triangles.vertices import project
@@ -45,13 +45,13 @@ matrix = np.diag([0.9, 0.9, 0.5, 1.0])
 matrix[3, 1] = 0.2
 canvas = Canvas(size, size, per_side)
 projected = project(mesh, matrix, canvas, ClipSpace())
-reads = Reads(directions={{"normal": projected.per_vertex(mesh.normals.T)}})
+reads = VertexOutputs(directions={{"normal": projected.per_vertex(mesh.normals.T)}})
 
 def lambert(found):
     x, y, z = found["normal"]
     return (z / np.sqrt(x * x + y * y + z * z))[None]
 
-picture = Drawing([Drawable(projected, reads, lambert)], canvas, np.zeros(1)).picture(levels)
+picture = Drawing([Drawable(projected, outputs, lambert)], canvas, np.zeros(1)).picture(levels)
 assert picture.fragments > 0.5 * (size * per_side) ** 2 or cells > 1000, picture.fragments
 """
 
@@ -59,13 +59,13 @@ SCENE = """
 from nmatrix.linear.rational import identity
 from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.render import render
-from nmatrix.raster.loaded_scene import studio
+from nmatrix.raster.loaded_scene import loaded
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 
 grid = SceneObject("grid", LoadedGeometry(mesh), identity(4))
 settings = Settings(size=(size, size), samples=per_side**2)
-found = render(planned(studio(Scene((grid,), settings=settings, has_camera=False))))
+found = render(planned(loaded(Scene((grid,), settings=settings, has_camera=False))))
 assert found.work.fragments > 0.2 * (size * per_side) ** 2, found.work
 """
 
@@ -110,7 +110,7 @@ def test_memory_follows_the_tile_and_not_the_fragments(layers: int) -> None:
     def colours(found: Fragments) -> np.ndarray:
         return found["normal"][:1]
 
-    drawable = Drawable(screens, Reads(directions={"normal": normals}), colours)
+    drawable = Drawable(screens, VertexOutputs(directions={"normal": normals}), colours)
     tracemalloc.start()
     picture = Drawing([drawable], Canvas(size, size), np.zeros(1)).picture()
     _, peak = tracemalloc.get_traced_memory()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -10,17 +11,19 @@ import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 
 from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
+from nmatrix.raster.image import png
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.planning import judges as decisions_module
-from nmatrix.raster.planning import judges_by_geometry as shortcuts
-from nmatrix.raster.planning import plan as plan_module
+from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BUDGET, everything, planned
+from nmatrix.raster.planning.recipe import Decision, by_bound
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import render
 from nmatrix.scene.camera import View
-from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import Material, grey
+from nmatrix.scene.material import EmbeddedImage, Material, grey
+from nmatrix.scene.meshes.shapes import sphere
+from nmatrix.scene.meshes.tangents import with_tangents
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.words import DepthBuffer, LightKind, Shape
@@ -29,6 +32,16 @@ from nmatrix.scene.world import World
 EXAMPLES = Path(__file__).resolve().parents[2] / "docs" / "scenes"
 TINY_SHEAR = World(shear=(1e-4, 0, 0))
 FINE = ShapeGeometry(Shape.SPHERE, (200, 400))
+
+
+def bumpy_and_coloured() -> Scene:
+    """A sphere whose normals come from an image, and its diffuse part from its vertices."""
+    slanted = EmbeddedImage("slanted", png(np.full((2, 2, 3), (160, 110, 240), np.uint8), {}))
+    mesh = with_tangents(sphere(12, 24))
+    painted = replace(mesh, colours=0.5 + 0.5 * np.abs(mesh.normals))
+    material = Material("bumpy", normal_map=slanted, vertex_colours=True)
+    return single(TINY_SHEAR, material, shape=LoadedGeometry(painted))
+
 
 SCENES = {
     "matt": single(World(rotate_degrees=(20, 30, 0))),
@@ -45,7 +58,28 @@ SCENES = {
     "box": single(World(rotate_degrees=(20, 30, 0)), shape=ShapeGeometry(Shape.BOX)),
     "gamma": single(TINY_SHEAR, gamma=True, samples=4),
     "showpiece": showpiece(Settings(size=(160, 120), samples=4)),
+    "bumpy and coloured": bumpy_and_coloured(),
 }
+
+
+@cache
+def on_in_some_scene() -> frozenset[Effect]:
+    return frozenset().union(*(planned(loaded(scene)).effects for scene in SCENES.values()))
+
+
+@pytest.mark.parametrize("effect", Effect)
+def test_every_effect_is_on_in_some_scene(effect: Effect) -> None:
+    assert effect in on_in_some_scene()
+
+
+@pytest.mark.parametrize("effect", Effect)
+def test_every_effect_has_a_record_and_its_line_in_the_documentation(effect: Effect) -> None:
+    table = (EXAMPLES.parent / "rendering.md").read_text(encoding="utf-8")
+    assert f"| `{effect}` | {RECIPES[effect].says} |" in table
+
+
+def test_the_table_stands_in_the_order_of_reports() -> None:
+    assert list(RECIPES) == list(Effect)
 
 
 def both(scene: Scene) -> tuple[np.ndarray, np.ndarray, float]:
@@ -101,23 +135,19 @@ def test_where_only_exact_shortcuts_are_taken_no_bit_changes() -> None:
         effect for effect, one in body.decisions.items() if not one.on and one.kind is LeftOut.EXACT
     }
     trimmed = replace(all_on, effects=all_on.effects - exact)
-    assert exact & plan_module.SHORTCUTS
+    assert any(RECIPES[effect].is_shortcut for effect in exact)
     assert (render(replace(full, bodies=(trimmed,))).rgb == render(full).rgb).all()
 
 
 def test_a_bound_that_is_too_small_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = single(World(scale=(1, 1.5, 1)))
-    judge = shortcuts.inverse_transpose
-    monkeypatch.setitem(
-        decisions_module.JUDGES,
-        Effect.INVERSE_TRANSPOSE,
-        lambda facts: (False, judge(facts)[1], LeftOut.BOUNDED, 1e-3),
-    )
+    careless = replace(RECIPES[Effect.INVERSE_TRANSPOSE], judge=lambda _: by_bound(1e-3, "so"))
+    monkeypatch.setitem(RECIPES, Effect.INVERSE_TRANSPOSE, careless)
     found, full, bound = both(scene)
     assert np.abs(found - full).max() > bound + 1e-12
 
 
-def decision(scene: Scene, effect: Effect) -> plan_module.Decision:
+def decision(scene: Scene, effect: Effect) -> Decision:
     return planned(loaded(scene)).bodies[0].decisions[effect]
 
 

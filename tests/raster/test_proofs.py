@@ -15,11 +15,10 @@ from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.proofs import rules
-from nmatrix.raster.proofs.angles import normals_by
-from nmatrix.raster.proofs.brief import Brief, Proof
-from nmatrix.raster.proofs.catalogue import PROOFS, entry
-from nmatrix.raster.proofs.frames import Job, gif, turns
-from nmatrix.raster.proofs.heat import Scale
+from nmatrix.raster.proofs.angles import Scale, normals_by
+from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
+from nmatrix.raster.proofs.frames import PictureFrame, gif, turns
+from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import sphere, torus
 from nmatrix.scene.scene import Settings
@@ -28,8 +27,9 @@ from nmatrix.scene.world import World
 SMALL = Settings(size=(96, 96), samples=4)
 
 
-def proof(name: str, **brief: object) -> Proof:
-    return Job(name, brief=Brief(name, **{"settings": SMALL, **brief})).draw()  # type: ignore[arg-type]
+def proof(name: str, **settings: object) -> Proof:
+    chosen = ProofSettings(name, **{"picture": SMALL, **settings})  # type: ignore[arg-type]
+    return PictureFrame(name, chosen).draw()
 
 
 @pytest.mark.parametrize("name", [one.name for one in PROOFS])
@@ -71,7 +71,7 @@ def test_five_spaces_differ_by_rounding_alone() -> None:
 
 
 def test_object_rule_keeps_or_moves_the_terminator() -> None:
-    found = proof("object-rule", settings=replace(SMALL, size=(160, 160), samples=1)).numbers
+    found = proof("object-rule", picture=replace(SMALL, size=(160, 160), samples=1)).numbers
     # Normals of another length between vertices bend a little: a pixel here and there.
     assert found["terminator_inverted_pixels"] <= 4
     assert found["terminator_transposed_against_naive_pixels"] <= 4
@@ -168,7 +168,7 @@ def test_the_order_of_triangles_does_not_matter() -> None:
 
 
 def test_a_flattened_sphere_is_one_plane_that_faces_the_eye() -> None:
-    scene = Brief("flat", sphere(16, 32), settings=SMALL).scene(World(scale=(1, 0, 1)))
+    scene = ProofSettings("flat", sphere(16, 32), picture=SMALL).scene(World(scale=(1, 0, 1)))
     ready = loaded(scene)
     normals = normals_by(ready, ready.bodies[0], NormalRule.EXACT)
     assert len(np.unique(normals + 0.0, axis=1).T) == 1
@@ -177,7 +177,7 @@ def test_a_flattened_sphere_is_one_plane_that_faces_the_eye() -> None:
 
 
 def test_both_sides_of_a_flattened_sphere_look_alike() -> None:
-    found = proof("normals", world=World(scale=(1, 0, 1)), settings=replace(SMALL, size=(240, 240)))
+    found = proof("normals", world=World(scale=(1, 0, 1)), picture=replace(SMALL, size=(240, 240)))
     right = found.image[:, found.image.shape[1] // 3 : found.image.shape[1] * 2 // 3]
     rows, columns = np.nonzero((right[:, :, 0] > 40) & (right[:, :, 0] < 200))
     middle = int(np.median(columns))
@@ -213,17 +213,18 @@ def test_extreme_scales_are_drawn_or_refused_in_one_line(scale: tuple) -> None:
 
 
 def test_walking_around_turns_the_picture_and_comes_back() -> None:
-    job = Job(
-        "normals", brief=Brief("normals", torus(), World(rotate_degrees=(50, 0, 0)), settings=SMALL)
+    frame = PictureFrame(
+        "normals",
+        ProofSettings("normals", torus(), World(rotate_degrees=(50, 0, 0)), picture=SMALL),
     )
-    images = [job.turned(angle).draw().image for angle in (*turns(4), 360.0)]
+    images = [frame.turned(angle).draw().image for angle in (*turns(4), 360.0)]
     assert (images[0] == images[4]).all()
     assert (images[0] != images[1]).any()
     assert gif(images[:4])[:6] == b"GIF89a"
     assert Image.open(io.BytesIO(gif(images[:4]))).n_frames == 4
 
 
-def test_every_entry_has_its_function() -> None:
+def test_every_proof_has_its_function() -> None:
     for one in PROOFS:
         assert callable(getattr(import_module(f"nmatrix.raster.proofs.{one.module}"), one.function))
-    assert entry("nothing") is None
+    assert catalogued("nothing") is None

@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
-from nmatrix.enums import Space
+from nmatrix.enums import Effect, Space
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.planning import plan as plan_module
-from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.plan import planned
+from nmatrix.raster.planning.recipe import Decision
 from nmatrix.raster.render import render
 from nmatrix.raster.shading.space import Measure
 from nmatrix.scene.light import SceneLight
@@ -100,4 +99,4 @@ def test_rigid_spaces_do_without_the_metric() -> None:
     for space in (Space.WORLD, Space.CAMERA, Space.LIGHT):
         (body,) = planned(loaded(single(WORLDS["scale"], space=space))).bodies
         assert "metric" not in body.effects
-    assert isinstance(body.decisions[plan_module.Effect.METRIC], Decision)
+    assert isinstance(body.decisions[Effect.METRIC], Decision)

@@ -21,7 +21,7 @@ ROWS, COLUMNS = 9, 11
 
 
 def hits(triangles: Triangles, rows: tuple[int, int], columns: int) -> Array:
-    """Return for each triangle how often it takes each sample, (N, rows, columns)."""
+    """Count the times that each triangle takes each sample, (N, rows, columns)."""
     x, y = triangles
     change = np.zeros((x.shape[1], rows[1] - rows[0], columns + 1), int)
     for found in spans(x.astype(float), y.astype(float), rows, columns):
@@ -32,7 +32,7 @@ def hits(triangles: Triangles, rows: tuple[int, int], columns: int) -> Array:
 
 
 def edge_functions(triangles: Triangles, rows: tuple[int, int], columns: int) -> Array:
-    """Return the same by the top-left rule, in whole numbers below 2⁵³ throughout."""
+    """Count them by the top-left rule, in whole numbers below 2⁵³ throughout."""
     (xa, xb, xc), (ya, yb, yc) = (one.astype(np.int64) for one in triangles)
     area = (xb - xa) * (yc - ya) - (xc - xa) * (yb - ya)
     (xb, xc), (yb, yc) = (np.where(area < 0, [q, p], [p, q]) for p, q in ((xb, xc), (yb, yc)))

@@ -10,10 +10,9 @@ import pytest
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.triangles import picture as picture_module
 from nmatrix.raster.triangles import visibility as visibility_module
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
-from nmatrix.raster.triangles.spans import SUBPIXELS
+from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas
 from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.raster.triangles.visibility import EMPTY, TRIANGLE_MASK, Tile, depth_code
 from nmatrix.scene.words import DepthBuffer
@@ -34,7 +33,7 @@ def loose(count: int, seed: int, canvas: Canvas = CANVAS) -> Projected:
 def drawable(projected: Projected, opacity: float = 1.0) -> Drawable:
     """Return triangles with a colour at each corner that is the corner's own."""
     colours = np.random.default_rng(len(projected.x)).uniform(0, 1, (3, len(projected.x)))
-    read = Reads(points={"colour": colours})
+    read = VertexOutputs(points={"colour": colours})
     return Drawable(projected, read, lambda found: found["colour"], opacity)
 
 
@@ -185,7 +184,7 @@ def test_tiles_stripes_and_chunks_change_nothing(
 
 
 def blended(parts: list[Drawable], background: np.ndarray) -> np.ndarray:
-    """Return what each sample looks like, sorted one sample at a time; colours are flat."""
+    """Return the colour of each sample, sorted one sample at a time; colours are flat."""
     depths = [exact_depths(one.projected) for one in parts]
     image = np.empty((SIZE, SIZE, 3))
     for row in range(SIZE):
@@ -207,7 +206,7 @@ def flat(i: int, projected: Projected, opacity: float) -> Drawable:
     def colours(found: Fragments) -> np.ndarray:
         return np.repeat(np.array(COLOURS[i])[:, None], len(found), axis=1)
 
-    return Drawable(projected, Reads(), colours, opacity)
+    return Drawable(projected, VertexOutputs(), colours, opacity)
 
 
 def pane(left: float, right: float) -> Projected:

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from nmatrix.cli import cost
+from nmatrix.cli import studies as command
 from nmatrix.enums import Shading
 from nmatrix.studies import chart, normals, shading, spaces
 from nmatrix.studies.hardcases.case import CaseVerdict
@@ -214,8 +214,8 @@ def test_the_command_answers_and_draws(nmatrix, tmp_path: Path, monkeypatch) -> 
         now += 0.01
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(cost, "time", SimpleNamespace(perf_counter=lambda: now))
-    monkeypatch.setattr(cost, "_work", work)
+    monkeypatch.setattr(command, "time", SimpleNamespace(perf_counter=lambda: now))
+    monkeypatch.setattr(command, "_work", work)
     monkeypatch.setattr(spaces, "_vertex_stage", lambda *_: work)
     code, out, _ = nmatrix("cost spaces --quick --chart a.svg -f json")
     assert code == 0

@@ -1,1 +1,6 @@
-"""Which effects a scene calls for, why, and what the others are worth."""
+"""Planning: the effects that a scene calls for, and the proof that the others cannot be seen.
+
+Each effect is one record (`recipe`, `effects`). Judges decide on the facts of one body (`facts`,
+`judges_by_geometry`, `culled_lights`), a budget of half a level pays for what is left out with a
+bound (`plan`), and the same records write the plan as GLSL (`glsl`).
+"""

@@ -1,121 +1,420 @@
-"""The table of effects: what each one reads, which others it needs, and what it multiplies.
+"""The table of effects, one record for each, and the judges of those that a scene names.
 
-Multiplications are counted as mat4·vec4 16, mat3·vec3 9, dot 3, normalise 6, division and square
-root 1, for each sample or for each light at each sample.
+The planner, the renderer's work counter, the GLSL and the report are sums over these records.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from math import e, inf, sqrt
 
-from nmatrix.enums import Effect
+from nmatrix.enums import Effect, Reflection
+from nmatrix.raster.loaded_scene import LoadedScene
+from nmatrix.raster.planning import judges_by_geometry as geometry
+from nmatrix.raster.planning.facts import Facts
+from nmatrix.raster.planning.recipe import (
+    STEADY,
+    Decision,
+    Glsl,
+    Influence,
+    Recipe,
+    adds_nothing,
+    called_for,
+    not_asked,
+)
+from nmatrix.scene.material import CHECKER, Material
+from nmatrix.scene.words import LightKind
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
+STEEPEST_SRGB = 12.92  # levels for light, near black
+EDGES = replace(
+    STEADY,
+    per_length=inf,
+    jumps=True,
+    because="bands and outlines have edges that lengths would move",
+)
 
 
-@dataclass(frozen=True)
-class Recipe:
-    """What an effect is made of."""
+def ambient(facts: Facts) -> Decision:
+    """Decide on light from everywhere."""
+    if not any(facts.material.ambient):
+        return not_asked("the material sends none of it back")
+    return called_for("the material sends some of it back")
 
-    says: str
-    attributes: tuple[str, ...] = ()
-    uniforms: tuple[str, ...] = ()
-    passes: tuple[str, ...] = ()
-    needs: tuple[Effect, ...] = ()
-    per_vertex: int = 0
-    per_sample: int = 0
-    per_light: int = 0
+
+def diffuse(facts: Facts) -> Decision:
+    """Decide on Lambert's cosine."""
+    if not any(facts.material.diffuse):
+        return not_asked("the material has no diffuse part")
+    if not facts.lights:
+        return not_asked("no light reaches it")
+    return called_for(f"{len(facts.lights)} of {len(facts.loaded.lights)} lamps can reach it")
+
+
+def lambert(facts: Facts) -> Influence:
+    """Bound max(0, cos): its slope is 1 at the most, and the cosine grows with n's length."""
+    most = max(facts.material.diffuse)
+    return replace(STEADY, per_radian=most, per_length=most, colour_range=most, follows_lights=True)
+
+
+def specular(facts: Facts) -> Decision:
+    """Decide on highlights."""
+    if not facts.material.shines:
+        return not_asked("the material has no highlight")
+    return called_for("the material shines") if facts.lights else not_asked("no light reaches it")
+
+
+def highlight(facts: Facts) -> Influence:
+    """Bound cosˢ: its slope is √(s/e) at the most, and a mirrored ray turns twice as far as n.
+
+    The highlight ends where n·l = 0, and jumps there.
+    """
+    material = facts.material
+    most, is_mirrored = max(material.specular), material.reflection is Reflection.PHONG
+    by_length = (4.0 if is_mirrored else 1.0) * material.shininess * most
+    return replace(
+        STEADY,
+        per_radian=most * (2.0 if is_mirrored else 1.0) * sqrt(material.shininess / e),
+        per_length=inf if material.shininess < 1 else by_length,
+        colour_range=most,
+        follows_lights=True,
+        jumps=True,
+        reads_place=facts.is_lit_at_fragments,
+        because="a highlight this wide has an infinite slope",
+    )
+
+
+def toon(facts: Facts) -> Decision:
+    """Decide on bands."""
+    if facts.material.reflection is Reflection.TOON:
+        return called_for(f"the material has {facts.material.toon_steps} bands")
+    return not_asked("the material is smooth")
+
+
+def outline(facts: Facts) -> Decision:
+    """Decide on lines where a surface turns away."""
+    if not facts.material.outline:
+        return not_asked("the material has no outline")
+    if not facts.is_lit_at_fragments:
+        return adds_nothing("an outline is drawn only where normals reach the fragments")
+    return called_for("the material has an outline")
+
+
+def read_where_lit(facts: Facts) -> Influence:
+    """Bound light from a place: fragments ask where they are, if light is evaluated there."""
+    return replace(STEADY, reads_place=facts.is_lit_at_fragments)
+
+
+def attenuation(facts: Facts) -> Decision:
+    """Decide on light that fades or ends."""
+    fading = [
+        one.light.name for one in facts.lights if one.position is not None and one.light.fades
+    ]
+    if fading:
+        return called_for(f"{', '.join(fading)} fades with distance")
+    return not_asked("no lamp that reaches it fades or ends")
+
+
+def spot(facts: Facts) -> Decision:
+    """Decide on cones of light."""
+    spots = [one.light.name for one in facts.lights if one.light.kind is LightKind.SPOT]
+    if not spots:
+        return not_asked("no lamp has a cone")
+    return called_for(f"{', '.join(spots)} has a cone")
+
+
+def texture(facts: Facts) -> Decision:
+    """Decide on images and patterns."""
+    if facts.material.texture is None:
+        return not_asked("the material has no texture")
+    if facts.body.mesh.uv is None:
+        return adds_nothing("the mesh has no texture coordinates")
+    return called_for("the material has a texture")
+
+
+def normal_map(facts: Facts) -> Decision:
+    """Decide on normals from an image."""
+    if facts.material.normal_map is None:
+        return not_asked("the material has no normal map")
+    if facts.body.mesh.tangents is None or not facts.is_lit_at_fragments:
+        return adds_nothing("the mesh has no tangents, or light is not evaluated at fragments")
+    return called_for("the material has a normal map")
+
+
+def vertex_colours(facts: Facts) -> Decision:
+    """Decide on colours of the vertices."""
+    why_not = "the mesh has no colours of its own"
+    if not facts.material.vertex_colours:
+        return not_asked(why_not)
+    if facts.body.mesh.colours is None:
+        return adds_nothing(why_not)
+    return called_for("the mesh has colours")
+
+
+def transparency(facts: Facts) -> Decision:
+    """Decide on what lets light through."""
+    opacity = facts.material.opacity
+    if opacity == 1.0:
+        return not_asked("everything is opaque")
+    return called_for(f"opacity {opacity:g}")
+
+
+def fog(facts: Facts) -> Decision:
+    """Decide on fog."""
+    fog = facts.loaded.settings.fog
+    return called_for(f"fog ends at {fog.end:g}") if fog else not_asked("the scene has no fog")
+
+
+def tinted(loaded: LoadedScene, bodies: Sequence[Facts]) -> Decision:
+    """Decide on three channels: one is enough where everything is grey."""
+    colours = [loaded.settings.background, *(light.light.color for light in loaded.lights)]
+    for one in (body.material for body in loaded.bodies):
+        colours += [one.ambient, one.diffuse, one.specular]
+    if loaded.settings.fog:
+        colours.append(loaded.settings.fog.color)
+    if any(len(set(colour)) > 1 for colour in colours) or any(one.brings_colour for one in bodies):
+        return called_for("something has a colour")
+    return not_asked("everything is grey")
+
+
+def gamma(loaded: LoadedScene, _: Sequence[Facts]) -> Decision:
+    """Decide on sRGB levels."""
+    if not loaded.settings.gamma:
+        return not_asked("levels are linear")
+    return called_for("the scene asks for sRGB")
+
+
+def supersampling(loaded: LoadedScene, _: Sequence[Facts]) -> Decision:
+    """Decide on several samples in a pixel."""
+    because = f"{loaded.settings.samples} samples in a pixel"
+    return called_for(because) if loaded.settings.samples > 1 else not_asked(because)
+
+
+def outline_lines(material: Material) -> Glsl:
+    """Return the line that draws an outline."""
+    width = float(material.outline)
+    return Glsl(color=(f"if (abs(dot(n, v)) < {width!r}) color = vec3(0.0);",))
 
 
 RECIPES: dict[Effect, Recipe] = {
-    Effect.AMBIENT: Recipe("light from everywhere", uniforms=("ambient_color",), per_sample=1),
-    Effect.DIFFUSE: Recipe("Lambert's cosine", uniforms=("diffuse_color",), per_light=3 + 2),
+    Effect.AMBIENT: Recipe(
+        "light from everywhere",
+        ambient,
+        influence=STEADY,
+        uniforms=("ambient_color",),
+        per_sample=1,
+        is_shortcut=True,
+    ),
+    Effect.DIFFUSE: Recipe(
+        "Lambert's cosine",
+        diffuse,
+        influence=lambert,
+        uniforms=("diffuse_color",),
+        per_light=3 + 2,
+        is_shortcut=True,
+    ),
     Effect.INVERSE_TRANSPOSE: Recipe(
-        "normals by the inverse transpose, not by the matrix itself", uniforms=("normal_matrix",)
+        "normals by the inverse transpose, not by the matrix itself",
+        geometry.inverse_transpose,
+        influence=STEADY,
+        uniforms=("normal_matrix",),
+        is_shortcut=True,
     ),
     Effect.METRIC: Recipe(
         "lengths and angles measured by the metric of a space that is not rigid",
+        geometry.metric,
+        influence=STEADY,
         uniforms=("vector_world_from_space", "normal_world_from_space"),
         per_sample=9,
         per_light=9,
+        is_shortcut=True,
     ),
     Effect.SPECULAR: Recipe(
         "highlights",
+        specular,
+        influence=highlight,
         uniforms=("specular_color", "shininess"),
         needs=(Effect.EYE,),
         per_light=6 + 3 + 2,
+        is_shortcut=True,
     ),
-    Effect.TOON: Recipe("bands in place of a smooth shade", uniforms=("toon_steps",), per_light=2),
+    Effect.TOON: Recipe(
+        "bands in place of a smooth shade",
+        toon,
+        influence=EDGES,
+        uniforms=("toon_steps",),
+        per_light=2,
+    ),
     Effect.OUTLINE: Recipe(
-        "a dark line where a surface turns away", needs=(Effect.EYE,), per_sample=3
+        "a dark line where a surface turns away",
+        outline,
+        influence=lambda facts: replace(EDGES, reads_place=facts.is_lit_at_fragments),
+        needs=(Effect.EYE,),
+        per_sample=3,
+        only_at_fragments=True,
+        glsl=outline_lines,
     ),
     Effect.POSITION: Recipe(
         "the position of each fragment",
+        geometry.position,
+        influence=replace(STEADY, reads_place=True),
         attributes=("position",),
         uniforms=("space_from_object",),
         per_vertex=16,
         per_sample=12,
+        is_shortcut=True,
     ),
     Effect.EYE: Recipe(
-        "the way to the eye", uniforms=("eye",), needs=(Effect.POSITION,), per_sample=6
+        "the way to the eye",
+        influence=STEADY,
+        uniforms=("eye",),
+        needs=(Effect.POSITION,),
+        per_sample=6,
+        is_shortcut=True,
     ),
     Effect.ATTENUATION: Recipe(
         "light that fades with distance and ends at its range",
+        attenuation,
+        influence=read_where_lit,
         uniforms=("attenuation", "range"),
         needs=(Effect.POSITION,),
         per_light=4,
+        is_shortcut=True,
     ),
     Effect.SPOT: Recipe(
         "cones of light",
+        spot,
+        influence=read_where_lit,
         uniforms=("light_axis", "cone"),
         needs=(Effect.POSITION,),
         per_light=3 + 4,
     ),
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
+        geometry.shadows,
+        influence=replace(STEADY, reads_place=True),
         uniforms=("light_from_space",),
         passes=("shadow map",),
         needs=(Effect.POSITION,),
         per_light=16 + 6,
     ),
-    Effect.RENORMALISE: Recipe("normals brought back to length one", per_sample=6),
+    Effect.RENORMALISE: Recipe(
+        "normals brought back to length one",
+        geometry.renormalise,
+        influence=STEADY,
+        per_sample=6,
+        is_shortcut=True,
+        only_at_fragments=True,
+    ),
     Effect.PERSPECTIVE: Recipe(
-        "interpolation that perspective corrects", attributes=("1/w",), per_sample=5
+        "interpolation that perspective corrects",
+        geometry.perspective,
+        influence=STEADY,
+        attributes=("1/w",),
+        per_sample=5,
+        is_shortcut=True,
     ),
     Effect.EXACT_WEIGHTS: Recipe(
-        "each corner's weight by itself, for extreme ratios of w", per_sample=12
+        "each corner's weight by itself, for extreme ratios of w",
+        geometry.exact_weights,
+        influence=STEADY,
+        per_sample=12,
+        is_shortcut=True,
     ),
-    Effect.NEAR_CLIP: Recipe("triangles cut where they pass the near plane"),
+    Effect.NEAR_CLIP: Recipe(
+        "triangles cut where they pass the near plane",
+        geometry.near_clip,
+        influence=STEADY,
+        is_shortcut=True,
+    ),
     Effect.BACK_FACES: Recipe(
-        "faces that are seen from behind", attributes=("facing",), per_sample=3
+        "faces that are seen from behind",
+        geometry.back_faces,
+        influence=STEADY,
+        attributes=("facing",),
+        per_sample=3,
+        is_shortcut=True,
     ),
     Effect.TEXTURE: Recipe(
         "an image or a pattern on the surface",
+        texture,
+        influence=lambda facts: replace(
+            STEADY, reads_place=True, brings_colour=facts.material.texture != CHECKER
+        ),
         attributes=("uv",),
         uniforms=("texture",),
         per_sample=8 + 18,
+        glsl=Glsl(
+            uniforms=("uniform sampler2D surface_texture;",),
+            matte=("matte *= texture(surface_texture, fragment_uv).rgb;",),
+        ),
     ),
     Effect.NORMAL_MAP: Recipe(
         "normals from an image",
+        normal_map,
+        influence=replace(
+            STEADY, per_length=inf, reads_place=True, because="a normal map turns normals"
+        ),
         attributes=("uv", "tangent"),
         uniforms=("normal_map",),
         per_sample=8 + 18 + 6 + 6 + 9 + 6,
+        only_at_fragments=True,
+        glsl=Glsl(uniforms=("uniform sampler2D normal_map;",)),
     ),
-    Effect.VERTEX_COLOURS: Recipe("colours of the vertices", attributes=("colour",), per_sample=12),
+    Effect.VERTEX_COLOURS: Recipe(
+        "colours of the vertices",
+        vertex_colours,
+        influence=replace(STEADY, reads_place=True, brings_colour=True),
+        attributes=("colour",),
+        per_sample=12,
+        glsl=Glsl(matte=("matte *= fragment_colour;",)),
+    ),
     Effect.TRANSPARENCY: Recipe(
-        "what is behind shows through, sorted at each sample", passes=("layers",), per_sample=6
+        "what is behind shows through, sorted at each sample",
+        transparency,
+        influence=STEADY,
+        passes=("layers",),
+        per_sample=6,
     ),
     Effect.FOG: Recipe(
         "fog that grows with distance",
+        fog,
+        influence=replace(STEADY, reads_place=True),
         uniforms=("fog_color", "fog_range"),
         needs=(Effect.POSITION,),
         per_sample=4 + 3,
+        glsl=Glsl(
+            uniforms=("uniform vec3 fog_color;", "uniform vec2 fog_range;"),
+            color=(
+                "float distance_to_eye = length(eye - p);",
+                "float share = (distance_to_eye - fog_range.x) / (fog_range.y - fog_range.x);",
+                "color = mix(color, fog_color, clamp(share, 0.0, 1.0));",
+            ),
+        ),
     ),
-    Effect.COLOUR: Recipe("three channels and not one"),
-    Effect.GAMMA: Recipe("sRGB levels", passes=("gamma",)),
-    Effect.SUPERSAMPLING: Recipe("several samples in a pixel", passes=("resolve",)),
+    Effect.COLOUR: Recipe(
+        "three channels and not one", picture_judge=tinted, influence=STEADY, is_shortcut=True
+    ),
+    Effect.GAMMA: Recipe(
+        "sRGB levels",
+        picture_judge=gamma,
+        influence=replace(STEADY, gain=STEEPEST_SRGB),
+        passes=("gamma",),
+        glsl=Glsl(
+            color=(
+                "vec3 bright = 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055;",
+                "color = mix(12.92 * color, bright, step(0.0031308, color));",
+            )
+        ),
+    ),
+    Effect.SUPERSAMPLING: Recipe(
+        "several samples in a pixel",
+        picture_judge=supersampling,
+        influence=STEADY,
+        passes=("resolve",),
+    ),
 }
 
 

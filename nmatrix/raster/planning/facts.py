@@ -1,22 +1,28 @@
-"""Facts that decisions about one body rest on: each a number, computed when it is asked for."""
+"""Facts that decisions about one body rest on: each computed when it is asked for, and once.
+
+What effects can change is a sum over the records of those that the scene asks for.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
-from math import e, inf, sqrt
+from math import inf, sqrt
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.enums import Effect, Shading, Space
 from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe
 from nmatrix.raster.shading.space import ShadingSpace, as_array, dot
 from nmatrix.raster.triangles.clip import inside
-from nmatrix.raster.triangles.products import in_parts, moved
+from nmatrix.raster.triangles.products import chunks, multiply
+from nmatrix.scene.material import Material
 
 Array = NDArray[Any]
 
@@ -30,46 +36,64 @@ class Facts:
     loaded: LoadedScene
     body: Body
     lights: tuple[PlacedLight, ...]
+    recipes: Mapping[Effect, Recipe]
+    _decided: dict[Effect, Decision] = field(default_factory=dict, init=False)
+    _influencing: dict[Effect, Influence] = field(default_factory=dict, init=False)
+
+    @property
+    def material(self) -> Material:
+        """Return the material of the body."""
+        return self.body.material
 
     @property
     def space(self) -> Space:
         """Return the shading space."""
         return self.loaded.settings.space
 
+    @property
+    def is_lit_at_fragments(self) -> bool:
+        """Return True if light is evaluated at fragments, and not at vertices alone."""
+        return self.loaded.settings.shading is Shading.PHONG
+
     @cached_property
     def map_to_space(self) -> Classification:
-        """Return what kind of map takes the body to its shading space."""
+        """Classify the map from the body to its shading space."""
         seen = ShadingSpace(self.loaded, self.body, self.space, uses_metric=False)
         return classify(seen.exact_from_object)
 
     @cached_property
     def space_is_rigid(self) -> bool:
-        """Return whether lengths read off the space's coordinates are true, to rounding."""
+        """Return True if lengths read off the space's coordinates are true, to rounding."""
         return self.loaded.maps(self.body).is_rigid(self.space)
 
+    @cached_property
+    def clip_from_object(self) -> RationalMatrix:
+        """Return the exact map from the body to clip space."""
+        return self.loaded.clip_from_object(self.body)
+
     def clip_parts(self) -> Iterator[Array]:
-        """Give the vertices in clip space, some at a time (4, n)."""
-        matrix = as_array(self.loaded.clip_from_object(self.body))
-        for part in in_parts(self.body.mesh.positions.T):
+        """Yield the vertices in clip space, some at a time (4, n)."""
+        matrix = as_array(self.clip_from_object)
+        for part in chunks(self.body.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
-                yield moved(matrix, part)
+                yield multiply(matrix, part)
 
     @cached_property
     def is_whole(self) -> bool:
-        """Return whether no plane of the view cuts the body."""
+        """Return True if no plane of the view cuts the body."""
         depth, canvas = self.loaded.clip.depth, self.loaded.canvas
         return all(bool(inside(part, depth, canvas).all()) for part in self.clip_parts())
 
     @property
     def is_thin(self) -> bool:
-        """Return whether the map all but flattens the body: a front and a back in one place."""
+        """Return True if the map all but flattens the body: a front and a back in one place."""
         kappa = self.body.kind.condition
         return kappa is None or kappa > THINNEST
 
     @property
     def is_parallel(self) -> bool:
-        """Return whether w is the same everywhere."""
-        return not any(self.loaded.clip_from_object(self.body)[3][:3])
+        """Return True if w is the same everywhere."""
+        return not any(self.clip_from_object[3][:3])
 
     @cached_property
     def w_ratio(self) -> float:
@@ -80,7 +104,7 @@ class Facts:
         low, high = float(w.min()), float(w.max())
         if high <= 2.0 * low:  # one triangle's ratio is no larger than the whole body's
             return high / low
-        of_corners = (w.take(part) for part in in_parts(self.body.mesh.triangles.T))
+        of_corners = (w.take(part) for part in chunks(self.body.mesh.triangles.T))
         return max(float((one.max(axis=0) / one.min(axis=0)).max()) for one in of_corners)
 
     @cached_property
@@ -89,7 +113,7 @@ class Facts:
         space = ShadingSpace(self.loaded, self.body, Space.WORLD, uses_metric=False)
         normals = space.normals(self.loaded.settings.normals)
         found = inf
-        for part in in_parts(self.body.mesh.triangles.T):
+        for part in chunks(self.body.mesh.triangles.T):
             a, b, c = (normals[:, corner] for corner in part)
             found = min(found, *(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a))))
         return found
@@ -107,57 +131,97 @@ class Facts:
             default=0.0,
         )
 
-    @property
-    def shines(self) -> bool:
-        """Return whether there is a highlight: the material has one, and light comes."""
-        return self.body.material.shines and bool(self.lights)
+    @cached_property
+    def decisions(self) -> dict[Effect, Decision]:
+        """Return the decision on every effect that belongs to bodies, needs apart."""
+        return {
+            effect: self._decision(effect)
+            for effect, recipe in self.recipes.items()
+            if recipe.judge is not None
+        }
 
-    @property
-    def slope(self) -> float:
-        """Return how much a channel moves at the most for a normal that turns by one radian.
+    def _decision(self, effect: Effect) -> Decision:
+        """Decide on one effect, once: judges ask what other effects can change."""
+        if effect not in self._decided:
+            self._decided[effect] = self.recipes[effect].decision(self)
+        return self._decided[effect]
 
-        The slope of max(0, cos) is 1, that of cosˢ is √(s/e) at the most; a mirrored ray turns
-        twice as far as the normal.
+    def _influences(self, matters: Callable[[Influence], bool]) -> Iterator[Influence]:
+        """Yield the influences that matter of the effects that the scene asks for.
+
+        Judges of effects whose record alone tells that they do not matter are not called.
         """
-        material = self.body.material
-        found = max(material.diffuse)
-        if self.shines:
-            turns = 2.0 if material.reflection is Reflection.PHONG else 1.0
-            found += max(material.specular) * turns * sqrt(material.shininess / e)
-        return found * self.brightness * self.contrast
+        for effect, recipe in self.recipes.items():
+            told = recipe.influence
+            if not isinstance(told, Influence) or matters(told):
+                found = self._influence(effect)
+                if matters(found):
+                    yield found
 
-    @property
-    def contrast(self) -> float:
-        """Return how much levels move for light: 1, or the steepest part of sRGB."""
-        return 12.92 if self.loaded.settings.gamma else 1.0
+    def _influence(self, effect: Effect) -> Influence:
+        """Return the influence of an effect here, once: steady where the scene does not ask."""
+        if effect not in self._influencing:
+            told = self.recipes[effect].influence
+            if not self._decision(effect).is_asked:
+                told = STEADY
+            self._influencing[effect] = told if isinstance(told, Influence) else told(self)
+        return self._influencing[effect]
 
-    @property
+    def _most(self, change: Callable[[Influence], float], times: float = 1.0) -> float:
+        """Return the most that a channel moves: the sum of what effects change, at full gain."""
+        following = fixed = 0.0
+        for one in self._influences(lambda one: change(one) > 0):
+            if one.follows_lights:
+                following += change(one)
+            else:
+                fixed += change(one)
+        found = product(product(following, times), self.brightness) + product(fixed, times)
+        for one in self._influences(lambda one: one.gain != 1.0):
+            found = product(found, one.gain)
+        return found
+
+    def _any(self, matters: Callable[[Influence], bool]) -> bool:
+        return next(self._influences(matters), None) is not None
+
+    @cached_property
+    def max_change_per_radian(self) -> float:
+        """Return the most that a channel moves for a normal that turns, by the radian."""
+        return self._most(lambda one: one.per_radian)
+
+    def max_change_by_shortening(self, part: float) -> float:
+        """Return the most that a channel moves for normals that lose a part of their length."""
+        return self._most(lambda one: one.per_length, part)
+
+    @cached_property
     def colour_range(self) -> float:
-        """Return how far apart the light at two vertices can be."""
-        material = self.body.material
-        found = max(material.diffuse) + (max(material.specular) if self.shines else 0.0)
-        return found * self.brightness * self.contrast
+        """Return the most that the light at two vertices differs."""
+        return self._most(lambda one: one.colour_range)
 
-    @property
-    def reads_places(self) -> bool:
-        """Return whether fragments ask where they are: in the scene or on an image."""
-        material, is_phong = self.body.material, self.loaded.settings.shading is Shading.PHONG
-        placed = any(one.position is not None for one in self.lights)
-        return bool(
-            (is_phong and (placed or self.shines or material.outline))
-            or material.texture
-            or material.normal_map
-            or material.vertex_colours
-            or self.loaded.settings.fog
-            or any(one.light.shadows for one in self.lights)
-        )
+    @cached_property
+    def why_lengths_matter(self) -> str | None:
+        """Return the reason why no bound holds for shorter normals, or None if one does."""
+        reasons = [one.because for one in self._influences(lambda one: one.per_length == inf)]
+        return reasons[-1] if reasons else None
 
-    @property
+    @cached_property
     def has_jumps(self) -> bool:
-        """Return whether colours jump: highlights at n·l = 0, bands and outlines at their edges."""
-        material = self.body.material
-        banded = material.reflection is Reflection.TOON or material.outline > 0
-        return self.shines or banded
+        """Return True if colours may jump: highlights at n·l = 0, bands and outlines."""
+        return self._any(lambda one: one.jumps)
+
+    @cached_property
+    def reads_places(self) -> bool:
+        """Return True if fragments ask where they are: in the scene or on an image."""
+        return self._any(lambda one: one.reads_place)
+
+    @cached_property
+    def lights_backs(self) -> bool:
+        """Return True if light from behind a surface may change it."""
+        return self._any(lambda one: one.lights_backs)
+
+    @cached_property
+    def brings_colour(self) -> bool:
+        """Return True if an effect may bring a hue of its own."""
+        return self._any(lambda one: one.brings_colour)
 
     @cached_property
     def eye(self) -> Array:
@@ -166,6 +230,17 @@ class Facts:
 
     @cached_property
     def eye_is_outside(self) -> bool:
-        """Return whether the eye is outside of the box around the body."""
+        """Return True if the eye is outside of the box around the body."""
         low, high = self.body.box
         return bool((self.eye < low).any() or (self.eye > high).any())
+
+
+def product(a: float, b: float) -> float:
+    """Return a · b, where nothing times an unknown number is nothing.
+
+    Examples
+    --------
+    >>> product(0.0, inf), product(2.0, inf)
+    (0.0, inf)
+    """
+    return a * b if a and b else 0.0

@@ -6,47 +6,25 @@ is a mixture of bodies, so each body has the whole budget to itself.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from nmatrix.enums import Effect, Effort, LeftOut, Shading
+from nmatrix.enums import Effect, Effort, LeftOut
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.culled_lights import why_dark
-from nmatrix.raster.planning.decision import Decision
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.planning.judges import decide
+from nmatrix.raster.planning.recipe import Decision
 from nmatrix.scene.words import Sides
 
 BUDGET = 0.5 / 255
-NEEDED = (Effect.POSITION, Effect.EYE)  # on when something else reads them
-
-# Shortcuts that everything-on does without; other effects exist only where the scene names them.
-SHORTCUTS = frozenset(
-    {
-        Effect.AMBIENT,
-        Effect.DIFFUSE,
-        Effect.INVERSE_TRANSPOSE,
-        Effect.METRIC,
-        Effect.POSITION,
-        Effect.EYE,
-        Effect.SPECULAR,
-        Effect.ATTENUATION,
-        Effect.RENORMALISE,
-        Effect.PERSPECTIVE,
-        Effect.EXACT_WEIGHTS,
-        Effect.NEAR_CLIP,
-        Effect.BACK_FACES,
-        Effect.COLOUR,
-    }
-)
 
 
 @dataclass(frozen=True)
 class LightDecision:
-    """Whether a light lights a body, and why not if it does not."""
+    """The decision on a light of a body, and the reason if it is left out."""
 
     placed: PlacedLight
     on: bool
@@ -55,7 +33,7 @@ class LightDecision:
 
 @dataclass(frozen=True)
 class BodyPlan:
-    """What is computed for one body."""
+    """The effects and the lights that are computed for one body."""
 
     body: Body
     decisions: Mapping[Effect, Decision]
@@ -64,18 +42,18 @@ class BodyPlan:
 
     @property
     def lights(self) -> tuple[PlacedLight, ...]:
-        """Return the lights that are asked, ambient ones aside."""
+        """Return the lights that light this body, ambient ones aside."""
         return tuple(one.placed for one in self.light_decisions if one.on)
 
     @property
     def bound(self) -> float:
-        """Return how much all that is left out moves a channel at the most."""
+        """Return the most that all that is left out moves a channel."""
         return sum(one.bound for one in self.decisions.values() if not one.on)
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What a picture of a loaded scene computes."""
+    """The plans of the bodies of a loaded scene, and the effects of the whole picture."""
 
     loaded: LoadedScene
     bodies: tuple[BodyPlan, ...]
@@ -100,58 +78,75 @@ def plan_for(loaded: LoadedScene) -> Plan:
 
 def planned(loaded: LoadedScene) -> Plan:
     """Return the plan that computes only what the scene calls for."""
-    return Plan(
-        loaded, tuple(_planned_body(loaded, one) for one in loaded.bodies), _picture(loaded)
-    )
+    facts = [_facts_under_reaching_lights(loaded, one) for one in loaded.bodies]
+    bodies = tuple(_planned_body(*one) for one in facts)
+    return Plan(loaded, bodies, _picture(loaded, [one for one, _ in facts]))
 
 
 def everything(loaded: LoadedScene) -> Plan:
     """Return the plan that takes no shortcut: what the scene names, and all that can be on."""
-    bodies = []
-    for body in loaded.bodies:
-        lights = tuple(
-            LightDecision(one, on=True, because="everything is on") for one in _lights(loaded)
-        )
-        facts = Facts(loaded, body, tuple(one.placed for one in lights))
-        named = {effect for effect, one in decide(facts).items() if one.on}
-        on = closure(_for_shading(named | _possible(body), loaded))
-        decisions = {
-            one: Decision(one, on=one in on, because="everything is on") for one in RECIPES
-        }
-        bodies.append(BodyPlan(body, decisions, lights, on))
+    lights = tuple(
+        LightDecision(one, on=True, because="everything is on") for one in _lights(loaded)
+    )
+    facts = [Facts(loaded, body, _lights(loaded), RECIPES) for body in loaded.bodies]
+    bodies = tuple(_full_body(one, lights) for one in facts)
     picture = {
-        effect: replace(one, on=one.on or effect in SHORTCUTS)
-        for effect, one in _picture(loaded).items()
+        effect: replace(one, on=one.on or RECIPES[effect].is_shortcut)
+        for effect, one in _picture(loaded, facts).items()
     }
-    return Plan(loaded, tuple(bodies), picture)
+    return Plan(loaded, bodies, picture)
 
 
-def _possible(body: Body) -> AbstractSet[Effect]:
-    """Return the shortcuts that may be left untaken: what has no back shows none."""
-    if body.material.sides is Sides.FRONT:
-        return SHORTCUTS - {Effect.BACK_FACES}
-    return SHORTCUTS
+def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
+    named = {effect for effect, one in facts.decisions.items() if one.on}
+    on = closure(_for_shading(named | _shortcuts(facts.body), facts))
+    decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
+    return BodyPlan(facts.body, decisions, lights, on)
 
 
-def _planned_body(loaded: LoadedScene, body: Body) -> BodyPlan:
-    lights = tuple(_light(loaded, body, one) for one in _lights(loaded))
-    facts = Facts(loaded, body, tuple(one.placed for one in lights if one.on))
-    decisions = _within_budget(decide(facts), len(facts.lights))
-    on = closure(_for_shading({one for one, found in decisions.items() if found.on}, loaded))
-    for effect in NEEDED:
+def _shortcuts(body: Body) -> AbstractSet[Effect]:
+    """Return the shortcuts that apply to a body: one that has a front alone shows no back."""
+    found = {effect for effect, one in RECIPES.items() if one.is_shortcut}
+    return found - {Effect.BACK_FACES} if body.material.sides is Sides.FRONT else found
+
+
+def _facts_under_reaching_lights(
+    loaded: LoadedScene, body: Body
+) -> tuple[Facts, tuple[LightDecision, ...]]:
+    """Decide which lights can light a body, and return the facts that are left under those."""
+    under_all = Facts(loaded, body, _lights(loaded), RECIPES)
+    lights = tuple(_light(under_all, one) for one in under_all.lights)
+    return replace(under_all, lights=tuple(one.placed for one in lights if one.on)), lights
+
+
+def _light(facts: Facts, placed: PlacedLight) -> LightDecision:
+    why = why_dark(facts, placed)
+    return LightDecision(placed, on=why is None, because=why or "it can reach the body")
+
+
+def _planned_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
+    decisions = _within_budget(facts.decisions, len(facts.lights))
+    on = closure(_for_shading({one for one, found in decisions.items() if found.on}, facts))
+    for effect in _read_by_others():
         users = [one.value for one in on if effect in RECIPES[one].needs]
-        found = decisions.get(effect, Decision(effect, on=False, because="nothing needs it"))
+        found = decisions.get(effect, Decision(on=False, because="nothing needs it"))
         if effect in on and not found.on:
-            found = Decision(effect, on=True, because=f"{', '.join(sorted(users))} needs it")
+            found = Decision(on=True, because=f"{', '.join(sorted(users))} needs it")
         decisions[effect] = found
-    return BodyPlan(body, decisions, lights, on)
+    return BodyPlan(facts.body, decisions, lights, on)
 
 
-def _for_shading(on: AbstractSet[Effect], loaded: LoadedScene) -> AbstractSet[Effect]:
-    """Return effects without those that this shading evaluates at vertices, never at fragments."""
-    if loaded.settings.shading is Shading.PHONG:
+def _read_by_others() -> list[Effect]:
+    """Return the effects that others need, in the order of the table."""
+    needed = {need for one in RECIPES.values() for need in one.needs}
+    return [effect for effect in RECIPES if effect in needed]
+
+
+def _for_shading(on: AbstractSet[Effect], facts: Facts) -> AbstractSet[Effect]:
+    """Return effects without those that work at fragments alone, where light is not evaluated."""
+    if facts.is_lit_at_fragments:
         return on
-    return on - {Effect.RENORMALISE, Effect.OUTLINE, Effect.NORMAL_MAP}
+    return {effect for effect in on if not RECIPES[effect].only_at_fragments}
 
 
 def _lights(loaded: LoadedScene) -> tuple[PlacedLight, ...]:
@@ -160,26 +155,20 @@ def _lights(loaded: LoadedScene) -> tuple[PlacedLight, ...]:
     )
 
 
-def _light(loaded: LoadedScene, body: Body, placed: PlacedLight) -> LightDecision:
-    why = why_dark(loaded, body, placed)
-    return LightDecision(placed, on=why is None, because=why or "it can reach the body")
-
-
-def _within_budget(decisions: dict[Effect, Decision], lights: int) -> dict[Effect, Decision]:
+def _within_budget(asked: Mapping[Effect, Decision], lights: int) -> dict[Effect, Decision]:
     """Spend the budget where it saves most; what does not fit is computed after all."""
-    proposed = [one for one in decisions.values() if not one.on and one.kind is LeftOut.BOUNDED]
+    decisions = dict(asked)
+    proposed = [
+        effect for effect, one in decisions.items() if not one.on and one.kind is LeftOut.BOUNDED
+    ]
     left = BUDGET
-    for one in sorted(proposed, key=lambda one: one.bound / max(1, _saving(one.effect, lights))):
+    for effect in sorted(proposed, key=lambda it: asked[it].bound / max(1, _saving(it, lights))):
+        one = decisions[effect]
         if one.bound <= left:
             left -= one.bound
-        else:
-            decisions[one.effect] = replace(
-                one,
-                on=True,
-                because=f"{one.because}; "
-                f"it could move a channel by {one.bound * 255:.2g} of 255 levels",
-                bound=0.0,
-            )
+            continue
+        because = f"{one.because}; it could move a channel by {one.bound * 255:.2g} of 255 levels"
+        decisions[effect] = replace(one, on=True, because=because, bound=0.0)
     return decisions
 
 
@@ -187,26 +176,10 @@ def _saving(effect: Effect, lights: int) -> int:
     return per_sample([effect], lights) - per_sample([], lights)
 
 
-def _picture(loaded: LoadedScene) -> dict[Effect, Decision]:
+def _picture(loaded: LoadedScene, bodies: Sequence[Facts]) -> dict[Effect, Decision]:
     """Return the decisions that belong to the whole picture."""
-    settings = loaded.settings
-    colours = [loaded.settings.background, *(light.light.color for light in loaded.lights)]
-    for body in loaded.bodies:
-        one = body.material
-        colours += [one.ambient, one.diffuse, one.specular]
-    if settings.fog:
-        colours.append(settings.fog.color)
-    images = [b.name for b in loaded.bodies if b.material.texture not in (None, "checker")]
-    images += [b.name for b in loaded.bodies if b.material.vertex_colours]
-    tinted = bool(images) or any(len(set(colour)) > 1 for colour in colours)
-    per_pixel = settings.samples
-    found = (
-        (Effect.COLOUR, tinted, "something has a colour" if tinted else "everything is grey"),
-        (
-            Effect.GAMMA,
-            settings.gamma,
-            "the scene asks for sRGB" if settings.gamma else "levels are linear",
-        ),
-        (Effect.SUPERSAMPLING, per_pixel > 1, f"{per_pixel} samples in a pixel"),
-    )
-    return {effect: Decision(effect, on, because) for effect, on, because in found}
+    return {
+        effect: recipe.picture_judge(loaded, bodies)
+        for effect, recipe in RECIPES.items()
+        if recipe.picture_judge is not None
+    }

@@ -17,8 +17,16 @@ from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import affine_matrix, linear_part, product, rational_matrix, to_floats
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.angles import angle_map, normals_by
-from nmatrix.raster.proofs.brief import TORUS, Brief, Proof, Shown, level_difference, shown
-from nmatrix.raster.proofs.redraw import as_levels, redrawn
+from nmatrix.raster.proofs.proof import (
+    TORUS,
+    DrawnScene,
+    Proof,
+    ProofSettings,
+    as_levels,
+    drawn_scene,
+    level_difference,
+    redrawn,
+)
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.geometry import Geometry, LoadedGeometry
@@ -39,10 +47,12 @@ def hard_world() -> World:
     return World(matrix=rational_matrix(to_floats(affine_matrix(product(squash, there)))))
 
 
-def accuracy(brief: Brief) -> Proof:
+def accuracy(settings: ProofSettings) -> Proof:
     """Draw a mesh under a hard map with cofactors in float16, float32, float64 and exactly."""
-    scene = brief.scene(brief.placed(hard_world()), brief.geometry(_squashed_back(brief)))
-    exact = shown(scene)
+    scene = settings.scene(
+        settings.placed(hard_world()), settings.geometry(_squashed_back(settings))
+    )
+    exact = drawn_scene(scene)
     (body,) = exact.loaded.bodies
     true = normals_by(exact.loaded, body, NormalRule.EXACT)
     panels: list[Panel] = []
@@ -50,9 +60,9 @@ def accuracy(brief: Brief) -> Proof:
     images = []
     for precision in PRECISIONS:
         name = np.dtype(precision).name
-        started = brief.clock()
+        started = settings.clock()
         found = _normals_in(precision, exact)
-        numbers[f"milliseconds_{name}"] = (brief.clock() - started) * 1000
+        numbers[f"milliseconds_{name}"] = (settings.clock() - started) * 1000
         images.append(as_levels(redrawn(exact, partial(_with_normals, normals=found))))
         worst = angle_map(exact.loaded, found, true).worst_deg
         numbers[f"worst_deg_{name}"] = worst
@@ -67,7 +77,7 @@ def accuracy(brief: Brief) -> Proof:
     kappa = body.kind.condition_text
     return Proof(
         compose(f"One map, κ = {kappa}, in four precisions", panels, columns=4),
-        brief.subject,
+        settings.subject,
         f"At κ = {kappa} the cofactors are up to {numbers['worst_deg_float32'] or 0:.2g}° off in "
         f"float32, {numbers['worst_deg_float64'] or 0:.2g}° in float64.",
         exact.rendered.work,
@@ -79,9 +89,9 @@ def accuracy(brief: Brief) -> Proof:
     )
 
 
-def _squashed_back(brief: Brief) -> Geometry:
+def _squashed_back(settings: ProofSettings) -> Geometry:
     """Return a torus stretched so that the hard map makes it round: then its shade can be seen."""
-    if brief.world is not None:
+    if settings.world is not None:
         return TORUS
     A = np.array(to_floats(linear_part(hard_world().world_from_object)))
     mesh = TORUS.mesh()
@@ -92,7 +102,7 @@ def _squashed_back(brief: Brief) -> Geometry:
     return LoadedGeometry(replace(mesh, positions=positions, normals=unit(normals)))
 
 
-def _normals_in(precision: type, exact: Shown) -> Array:
+def _normals_in(precision: type, exact: DrawnScene) -> Array:
     """Return the world normals (3, V) by cofactors computed in one precision, as programs do.
 
     The rows of the cofactor matrix are cross products of the rows of A.

@@ -1,4 +1,4 @@
-"""The angle between two sets of normals, measured at every visible sample of a body."""
+"""The angle between two sets of normals at every visible sample, and the colours that show it."""
 
 from __future__ import annotations
 
@@ -9,15 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalRule, Space
+from nmatrix.raster.image import Legend
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
 from nmatrix.raster.shading.space import ShadingSpace, as_array
-from nmatrix.raster.triangles.fragments import Fragments, Reads
+from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing
 from nmatrix.raster.triangles.vertices import front_sign, project
 
 Array = NDArray[Any]
 
+STOPS = ((13, 8, 80), (78, 35, 140), (158, 50, 128), (214, 92, 82), (248, 160, 48), (250, 240, 110))
+STEPS = 256
+ROUNDING_DEG = 1e-6  # far above the rounding of this rasterizer, far below what can be seen
+UNDEFINED = 0.5
 CANCELLED = 1e-12  # an interpolated normal this short is rounding, not a direction
 
 
@@ -56,10 +61,10 @@ def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
         of_samples.append(angles[both])
         return np.stack([angles * both, both.astype(float), np.ones(len(both))])
 
-    reads = Reads(
+    outputs = VertexOutputs(
         points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
     )
-    drawing = Drawing([Drawable(projected, reads, colours)], loaded.canvas, np.zeros(3))
+    drawing = Drawing([Drawable(projected, outputs, colours)], loaded.canvas, np.zeros(3))
     total, compared, covered = np.moveaxis(drawing.picture().image, 2, 0)
     angles = np.concatenate([np.zeros(0), *of_samples])
     return AngleMap(
@@ -78,3 +83,42 @@ def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
         return normals
     eye = np.array([[float(one)] for one in loaded.eye])
     return turned_towards(normals, eye - body.positions_world.T)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Colours from dark blue for 0 to yellow for `largest_deg`; lightness grows all the way.
+
+    Angles that are rounding alone are shown on a scale to 1°, all dark: stretched to the full
+    range they would look like a finding.
+    """
+
+    largest_deg: float
+
+    @classmethod
+    def reaching(cls, worst_deg: float | None) -> Scale:
+        """Return the scale that ends at the worst angle."""
+        return cls(worst_deg if worst_deg is not None and worst_deg > ROUNDING_DEG else 1.0)
+
+    @property
+    def legend(self) -> Legend:
+        """Return the scale as the image shows it."""
+        red, green, blue = (np.rint(channel * 255).astype(int).tolist() for channel in _colours().T)
+        return Legend(tuple(zip(red, green, blue, strict=True)), f"{self.largest_deg:.3g}", "°")
+
+    def colours(self, angle_deg: Array) -> Array:
+        """Return a colour (…, 3) in [0, 1] for each angle.
+
+        Examples
+        --------
+        >>> blue, yellow = Scale(90.0).colours(np.array([0.0, 90.0]))
+        >>> bool(yellow.sum() > blue.sum())
+        True
+        """
+        index = np.rint(angle_deg / self.largest_deg * (STEPS - 1)).astype(np.intp)
+        return np.asarray(_colours()[index.clip(0, STEPS - 1)])
+
+
+def _colours() -> Array:
+    at, stops = np.linspace(0, 1, STEPS), np.linspace(0, 1, len(STOPS))
+    return np.stack([np.interp(at, stops, [c[i] / 255 for c in STOPS]) for i in range(3)], axis=1)

@@ -8,7 +8,7 @@ import numpy as np
 
 from nmatrix.enums import DepthRange
 from nmatrix.raster.image import Panel, compose
-from nmatrix.raster.proofs.brief import Brief, Proof, Shown, shown, together
+from nmatrix.raster.proofs.proof import DrawnScene, Proof, ProofSettings, drawn_scene, together
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lens import Lens
@@ -28,12 +28,12 @@ BUFFERS = {
 RANGES = {DepthRange.ZERO_TO_ONE: "standard", DepthRange.REVERSED: "reversed"}
 
 
-def depth(brief: Brief) -> Proof:
+def depth(settings: ProofSettings) -> Proof:
     """Draw two floors 0.05 apart, up to 3000 away, and count where the lower one shows through."""
-    alone = shown(_floors(brief, DepthRange.ZERO_TO_ONE, DepthBuffer.FULL, UPPER))
+    alone = drawn_scene(_floors(settings, DepthRange.ZERO_TO_ONE, DepthBuffer.FULL, UPPER))
     covered = _is_like(alone, UPPER)
     drawn = {
-        (order, buffer): shown(_floors(brief, order, buffer, UPPER, LOWER))
+        (order, buffer): drawn_scene(_floors(settings, order, buffer, UPPER, LOWER))
         for order in RANGES
         for buffer in BUFFERS
     }
@@ -50,7 +50,7 @@ def depth(brief: Brief) -> Proof:
     standard, reverse = (wrong[order, DepthBuffer.FLOAT32] for order in RANGES)
     return Proof(
         compose(f"Two floors {GAP} apart, seen from {HEIGHT:g} above, near {NEAR}", panels),
-        brief.subject,
+        settings.subject,
         f"In float32 {standard:.1%} of the floor is wrong with standard depth, {reverse:.1%} with "
         "reversed depth: its steps are finest where perspective needs them.",
         together(*(one.rendered.work for one in drawn.values())),
@@ -62,7 +62,9 @@ def depth(brief: Brief) -> Proof:
     )
 
 
-def _floors(brief: Brief, order: DepthRange, buffer: DepthBuffer, *materials: Material) -> Scene:
+def _floors(
+    settings: ProofSettings, order: DepthRange, buffer: DepthBuffer, *materials: Material
+) -> Scene:
     objects = [
         SceneObject(
             material.name,
@@ -73,14 +75,14 @@ def _floors(brief: Brief, order: DepthRange, buffer: DepthBuffer, *materials: Ma
         for i, material in enumerate(materials)
     ]
     # The lower floor is named first, so that equal depths do not hide behind the order.
-    scene = brief.with_objects(*reversed(objects), depth=buffer, samples=1)
-    clip = replace(brief.lens.clip, depth=order)
-    width, height = brief.settings.size
+    scene = settings.with_objects(*reversed(objects), depth=buffer, samples=1)
+    clip = replace(settings.lens.clip, depth=order)
+    width, height = settings.picture.size
     lens = Lens(fov_degrees=50, aspect=width / height, near=NEAR, far=FAR, clip=clip)
     view = View(eye=(0, HEIGHT, 0), target=(0, HEIGHT - 15, -60))
     return replace(scene, view=view, lens=lens, has_camera=True)
 
 
-def _is_like(found: Shown, material: Material) -> np.ndarray:
+def _is_like(found: DrawnScene, material: Material) -> np.ndarray:
     shade = np.rint(np.array(material.ambient) * 255)
     return np.asarray((np.abs(found.levels - shade) < 1).all(axis=2))

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from nmatrix.raster.proofs.brief import Brief, Proof
-from nmatrix.raster.proofs.catalogue import entry
+from nmatrix.raster.proofs.catalogue import catalogued
 from nmatrix.raster.proofs.plain import picture
+from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.scene.scene import Scene
 
 Array = NDArray[Any]
@@ -24,32 +24,32 @@ GIF_MILLISECONDS = 60
 
 
 @dataclass(frozen=True)
-class Job:
-    """What to draw: a proof by its name with a brief, or a scene. It can be sent to a process."""
+class PictureFrame:
+    """A picture to draw: a proof by its name and settings, or a scene. A process can take it."""
 
     name: str
-    brief: Brief | None = None
+    settings: ProofSettings | None = None
     scene: Scene | None = None
 
-    def turned(self, degrees: float) -> Job:
-        """Return the job with the camera some way around."""
-        if self.brief is not None:
-            settings = replace(self.brief.settings, turn_degrees=degrees)
-            return replace(self, brief=replace(self.brief, settings=settings))
-        assert self.scene is not None  # a job has a brief or a scene
+    def turned(self, degrees: float) -> PictureFrame:
+        """Return the frame with the camera some way around."""
+        if self.settings is not None:
+            picture = replace(self.settings.picture, turn_degrees=degrees)
+            return replace(self, settings=replace(self.settings, picture=picture))
+        assert self.scene is not None  # what has no settings of a proof has a scene
         settings = replace(self.scene.settings, turn_degrees=degrees)
         return replace(self, scene=replace(self.scene, settings=settings))
 
     def draw(self) -> Proof:
-        """Draw it."""
+        """Draw the proof, or the scene."""
         if self.scene is not None:
             return picture(self.scene, self.name)
-        found = entry(self.name)
-        assert found is not None and self.brief is not None  # a proof has a brief
-        proof: Callable[[Brief], Proof] = getattr(
+        found = catalogued(self.name)
+        assert found is not None and self.settings is not None  # a proof has settings
+        proof: Callable[[ProofSettings], Proof] = getattr(
             import_module(f"nmatrix.raster.proofs.{found.module}"), found.function
         )
-        return proof(self.brief)
+        return proof(self.settings)
 
 
 def turns(frames: int) -> list[float]:
@@ -63,12 +63,12 @@ def turns(frames: int) -> list[float]:
     return [360.0 * i / frames for i in range(frames)]
 
 
-def drawn(jobs: Sequence[Job], executor: Executor | None) -> Iterator[Proof]:
-    """Draw jobs in their order, here or wherever an executor runs them."""
+def drawn(frames: Sequence[PictureFrame], executor: Executor | None) -> Iterator[Proof]:
+    """Draw frames in their order, here or wherever an executor runs them."""
     if executor is None:
-        yield from map(Job.draw, jobs)
+        yield from map(PictureFrame.draw, frames)
         return
-    waiting = [executor.submit(Job.draw, one) for one in jobs]
+    waiting = [executor.submit(PictureFrame.draw, one) for one in frames]
     for one in waiting:
         yield one.result()
 

@@ -11,16 +11,17 @@ from numpy.typing import NDArray
 from nmatrix.enums import NormalRule, Space
 from nmatrix.linear.rational import linear_part, to_floats
 from nmatrix.raster.image import Panel, compose
-from nmatrix.raster.proofs.brief import (
+from nmatrix.raster.proofs.proof import (
     TORUS,
-    Brief,
+    DrawnScene,
     Proof,
-    Shown,
+    ProofSettings,
+    as_levels,
+    drawn_scene,
     level_difference,
-    shown,
+    redrawn,
     together,
 )
-from nmatrix.raster.proofs.redraw import as_levels, redrawn
 from nmatrix.raster.proofs.rules import by_rule
 from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading.lighting import ShadingLight
@@ -41,12 +42,12 @@ UPRIGHT = World(rotate_degrees=(40, 0, 0))
 FLIPPED = World(rotate_degrees=(220, 0, 0))  # the same outline, seen from its other side
 
 
-def object_rule(brief: Brief) -> Proof:
+def object_rule(settings: ProofSettings) -> Proof:
     """Draw object-space lighting with Mᵀl, with M⁻¹l, and exactly; count where they part."""
-    lit = replace(brief, lights=(FROM_ABOVE,))
-    scene = lit.scene(brief.placed(SQUEEZED), space=Space.OBJECT)
-    exact = shown(scene)
-    naive = shown(
+    lit = replace(settings, lights=(FROM_ABOVE,))
+    scene = lit.scene(settings.placed(SQUEEZED), space=Space.OBJECT)
+    exact = drawn_scene(scene)
+    naive = drawn_scene(
         by_rule(
             replace(scene, settings=replace(scene.settings, space=Space.WORLD)), NormalRule.NONE
         )
@@ -70,7 +71,7 @@ def object_rule(brief: Brief) -> Proof:
     )
     return Proof(
         compose("A light direction in object space is a vector, measured by the metric", panels),
-        brief.subject,
+        settings.subject,
         f"Mᵀl is up to {off[0]} levels off and moves the terminator; M⁻¹l keeps it, and is up to "
         f"{off[1]} levels off in shade.",
         exact.rendered.work,
@@ -96,7 +97,7 @@ def light_by_rule(to_light_world: Array, M: Array, rule: str) -> Array:
     return np.asarray(moved / np.sqrt((moved * moved).sum()))
 
 
-def _with_light(exact: Shown, rule: str) -> Array:
+def _with_light(exact: DrawnScene, rule: str) -> Array:
     """Draw the body in object space, by a light that a rule moved, without the metric."""
     (plan,) = exact.plan.bodies
     (light,) = plan.lights
@@ -112,22 +113,22 @@ def _with_light(exact: Shown, rule: str) -> Array:
     return redrawn(exact, without_metric)
 
 
-def _unlit(exact: Shown, image: Array) -> Array:
+def _unlit(exact: DrawnScene, image: Array) -> Array:
     """Return the pixels that get ambient light alone."""
     ambient = exact.loaded.bodies[0].material.ambient[0]
     return np.asarray(np.abs(image[:, :, 0] - ambient) < 1e-12)
 
 
-def stuck_light(brief: Brief) -> Proof:
+def stuck_light(settings: ProofSettings) -> Proof:
     """Turn a torus under a light in model space, and under one in eye space."""
-    (light,) = brief.lights[:1]
-    stuck = replace(light, fixed_to=brief.subject)
-    geometry = brief.geometry(TORUS)
-    before = shown(brief.scene(UPRIGHT, geometry))
-    turned = brief.placed(FLIPPED)
-    sticks = shown(replace(brief, lights=(stuck,)).scene(turned, geometry))
-    stays = shown(brief.scene(turned, geometry))
-    carried = _shade(shown(replace(brief, lights=(stuck,)).scene(UPRIGHT, geometry)))
+    (light,) = settings.lights[:1]
+    stuck = replace(light, fixed_to=settings.subject)
+    geometry = settings.geometry(TORUS)
+    before = drawn_scene(settings.scene(UPRIGHT, geometry))
+    turned = settings.placed(FLIPPED)
+    sticks = drawn_scene(replace(settings, lights=(stuck,)).scene(turned, geometry))
+    stays = drawn_scene(settings.scene(turned, geometry))
+    carried = _shade(drawn_scene(replace(settings, lights=(stuck,)).scene(UPRIGHT, geometry)))
     sticking = float(np.abs(carried - _shade(sticks)).max())
     staying = float(np.abs(_shade(before) - _shade(stays)).max())
     panels = (
@@ -137,7 +138,7 @@ def stuck_light(brief: Brief) -> Proof:
     )
     return Proof(
         compose("A light that turns with the object was never moved to its space", panels),
-        brief.subject,
+        settings.subject,
         f"In model space each vertex keeps its shade (it changes by {sticking:.0e}); in eye space "
         f"it changes by up to {staying * 255:.0f} levels.",
         together(before.rendered.work, sticks.rendered.work, stays.rendered.work),
@@ -148,20 +149,20 @@ def stuck_light(brief: Brief) -> Proof:
     )
 
 
-def _shade(found: Shown) -> Array:
+def _shade(found: DrawnScene) -> Array:
     """Return the light at every vertex."""
     surface = surface_of(found.plan, found.plan.bodies[0], {}, 1)
     matte, _ = surface.lighting.light(surface.vertex_normals, surface.space.positions())
     return matte
 
 
-def flashlight(brief: Brief) -> Proof:
+def flashlight(settings: ProofSettings) -> Proof:
     """Walk around an object with a light in the world, and with one fixed to the eye."""
     torch = SceneLight("torch", LightKind.DIRECTIONAL, direction=(0, 0, -1), fixed_to=EYE)
     fixed = replace(torch, fixed_to="world")
-    world = brief.placed(World())
+    world = settings.placed(World())
     drawn = [
-        shown(_seen_from(replace(brief, lights=(light,)).scene(world), angle))
+        drawn_scene(_seen_from(replace(settings, lights=(light,)).scene(world), angle))
         for light in (fixed, torch)
         for angle in (0, 120)
     ]
@@ -175,7 +176,7 @@ def flashlight(brief: Brief) -> Proof:
     changed = [abs(middle[0] - middle[1]), abs(middle[2] - middle[3])]
     return Proof(
         compose("A flashlight is a light whose place is given in camera space", panels, columns=4),
-        brief.subject,
+        settings.subject,
         f"Walking around, the middle changes by {changed[0]} levels under the light in the world, "
         f"by {changed[1]} under the flashlight.",
         together(*(one.rendered.work for one in drawn)),
@@ -193,6 +194,6 @@ def _seen_from(scene: Scene, degrees: float) -> Scene:
     return replace(scene, view=View(eye=eye), lens=lens, has_camera=True)
 
 
-def _middle(found: Shown) -> int:
+def _middle(found: DrawnScene) -> int:
     height, width = found.levels.shape[:2]
     return int(found.levels[height // 2, width // 2, 0])

@@ -1,4 +1,4 @@
-"""No proof but a picture: a scene as it is, and how far its normals are from the right ones."""
+"""A picture that proves nothing: a scene as it is, and the error of its normals."""
 
 from __future__ import annotations
 
@@ -6,7 +6,13 @@ from dataclasses import replace
 
 from nmatrix.enums import NormalRule
 from nmatrix.raster.proofs.angles import angle_map, normals_by
-from nmatrix.raster.proofs.brief import Proof, Shown, level_difference, named, shown
+from nmatrix.raster.proofs.proof import (
+    DrawnScene,
+    Proof,
+    drawn_scene,
+    effect_names,
+    level_difference,
+)
 from nmatrix.scene.scene import Scene
 
 INVISIBLE = 1e-4  # degrees: far below what a picture can show
@@ -18,20 +24,20 @@ def picture(scene: Scene, subject: str) -> Proof:
     A single object is measured against A n even where the right rule draws it: that is what the
     rule is worth here.
     """
-    drawn = shown(scene)
+    drawn = drawn_scene(scene)
     image = drawn.levels
     difference = 0
     rule = scene.settings.normals
     if rule is not NormalRule.EXACT:
         right = replace(scene, settings=replace(scene.settings, normals=NormalRule.EXACT))
-        difference = level_difference(image, shown(right).levels)
+        difference = level_difference(image, drawn_scene(right).levels)
     worst, mean = _angles(drawn, NormalRule.NONE if rule is NormalRule.EXACT else rule)
     return Proof(
         image,
         subject,
         _verdict(drawn, worst, rule),
         drawn.rendered.work,
-        named(drawn.plan),
+        effect_names(drawn.plan),
         max_angle_error_deg=worst,
         mean_angle_error_deg=mean,
         max_level_difference=difference,
@@ -39,7 +45,7 @@ def picture(scene: Scene, subject: str) -> Proof:
     )
 
 
-def _angles(drawn: Shown, rule: NormalRule) -> tuple[float | None, float | None]:
+def _angles(drawn: DrawnScene, rule: NormalRule) -> tuple[float | None, float | None]:
     """Return the worst and the mean angle between a rule and the right one, for one object."""
     if len(drawn.loaded.bodies) != 1:
         return None, None
@@ -49,7 +55,7 @@ def _angles(drawn: Shown, rule: NormalRule) -> tuple[float | None, float | None]
     return found.worst_deg, found.mean_deg
 
 
-def _verdict(drawn: Shown, worst: float | None, rule: NormalRule) -> str:
+def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
     if not drawn.rendered.work.fragments:
         return "Nothing covers a sample: move the camera or make the picture larger."
     if worst is None:

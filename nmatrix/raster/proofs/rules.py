@@ -11,17 +11,23 @@ from numpy.typing import NDArray
 from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear.classify import Classification
 from nmatrix.raster.image import Panel, compose, levels
-from nmatrix.raster.proofs.angles import AngleMap, angle_map, normals_by
-from nmatrix.raster.proofs.brief import (
+from nmatrix.raster.proofs.angles import (
+    ROUNDING_DEG,
+    UNDEFINED,
+    AngleMap,
+    Scale,
+    angle_map,
+    normals_by,
+)
+from nmatrix.raster.proofs.proof import (
     TORUS,
-    Brief,
+    DrawnScene,
     Proof,
-    Shown,
+    ProofSettings,
+    drawn_scene,
     level_difference,
-    shown,
     together,
 )
-from nmatrix.raster.proofs.heat import ROUNDING_DEG, UNDEFINED, Scale
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.world import World
@@ -40,9 +46,9 @@ RIGHT_RULE = {
 NO_RULE = ("Right: none", "no plane is left to be normal to")
 
 
-def normals(brief: Brief) -> Proof:
+def normals(settings: ProofSettings) -> Proof:
     """Draw a mesh with wrong and with right normals, and the angle between them."""
-    scene = brief.scene(brief.placed(TALL))
+    scene = settings.scene(settings.placed(TALL))
     wrong, right = _both(scene)
     found = _measured(right, NormalRule.NONE)
     scale = Scale.reaching(found.worst_deg)
@@ -52,16 +58,16 @@ def normals(brief: Brief) -> Proof:
         Panel(right.levels, *RIGHT_RULE.get(kind.rank, NO_RULE)),
         Panel(heat(found, scale, right), "Angle between them", _angle_caption(found)),
     )
-    image = compose(_title(brief.subject, kind), panels, scale.legend)
-    return _proof(brief, image, _verdict(found), (wrong, right), found)
+    image = compose(_title(settings.subject, kind), panels, scale.legend)
+    return _proof(settings, image, _verdict(found), (wrong, right), found)
 
 
-def bias(brief: Brief) -> Proof:
+def bias(settings: ProofSettings) -> Proof:
     """Draw what a rotation hides and a scale shows: the same wrong matrix under both."""
-    shape = brief.geometry(TORUS)
-    turned = _both(brief.scene(TURNED, shape))
-    stretched = brief.placed(replace(TALL, rotate_degrees=TURNED.rotate_degrees))
-    scaled = _both(brief.scene(stretched, shape))
+    shape = settings.geometry(TORUS)
+    turned = _both(settings.scene(TURNED, shape))
+    stretched = settings.placed(replace(TALL, rotate_degrees=TURNED.rotate_degrees))
+    scaled = _both(settings.scene(stretched, shape))
     hidden, seen = (level_difference(a.levels, b.levels) for a, b in (turned, scaled))
     found = _measured(scaled[1], NormalRule.NONE)
     panels = (
@@ -72,7 +78,7 @@ def bias(brief: Brief) -> Proof:
     )
     return replace(
         _proof(
-            brief,
+            settings,
             compose("A test on rotations cannot tell a wrong normal matrix", panels, columns=4),
             f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a scale.",
             (*turned, *scaled),
@@ -83,12 +89,12 @@ def bias(brief: Brief) -> Proof:
     )
 
 
-def mirror(brief: Brief) -> Proof:
+def mirror(settings: ProofSettings) -> Proof:
     """Draw a mirrored object by cofactors without their sign, rightly, and with wrong winding."""
-    scene = brief.scene(brief.placed(World(scale=(-1, 1.4, 1), rotate_degrees=(0, 30, 0))))
-    right = shown(scene)
-    unsigned = shown(by_rule(scene, NormalRule.COFACTOR))
-    inside_out = shown(_other_winding(scene))
+    scene = settings.scene(settings.placed(World(scale=(-1, 1.4, 1), rotate_degrees=(0, 30, 0))))
+    right = drawn_scene(scene)
+    unsigned = drawn_scene(by_rule(scene, NormalRule.COFACTOR))
+    inside_out = drawn_scene(_other_winding(scene))
     found = _measured(right, NormalRule.COFACTOR)
     difference = level_difference(inside_out.levels, right.levels)
     panels = (
@@ -97,7 +103,7 @@ def mirror(brief: Brief) -> Proof:
         Panel(inside_out.levels, "Winding not flipped", "faces are culled from the wrong side"),
     )
     proof = _proof(
-        brief,
+        settings,
         compose("A mirror flips the sign of the cofactors, and the winding", panels),
         f"Without the sign of det A the normals are {found.worst_deg or 0:.0f}° off.",
         (unsigned, right, inside_out),
@@ -106,13 +112,13 @@ def mirror(brief: Brief) -> Proof:
     return replace(proof, numbers={"winding_level_difference": difference})
 
 
-def translation(brief: Brief) -> Proof:
+def translation(settings: ProofSettings) -> Proof:
     """Draw normals that a translation moved, and normals measured over four components."""
-    scene = brief.scene(brief.placed(World(translate=(5, 0, 0))))
-    right = shown(scene)
-    moved = shown(by_rule(scene, NormalRule.TRANSLATED))
+    scene = settings.scene(settings.placed(World(translate=(5, 0, 0))))
+    right = drawn_scene(scene)
+    moved = drawn_scene(by_rule(scene, NormalRule.TRANSLATED))
     per_vertex = replace(scene, settings=replace(scene.settings, shading=Shading.GOURAUD))
-    short = shown(by_rule(per_vertex, NormalRule.FOUR_COMPONENT))
+    short = drawn_scene(by_rule(per_vertex, NormalRule.FOUR_COMPONENT))
     found = _measured(right, NormalRule.TRANSLATED)
     shrunk = normals_by(right.loaded, right.loaded.bodies[0], NormalRule.FOUR_COMPONENT)
     shortest = float(np.sqrt((shrunk * shrunk).sum(axis=0)).min())
@@ -122,7 +128,7 @@ def translation(brief: Brief) -> Proof:
         Panel(right.levels, "Right: w = 0, three components", "a normal knows no place"),
     )
     proof = _proof(
-        brief,
+        settings,
         compose("A normal is no point: a translation must not reach it", panels),
         f"With w = 1 the normals are up to {found.worst_deg or 0:.2f}° off; normalised over four "
         f"components the shortest has length {shortest:.3f}.",
@@ -132,13 +138,13 @@ def translation(brief: Brief) -> Proof:
     return replace(proof, numbers={"shortest_normal": shortest})
 
 
-def flatten(brief: Brief) -> Proof:
+def flatten(settings: ProofSettings) -> Proof:
     """Draw a flattened object: with no inverse, with a zero matrix, with the cofactors."""
-    scene = brief.scene(
-        brief.placed(World(scale=(1, 0, 1), rotate_degrees=(25, 0, 0), order="XYZ"))
+    scene = settings.scene(
+        settings.placed(World(scale=(1, 0, 1), rotate_degrees=(25, 0, 0), order="XYZ"))
     )
-    right = shown(scene)
-    without = shown(by_rule(scene, NormalRule.INVERSE))
+    right = drawn_scene(scene)
+    without = drawn_scene(by_rule(scene, NormalRule.INVERSE))
     found = _measured(right, NormalRule.INVERSE)
     covered = angle_map(
         right.loaded, *(normals_by(right.loaded, right.loaded.bodies[0], NormalRule.EXACT),) * 2
@@ -152,7 +158,7 @@ def flatten(brief: Brief) -> Proof:
     )
     lost = level_difference(without.levels, right.levels)
     proof = _proof(
-        brief,
+        settings,
         compose("Flattened: the inverse is gone, the normal of the plane is not", panels),
         f"The cofactors still know the plane's normal; without it {lost} levels of light are lost.",
         (without, right),
@@ -168,24 +174,24 @@ def by_rule(scene: Scene, rule: NormalRule) -> Scene:
     return replace(scene, settings=replace(scene.settings, normals=rule))
 
 
-def heat(found: AngleMap, scale: Scale, on: Shown) -> Array:
+def heat(found: AngleMap, scale: Scale, on: DrawnScene) -> Array:
     """Return the map of angles as an 8-bit image; grey where a normal is missing."""
     compared, covered = found.compared[:, :, None], found.covered[:, :, None]
     colours = compared * scale.colours(found.pixel_deg) + (covered - compared) * UNDEFINED
     return levels(colours + _paper(on, found))
 
 
-def _paper(on: Shown, found: AngleMap) -> Array:
+def _paper(on: DrawnScene, found: AngleMap) -> Array:
     background = np.array(on.loaded.settings.background)
     return np.asarray((1 - found.covered[:, :, None]) * background)
 
 
-def _both(scene: Scene) -> tuple[Shown, Shown]:
+def _both(scene: Scene) -> tuple[DrawnScene, DrawnScene]:
     """Return the scene by the matrix itself, and by the right rule."""
-    return shown(by_rule(scene, NormalRule.NONE)), shown(scene)
+    return drawn_scene(by_rule(scene, NormalRule.NONE)), drawn_scene(scene)
 
 
-def _measured(right: Shown, wrong: NormalRule) -> AngleMap:
+def _measured(right: DrawnScene, wrong: NormalRule) -> AngleMap:
     body = right.loaded.bodies[0]
     by_both = (normals_by(right.loaded, body, rule) for rule in (wrong, NormalRule.EXACT))
     return angle_map(right.loaded, *by_both)
@@ -200,11 +206,15 @@ def _other_winding(scene: Scene) -> Scene:
 
 
 def _proof(
-    brief: Brief, image: Array, verdict: str, drawn: tuple[Shown, ...], found: AngleMap
+    settings: ProofSettings,
+    image: Array,
+    verdict: str,
+    drawn: tuple[DrawnScene, ...],
+    found: AngleMap,
 ) -> Proof:
     return Proof(
         image,
-        brief.subject,
+        settings.subject,
         verdict,
         together(*(one.rendered.work for one in drawn)),
         drawn[-1].effects,

@@ -12,14 +12,14 @@ from nmatrix.raster.image import Panel, compose, levels
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.angles import normals_by
-from nmatrix.raster.proofs.brief import (
+from nmatrix.raster.proofs.proof import (
     TORUS,
-    Brief,
+    DrawnScene,
     Proof,
-    Shown,
+    ProofSettings,
+    drawn_scene,
+    effect_names,
     level_difference,
-    named,
-    shown,
     together,
 )
 from nmatrix.raster.proofs.showpiece import showpiece
@@ -38,15 +38,15 @@ BULB = SceneLight(
 AMPLIFIED = 50  # a difference in levels is drawn so many times brighter
 
 
-def spaces(brief: Brief) -> Proof:
+def spaces(settings: ProofSettings) -> Proof:
     """Draw one scene in five shading spaces; the differences are rounding."""
-    lit = replace(brief, lights=(replace(brief.lights[0], intensity=0.45), BULB))
-    if brief.reflection is Reflection.LAMBERT:
+    lit = replace(settings, lights=(replace(settings.lights[0], intensity=0.45), BULB))
+    if settings.reflection is Reflection.LAMBERT:
         lit = replace(lit, reflection=Reflection.BLINN_PHONG)
-    scene = lit.scene(brief.placed(SKEWED), brief.geometry(TORUS))
+    scene = lit.scene(settings.placed(SKEWED), settings.geometry(TORUS))
     names = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.LIGHT)
-    drawn = {one: shown(_in_space(scene, one)) for one in names}
-    drawn[Space.STATIC] = shown(_in_space(_baked(scene, drawn[Space.WORLD]), Space.STATIC))
+    drawn = {one: drawn_scene(_in_space(scene, one)) for one in names}
+    drawn[Space.STATIC] = drawn_scene(_in_space(_baked(scene, drawn[Space.WORLD]), Space.STATIC))
     reference = drawn[Space.WORLD].rendered.image
     differences = {
         one.value: float(np.abs(found.rendered.image - reference).max())
@@ -66,7 +66,7 @@ def spaces(brief: Brief) -> Proof:
     worst = max(differences.values())
     return Proof(
         compose("One picture, whatever the shading space", panels, columns=5),
-        brief.subject,
+        settings.subject,
         f"Five shading spaces give the same picture: the largest difference is {worst:.1e}.",
         together(*(one.rendered.work for one in drawn.values())),
         drawn[Space.OBJECT].effects,
@@ -82,7 +82,7 @@ def _in_space(scene: Scene, space: Space) -> Scene:
     return replace(scene, settings=replace(scene.settings, space=space))
 
 
-def _baked(scene: Scene, world: Shown) -> Scene:
+def _baked(scene: Scene, world: DrawnScene) -> Scene:
     """Return the scene with its object's vertices moved to the world once and for all: M = I."""
     (one,), (body,) = scene.objects, world.loaded.bodies
     mesh = replace(
@@ -96,15 +96,15 @@ def _baked(scene: Scene, world: Shown) -> Scene:
     return replace(scene, objects=(baked,))
 
 
-def effects(brief: Brief) -> Proof:
+def effects(settings: ProofSettings) -> Proof:
     """Draw a scene with everything on and by its plan: the same picture for less work."""
-    ready = loaded(showpiece(brief.settings))
-    started = brief.clock()
+    ready = loaded(showpiece(settings.picture))
+    started = settings.clock()
     full = render(everything(ready))
-    between = brief.clock()
+    between = settings.clock()
     plan = planned(ready)
     found = render(plan)
-    ended = brief.clock()
+    ended = settings.clock()
     difference = np.abs(full.rgb - found.rgb)
     worst = float(difference.max())
     saved = 1 - found.work.multiplications / full.work.multiplications
@@ -123,11 +123,11 @@ def effects(brief: Brief) -> Proof:
     )
     return Proof(
         compose("The plan leaves out what cannot be seen", panels),
-        brief.subject,
+        settings.subject,
         f"The plan saves {saved:.0%} of the multiplications; no channel moves by more than "
         f"{worst:.0e}.",
         together(full.work, found.work),
-        named(plan),
+        effect_names(plan),
         numbers,
         max_level_difference=level_difference(shown_full, shown_plan),
         remarks=ready.remarks,

@@ -12,8 +12,15 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, NormalRule, Reflection, Shading
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.angles import angle_map
-from nmatrix.raster.proofs.brief import Brief, Proof, level_difference, shown, together
-from nmatrix.raster.proofs.redraw import as_levels, redrawn
+from nmatrix.raster.proofs.proof import (
+    Proof,
+    ProofSettings,
+    as_levels,
+    drawn_scene,
+    level_difference,
+    redrawn,
+    together,
+)
 from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.camera import View
@@ -30,10 +37,10 @@ TALL = World(scale=(1, 2.5, 1))
 FLOOR = World(translate=(0, -1, -3), scale=(3, 1, 6))
 
 
-def shading(brief: Brief) -> Proof:
+def shading(settings: ProofSettings) -> Proof:
     """Draw flat, Gouraud and Phong shading, two highlights, and toon bands."""
-    world = brief.placed(World())
-    shape = brief.geometry(ShapeGeometry(Shape.TORUS, (12, 24)))
+    world = settings.placed(World())
+    shape = settings.geometry(ShapeGeometry(Shape.TORUS, (12, 24)))
     shiny = (Shading.PHONG, Reflection.PHONG)
     drawn = {
         "Flat shading": (Shading.FLAT, Reflection.PHONG, "light once for each triangle"),
@@ -44,7 +51,7 @@ def shading(brief: Brief) -> Proof:
         "Toon": (Shading.PHONG, Reflection.TOON, "the cosine in bands, and an outline"),
     }
     found = {
-        title: shown(_as_material(brief.scene(world, shape, shading=where), reflection))
+        title: drawn_scene(_as_material(settings.scene(world, shape, shading=where), reflection))
         for title, (where, reflection, _) in drawn.items()
     }
     panels = [Panel(found[title].levels, title, row[2]) for title, row in drawn.items()]
@@ -61,7 +68,7 @@ def shading(brief: Brief) -> Proof:
     }
     return Proof(
         compose("Phong shading is where, Phong reflection is how", panels),
-        brief.subject,
+        settings.subject,
         f"Gouraud shading is up to {apart['gouraud_against_phong']} levels from Phong shading: it "
         "misses highlights between vertices.",
         together(*(one.rendered.work for one in found.values())),
@@ -79,10 +86,10 @@ def _as_material(scene: Scene, reflection: Reflection) -> Scene:
     return replace(scene, objects=(replace(one, material=material),))
 
 
-def interpolation(brief: Brief) -> Proof:
+def interpolation(settings: ProofSettings) -> Proof:
     """Draw normals normalised never, after and before interpolation; and affine interpolation."""
-    scene = brief.scene(brief.placed(TALL), brief.geometry(COARSE))
-    right = shown(scene)
+    scene = settings.scene(settings.placed(TALL), settings.geometry(COARSE))
+    right = drawn_scene(scene)
     never, after, both = (
         as_levels(redrawn(right, partial(_normalised, before=before, after=then)))
         for before, then in ((False, False), (False, True), (True, True))
@@ -92,7 +99,7 @@ def interpolation(brief: Brief) -> Proof:
         right.loaded,
         *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
     )
-    floor = shown(_checkered(brief))
+    floor = drawn_scene(_checkered(settings))
     correct, affine = as_levels(floor.rendered.image), as_levels(redrawn(floor, _affine))
     swum = float((np.abs(affine.astype(int) - correct).max(axis=2) > 8).mean())
     panels = (
@@ -104,7 +111,7 @@ def interpolation(brief: Brief) -> Proof:
     )
     return Proof(
         compose("Unequal lengths bend a direction; unequal depths bend a pattern", panels),
-        brief.subject,
+        settings.subject,
         f"Normals of unequal length are bent by up to {bent.worst_deg or 0:.1f}°; affine "
         f"interpolation moves the pattern in {swum:.0%} of the pixels.",
         together(right.rendered.work, floor.rendered.work),
@@ -124,20 +131,20 @@ def interpolation(brief: Brief) -> Proof:
 def _normalised(surface: Surface, *, before: bool, after: bool) -> Surface:
     on = surface.effects | {Effect.RENORMALISE} if after else surface.effects - {Effect.RENORMALISE}
     rule = NormalRule.EXACT if before else NormalRule.INVERSE
-    look = replace(surface.look, unit_vertices=before, rule=rule)
-    return replace(surface, look=look, effects=on)
+    style = replace(surface.style, unit_vertices=before, rule=rule)
+    return replace(surface, style=style, effects=on)
 
 
 def _affine(surface: Surface) -> Surface:
     return replace(surface, effects=surface.effects - {Effect.PERSPECTIVE})
 
 
-def _checkered(brief: Brief) -> Scene:
+def _checkered(settings: ProofSettings) -> Scene:
     """Return a floor of two large triangles that runs away from the eye."""
     material = Material("checker", texture=CHECKER)
     geometry = ShapeGeometry(Shape.PLANE)
     floor = SceneObject("floor", geometry, FLOOR.world_from_object, material)
-    scene = brief.with_objects(floor)
+    scene = settings.with_objects(floor)
     lens = replace(scene.lens, near=0.1, far=50.0, fov_degrees=60.0)
     return replace(
         scene, view=View(eye=(0.8, 0.4, 4.5), target=(0, -1, 0.5)), lens=lens, has_camera=True

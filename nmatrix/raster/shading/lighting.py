@@ -1,4 +1,4 @@
-"""Light on a surface, in any space: how much of each light's light reaches the eye.
+"""Light on a surface, in any space: the parts of each light that reach the eye.
 
 n is the unit normal, l the unit vector to the light, v the unit vector to the eye, d a distance;
 "unit" and d by the space's own measure, so that every space gives the same numbers. Arrays are
@@ -41,7 +41,7 @@ class ShadingLight:
 
 
 class Lit(NamedTuple):
-    """What a surface sends to the eye: `matte` takes the texture's colour, `gloss` does not."""
+    """Light from a surface to the eye: `matte` takes the texture's colour, `gloss` does not."""
 
     matte: Array
     gloss: Array | None

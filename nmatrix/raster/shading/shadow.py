@@ -1,4 +1,4 @@
-"""Shadow maps: how far a light's light gets, seen from the light, by the same rasterizer.
+"""Shadow maps: the distance that light gets, seen from the light, by the same rasterizer.
 
 A map holds distances along the light's axis. A point is in shadow where the map ends before it, by
 more than what one texel of a slanted surface spans.
@@ -22,8 +22,8 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vec
 from nmatrix.linear.view import looking_along
 from nmatrix.raster.loaded_scene import Body, PlacedLight
 from nmatrix.raster.shading.space import ShadingSpace, as_array
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.products import moved
+from nmatrix.raster.triangles.products import multiply
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
 from nmatrix.scene.words import DepthBuffer
@@ -39,7 +39,7 @@ SIX_WAYS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 
 @dataclass(frozen=True, eq=False)
 class ShadowMap:
-    """One look from a light: its clip space, distances (size, size), and the range of them.
+    """One view from a light: its clip space, distances (size, size), and the range of them.
 
     `texel` is a texel's width, at distance 1 where the view is a perspective.
     """
@@ -52,7 +52,7 @@ class ShadowMap:
     is_perspective: bool
 
     def arrives(self, in_clip: Array, cosine: Array) -> tuple[Array, Array]:
-        """Return for points (4, m) in the light's clip space whether it sees them, and the light.
+        """Return two masks for points (4, m) of the light's clip space: in its view, and lit by it.
 
         `cosine` is that of the angle at which light falls in: the flatter, the more depth a texel
         spans.
@@ -78,7 +78,7 @@ class ShadowMap:
 
 @dataclass(frozen=True, eq=False)
 class Occluded:
-    """What keeps a light's light off one body: its maps, reached from the body's shading space."""
+    """The shadow maps of one light, as one body's shading space reaches them."""
 
     maps: Sequence[ShadowMap]
     space: ShadingSpace
@@ -88,13 +88,13 @@ class Occluded:
         found = np.ones(positions.shape[1], bool)
         for one in self.maps:
             matrix = self.space.light_from_space(one.light_from_world)
-            inside, arrives = one.arrives(moved(matrix, positions), cosine)
+            inside, arrives = one.arrives(multiply(matrix, positions), cosine)
             found &= arrives | ~inside
         return found.astype(np.float64)
 
 
 def shadow_maps(placed: PlacedLight, bodies: Sequence[Body], size: int) -> list[ShadowMap]:
-    """Return what a light sees: one look for a direction or a cone, six for a point."""
+    """Return the shadow maps of a light: one for a direction or a cone, six for a point."""
     casters = [one for one in bodies if one.material.opacity == 1.0]
     balls = [(one.centre, one.radius) for one in bodies]
     if placed.position is None:
@@ -104,9 +104,10 @@ def shadow_maps(placed: PlacedLight, bodies: Sequence[Body], size: int) -> list[
     far = max(float(np.sqrt(((c - place) ** 2).sum())) + r for c, r in balls)
     if placed.direction is not None:
         half = min(placed.light.cone_degrees[1] + 1.0, 89.0)
-        return [_look(placed.position, placed.direction, half, casters, (far, size))]
+        return [_perspective(placed.position, placed.direction, half, casters, (far, size))]
     return [
-        _look(placed.position, rational_vector(way), 45.0, casters, (far, size)) for way in SIX_WAYS
+        _perspective(placed.position, rational_vector(way), 45.0, casters, (far, size))
+        for way in SIX_WAYS
     ]
 
 
@@ -130,7 +131,7 @@ def _parallel(
     return ShadowMap(light, distance, -reach, reach, 2 * reach / size, is_perspective=False)
 
 
-def _look(
+def _perspective(
     place: RationalVector,
     direction: RationalVector,
     half_degrees: float,

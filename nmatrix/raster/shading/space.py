@@ -20,7 +20,7 @@ from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector, to_floats
 from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.triangles.products import in_parts, moved
+from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.spaces.exact_maps import ExactMaps
 
 Array = NDArray[Any]
@@ -40,7 +40,7 @@ def length(vectors: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """How long things are in a space: B⁻¹ for vectors, Bᵀ for normals; None where B is rigid."""
+    """True lengths in a space: by B⁻¹ for vectors, by Bᵀ for normals; None where B is rigid."""
 
     world_vector: Array | None = None
     world_normal: Array | None = None
@@ -95,7 +95,7 @@ class ShadingSpace:
 
     @cached_property
     def measure(self) -> Measure:
-        """Return how lengths are measured."""
+        """Return the measure of lengths: by the metric, or by the space's own coordinates."""
         if not self.uses_metric:
             return Measure()
         return Measure(
@@ -111,11 +111,11 @@ class ShadingSpace:
 
     def positions(self) -> Array:
         """Return the vertices (3, V) in the space."""
-        return moved(as_array(self.exact_from_object)[:3], self.body.mesh.positions.T)
+        return multiply(as_array(self.exact_from_object)[:3], self.body.mesh.positions.T)
 
     def vectors(self, of_object: Array) -> Array:
         """Return tangents (V, 3) and their like in the space, as (3, V)."""
-        return moved(as_array(self.exact_from_object)[:3, :3], of_object.T)
+        return multiply(as_array(self.exact_from_object)[:3, :3], of_object.T)
 
     def carried_normals(self, rule: NormalRule) -> Array:
         """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
@@ -138,7 +138,7 @@ class ShadingSpace:
     def unit_normals(self, normals: Array) -> Array:
         """Return normals (3, …) at true length one; zero stays zero."""
         found = np.zeros(normals.shape)
-        for given, unit in zip(in_parts(normals), in_parts(found), strict=True):
+        for given, unit in zip(chunks(normals), chunks(found), strict=True):
             size = np.abs(given).max(axis=0)
             scaled = np.divide(given, size, out=np.zeros_like(given), where=size > 0)
             long = self.measure.normal_length(scaled)
@@ -170,7 +170,7 @@ class ShadingSpace:
 def transform_normals(found: NormalTransform, normals: Array) -> Array:
     """Return normals (3, V) through a rule's matrix, scaled so that nothing overflows."""
     K = as_array(found.matrix) if found.components == 4 or found.w else scaled_array(found.matrix)
-    carried = moved(K if found.w else K[:, :3], normals)
+    carried = multiply(K if found.w else K[:, :3], normals)
     if found.components == 3:
         return carried[:3]
     long = np.sqrt(dot(carried, carried) + carried[3] * carried[3])
@@ -193,4 +193,4 @@ def scaled_array(matrix: RationalMatrix) -> Array:
 
 def _times(matrix: Array, vectors: Array) -> Array:
     """Return a 3×3 matrix times vectors (3, …)."""
-    return moved(matrix[:, :3], vectors)
+    return multiply(matrix[:, :3], vectors)

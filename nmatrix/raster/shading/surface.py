@@ -1,4 +1,4 @@
-"""The surface of one body: what is read at each sample, and the colour that it makes there."""
+"""The surface of one body: its vertex shader and its fragment shader."""
 
 from __future__ import annotations
 
@@ -11,12 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, NormalRule, Shading
-from nmatrix.raster.shading.bump import bumped
 from nmatrix.raster.shading.lighting import Lighting, Lit, colour
-from nmatrix.raster.shading.normals import turned_towards
+from nmatrix.raster.shading.normals import bumped, turned_towards
 from nmatrix.raster.shading.space import ShadingSpace, dot
 from nmatrix.raster.shading.texture import sample
-from nmatrix.raster.triangles.fragments import Fragments, Reads, Weighing
+from nmatrix.raster.triangles.fragments import Fragments, Interpolation, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.scene.scene import Fog
 
@@ -24,8 +23,8 @@ Array = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
-    """What all bodies of a picture share: where light is evaluated, by which rule, through what.
+class PictureStyle:
+    """Settings that all bodies of a picture share: shading, the rule for normals, fog, levels.
 
     `unit_vertices` is False for the mistake of leaving normals at vertices at any length.
     """
@@ -47,13 +46,13 @@ class Surface:
 
     space: ShadingSpace
     lighting: Lighting
-    look: Look
+    style: PictureStyle
     effects: frozenset[Effect]
     front: int
 
-    def reads(self, projected: Projected) -> Reads:
-        """Return the attributes that the colours of this surface are made of."""
-        points, directions, faces = self._lit_reads(projected)
+    def vertex(self, projected: Projected) -> VertexOutputs:
+        """Run the vertex shader: return the attributes that fragments read."""
+        points, directions, faces = self._light_inputs(projected)
         mesh = self.space.body.mesh
         if self._reads_position:
             points["position"] = projected.per_vertex(self._positions)
@@ -61,22 +60,22 @@ class Surface:
             uv = np.zeros((2, len(mesh.positions))) if mesh.uv is None else mesh.uv.T
             points["uv"] = projected.per_vertex(uv)
         if Effect.VERTEX_COLOURS in self.effects and mesh.colours is not None:
-            points["colour"] = projected.per_vertex(mesh.colours.T[: self.look.channels])
+            points["colour"] = projected.per_vertex(mesh.colours.T[: self.style.channels])
         if Effect.NORMAL_MAP in self.effects and mesh.tangents is not None:
             tangents = self.space.vectors(mesh.tangents[:, :3])
             points["tangent"] = projected.per_vertex(tangents)
             points["bitangent_sign"] = projected.per_vertex(mesh.tangents[:, 3:].T)
         front = self.front if self._is_sided else 0
-        return Reads(points, directions, faces, self._weighing, front)
+        return VertexOutputs(points, directions, faces, self._interpolation, front)
 
-    def colours(self, fragments: Fragments) -> Array:
-        """Return the colours (channels, m) of fragments, in [0, 1]."""
+    def fragment(self, fragments: Fragments) -> Array:
+        """Run the fragment shader: return the colours (channels, m) of fragments, in [0, 1]."""
         matte, gloss = self._lit(fragments)
         if Effect.TEXTURE in self.effects:
             texture = self.space.body.material.texture
             assert texture is not None  # the plan has it on where the material names one
-            texels = sample(texture, fragments["uv"], linear=self.look.linear_light)
-            matte = matte * texels[: self.look.channels]
+            texels = sample(texture, fragments["uv"], linear=self.style.linear_light)
+            matte = matte * texels[: self.style.channels]
         if "colour" in fragments.values:
             matte = matte * fragments["colour"]
         found = matte if gloss is None else matte + gloss
@@ -87,19 +86,19 @@ class Surface:
 
     @property
     def _is_sided(self) -> bool:
-        """Whether backs are lit as backs; the sides of a flattened body cannot be told apart."""
+        """True if backs are lit as backs; the sides of a flattened body cannot be told apart."""
         return Effect.BACK_FACES in self.effects and self.front != 0
 
     @property
-    def _weighing(self) -> Weighing:
+    def _interpolation(self) -> Interpolation:
         if Effect.PERSPECTIVE not in self.effects:
-            return Weighing.AFFINE
-        return Weighing.EXACT if Effect.EXACT_WEIGHTS in self.effects else Weighing.SUMS
+            return Interpolation.AFFINE
+        return Interpolation.EXACT if Effect.EXACT_WEIGHTS in self.effects else Interpolation.SUMS
 
     @property
     def _reads_position(self) -> bool:
-        """Whether fragments, and not only vertices, ask where they are."""
-        if self.look.shading is Shading.PHONG:
+        """True if fragments, and not only vertices, ask where they are."""
+        if self.style.shading is Shading.PHONG:
             return Effect.POSITION in self.effects
         return Effect.FOG in self.effects
 
@@ -114,21 +113,21 @@ class Surface:
         A flattened body has two sides and shows one to the eye. Its normals are turned there at
         the vertices: between opposite ones interpolation would find none.
         """
-        carry = self.space.normals if self.look.unit_vertices else self.space.carried_normals
-        normals = carry(self.look.rule)
+        carry = self.space.normals if self.style.unit_vertices else self.space.carried_normals
+        normals = carry(self.style.rule)
         if self.space.body.linear_map.rank == 3:
             return normals
         return turned_towards(normals, self.lighting.eye - self._positions)
 
-    def _lit_reads(
+    def _light_inputs(
         self, projected: Projected
     ) -> tuple[dict[str, Array], dict[str, Array], dict[str, Array]]:
-        """Return what light is made of: normals, or light itself, by vertex or by triangle."""
-        if self.look.shading is Shading.PHONG:
+        """Return the inputs of the light: normals, or light itself, by vertex or by triangle."""
+        if self.style.shading is Shading.PHONG:
             normals = {"normal": projected.per_vertex(self.vertex_normals)}
             is_unit = Effect.RENORMALISE in self.effects
             return ({}, normals, {}) if is_unit else (normals, {}, {})
-        if self.look.shading is Shading.GOURAUD:
+        if self.style.shading is Shading.GOURAUD:
             found = self._evaluated(self.vertex_normals, self._positions)
             return {name: projected.per_vertex(one) for name, one in found.items()}, {}, {}
         corners = self.space.body.mesh.triangles.T
@@ -148,7 +147,7 @@ class Surface:
         return found
 
     def _lit(self, fragments: Fragments) -> Lit:
-        if self.look.shading is Shading.PHONG:
+        if self.style.shading is Shading.PHONG:
             return self.lighting.light(self._normals(fragments), fragments.values.get("position"))
         return Lit(*(self._of_side(fragments.values, name) for name in ("matte", "gloss")))  # type: ignore[arg-type]  # matte is always there
 
@@ -180,14 +179,14 @@ class Surface:
         return bumped(normals, fragments["tangent"], signs, texels, self.space.measure)
 
     def _is_edge(self, fragments: Fragments) -> Array:
-        """Return where a surface is seen so much from the side that it is drawn as a line."""
-        if self.look.shading is not Shading.PHONG:
+        """Return a mask of the fragments that face so far aside that the outline covers them."""
+        if self.style.shading is not Shading.PHONG:
             return np.zeros(len(fragments), bool)
         cosine = dot(self._normals(fragments), self.lighting.to_eye(fragments["position"]))
         return np.asarray(np.abs(cosine) < self.space.body.material.outline)
 
     def _in_fog(self, colours: Array, fragments: Fragments) -> Array:
-        fog = self.look.fog
+        fog = self.style.fog
         assert fog is not None  # the plan has it on where the scene names it
         distance = self.lighting.distance_to_eye(fragments["position"])
         share = np.clip((distance - fog.start) / (fog.end - fog.start), 0.0, 1.0)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import DepthRange
-from nmatrix.raster.triangles.canvas import Canvas
+from nmatrix.raster.triangles.spans import Canvas
 
 Array = NDArray[Any]
 
@@ -40,7 +40,7 @@ def whole(corners: Array, source: Array) -> Triangles:
 
 
 def clip(triangles: Triangles, depth: DepthRange, canvas: Canvas) -> Triangles:
-    """Return what lies between near and far and inside the guard band.
+    """Cut triangles to what lies between near and far and inside the guard band.
 
     Every plane is a linear function of the clip coordinates that is ≥ 0 inside; a point with
     w ≤ 0 is outside of at least one, so none survives.
@@ -51,7 +51,7 @@ def clip(triangles: Triangles, depth: DepthRange, canvas: Canvas) -> Triangles:
 
 
 def inside(corners: Array, depth: DepthRange, canvas: Canvas) -> Array:
-    """Return for corners (4, V) whether nothing cuts them off; what is not finite is outside."""
+    """Return a mask of the corners (4, V) that nothing cuts off; what is not finite is outside."""
     x, y, z, w = corners
     near, far = (w - z, z) if depth is DepthRange.REVERSED else (z, w - z)
     if depth is DepthRange.MINUS_ONE_TO_ONE:
@@ -109,7 +109,7 @@ def _cut_group(triangles: Triangles, distance: Array, inside: Array, kept: int) 
 
 
 def _crossing(a: Array, b: Array, da: Array, db: Array) -> Array:
-    """Return where edges meet the plane, from the smaller end, so that neighbours agree."""
+    """Return the points where edges meet the plane, from the smaller end: neighbours agree."""
     swap = _is_larger(a[:, :4], b[:, :4])[:, None]
     a, b = np.where(swap, b, a), np.where(swap, a, b)
     da, db = np.where(swap[:, 0], db, da), np.where(swap[:, 0], da, db)

@@ -1,4 +1,4 @@
-"""Fragments: what vertices say, at every visible sample, weighted as perspective weighs it.
+"""Fragments: the outputs of vertices, interpolated at every visible sample.
 
 A sample's weight for a corner is the area of the triangle opposite to it: a whole number that
 grows by a whole number from sample to sample, so it is exact however long the run. Times 1/w of
@@ -15,16 +15,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.triangles.run_expansion import Spread
-from nmatrix.raster.triangles.runs import Runs
+from nmatrix.raster.triangles.run_expansion import RunExpansion
 from nmatrix.raster.triangles.spans import SUBPIXELS
 from nmatrix.raster.triangles.vertices import Projected
+from nmatrix.raster.triangles.visibility import Runs
 
 Array = NDArray[Any]
 
 
-class Weighing(Enum):
-    """How corners are weighed.
+class Interpolation(Enum):
+    """The ways to mix the values of three corners.
 
     AFFINE: by area alone, which is right where w is the same everywhere. SUMS: what the corners
     add up to grows evenly along a row, so two numbers for each run are enough; it loses a few u
@@ -37,8 +37,8 @@ class Weighing(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Reads:
-    """What a shader reads, by name, as (k, V) of vertices and (k, F) of triangles.
+class VertexOutputs:
+    """Outputs of the vertex stage by name: (k, V) of vertices, (k, F) of triangles.
 
     Of `directions` any positive multiple will do, so they need no division. `front` is the sign
     of the area of front faces where the side is read too, as `facing`: 1 or −1.
@@ -47,77 +47,80 @@ class Reads:
     points: Mapping[str, Array] = field(default_factory=dict)
     directions: Mapping[str, Array] = field(default_factory=dict)
     faces: Mapping[str, Array] = field(default_factory=dict)
-    weighing: Weighing = Weighing.SUMS
+    interpolation: Interpolation = Interpolation.SUMS
     front: int = 0
 
 
 @dataclass(frozen=True, eq=False)
 class Fragments:
-    """Some samples: each one's place on the canvas, row · columns + column, and what was read."""
+    """Some samples: each one's place on the canvas, row · columns + column, and its inputs."""
 
     sample: Array
     values: Mapping[str, Array]
 
     def __len__(self) -> int:
-        """Return how many samples there are."""
+        """Return the number of samples."""
         return len(self.sample)
 
     def __getitem__(self, name: str) -> Array:
-        """Return one of the things that were read, (k, m)."""
+        """Return one input by its name, (k, m)."""
         return self.values[name]
 
 
-def interpolate(projected: Projected, runs: Runs, columns: int, reads: Reads) -> Fragments:
-    """Return what is read at every sample of the runs."""
-    spread = Spread(runs.length)
+def interpolate(
+    projected: Projected, runs: Runs, columns: int, outputs: VertexOutputs
+) -> Fragments:
+    """Interpolate the outputs of vertices at every sample of the runs."""
+    expansion = RunExpansion(runs.length)
     first = runs.row * columns + runs.first
-    sample = spread.counted(first)
+    sample = expansion.counted(first)
     corners = projected.corners(runs.triangle)
     *areas, side = _areas(projected, corners, runs)
-    near = np.ones(()) if reads.weighing is Weighing.AFFINE else projected.inverse_w.take(corners)
-    of_runs = {name: one[:, runs.triangle] for name, one in reads.faces.items()}
-    if reads.front:
-        of_runs["facing"] = side[None] * reads.front
-    values = {name: spread.constants(one) for name, one in of_runs.items()}
-    if reads.weighing is Weighing.EXACT:
-        weights = exact_weights(spread, areas, near)
-        for name, one in {**reads.points, **reads.directions}.items():
-            values[name] = _weighted(spread, weights, one.take(corners, 1))
+    is_affine = outputs.interpolation is Interpolation.AFFINE
+    near = np.ones(()) if is_affine else projected.inverse_w.take(corners)
+    of_runs = {name: one[:, runs.triangle] for name, one in outputs.faces.items()}
+    if outputs.front:
+        of_runs["facing"] = side[None] * outputs.front
+    values = {name: expansion.constants(one) for name, one in of_runs.items()}
+    if outputs.interpolation is Interpolation.EXACT:
+        weights = exact_weights(expansion, areas, near)
+        for name, one in {**outputs.points, **outputs.directions}.items():
+            values[name] = _weighted(expansion, weights, one.take(corners, 1))
         return Fragments(sample, values)
     start, growth = (one * near for one in areas)
     share = None
-    for name, one in reads.directions.items():
-        values[name] = spread.ramps(*_sums(one.take(corners, 1), start, growth))
-    for name, one in reads.points.items():
+    for name, one in outputs.directions.items():
+        values[name] = expansion.ramps(*_sums(one.take(corners, 1), start, growth))
+    for name, one in outputs.points.items():
         if share is None:
-            share = 1.0 / spread.ramps(start.sum(0)[None], growth.sum(0)[None])
-        values[name] = spread.ramps(*_sums(one.take(corners, 1), start, growth))
+            share = 1.0 / expansion.ramps(start.sum(0)[None], growth.sum(0)[None])
+        values[name] = expansion.ramps(*_sums(one.take(corners, 1), start, growth))
         values[name] *= share
     return Fragments(sample, values)
 
 
-def exact_weights(spread: Spread, areas: Sequence[Array], near: Array) -> Array:
+def exact_weights(expansion: RunExpansion, areas: Sequence[Array], near: Array) -> Array:
     """Return the weights (3, m) of the corners, in [0, 1].
 
     Three whole numbers, not negative, each times 1/w with one rounding, over their sum.
     """
     start, growth = areas
-    weights = spread.ramps(start, growth)
-    weights *= spread.constants(np.broadcast_to(near, start.shape))
+    weights = expansion.ramps(start, growth)
+    weights *= expansion.constants(np.broadcast_to(near, start.shape))
     weights /= weights[0] + weights[1] + weights[2]
     return weights
 
 
-def _weighted(spread: Spread, weights: Array, values: Array) -> Array:
+def _weighted(expansion: RunExpansion, weights: Array, values: Array) -> Array:
     """Return corner values (k, 3, n), each times its weight (3, m)."""
-    total = weights[0] * spread.constants(values[:, 0])
+    total = weights[0] * expansion.constants(values[:, 0])
     for i in (1, 2):
-        total += weights[i] * spread.constants(values[:, i])
+        total += weights[i] * expansion.constants(values[:, i])
     return np.asarray(total)
 
 
 def _sums(values: Array, start: Array, growth: Array) -> tuple[Array, Array]:
-    """Return what corner values (k, 3, n) add up to where runs start, and how that grows."""
+    """Return the weighted sum of corner values (k, 3, n) where runs start, and its growth."""
     return _dot(values, start), _dot(values, growth)
 
 

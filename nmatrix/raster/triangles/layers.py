@@ -12,9 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.triangles.runs import Runs
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
+from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile
 
 Array = NDArray[Any]
 
@@ -29,7 +28,7 @@ class Layer(NamedTuple):
 def layers(
     glass: Sequence[tuple[int, Projected, int]], tile: Tile, rows: tuple[int, int]
 ) -> Iterator[Layer]:
-    """Return what stands in front of a tile's rows, from the back to the front.
+    """Yield the layers in front of a tile's rows, from the back to the front.
 
     `glass` holds, for each transparent drawable, its place in the list, its triangles, and the
     number of the first of them.

@@ -15,12 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.fragments import Fragments, Reads, interpolate
+from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs, interpolate
 from nmatrix.raster.triangles.layers import layers
-from nmatrix.raster.triangles.runs import Runs, visible_runs
+from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Tile
+from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile, visible_runs
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
@@ -32,20 +31,20 @@ LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 
 @dataclass(frozen=True, eq=False)
 class Drawable:
-    """Projected triangles, what is read of them, and the colours (channels, m) it makes.
+    """Projected triangles, the outputs of their vertices, and their fragment shader.
 
     Opaque ones hide what is behind; others let 1 − `opacity` of it through.
     """
 
     projected: Projected
-    reads: Reads
-    colours: Callable[[Fragments], Array]
+    outputs: VertexOutputs
+    fragment: Callable[[Fragments], Array]
     opacity: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What `finish` kept of the image (height, width, channels), and what drawing it took.
+    """The image (height, width, channels) as `finish` kept it, and the work of drawing it.
 
     `fragments` were covered by triangles, hidden ones included; `shaded` were coloured, for each
     drawable.
@@ -128,9 +127,9 @@ class Drawing:
     def _colour(self, samples: Array, i: int, runs: Runs, before: int) -> int:
         """Colour the samples of one drawable's runs, and return how many they are."""
         one = self.drawables[i]
-        found = interpolate(one.projected, runs, self.canvas.columns, one.reads)
+        found = interpolate(one.projected, runs, self.canvas.columns, one.outputs)
         place = found.sample - before
-        colours = one.colours(found)
+        colours = one.fragment(found)
         if one.opacity < 1.0:
             colours = one.opacity * colours + (1.0 - one.opacity) * samples[:, place]
         for channel, values in zip(samples, colours, strict=True):

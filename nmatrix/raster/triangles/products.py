@@ -1,4 +1,4 @@
-"""Many points or vectors through one matrix, each by the same sums in the same order.
+"""Multiply many points or vectors by one matrix in a fixed order of summation.
 
 A library's matrix product may round the last columns of an array otherwise than the rest. Here two
 vertices in one place come out in one place, bit for bit, wherever they stand in their arrays.
@@ -17,12 +17,12 @@ Array = NDArray[Any]
 PART = 1 << 20  # vertices that are held at once besides a mesh's own
 
 
-def moved(matrix: Array, vectors: Array) -> Array:
-    """Return a matrix (k, 3) times vectors (3, …), or a matrix (k, 4) times points (w = 1).
+def multiply(matrix: Array, vectors: Array) -> Array:
+    """Multiply a matrix (k, 3) by vectors (3, …), or a matrix (k, 4) by points (w = 1).
 
     Examples
     --------
-    >>> moved(np.array([[0.0, 2, 0, 1]]), np.array([[1.0], [5], [0]])).tolist()
+    >>> multiply(np.array([[0.0, 2, 0, 1]]), np.array([[1.0], [5], [0]])).tolist()
     [[11.0]]
     """
     out = np.empty((len(matrix), *vectors.shape[1:]))
@@ -35,7 +35,7 @@ def moved(matrix: Array, vectors: Array) -> Array:
     return out
 
 
-def in_parts(columns: Array) -> Iterator[Array]:
-    """Give an array (k, n) some columns at a time."""
+def chunks(columns: Array) -> Iterator[Array]:
+    """Cut an array (k, n) into groups of columns, so that memory is bounded."""
     for first in range(0, columns.shape[1], PART):
         yield columns[:, first : first + PART]

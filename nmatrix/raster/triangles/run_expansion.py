@@ -1,4 +1,4 @@
-"""From runs to samples: numbers that stay or grow evenly along each run, written out in full.
+"""Expand constant or linear values of runs to the samples of the runs.
 
 Samples stand one run after the other. Each knows its run and its place in it; all else is read from
 there, so that no sum is carried from sample to sample and no bit depends on what stands before.
@@ -18,12 +18,13 @@ Array = NDArray[Any]
 LONG = 6  # from this mean length on, repeating is faster than looking up each sample's run
 
 
-class Spread:
-    """How runs of these lengths, each at least 1, are written out.
+class RunExpansion:
+    """Runs of these lengths, each at least 1, expanded to their samples.
 
     Examples
     --------
-    >>> Spread(np.array([3, 1])).ramps(np.array([[10.0, 5.0]]), np.array([[1.0, 0.0]])).tolist()
+    >>> start, growth = np.array([[10.0, 5.0]]), np.array([[1.0, 0.0]])
+    >>> RunExpansion(np.array([3, 1])).ramps(start, growth).tolist()
     [[10.0, 11.0, 12.0, 5.0]]
     """
 

@@ -1,4 +1,4 @@
-"""Which samples a triangle covers: exact half-open spans, which are the top-left rule.
+"""The canvas, and the samples that a triangle covers: half-open spans, the top-left rule.
 
 Corners are whole numbers of 1/256 sample, and sample (i, j) stands at 256·(i, j). Rows and columns
 are half-open: an edge takes the first sample that is not before it. Neighbours share the edge,
@@ -14,17 +14,48 @@ lose a quarter of 1/(256 h) at the most, and no ceiling can change.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.triangles.run_expansion import Spread, batches
+from nmatrix.raster.triangles.run_expansion import RunExpansion, batches
 
 Array = NDArray[Any]
 
 SUBPIXELS = 256
 MOST_ROWS = 1 << 18  # that are held at once, however tall the triangles
+
+
+@dataclass(frozen=True)
+class Canvas:
+    """A picture's size in pixels, and samples along one side of a pixel.
+
+    Examples
+    --------
+    >>> Canvas(640, 480, per_side=2).columns
+    1280
+    """
+
+    width: int
+    height: int
+    per_side: int = 1
+
+    @property
+    def columns(self) -> int:
+        """Return the samples in a row."""
+        return self.width * self.per_side
+
+    @property
+    def rows(self) -> int:
+        """Return the samples in a column."""
+        return self.height * self.per_side
+
+    @property
+    def aspect(self) -> float:
+        """Return width over height."""
+        return self.width / self.height
 
 
 class Spans(NamedTuple):
@@ -37,14 +68,14 @@ class Spans(NamedTuple):
 
 
 class Edge(NamedTuple):
-    """Where an edge crosses a row: the column `start + slope · row`, half a spacing to the left."""
+    """The column where an edge crosses a row, `start + slope · row`, half a spacing to the left."""
 
     start: Array
     slope: Array
 
 
 def spans(x: Array, y: Array, rows: tuple[int, int], columns: int) -> Iterator[Spans]:
-    """Return what triangles with corners (3, N) cover of rows [first, last), in either winding.
+    """Yield the spans of rows [first, last) that triangles (3, N) of either winding cover.
 
     Examples
     --------
@@ -67,9 +98,9 @@ def spans(x: Array, y: Array, rows: tuple[int, int], columns: int) -> Iterator[S
 def _rows(
     half: Array, first: Array, count: Array, edges: tuple[Edge, Edge], columns: int
 ) -> Iterator[Spans]:
-    spread = Spread(count)
-    triangle = spread.each(half)
-    row = spread.counted(first.take(half).astype(np.intp)).astype(float)
+    expansion = RunExpansion(count)
+    triangle = expansion.each(half)
+    row = expansion.counted(first.take(half).astype(np.intp)).astype(float)
     crossed = [e.slope.take(triangle) * row + e.start.take(triangle) for e in edges]
     left = np.maximum(np.ceil(np.minimum(*crossed)), 0.0)
     right = np.minimum(np.ceil(np.maximum(*crossed)), columns)

@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 from nmatrix.enums import DepthRange
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, determinant
-from nmatrix.raster.triangles.canvas import Canvas
 from nmatrix.raster.triangles.clip import clip, inside, whole
-from nmatrix.raster.triangles.products import in_parts, moved
-from nmatrix.raster.triangles.spans import SUBPIXELS
+from nmatrix.raster.triangles.products import chunks, multiply
+from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas
 from nmatrix.scene.meshes.mesh import Mesh
 
 Array = NDArray[Any]
@@ -124,7 +123,7 @@ def project(
         x, y, z, inverse_w = divided
         return Projected(x, y, z, inverse_w, mesh.triangles.T, culled, is_reversed=is_reversed)
     with np.errstate(over="ignore", invalid="ignore"):
-        corners = moved(clip_from_object, mesh.positions.T)
+        corners = multiply(clip_from_object, mesh.positions.T)
         seen = inside(corners, space.depth, canvas)
     whole_ones = seen.take(mesh.triangles).all(axis=1)
     uncut, crossing = np.flatnonzero(whole_ones), np.flatnonzero(~whole_ones)
@@ -148,9 +147,9 @@ def _all_inside(
     """Return x, y, depth and 1/w of every vertex, or None if something cuts one of them off."""
     found = np.empty((4, len(mesh.positions)))
     first = 0
-    for part in in_parts(mesh.positions.T):
+    for part in chunks(mesh.positions.T):
         with np.errstate(over="ignore", invalid="ignore"):
-            corners = moved(clip_from_object, part)
+            corners = multiply(clip_from_object, part)
             if not inside(corners, space.depth, canvas).all():
                 return None
         last = first + part.shape[1]

@@ -1,4 +1,4 @@
-"""What is in front at every sample: one integer key of depth and triangle, and its minimum.
+"""Visibility: at every sample the least of the integer keys of depth and triangle.
 
 The minimum does not care about order, so any order of triangles gives the same picture. Where two
 lie at the very same depth, the one that was named first is seen.
@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.triangles.run_expansion import Spread, batches
+from nmatrix.raster.triangles.run_expansion import RunExpansion, batches
 from nmatrix.raster.triangles.spans import SUBPIXELS, Spans, spans
 from nmatrix.raster.triangles.vertices import Corners, Projected
 from nmatrix.scene.words import DepthBuffer
@@ -76,14 +76,56 @@ class Tile:
         self, found: Spans, plane: Plane, names: Array, *, is_reversed: bool
     ) -> tuple[Array, Array]:
         """Return place and key of every sample of some spans."""
-        spread = Spread(found.length)
+        expansion = RunExpansion(found.length)
         place = ((found.row - self.rows[0]) * self.columns + found.first).astype(np.intp)
-        key = depth_code(spread.ramps(*plane.along(found))[0], self.depth)
+        key = depth_code(expansion.ramps(*plane.along(found))[0], self.depth)
         if is_reversed:
             np.subtract(STEPS[self.depth], key, out=key)
         key <<= TRIANGLE_BITS
-        key |= spread.each(names.take(found.triangle))
-        return spread.counted(place), key
+        key |= expansion.each(names.take(found.triangle))
+        return expansion.counted(place), key
+
+
+class Runs(NamedTuple):
+    """Visible samples row by row: triangle, row and first column on the canvas, how many."""
+
+    triangle: Array
+    row: Array
+    first: Array
+    length: Array
+
+    def of(self, first: int, last: int) -> Runs:
+        """Return the runs of triangles first ≤ t < last, numbered from 0."""
+        mine = (self.triangle >= first) & (self.triangle < last)
+        if not first and mine.all():
+            return self
+        which = np.flatnonzero(mine)
+        triangle, *rest = (one.take(which) for one in self)
+        return Runs(triangle - first, *rest)
+
+
+def visible_runs(tile: Tile, rows: tuple[int, int]) -> Runs:
+    """Return the runs that are seen in some rows of a tile.
+
+    Examples
+    --------
+    >>> tile = Tile(np.array([7, 7, 9, 1 << 62]) | 1 << 24, (0, 2), 2)
+    >>> runs = visible_runs(tile, (0, 2))
+    >>> list(zip(runs.triangle.tolist(), runs.row.tolist(), runs.length.tolist()))
+    [(7, 0, 2), (9, 1, 1), (0, 1, 1)]
+    """
+    columns = tile.columns
+    names = tile.part(rows).keys.astype(np.int32).reshape(-1, columns)  # the lower half of each
+    names &= TRIANGLE_MASK
+    starts = np.ones(names.shape, bool)
+    np.not_equal(names[:, 1:], names[:, :-1], out=starts[:, 1:])
+    start = np.flatnonzero(starts)
+    end = np.append(start[1:], names.size)
+    triangle = names.ravel().take(start).astype(np.intp)
+    seen = np.flatnonzero(triangle != TRIANGLE_MASK)
+    start = start.take(seen)
+    row = start // columns
+    return Runs(triangle.take(seen), row + rows[0], start - row * columns, end.take(seen) - start)
 
 
 class Plane(NamedTuple):

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace
-from nmatrix.raster.triangles.canvas import Canvas
-from nmatrix.raster.triangles.spans import SUBPIXELS
+from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, Tile
 from nmatrix.scene.meshes.mesh import Mesh

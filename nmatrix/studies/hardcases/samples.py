@@ -13,7 +13,7 @@ from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight
 from nmatrix.raster.shading.space import Measure
 from nmatrix.raster.triangles.fragments import exact_weights
-from nmatrix.raster.triangles.run_expansion import Spread
+from nmatrix.raster.triangles.run_expansion import RunExpansion
 from nmatrix.raster.triangles.visibility import STEPS, TRIANGLE_BITS
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.words import DepthBuffer
@@ -30,7 +30,7 @@ WEIGHTS = (Fraction(1) / TOTAL, Fraction(1e-12) / TOTAL, Fraction(1e-12) / TOTAL
 
 
 def _weights() -> list[float]:
-    found = exact_weights(Spread(np.array([1])), (AREAS, np.zeros((3, 1))), NEAR)
+    found = exact_weights(RunExpansion(np.array([1])), (AREAS, np.zeros((3, 1))), NEAR)
     return list(map(float, found[:, 0]))
 
 

@@ -1,4 +1,4 @@
-"""What a proof is told, and what it hands back."""
+"""A proof's settings and its result, and the scenes that it draws on the way."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.image import levels, png
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
 from nmatrix.raster.planning.plan import Plan, plan_for
-from nmatrix.raster.render import Rendered, Work, render
+from nmatrix.raster.render import Change, Rendered, Work, render
 from nmatrix.report import Value
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, LoadedGeometry, ShapeGeometry
@@ -33,8 +33,8 @@ SUN = SceneLight("sun", LightKind.DIRECTIONAL)
 
 
 @dataclass(frozen=True)
-class Brief:
-    """How to draw: the object and its place, the camera, the light, the settings.
+class ProofSettings:
+    """A proof's settings: the object and its place, the camera, the light, the picture.
 
     `mesh` is None for the proof's own shape, `world` None for its own map, and `view` None for a
     camera that is fitted to what is drawn. `clock` tells seconds; by default it is always 0.
@@ -46,7 +46,7 @@ class Brief:
     view: View | None = None
     lens: Lens = field(default_factory=Lens)
     lights: tuple[SceneLight, ...] = (SUN,)
-    settings: Settings = field(default_factory=Settings)
+    picture: Settings = field(default_factory=Settings)
     reflection: Reflection = Reflection.LAMBERT
     clock: Callable[[], float] = float
 
@@ -58,22 +58,22 @@ class Brief:
         """Return the mesh that was given, or the proof's own shape."""
         return default if self.mesh is None else LoadedGeometry(self.mesh)
 
-    def scene(self, world: World, geometry: Geometry | None = None, **settings: Any) -> Scene:  # noqa: ANN401  # fields of Settings
-        """Return a scene with the one object, under settings that differ from the brief's."""
+    def scene(self, world: World, geometry: Geometry | None = None, **picture: Any) -> Scene:  # noqa: ANN401  # fields of Settings
+        """Return a scene with the one object; `picture` replaces settings of the picture."""
         material = Material(reflection=self.reflection)
-        shown = SceneObject(
+        thing = SceneObject(
             self.subject, geometry or self.geometry(), world.world_from_object, material
         )
-        return self.with_objects(shown, **settings)
+        return self.with_objects(thing, **picture)
 
-    def with_objects(self, *objects: SceneObject, **settings: Any) -> Scene:  # noqa: ANN401  # fields of Settings
-        """Return a scene with these objects, under settings that differ from the brief's."""
+    def with_objects(self, *objects: SceneObject, **picture: Any) -> Scene:  # noqa: ANN401  # fields of Settings
+        """Return a scene with these objects; `picture` replaces settings of the picture."""
         return Scene(
             objects,
             self.lights,
             self.view or View(),
             self.lens,
-            replace(self.settings, **settings),
+            replace(self.picture, **picture),
             has_camera=self.view is not None,
         )
 
@@ -108,7 +108,7 @@ class Proof:
 
 
 @dataclass(frozen=True, eq=False)
-class Shown:
+class DrawnScene:
     """A scene that was drawn: its loaded scene, its plan, its levels."""
 
     loaded: LoadedScene
@@ -123,19 +123,29 @@ class Shown:
     @property
     def effects(self) -> tuple[str, ...]:
         """Return the effects that were on, in the order of the table."""
-        return named(self.plan)
+        return effect_names(self.plan)
 
 
-def named(plan: Plan) -> tuple[str, ...]:
-    """Return the effects that are on, in the order of the table."""
+def effect_names(plan: Plan) -> tuple[str, ...]:
+    """Return the names of the effects that are on, in the order of the table."""
     return tuple(one.value for one in Effect if one in plan.effects)
 
 
-def shown(scene: Scene) -> Shown:
+def drawn_scene(scene: Scene) -> DrawnScene:
     """Draw a scene by its plan."""
     ready = loaded(scene)
     plan = plan_for(ready)
-    return Shown(ready, plan, render(plan))
+    return DrawnScene(ready, plan, render(plan))
+
+
+def redrawn(scene: DrawnScene, change: Change) -> Array:
+    """Draw a scene again with its surfaces changed: the image (height, width, channels)."""
+    return render(scene.plan, change=change).image
+
+
+def as_levels(image: Array) -> Array:
+    """Return an image of one or three channels as 8-bit levels of three."""
+    return levels(np.broadcast_to(image, (*image.shape[:2], 3)))
 
 
 def together(*works: Work) -> Work:

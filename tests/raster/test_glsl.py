@@ -12,7 +12,7 @@ from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Effect, Shading, Space
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
-from nmatrix.raster.planning.emit import shaders
+from nmatrix.raster.planning.glsl import shaders
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.scene.scene import Settings

@@ -1,0 +1,178 @@
+"""The record of an effect: when a scene calls for it, what it reads and costs, what it can change.
+
+Whatever a record does not say is taken for the worst: then the plan computes more, and stays right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import TYPE_CHECKING
+
+from nmatrix.enums import Effect, LeftOut
+
+if TYPE_CHECKING:
+    from nmatrix.raster.loaded_scene import LoadedScene
+    from nmatrix.raster.planning.facts import Facts
+    from nmatrix.scene.material import Material
+
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True)
+class Decision:
+    """The decision on an effect: on or off, why, and the most that leaving it out moves a channel.
+
+    `is_asked` tells whether the scene asks for the effect at all. What is asked for counts in the
+    bounds of other effects, even where it adds nothing.
+    """
+
+    on: bool
+    because: str
+    kind: LeftOut = LeftOut.EXACT
+    bound: float = 0.0
+    is_asked: bool = True
+
+
+def called_for(because: str) -> Decision:
+    """Turn an effect on."""
+    return Decision(on=True, because=because)
+
+
+def not_asked(because: str) -> Decision:
+    """Leave out what the scene does not ask for."""
+    return Decision(on=False, because=because, is_asked=False)
+
+
+def adds_nothing(because: str) -> Decision:
+    """Leave out what is asked for, and changes no bit here."""
+    return Decision(on=False, because=because)
+
+
+def by_bound(bound: float, because: str) -> Decision:
+    """Leave out what moves channels by rounding; propose to leave out what has a bound at all."""
+    if bound <= ROUNDING:
+        return Decision(on=False, because=because, kind=LeftOut.ROUNDING, bound=bound)
+    if bound < inf:
+        return Decision(on=False, because=because, kind=LeftOut.BOUNDED, bound=bound)
+    return called_for(because)
+
+
+@dataclass(frozen=True)
+class Influence:
+    """The dependence of colours on normals and places by an effect; a field unsaid is at its worst.
+
+    Parameters
+    ----------
+    per_radian
+        The most that a channel of linear light moves for a normal that turns by one radian.
+    per_length
+        The most that it moves for a normal that gets shorter, for each part of its length.
+    colour_range
+        The most that it differs between two vertices.
+    gain
+        How many times more the channel moves at the end than other effects have moved it.
+    follows_lights
+        The first three are for lights of brightness 1, and grow with their brightness.
+    jumps
+        Colours jump where a normal passes an edge; no slope bounds that.
+    reads_place
+        Fragments ask where they are, in the scene or on an image, or read more than normals.
+    lights_backs
+        Light from behind a surface changes it.
+    brings_colour
+        It can have a hue that neither the background nor lights nor the material's colours have.
+    because
+        The reason to renormalise where `per_length` is infinite.
+    """
+
+    per_radian: float = inf
+    per_length: float = inf
+    colour_range: float = inf
+    gain: float = inf
+    follows_lights: bool = False
+    jumps: bool = True
+    reads_place: bool = True
+    lights_backs: bool = True
+    brings_colour: bool = True
+    because: str = "what shorter normals change is not known"
+
+
+STEADY = Influence(
+    per_radian=0.0,
+    per_length=0.0,
+    colour_range=0.0,
+    gain=1.0,
+    jumps=False,
+    reads_place=False,
+    lights_backs=False,
+    brings_colour=False,
+)
+
+
+@dataclass(frozen=True)
+class Glsl:
+    """The lines that an effect adds to a fragment shader, each run in the order of the table.
+
+    `matte` lines change the light that takes a texture's colour; `color` lines the sum of all.
+    """
+
+    uniforms: tuple[str, ...] = ()
+    matte: tuple[str, ...] = ()
+    color: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """Everything that is known of an effect.
+
+    Parameters
+    ----------
+    says
+        The effect in words.
+    judge
+        Decides for one body; None for what is on where others need it.
+    picture_judge
+        Decides for the whole picture, in place of `judge`.
+    influence
+        How colours depend on normals and places through it.
+    attributes, uniforms, passes
+        Its inputs by name, and the passes over the picture that it takes.
+    needs
+        The effects whose results it reads.
+    per_vertex, per_sample, per_light
+        Multiplications: mat4·vec4 16, mat3·vec3 9, dot 3, normalise 6, division and square root 1,
+        at each vertex, at each sample, and for each light at each sample.
+    is_shortcut
+        Everything-on computes it even where the scene does not call for it.
+    only_at_fragments
+        Shading that evaluates light at vertices does without it.
+    glsl
+        Its lines in a fragment shader, if they stand outside of the loop over lights.
+    """
+
+    says: str
+    judge: Callable[[Facts], Decision] | None = None
+    picture_judge: Callable[[LoadedScene, Sequence[Facts]], Decision] | None = None
+    influence: Influence | Callable[[Facts], Influence] = Influence()
+    attributes: tuple[str, ...] = ()
+    uniforms: tuple[str, ...] = ()
+    passes: tuple[str, ...] = ()
+    needs: tuple[Effect, ...] = ()
+    per_vertex: int = 0
+    per_sample: int = 0
+    per_light: int = 0
+    is_shortcut: bool = False
+    only_at_fragments: bool = False
+    glsl: Glsl | Callable[[Material], Glsl] = Glsl()
+
+    def decision(self, facts: Facts) -> Decision:
+        """Decide for one body, or for the picture with that one body in it."""
+        if self.picture_judge is not None:
+            return self.picture_judge(facts.loaded, (facts,))
+        return self.judge(facts) if self.judge is not None else called_for("others need it")
+
+    def lines(self, material: Material) -> Glsl:
+        """Return the lines of a fragment shader for one material."""
+        return self.glsl if isinstance(self.glsl, Glsl) else self.glsl(material)
