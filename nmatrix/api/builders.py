@@ -313,7 +313,7 @@ def viewport(width: ArrayLike, height: ArrayLike, api: str | Api = Api.OPENGL) -
 
 
 def _rotation(given: dict[str, Any], order: str, convention: Convention) -> tuple[Any, ...]:
-    """Return how the rotation of a world is built, and the parameters that it is built from."""
+    """Choose the builder of a world's rotation, and the parameters that it takes."""
     if "quaternion" in given:
         parts = places.real("quaternion", given["quaternion"], SIDES)
         return affine.rotation_from_quaternion, parts

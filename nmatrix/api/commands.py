@@ -24,7 +24,7 @@ def calc(
     steps: bool = False,
     rounded: bool = False,
 ) -> Report:
-    """Return the value of an expression of the matrix calculator, in exact fractions.
+    """Compute an expression of the matrix calculator, in exact fractions.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def calc(
 
 
 def derive(case: str = "rule", world: Part = None) -> Report:
-    """Return a lesson, each step proved by SymPy; with a world, your own matrix after it.
+    """Derive a lesson, each step proved by SymPy; with a world, your own matrix follows it.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def check(
     tolerance: float | None = None,
     normal: object = None,
 ) -> Report:
-    """Return whether an answer is right to its digits, and if not, which mistake gives it.
+    """Judge an answer: right to its digits, or the mistake that gives these numbers.
 
     `data` has the verdict: correct, mistake or unknown; a wrong answer is also the `failure`.
 
@@ -140,7 +140,7 @@ def check(
 def check_exercise(
     exercise: int, answer: str, *, seed: str | int, student: str = "", salt: bytes = b""
 ) -> Report:
-    """Return whether the answer to an exercise of a student's sheet is right.
+    """Judge the answer to an exercise of a student's sheet.
 
     Parameters
     ----------
@@ -169,14 +169,14 @@ def check_exercise(
 
 
 def plan(scene: str | Path) -> Report:
-    """Return which effects a scene file calls for, why, and how safely the others are left out."""
+    """List the effects that a scene file calls for, why, and how safely the others are left out."""
     from nmatrix.answers.plan import plan_of_file
 
     return Report(plan_of_file(named_file(scene, "scene")))
 
 
 def inspect(file: str | Path) -> Report:
-    """Return the kind of map of each node of a glTF scene, and where normals break on it."""
+    """Inspect a glTF scene or a mesh: the kind of each node's map, and where normals break on it."""
     from nmatrix.answers.inspect import inspect_file, report
 
     return Report(report(inspect_file(named_file(file, "file"))))

@@ -60,7 +60,7 @@ def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> di
 
 
 def _is_rational(world: World) -> bool:
-    """Return whether a world matrix is rational: quarter turns, or no angles at all."""
+    """Tell a rational world matrix: quarter turns, or no angles at all."""
     if world.matrix is not None or world.quaternion is not None:
         return True
     return all(Fraction(turn) % 90 == 0 for turn in world.rotate_degrees)
