@@ -176,7 +176,7 @@ def plan(scene: str | Path) -> Report:
 
 
 def inspect(file: str | Path) -> Report:
-    """Inspect a glTF scene or a mesh: the kind of each node's map, and where normals break on it."""
+    """Inspect a glTF scene or a mesh: the kind of each node's map, and where normals break."""
     from nmatrix.answers.inspect import inspect_file, report
 
     return Report(report(inspect_file(named_file(file, "file"))))
