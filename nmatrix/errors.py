@@ -70,11 +70,22 @@ class NMatrixError(Exception):
         self.parts = (what, why, next_step)
         super().__init__(self.spelled(str))
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """Go to another process whole, whatever a subclass is made of."""
+        return _restored, (type(self), self.args, self.__dict__)
+
     def spelled(self, spell: Callable[[str], str]) -> str:
         """Return the line with the name of every quantity as `spell` types it."""
         what, *others = (_NAME.sub(lambda one: spell(one[1]), part) for part in self.parts)
         reason = "; ".join(part for part in others if part)
         return ": ".join(part for part in (what, reason) if part)
+
+
+def _restored(kind: type[NMatrixError], args: tuple[object, ...], state: object) -> NMatrixError:
+    """Make an error again in another process."""
+    found = kind.__new__(kind, *args)
+    found.__setstate__(state)  # type: ignore[arg-type]  # its dict
+    return found
 
 
 class CheckFailedError(NMatrixError):

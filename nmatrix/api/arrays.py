@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
-from math import isfinite
-from numbers import Real
+from math import inf
+from numbers import Integral, Real
 from typing import Any
 
 import numpy as np
@@ -28,7 +28,7 @@ def reals(values: ArrayLike, parameter: str) -> Array:
     ------
     IllegalValueError
         For complex, masked and ragged arrays, text and other objects, for a number that is not
-        finite, and for one that no float64 holds exactly; it names the parameter and the entry.
+        finite, and for an integer that no float64 holds; it names the parameter and the entry.
 
     Examples
     --------
@@ -44,7 +44,7 @@ def reals(values: ArrayLike, parameter: str) -> Array:
     except (TypeError, ValueError, RuntimeError):
         raise IllegalValueError(
             f"{parameter}, a {type(values).__name__}",
-            "it is no array of numbers, all rows of one length",
+            "it must be an array of real numbers, all rows of one shape",
             "give an array of real numbers",
         ) from None
     if given.dtype.kind == "f" and given.dtype.itemsize <= 8:
@@ -53,34 +53,35 @@ def reals(values: ArrayLike, parameter: str) -> Array:
         return _exactly(_finite(given, parameter) if given.dtype.kind == "f" else given, parameter)
     what = "text" if given.dtype.kind in "US" else str(given.dtype)
     raise IllegalValueError(
-        f"{parameter} of {what}", "its entries are real numbers", "give an array of real numbers"
+        f"{parameter} of {what}", "its entries must be real numbers", "give real numbers"
     )
 
 
 def _exactly(given: Array, parameter: str) -> Array:
-    """Turn numbers of any real type into float64, and refuse those that it would round."""
+    """Turn numbers of any real type into float64, fractions into the nearest one.
+
+    An integer counts something or names something: one that would be rounded is refused.
+    """
     if given.dtype.kind in "biu" and not (np.abs(given.astype(np.float64)) >= 2.0**53).any():
         return given.astype(np.float64)
     found = np.empty(given.shape)
     for index, number in np.ndenumerate(given.astype(object)):
         if not isinstance(number, Real | Decimal):
             raise IllegalValueError(
-                f"{named(parameter, index)}, a {type(number).__name__}",
-                "it is no real number",
+                f"{named(parameter, index)} ({type(number).__name__})",
+                "it is not a real number",
                 "give an array of real numbers",
             )
         try:
-            value = float(number)
-            is_exact = not isfinite(value) or value == number
+            found[index] = float(number)
         except (ArithmeticError, ValueError):
-            is_exact = False
-        if not is_exact:
+            found[index] = inf
+        if isinstance(number, Integral) and found[index] != number:
             raise IllegalValueError(
-                f"{named(parameter, index)} ({number!s:.40})",
+                f"{named(parameter, index)} (an integer of {len(str(abs(number)))} digits)",
                 "no float64 is exactly that number",
-                "round it first: .astype(float)",
+                "give a float",
             )
-        found[index] = value
     return _finite(found, parameter)
 
 

@@ -364,15 +364,16 @@ def _clip(clip: ClipSpace | str) -> ClipSpace:
 
 
 def _half(fov: Angle | float) -> Angle:
-    if isinstance(fov, Angle):
+    if isinstance(fov, Angle) and fov.sine > 0:
         return fov.half()
-    if not 0 < fov < pi:
-        raise IllegalValueError(
-            f"fov_y ({fov:g} rad)",
-            "a field of view lies between 0 and π radians, both excluded",
-            f"write Angle.degrees({fov:g})" if 0 < fov < 180 else "try Angle.degrees(60)",
-        )
-    return as_angle(fov / 2)
+    if not isinstance(fov, Angle) and 0 < fov < pi:
+        return as_angle(fov / 2)
+    in_degrees = not isinstance(fov, Angle) and 2 * pi < fov < 180
+    raise IllegalValueError(
+        f"fov_y ({fov!r})",
+        "a field of view lies between 0 and π radians, both excluded",
+        f"write Angle.degrees({fov:g})" if in_degrees else "try Angle.degrees(60)",
+    )
 
 
 def _scale(scale: ArrayLike) -> places.Parameter:

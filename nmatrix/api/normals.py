@@ -237,7 +237,7 @@ def transform_normals(
     """
     how = chosen(Level, level, "level")
     maps, normals = arrays.matrices(A, "A")[..., :3, :3], arrays.vectors(n, "n")
-    shape = _broadcast(maps.shape[:-2], normals.shape[:-1])
+    shape = _broadcast("A", maps.shape[:-2], "n", normals.shape[:-1])
     found = arrays.room(out, (*shape, 3), arrays.native(normals))
     maps, normals = arrays.apart(maps, found), arrays.apart(normals, found)
     size = shape or (1,)
@@ -265,13 +265,15 @@ def transform_normals(
     return TransformedNormals(found, words[codes].reshape(shape), bounds.reshape(shape))
 
 
-def _broadcast(maps: tuple[int, ...], normals: tuple[int, ...]) -> tuple[int, ...]:
+def _broadcast(
+    one: str, axes: tuple[int, ...], other: str, others: tuple[int, ...]
+) -> tuple[int, ...]:
     try:
-        return np.broadcast_shapes(maps, normals)
+        return np.broadcast_shapes(axes, others)
     except ValueError:
         raise IllegalValueError(
-            f"maps of shape {maps} and normals of shape {normals}",
-            "their leading axes do not broadcast",
+            f"{one} and {other}",
+            f"their leading axes {axes} and {others} do not broadcast",
             "give one of them an axis of length 1",
         ) from None
 
@@ -338,7 +340,7 @@ def angle_between(a: ArrayLike, b: ArrayLike) -> Array | np.float64:
     for given, parameter in zip(pair, "ab", strict=True):
         for zero in np.argwhere(~given.any(axis=-1))[:1].tolist():
             _check_length(given[tuple(zero)], parameter, tuple(zero))
-    shape = _broadcast(*(given.shape[:-1] for given in pair))
+    shape = _broadcast("a", pair[0].shape[:-1], "b", pair[1].shape[:-1])
     found = np.empty(shape)
     first, second = (np.broadcast_to(given, (*shape, 3)) for given in pair)
     for index in np.ndindex(shape):

@@ -7,6 +7,7 @@ is told with the index.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,18 +16,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from nmatrix.api import arrays
 from nmatrix.errors import IllegalValueError, NMatrixError
-from nmatrix.linear.angle import Angle, as_angle
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.rounding import nearest
 
 Array = NDArray[Any]
 Turns = Any  # an Angle, radians, or an array-like of either
 
 
+@dataclass(frozen=True, eq=False)
 class Parameter:
     """One parameter, read: an array of its own axes behind leading ones, and its float type."""
 
-    def __init__(self, values: Array, own: int, kind: np.dtype[Any] | None) -> None:
-        self.values, self.own, self.kind = values, own, kind
+    name: str
+    values: Array
+    own: int
+    kind: np.dtype[Any] | None = None
 
     @property
     def leading(self) -> tuple[int, ...]:
@@ -44,10 +48,10 @@ def real(name: str, values: ArrayLike, own: tuple[int, ...]) -> Parameter:
     if given.shape[given.ndim - len(own) :] != own or given.ndim < len(own):
         wanted = ", ".join(map(str, ("...", *own)))
         raise IllegalValueError(
-            f"{name} of shape {given.shape}", f"its shape is ({wanted})", "reshape it"
+            f"{name} of shape {given.shape}", f"its shape must be ({wanted})", "give it so"
         )
     is_typed = isinstance(values, np.ndarray | np.generic) and values.dtype.kind == "f"
-    return Parameter(given, len(own), arrays.native(given) if is_typed else None)
+    return Parameter(name, given, len(own), arrays.native(given) if is_typed else None)
 
 
 def distance(name: str, values: ArrayLike) -> Parameter:
@@ -58,40 +62,30 @@ def distance(name: str, values: ArrayLike) -> Parameter:
         far = np.empty(0)
     if far.dtype.kind != "f" or not np.isposinf(far).any():
         return real(name, values, ())
-    found = real(name, np.where(np.isposinf(far), 1.0, far), ())
-    found.values = far
-    return found
+    finite = real(name, np.where(np.isposinf(far), 1.0, far), ())
+    return replace(finite, values=far)
 
 
 def turns(name: str, values: Turns, own: tuple[int, ...], *, whole: bool = False) -> Parameter:
     """Read angles: `Angle` or radians, and lists of either; `whole` leaves radians as they are."""
-    if isinstance(values, Angle):
-        values = [values]
-        found = _mixed(name, values)[0:1].reshape(())
-    elif isinstance(values, list | tuple) and any(isinstance(one, Angle) for one in values):
-        found = _mixed(name, values)
-    else:
-        read = real(name, values, own)
-        if whole:
-            return read
-        turned = np.empty(read.values.shape, object)
-        for index in np.ndindex(turned.shape):
-            turned[index] = Angle.radians(float(read.values[index]))
-        return Parameter(turned, len(own), read.kind)
-    if found.shape[found.ndim - len(own) :] != own:
-        raise IllegalValueError(
-            f"{name} of {found.size} angles", f"it takes {own[0] if own else 1}", "give as many"
-        )
-    return Parameter(found, len(own), None)
-
-
-def _mixed(name: str, values: list[Any] | tuple[Any, ...]) -> Array:
-    found = np.empty(len(values), object)
-    for i, one in enumerate(values):
-        found[i] = (
-            one if isinstance(one, Angle) else as_angle(float(arrays.reals(one, f"{name}[{i}]")))
-        )
-    return found
+    try:
+        shown = np.asarray(values)
+    except ValueError:  # ragged: to be refused below
+        shown = np.empty(0)
+    if shown.dtype.kind in "US":
+        next_step = "write Angle.degrees(60), or radians"
+        raise IllegalValueError(f"{name} of text", "an angle is no text", next_step)
+    is_angle = np.zeros(shown.shape, bool)
+    if shown.dtype == object:
+        is_angle = np.array([isinstance(one, Angle) for one in shown.flat]).reshape(shown.shape)
+    read = real(name, np.where(is_angle, 0.0, shown) if is_angle.any() else values, own)
+    if whole and not is_angle.any():
+        return read
+    turned = np.empty(read.values.shape, object)
+    for index in np.ndindex(turned.shape):
+        given = shown[index] if is_angle.any() and is_angle[index] else read.values[index]
+        turned[index] = given if isinstance(given, Angle) or whole else Angle.radians(float(given))
+    return replace(read, values=turned)
 
 
 def each(build: Callable[..., Any], given: tuple[Parameter, ...]) -> Array:
@@ -99,9 +93,9 @@ def each(build: Callable[..., Any], given: tuple[Parameter, ...]) -> Array:
     try:
         leading = np.broadcast_shapes(*(one.leading for one in given))
     except ValueError:
-        shapes = ", ".join(str(one.leading) for one in given)
+        shapes = ", ".join(f"{one.name} {one.leading}" for one in given if one.leading)
         raise IllegalValueError(
-            f"leading axes {shapes}",
+            f"leading axes of {shapes}",
             "they do not broadcast",
             "give one of them an axis of length 1",
         ) from None

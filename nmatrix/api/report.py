@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from nmatrix import report
 from nmatrix.enums import Format, Layout, chosen
-from nmatrix.errors import NMatrixError
+from nmatrix.errors import IllegalValueError, NMatrixError
+from nmatrix.linear.values import named_file
 
 BESIDE = ("command", "version", "layout", "remarks")  # in the JSON, beside the answer's own keys
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Report:
     """One answer: its numbers in `data`, its sentences in `remarks`, and `to` for every format.
 
@@ -36,7 +37,7 @@ class Report:
 
     @property
     def command(self) -> str:
-        """The command that gives the same answer."""
+        """The name of the command that answers so."""
         return self.answer.command
 
     @cached_property
@@ -80,15 +81,8 @@ class Report:
         IllegalValueError
             For another word, digits outside 1 to 17, or a format that cannot say this answer.
         """
-        from nmatrix.output.options import OutputOptions
-        from nmatrix.output.write import write
-
-        return write(
-            self.answer,
-            OutputOptions(
-                chosen(Format, format, "format"), digits, chosen(Layout, layout, "layout")
-            ),
-        )
+        how = chosen(Format, format, "format"), digits, chosen(Layout, layout, "layout")
+        return _written(self.answer, *how)
 
     def __str__(self) -> str:
         return self.to("text")
@@ -99,16 +93,26 @@ class Report:
 
     def _repr_mimebundle_(self, **_: object) -> dict[str, str]:
         """Show the answer in a notebook: HTML with MathML, LaTeX, and text for all others."""
+        told = replace(self.answer, data={})  # for people: the blocks, no further keys
         bundle = {"text/plain": str(self)}
-        for kind, word in (("text/html", "mathml"), ("text/latex", "latex")):
+        for kind, format_ in (("text/html", Format.MATHML), ("text/latex", Format.LATEX)):
             try:
-                bundle[kind] = self.to(word)
+                bundle[kind] = _written(told, format_)
             except NMatrixError:  # a format that cannot say this answer is left out
                 continue
         return bundle
 
 
-@dataclass(frozen=True, repr=False)
+def _written(
+    answer: report.Report, format_: Format, digits: int = 6, layout: Layout = Layout.ROW_MAJOR
+) -> str:
+    from nmatrix.output.options import OutputOptions
+    from nmatrix.output.write import write
+
+    return write(answer, OutputOptions(format_, digits, layout))
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Picture(Report):
     """A picture with its numbers: pixels in `image`, PNG in `png`; a notebook shows it.
 
@@ -124,10 +128,24 @@ class Picture(Report):
     png: bytes
 
     def save(self, path: str | Path, *, force: bool = False) -> None:
-        """Write the PNG file, whole or not at all; over another file only by `force`."""
+        """Write the PNG file, whole or not at all; over another file only by `force`.
+
+        Raises
+        ------
+        IllegalValueError
+            For another ending than .png, a file that exists, or a place that cannot be written.
+        """
         from nmatrix.output.files import write_file
 
-        write_file(Path(path), self.png, force=force)
+        target = named_file(path, "path")
+        if target.suffix.lower() != ".png":
+            raise IllegalValueError(f"path ({target})", "a picture is a .png file", "end it so")
+        if target.exists() and not force:
+            next_step = "give force=True, or another path"
+            raise IllegalValueError(f"path ({target})", "the file exists", next_step)
+        if not target.parent.is_dir():
+            raise IllegalValueError(f"path ({target})", "there is no such folder", "make it first")
+        write_file(target, self.png, force=True)
 
     def _repr_png_(self) -> bytes:
         return self.png

@@ -117,8 +117,10 @@ def text(value: object, name: str) -> str:
 
 def named_file(value: object, name: str) -> Path:
     """Return the path that a text or a path names."""
-    if isinstance(value, str | PathLike) and not isinstance(fspath(value), bytes):
-        return Path(value)
+    if isinstance(value, str | PathLike):
+        named = fspath(value)
+        if isinstance(named, str) and "\0" not in named:
+            return Path(named)
     raise refused(value, name, "it is not the name of a file", "give text or a path")
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import pickle
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -220,3 +222,33 @@ def test_a_transform_of_an_array_checks_frames_and_is_exact() -> None:
     assert world.inverse().vector((0.1, 2, 1)) == (1.0, 1.0, 1.0)
     with pytest.raises(nmatrix.FrameError):
         world @ camera
+
+
+def test_errors_of_every_kind_go_to_another_process_whole() -> None:
+    calls = (
+        lambda: nmatrix.calc("1/0"),
+        lambda: nmatrix.calc("M.x"),
+        lambda: nmatrix.Setup(lens={"fov": 200}).projection(),
+    )
+    for call in calls:
+        with pytest.raises(nmatrix.NMatrixError) as found:
+            call()
+        again = pickle.loads(pickle.dumps(found.value))
+        assert (type(again), str(again)) == (type(found.value), str(found.value))
+        assert again.spelled(str.upper) == found.value.spelled(str.upper)
+
+
+def test_fractions_and_decimals_are_the_nearest_floats_and_large_integers_exact_or_refused() -> (
+    None
+):
+    given = [[Fraction(1, 3), 0, 0], [0, Decimal("0.1"), 0], [0, 0, 2**60]]
+    assert nmatrix.normal_matrix(given).diagonal().tolist() == [1 / (1 / 3), 10.0, 2.0**-60]
+    with pytest.raises(nmatrix.IllegalValueError, match="no float64 is exactly"):
+        nmatrix.normal_matrix(np.diag([1, 1, 2**60 + 1]))
+
+
+def test_batches_of_angles_may_mix_radians_and_angles() -> None:
+    quarter = nmatrix.Angle.degrees(90)
+    found = nmatrix.world(rotate=[[quarter, 0, 0], [0, 0.5, quarter]])
+    for i, turns in enumerate([(quarter, 0, 0), (0, 0.5, quarter)]):
+        assert (found[i] == nmatrix.world(rotate=turns)).all()
