@@ -73,15 +73,16 @@ def _exactly(given: Array, parameter: str) -> Array:
                 "give an array of real numbers",
             )
         try:
-            found[index] = float(number)
+            value = float(number)
         except (ArithmeticError, ValueError):
-            found[index] = inf
-        if isinstance(number, Integral) and found[index] != number:
+            value = inf
+        if isinstance(number, Integral) and value != number:
             raise IllegalValueError(
                 f"{named(parameter, index)} (an integer of {len(str(abs(number)))} digits)",
                 "no float64 is exactly that number",
                 "give a float",
             )
+        found[index] = value
     return _finite(found, parameter)
 
 

@@ -238,9 +238,7 @@ def test_errors_of_every_kind_go_to_another_process_whole() -> None:
         assert again.spelled(str.upper) == found.value.spelled(str.upper)
 
 
-def test_fractions_and_decimals_are_the_nearest_floats_and_large_integers_exact_or_refused() -> (
-    None
-):
+def test_fractions_are_the_nearest_floats_and_large_integers_exact_or_refused() -> None:
     given = [[Fraction(1, 3), 0, 0], [0, Decimal("0.1"), 0], [0, 0, 2**60]]
     assert nmatrix.normal_matrix(given).diagonal().tolist() == [1 / (1 / 3), 10.0, 2.0**-60]
     with pytest.raises(nmatrix.IllegalValueError, match="no float64 is exactly"):
