@@ -241,6 +241,8 @@ def test_errors_of_every_kind_go_to_another_process_whole() -> None:
 def test_fractions_are_the_nearest_floats_and_large_integers_exact_or_refused() -> None:
     given = [[Fraction(1, 3), 0, 0], [0, Decimal("0.1"), 0], [0, 0, 2**60]]
     assert nmatrix.normal_matrix(given).diagonal().tolist() == [1 / (1 / 3), 10.0, 2.0**-60]
+    longer = np.eye(3, dtype=np.longdouble) / 3
+    assert nmatrix.normal_matrix(longer).diagonal().tolist() == [1 / float(longer[0, 0])] * 3
     with pytest.raises(nmatrix.IllegalValueError, match="no float64 is exactly"):
         nmatrix.normal_matrix(np.diag([1, 1, 2**60 + 1]))
 

@@ -530,8 +530,6 @@ GARBAGE: dict[str, Callable[[Array], Any]] = {
     "infinite": lambda good: np.where(good > 0, np.inf, 0.0),
     "a long integer": lambda good: good.astype(int) * (2**53 + 1),
     "huge integers": lambda good: good.astype(int).astype(object) * 10**400,
-    "thirds": lambda good: good.astype(int).astype(object) * Fraction(1, 3),
-    "long doubles": lambda good: good.astype(np.longdouble) / 3,
     "a signalling nan": lambda good: np.full(good.shape, Decimal("sNaN")),
     "dates": lambda good: good.astype("datetime64[s]"),
 }
