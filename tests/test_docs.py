@@ -11,7 +11,6 @@ import reference
 import transcripts
 
 import nmatrix
-from nmatrix.enums import Format
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -33,11 +32,6 @@ def test_python_blocks_hold(page: Path) -> None:
 def test_links_lead_somewhere(page: Path) -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
         assert (page.parent / target).exists(), target
-
-
-@pytest.mark.parametrize("format_", Format)
-def test_every_output_format_is_documented(format_: Format) -> None:
-    assert f"\n| `{format_}` | " in DOCS.joinpath("for-engineers.md").read_text()
 
 
 @pytest.mark.parametrize("mistake", MistakeId)

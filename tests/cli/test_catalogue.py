@@ -37,6 +37,19 @@ def test_a_command_has_a_function_and_two_or_three_examples_of_itself(name: str)
 
 
 @pytest.mark.parametrize("name", COMMANDS)
+def test_every_example_is_understood(name: str, nmatrix, own_folder) -> None:
+    examples, _ = examples_and_notes(
+        import_module(f"nmatrix.cli.{COMMANDS[name].module}").HELP[name]
+    )
+    for example in examples:
+        if name == "cost" or "|" in example:  # what measures for a minute, and what is a pipe
+            continue
+        found = nmatrix(example.partition(" > ")[0].removeprefix("nmatrix "))
+        is_absent_file = re.search("no such file|does not exist", found.err, re.IGNORECASE)
+        assert found.code in (0, 1) or is_absent_file, (example, found.err)
+
+
+@pytest.mark.parametrize("name", COMMANDS)
 def test_a_module_has_help_for_its_commands_and_no_others(name: str) -> None:
     module = COMMANDS[name].module
     listed = {other for other, one in COMMANDS.items() if one.module == module}
@@ -65,4 +78,4 @@ def test_every_group_of_options_has_its_row_with_each_option() -> None:
 
 @pytest.mark.parametrize("format_", Format)
 def test_every_format_is_documented(format_: Format) -> None:
-    assert f"`{format_}`" in PAGE.partition("## Formats")[2]
+    assert f"\n| `{format_}` | " in PAGE.partition("## Formats")[2]

@@ -13,6 +13,8 @@ import pytest
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.enums import Format
 
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+
 KEYS = {
     "world": "world_from_object normal_matrix cofactor_matrix determinant determinant_sign rank "
     "condition transform transform_exact mirrored needs_inverse_transpose worst_angle_without_deg "
@@ -31,7 +33,18 @@ KEYS = {
     "fragment_shader",
     "trace": "object world camera clip ndc window reciprocal_w inside outside_planes normal",
     "derive mirror": "cases",
+    "check eye '0 0 5'": "verdict mistake also explanation max_difference wrong_entries",
+    f"inspect {DOCS / 'samples' / 'gate.gltf'}": "nodes summary",
+    f"plan {DOCS / 'scenes' / 'mirror.toml'}": "effects attributes uniforms passes objects "
+    "vertex_shader fragment_shader",
+    "stress --case N1": "cases passed failed",
 }
+WITHOUT_FORMATS = {"derive", "check", "inspect", "plan", "stress"}  # sentences, not quantities
+ELSEWHERE = {"render", "cost", "handout", "explore"}  # what writes files or measures
+
+
+def test_every_command_has_its_keys() -> None:
+    assert {line.split()[0] for line in KEYS} | ELSEWHERE == set(COMMANDS)
 
 
 @pytest.mark.parametrize("line", KEYS)
@@ -43,7 +56,7 @@ def test_json_has_exactly_the_keys_of_the_contract(nmatrix, line: str) -> None:
     assert set(found.data) - wanted <= {"used"}
 
 
-@pytest.mark.parametrize("line", [line for line in KEYS if "derive" not in line])
+@pytest.mark.parametrize("line", [line for line in KEYS if line.split()[0] not in WITHOUT_FORMATS])
 @pytest.mark.parametrize("format_", Format)
 def test_every_format_of_every_command(nmatrix, line: str, format_: Format) -> None:
     found = nmatrix(f"{line} -f {format_}")

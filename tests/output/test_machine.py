@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import csv
 import json
+import re
 import shutil
 import subprocess
 from fractions import Fraction
@@ -17,7 +18,7 @@ from nmatrix.enums import Format, Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.output import Charset, OutputOptions, write
 from nmatrix.output.assignments import identifier
-from nmatrix.report import Report
+from nmatrix.report import Quantity, Report
 from nmatrix.version import __version__
 
 HUGE = Fraction(10) ** 600
@@ -31,6 +32,20 @@ DATA = {
     "parts": {},
 }
 REPORT = Report("world", DATA, (), ("A remark.",))
+
+PEOPLE = {Format.TEXT, Format.LATEX, Format.MARKDOWN, Format.MATHML, Format.TYPST}
+PROGRAMS = [one for one in Format if one not in PEOPLE | {Format.JSON, Format.CSV}]
+
+
+@pytest.mark.parametrize("format_", Format)
+def test_every_format_writes_every_number_under_its_key(format_: Format) -> None:
+    matrix = ((1.5, -2.25, 3.125), (4.0625, 5.75, -6.5), (7.375, 8.875, 9.625))
+    data = {"normal_matrix": matrix, "rank": 3, "determinant": 1234.5, "mirrored": True}
+    blocks = tuple(Quantity(key, one, key) for key, one in data.items() if key != "mirrored")
+    written = write(Report("world", data, blocks), OutputOptions(format_)).replace("\u2212", "-")
+    for number in (*(x for row in matrix for x in row), 3, 1234.5):
+        assert f"{abs(number):g}" in written
+    assert re.search(r"normal.{0,2}matrix", written)
 
 
 def strict(text: str) -> dict:
@@ -139,7 +154,7 @@ def test_glsl_marks_what_float32_cannot_hold() -> None:
     assert "float b = 1.0;\n" in text
 
 
-@pytest.mark.parametrize("format_", [Format.GLSL, Format.JS, Format.NUMPY])
+@pytest.mark.parametrize("format_", PROGRAMS)
 def test_programs_need_numbers(format_: Format) -> None:
     with pytest.raises(IllegalValueError, match=r"no numbers.*use text, csv, json"):
         write(Report("derive", {"cases": ["rule"], "none": None}, ()), OutputOptions(format_))
@@ -154,7 +169,7 @@ def test_identifiers_are_identifiers(key: str) -> None:
     ast.parse(f"{name} = 1")
 
 
-@pytest.mark.parametrize("format_", [Format.GLSL, Format.JS, Format.NUMPY])
+@pytest.mark.parametrize("format_", PROGRAMS)
 def test_remarks_cannot_leave_their_comment(format_: Format) -> None:
     report = Report("x", {"a": 1.0}, (), ("one\nimport os\u2028two",))
     lines = write(report, OutputOptions(format_)).splitlines()
