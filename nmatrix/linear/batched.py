@@ -11,6 +11,7 @@ A is (N, 3, 3), n is (N, 3). Nothing is written before the same places of the in
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -82,9 +83,10 @@ def normal_matrices(A: Array, out: Array, kind: NormalMatrixKind, level: Level) 
     planes, room = A.transpose(1, 2, 0), out.transpose(1, 2, 0)
     if level is Level.GUARDED:
         return _guarded(planes, room, kind)
-    compute = _exact if level is Level.EXACT else _certified
     for part in chunks(len(A), CHUNK):
-        bad = part.start + _put(compute(_float64(planes[:, :, part]), kind), room[:, :, part], kind)
+        some = _float64(planes[:, :, part])
+        found = _exact(some, kind, out.dtype) if level is Level.EXACT else _certified(some, kind)
+        bad = part.start + _put(found, room[:, :, part], kind)
         if len(bad):
             return int(bad[0])
     return None
@@ -132,22 +134,46 @@ def _certified(A: Array, kind: NormalMatrixKind) -> Scaled:
     return Scaled(C.mantissa / det.mantissa, C.exponent - det.exponent)
 
 
-def _exact(A: Array, kind: NormalMatrixKind) -> Scaled:
+def _exact(A: Array, kind: NormalMatrixKind, dtype: DTypeLike = np.float64) -> Scaled:
     """Compute sign(det A)·C or C/det A from whole numbers, every entry correctly rounded."""
     found = Scaled(np.empty(A.shape), np.zeros(A.shape, np.int32))
+    if kind is NormalMatrixKind.ORIENTED:
+        _write_oriented(A, found)
+        return _with_subnormals(A, found, _limits(dtype))
     for i, matrix in enumerate(A.transpose(2, 0, 1).tolist()):
         one = LinearMap.of(matrix)
         for j, row in enumerate(one.cofactors):
             for k, cofactor in enumerate(row):
-                if kind is NormalMatrixKind.ORIENTED:
-                    bits = cofactor.bit_length()
-                    sign = -1 if one.integer_determinant < 0 else 1
-                    found.mantissa[j, k, i] = sign * cofactor / (1 << bits)
-                    found.exponent[j, k, i] = bits - 2 * (one.denominator.bit_length() - 1)
-                else:
-                    found.mantissa[j, k, i] = _quotient(
-                        cofactor * one.denominator, one.integer_determinant
-                    )
+                top = cofactor * one.denominator
+                found.mantissa[j, k, i] = _quotient(top, one.integer_determinant)
+    return found
+
+
+def _write_oriented(A: Array, out: Scaled) -> None:
+    for i, matrix in enumerate(A.transpose(2, 0, 1).tolist()):
+        one = LinearMap.of(matrix)
+        sign = -1 if one.integer_determinant < 0 else 1
+        below = 2 * (one.denominator.bit_length() - 1)
+        for j, row in enumerate(one.cofactors):
+            for k, cofactor in enumerate(row):
+                bits = cofactor.bit_length()
+                out.mantissa[j, k, i] = sign * cofactor / (1 << bits)
+                out.exponent[j, k, i] = bits - below
+
+
+def _with_subnormals(A: Array, found: Scaled, limits: np.finfo[Any]) -> Scaled:
+    """Round entries that come out subnormal once, to the bits that they have left there."""
+    if limits.dtype != np.float64:
+        return found  # a narrower type rounds from float64, which holds them as normal numbers
+    powers = _powers(found, limits)
+    size = np.abs(np.ldexp(found.mantissa, found.exponent + powers))
+    for j, k, i in np.argwhere((size < limits.tiny) & (found.mantissa != 0)).tolist():
+        one = LinearMap.of(A[:, :, i].tolist())
+        sign = -1 if one.integer_determinant < 0 else 1
+        shift = int(powers[i]) - 2 * (one.denominator.bit_length() - 1)
+        exact = Fraction(sign * one.cofactors[j][k]) * Fraction(2) ** shift
+        found.mantissa[j, k, i] = np.ldexp(float(exact), -int(limits.minexp))
+        found.exponent[j, k, i] = int(limits.minexp) - powers[i]
     return found
 
 
@@ -189,6 +215,11 @@ def within_range(found: Scaled, dtype: DTypeLike) -> Array:
     limits = _limits(dtype)
     if not found.exponent.any() and _holds(limits, found.mantissa):
         return found.mantissa
+    return np.asarray(np.ldexp(found.mantissa, found.exponent + _powers(found, limits)))
+
+
+def _powers(found: Scaled, limits: np.finfo[Any]) -> Array:
+    """Choose the power of two of each matrix from its entries as the type rounds them."""
     mantissa, exponent = np.frexp(found.mantissa)
     mantissa, more = np.frexp(mantissa.astype(limits.dtype).astype(np.float64))
     exponent = exponent + found.exponent + more
@@ -197,8 +228,8 @@ def within_range(found: Scaled, dtype: DTypeLike) -> Array:
     smallest = np.where(is_zero, -NEVER, exponent).min(axis=(0, 1))
     lowest, highest = limits.minexp + 1, limits.maxexp
     fits = (largest <= highest) & (smallest >= lowest)
-    shift = np.clip(lowest - smallest, -largest, highest - 1 - largest)
-    return np.asarray(np.ldexp(mantissa, np.where(fits | (largest == NEVER), 0, shift) + exponent))
+    shift = np.clip(lowest - smallest, -largest, highest - largest)
+    return np.asarray(np.where(fits | (largest == NEVER), 0, shift))
 
 
 def _limits(dtype: DTypeLike) -> np.finfo[Any]:
@@ -322,6 +353,8 @@ def _settled(
         some = places[part]
         found = certified_normals(_of(A, some), _float64(n[some].T))
         directions[:, some], status[some], bounds[some] = found
+    if directions.dtype.itemsize < 8:  # what was certified is rounded to the type, too
+        bounds[places] += 1.01 * float(np.finfo(directions.dtype).eps) / 2
     return Normals(directions, status, bounds)
 
 

@@ -146,7 +146,7 @@ def check_oriented(A: Array, found: Array, level: Level) -> None:
         check_entries(found, scaled, RELATIVE[ORIENTED, level], Fraction(0))
     for x, c in zip(found.ravel(), flat(true), strict=True):
         cancels = level is Level.GUARDED and abs(c) > PLAIN * most  # plain cofactors may
-        assert x or not c or cancels or log2(c) <= log2(most) - (limits.maxexp - 2) + least
+        assert x or not c or cancels or log2(c) <= log2(most) - (limits.maxexp - 1) + least
 
 
 def check_inverse(A: Array, found: Array, level: Level) -> None:
@@ -170,6 +170,32 @@ def test_oriented_matrices_keep_signs_and_entries_at_any_exponents(
     assert found.dtype == dtype
     for matrix, one in zip(A, found, strict=True):
         check_oriented(matrix, one, level)
+
+
+@pytest.mark.parametrize("level", Level)
+@pytest.mark.parametrize(
+    ("dtype", "scales"),
+    ((np.float16, (1.5 * 2.0**15, 1, 2.0**-24)), (np.float64, (1.5 * 2.0**1023, 1, 2.0**-1074))),
+)
+def test_the_whole_range_of_a_type_is_used_before_an_entry_is_lost(
+    level: Level, dtype: type, scales: tuple[float, ...]
+) -> None:
+    A = np.diag(scales).astype(dtype)
+    found = nmatrix.normal_matrix(A, kind=ORIENTED, level=level)
+    assert (found.diagonal() > 0).all()
+    assert found[2, 2] > np.finfo(dtype).max / 4
+
+
+def test_exact_entries_that_come_out_subnormal_are_rounded_once() -> None:
+    rng = np.random.default_rng(8)
+    for _ in range(200):
+        A = np.tril(np.ldexp(rng.uniform(1, 2, (3, 3)), rng.integers(-4, 4, (3, 3))))
+        A[0, 0], A[2, 2] = np.ldexp(A[0, 0], 1010), np.ldexp(A[2, 2], -1050)
+        found = nmatrix.normal_matrix(A, kind=ORIENTED)
+        k = log2(Fraction(found[2, 2]) / minors(A)[2][2] * Fraction(1025, 1024))
+        once = [float(c * Fraction(2) ** k) for c in flat(minors(A))]
+        assert found.ravel().tolist() == once
+        assert 0 < once[0] < np.finfo(float).tiny
 
 
 @pytest.mark.usefixtures("_small_chunks")
@@ -307,6 +333,17 @@ def test_normals_are_within_their_bounds_and_their_statuses_exact(
         for matrix in A[:2]:  # one for all
             found = nmatrix.transform_normals(matrix, n, level=level, status=True)
             check_normals(np.broadcast_to(matrix, A.shape), n, found, LIMITS[dtype, level])
+
+
+@pytest.mark.parametrize("level", Level)
+def test_bounds_hold_for_directions_as_they_were_written(level: Level) -> None:
+    """A certified direction loses bits in a narrower array, wherever its normal came from."""
+    A = np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]], np.float32)
+    n = np.array([[3e30, 7e30, 2e30], [3e-30, 7e-30, 2e-30], [1, 2, 3]], np.float32)
+    out = np.empty((3, 3))
+    for room in (None, out, out.astype(np.float32)):
+        found = nmatrix.transform_normals(A, n, level=level, out=room, status=True)
+        check_normals(np.broadcast_to(A, (3, 3, 3)), n, found, LIMITS[np.float32, level])
 
 
 @pytest.mark.parametrize("dtype", FLOATS)
