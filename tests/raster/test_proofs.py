@@ -14,7 +14,7 @@ from nmatrix.enums import NormalRule
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.proofs import rules
+from nmatrix.raster.proofs import angles
 from nmatrix.raster.proofs.angles import Scale, normals_by
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame, gif, turns
@@ -152,7 +152,7 @@ def test_effects_are_left_out_without_a_trace() -> None:
 
 def test_the_claims_would_fail_with_the_wrong_rule(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        rules, "normals_by", lambda ready, body, rule: normals_by(ready, body, NormalRule.NONE)
+        angles, "normals_by", lambda ready, body, rule: normals_by(ready, body, NormalRule.NONE)
     )
     assert proof("normals").max_angle_error_deg == 0
     assert proof("mirror").max_angle_error_deg == 0

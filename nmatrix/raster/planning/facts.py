@@ -19,7 +19,7 @@ from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe
-from nmatrix.raster.shading.space import ShadingSpace, as_array, dot
+from nmatrix.raster.shading.space import ShadingSpace, as_array, column, dot, world_normals
 from nmatrix.raster.triangles.clip import inside
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.scene.material import Material
@@ -110,8 +110,7 @@ class Facts:
     @cached_property
     def normal_cosine(self) -> float:
         """Return the smallest cosine between the world normals of one triangle's corners."""
-        space = ShadingSpace(self.loaded, self.body, Space.WORLD, uses_metric=False)
-        normals = space.normals(self.loaded.settings.normals)
+        normals = world_normals(self.loaded, self.body, self.loaded.settings.normals)
         found = inf
         for part in chunks(self.body.mesh.triangles.T):
             a, b, c = (normals[:, corner] for corner in part)
@@ -226,7 +225,7 @@ class Facts:
     @cached_property
     def eye(self) -> Array:
         """Return the eye in the world."""
-        return np.array([float(one) for one in self.loaded.eye])
+        return column(self.loaded.eye)[:, 0]
 
     @cached_property
     def eye_is_outside(self) -> bool:

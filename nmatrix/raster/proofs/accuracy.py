@@ -28,6 +28,7 @@ from nmatrix.raster.proofs.proof import (
     redrawn,
 )
 from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.space import length, quotient
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.geometry import Geometry, LoadedGeometry
 from nmatrix.scene.world import World
@@ -75,17 +76,15 @@ def accuracy(settings: ProofSettings) -> Proof:
         Panel(exact.levels, "exact", f"{COFACTOR_MULTIPLICATIONS} of {bits}-bit whole numbers")
     )
     kappa = body.kind.condition_text
-    return Proof(
-        compose(f"One map, κ = {kappa}, in four precisions", panels, columns=4),
+    return Proof.of(
         settings.subject,
+        compose(f"One map, κ = {kappa}, in four precisions", panels, columns=4),
         f"At κ = {kappa} the cofactors are up to {numbers['worst_deg_float32'] or 0:.2g}° off in "
         f"float32, {numbers['worst_deg_float64'] or 0:.2g}° in float64.",
-        exact.rendered.work,
-        exact.effects,
-        numbers,
+        [exact],
+        numbers=numbers,
         max_angle_error_deg=numbers["worst_deg_float32"],
         max_level_difference=max(level_difference(one, exact.levels) for one in images),
-        remarks=exact.loaded.remarks,
     )
 
 
@@ -114,9 +113,8 @@ def _normals_in(precision: type, exact: DrawnScene) -> Array:
         moved = (C @ body.mesh.normals.T.astype(precision)).astype(np.float64)
         sign = np.sign(np.float64((A[0] * C[0]).sum())) or 1.0
         moved *= sign / (np.abs(moved).max() or 1.0)
-        long = np.sqrt((moved * moved).sum(axis=0))
-        unit = np.divide(moved, long, out=np.zeros_like(moved), where=long > 0)
-    return unit if np.isfinite(unit).all() else np.zeros_like(unit)
+        found = quotient(moved, length(moved))
+    return found if np.isfinite(found).all() else np.zeros_like(found)
 
 
 def _with_normals(surface: Surface, normals: Array) -> Surface:

@@ -21,11 +21,12 @@ from nmatrix.linear.projection import ClipSpace, Window, orthographic, perspecti
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.view import looking_along
 from nmatrix.raster.loaded_scene import Body, PlacedLight
-from nmatrix.raster.shading.space import ShadingSpace, as_array
+from nmatrix.raster.shading.space import ShadingSpace, as_array, column
 from nmatrix.raster.triangles.products import multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
+from nmatrix.scene.fitting import Ball
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
@@ -96,11 +97,11 @@ class Occluded:
 def shadow_maps(placed: PlacedLight, bodies: Sequence[Body], size: int) -> list[ShadowMap]:
     """Return the shadow maps of a light: one for a direction or a cone, six for a point."""
     casters = [one for one in bodies if one.material.opacity == 1.0]
-    balls = [(one.centre, one.radius) for one in bodies]
+    balls = [one.ball for one in bodies]
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
         return [_parallel(placed.direction, casters, balls, size)]
-    place = np.array([float(one) for one in placed.position])
+    place = column(placed.position)[:, 0]
     far = max(float(np.sqrt(((c - place) ** 2).sum())) + r for c, r in balls)
     if placed.direction is not None:
         half = min(placed.light.cone_degrees[1] + 1.0, 89.0)
@@ -114,7 +115,7 @@ def shadow_maps(placed: PlacedLight, bodies: Sequence[Body], size: int) -> list[
 def _parallel(
     direction: RationalVector,
     casters: Sequence[Body],
-    balls: Sequence[tuple[Array, float]],
+    balls: Sequence[Ball],
     size: int,
 ) -> ShadowMap:
     low = np.min([c - r for c, r in balls], axis=0)

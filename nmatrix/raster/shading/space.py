@@ -7,6 +7,7 @@ would square the condition number, is never formed.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -36,6 +37,11 @@ def dot(a: Array, b: Array) -> Array:
 def length(vectors: Array) -> Array:
     """Return the lengths of vectors (3, …)."""
     return np.asarray(np.sqrt(dot(vectors, vectors)))
+
+
+def quotient(a: Array, b: Array) -> Array:
+    """Return a / b, and 0 where b is not positive: vectors over their lengths (…), say."""
+    return np.divide(a, b, out=np.zeros_like(a), where=b > 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,22 +146,21 @@ class ShadingSpace:
         found = np.zeros(normals.shape)
         for given, unit in zip(chunks(normals), chunks(found), strict=True):
             size = np.abs(given).max(axis=0)
-            scaled = np.divide(given, size, out=np.zeros_like(given), where=size > 0)
+            scaled = quotient(given, size)
             long = self.measure.normal_length(scaled)
             np.divide(scaled, long, out=unit, where=long > 0)
         return found
 
     def point(self, point: RationalVector) -> Array:
         """Return a point of the world as a column (3, 1)."""
-        found = self.maps.space_from_world(self.space).exact_point(point)
-        return np.array([[float(one)] for one in found])
+        return column(self.maps.space_from_world(self.space).exact_point(point))
 
     def direction(self, vector: RationalVector) -> Array:
         """Return a vector of the world as a column (3, 1) of true length one."""
         found = self.maps.space_from_world(self.space).exact_vector(vector)
         largest = max(map(abs, found))
-        column = np.array([[float(one / largest)] for one in found])
-        return np.asarray(column / self.measure.vector_length(column))
+        scaled = column([one / largest for one in found])
+        return np.asarray(scaled / self.measure.vector_length(scaled))
 
     def light_from_space(self, light_from_world: RationalMatrix) -> Array:
         """Return the map from this space to a light's clip space."""
@@ -173,13 +178,22 @@ def transform_normals(found: NormalTransform, normals: Array) -> Array:
     carried = multiply(K if found.w else K[:, :3], normals)
     if found.components == 3:
         return carried[:3]
-    long = np.sqrt(dot(carried, carried) + carried[3] * carried[3])
-    return np.asarray(np.divide(carried[:3], long, out=np.zeros_like(carried[:3]), where=long > 0))
+    return quotient(carried[:3], np.sqrt(dot(carried, carried) + carried[3] * carried[3]))
+
+
+def world_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return the vertices' normals (3, V) in the world as a rule carries them."""
+    return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
 
 
 def as_array(matrix: RationalMatrix) -> Array:
     """Return an exact matrix as float64, each entry rounded once."""
     return np.array(to_floats(matrix))
+
+
+def column(vector: Sequence[Fraction]) -> Array:
+    """Return an exact vector as a column (n, 1) of float64."""
+    return np.array([[float(one)] for one in vector])
 
 
 def scaled_array(matrix: RationalMatrix) -> Array:

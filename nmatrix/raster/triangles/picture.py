@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -105,16 +106,14 @@ class Drawing:
         samples = np.empty((len(self.background), (rows[1] - rows[0]) * columns))
         samples[:] = self.background[:, None]
         counts = np.zeros(len(self.drawables), np.int64)
-        for i, runs in self._seen(visible_runs(tile, rows)):
-            counts[i] += self._colour(samples, i, runs, rows[0] * columns)
         glass = [
-            (i, one.projected, self._first[i])
-            for i, one in enumerate(self.drawables)
+            (one.projected, first)
+            for one, first in zip(self.drawables, self._first, strict=False)
             if one.opacity < 1.0
         ]
-        if glass:
-            for layer in layers(glass, tile, rows):
-                counts[layer.drawable] += self._colour(samples, *layer, rows[0] * columns)
+        for layer in chain([visible_runs(tile, rows)], layers(glass, tile, rows)):
+            for i, runs in self._seen(layer):
+                counts[i] += self._colour(samples, i, runs, rows[0] * columns)
         return samples, counts
 
     def _seen(self, runs: Runs) -> Iterator[tuple[int, Runs]]:
