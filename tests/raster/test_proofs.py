@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 from dataclasses import replace
-from importlib import import_module
 
 import numpy as np
 import pytest
@@ -226,5 +225,5 @@ def test_walking_around_turns_the_picture_and_comes_back() -> None:
 
 def test_every_proof_has_its_function() -> None:
     for one in PROOFS:
-        assert callable(getattr(import_module(f"nmatrix.raster.proofs.{one.module}"), one.function))
+        assert callable(one.load())
     assert catalogued("nothing") is None

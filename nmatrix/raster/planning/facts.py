@@ -62,11 +62,6 @@ class Facts:
         return classify(seen.exact_from_object)
 
     @cached_property
-    def space_is_rigid(self) -> bool:
-        """Return True if lengths read off the space's coordinates are true, to rounding."""
-        return self.loaded.maps(self.body).is_rigid(self.space)
-
-    @cached_property
     def clip_from_object(self) -> RationalMatrix:
         """Return the exact map from the body to clip space."""
         return self.loaded.clip_from_object(self.body)
@@ -222,16 +217,11 @@ class Facts:
         """Return True if an effect may bring a hue of its own."""
         return self._any(lambda one: one.brings_colour)
 
-    @cached_property
-    def eye(self) -> Array:
-        """Return the eye in the world."""
-        return column(self.loaded.eye)[:, 0]
-
-    @cached_property
+    @property
     def eye_is_outside(self) -> bool:
         """Return True if the eye is outside of the box around the body."""
-        low, high = self.body.box
-        return bool((self.eye < low).any() or (self.eye > high).any())
+        eye, (low, high) = column(self.loaded.eye)[:, 0], self.body.box
+        return bool((eye < low).any() or (eye > high).any())
 
 
 def product(a: float, b: float) -> float:

@@ -22,10 +22,8 @@ from nmatrix.raster.proofs.proof import (
     DrawnScene,
     Proof,
     ProofSettings,
-    as_levels,
     drawn_scene,
     level_difference,
-    redrawn,
 )
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.shading.space import length, quotient
@@ -58,18 +56,18 @@ def accuracy(settings: ProofSettings) -> Proof:
     true = normals_by(exact.loaded, body, NormalRule.EXACT)
     panels: list[Panel] = []
     numbers: dict[str, float | None] = {}
-    images = []
+    drawn = []
     for precision in PRECISIONS:
         name = np.dtype(precision).name
         started = settings.clock()
         found = _normals_in(precision, exact)
         numbers[f"milliseconds_{name}"] = (settings.clock() - started) * 1000
-        images.append(as_levels(redrawn(exact, partial(_with_normals, normals=found))))
+        drawn.append(exact.redrawn(partial(_with_normals, normals=found)))
         worst = angle_map(exact.loaded, found, true).worst_deg
         numbers[f"worst_deg_{name}"] = worst
         told = "no normal is left" if worst is None else f"worst {worst:.3g}°"
         panels.append(
-            Panel(images[-1], name, f"{told}; {COFACTOR_MULTIPLICATIONS} multiplications")
+            Panel(drawn[-1].levels, name, f"{told}; {COFACTOR_MULTIPLICATIONS} multiplications")
         )
     bits = max(abs(entry).bit_length() for row in body.linear_map.entries for entry in row)
     panels.append(
@@ -84,7 +82,7 @@ def accuracy(settings: ProofSettings) -> Proof:
         [exact],
         numbers=numbers,
         max_angle_error_deg=numbers["worst_deg_float32"],
-        max_level_difference=max(level_difference(one, exact.levels) for one in images),
+        max_level_difference=max(level_difference(one, exact) for one in drawn),
     )
 
 

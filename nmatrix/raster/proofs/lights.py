@@ -17,10 +17,8 @@ from nmatrix.raster.proofs.proof import (
     DrawnScene,
     Proof,
     ProofSettings,
-    as_levels,
     drawn_scene,
     level_difference,
-    redrawn,
 )
 from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading.lighting import ShadingLight
@@ -48,20 +46,18 @@ def object_rule(settings: ProofSettings) -> Proof:
     exact = drawn_scene(scene)
     naive = drawn_scene(scene, space=Space.WORLD, normals=NormalRule.NONE)
     transposed, inverted = _by_wrong_lights(exact)
-    dark = [
-        _unlit(exact, one)
-        for one in (exact.rendered.image, transposed, inverted, naive.rendered.image)
-    ]
+    dark, dark_naive, dark_transposed, dark_inverted = (
+        _unlit(one) for one in (exact, naive, transposed, inverted)
+    )
     parted = {
-        "terminator_transposed_pixels": int((dark[1] != dark[0]).sum()),
-        "terminator_inverted_pixels": int((dark[2] != dark[0]).sum()),
-        "terminator_transposed_against_naive_pixels": int((dark[1] != dark[3]).sum()),
+        "terminator_transposed_pixels": int((dark_transposed != dark).sum()),
+        "terminator_inverted_pixels": int((dark_inverted != dark).sum()),
+        "terminator_transposed_against_naive_pixels": int((dark_transposed != dark_naive).sum()),
     }
-    shades = [as_levels(one) for one in (transposed, inverted)]
-    off = [level_difference(one, exact.levels) for one in shades]
+    off = [level_difference(one, exact) for one in (transposed, inverted)]
     panels = (
-        Panel(shades[0], "Mᵀ l", f"the terminator of A n; up to {off[0]} levels off"),
-        Panel(shades[1], "M⁻¹ l", f"the right terminator; up to {off[1]} levels off"),
+        Panel(transposed.levels, "Mᵀ l", f"the terminator of A n; up to {off[0]} levels off"),
+        Panel(inverted.levels, "M⁻¹ l", f"the right terminator; up to {off[1]} levels off"),
         Panel(exact.levels, "Exact: M⁻¹ l and the metric", "what world space shows"),
     )
     return Proof.of(
@@ -90,7 +86,7 @@ def wrong_lights(to_light_world: Array, M: Array) -> tuple[Array, Array]:
     return quotient(transposed, length(transposed)), quotient(inverted, length(inverted))
 
 
-def _by_wrong_lights(exact: DrawnScene) -> list[Array]:
+def _by_wrong_lights(exact: DrawnScene) -> list[DrawnScene]:
     """Draw the body in object space by each of the wrong lights, without the metric."""
     (plan,) = exact.plan.bodies
     (light,) = plan.lights
@@ -103,15 +99,15 @@ def _by_wrong_lights(exact: DrawnScene) -> list[Array]:
         return replace(surface, space=replace(surface.space, uses_metric=False), lighting=lighting)
 
     return [
-        redrawn(exact, partial(under, to_light))
+        exact.redrawn(partial(under, to_light))
         for to_light in wrong_lights(-column(light.direction), M)
     ]
 
 
-def _unlit(exact: DrawnScene, image: Array) -> Array:
+def _unlit(drawn: DrawnScene) -> Array:
     """Return the pixels that get ambient light alone."""
-    ambient = exact.loaded.bodies[0].material.ambient[0]
-    return np.asarray(np.abs(image[:, :, 0] - ambient) < 1e-12)
+    ambient = drawn.loaded.bodies[0].material.ambient[0]
+    return np.asarray(np.abs(drawn.rendered.image[:, :, 0] - ambient) < 1e-12)
 
 
 def stuck_light(settings: ProofSettings) -> Proof:
@@ -138,7 +134,7 @@ def stuck_light(settings: ProofSettings) -> Proof:
         f"it changes by up to {staying * 255:.0f} levels.",
         [before, sticks, stays],
         numbers={"vertex_change_model_space": sticking, "vertex_change_eye_space": staying},
-        max_level_difference=level_difference(sticks.levels, stays.levels),
+        max_level_difference=level_difference(sticks, stays),
     )
 
 

@@ -21,7 +21,7 @@ def picture(scene: Scene, subject: str) -> Proof:
     measured: dict[str, Any] = {}
     if rule is not NormalRule.EXACT:
         right = drawn_scene(scene, normals=NormalRule.EXACT)
-        measured["max_level_difference"] = level_difference(drawn.levels, right.levels)
+        measured["max_level_difference"] = level_difference(drawn, right)
     if len(drawn.loaded.bodies) == 1:
         wrong = NormalRule.NONE if rule is NormalRule.EXACT else rule
         measured |= rule_error(drawn.loaded, wrong).errors

@@ -145,6 +145,10 @@ class DrawnScene:
         """Return the names of the effects that were on, in the order of the table."""
         return tuple(one.value for one in Effect if one in self.plan.effects)
 
+    def redrawn(self, change: Change) -> DrawnScene:
+        """Draw the scene again with its surfaces changed."""
+        return DrawnScene(self.plan, render(self.plan, change=change))
+
 
 def drawn_scene(scene: Scene, **settings: Any) -> DrawnScene:  # noqa: ANN401  # fields of Settings
     """Draw a scene by its plan; `settings` replace those of the scene."""
@@ -157,16 +161,6 @@ def drawn_plan(plan: Plan) -> DrawnScene:
     return DrawnScene(plan, render(plan))
 
 
-def redrawn(scene: DrawnScene, change: Change) -> Array:
-    """Draw a scene again with its surfaces changed: the image (height, width, channels)."""
-    return render(scene.plan, change=change).image
-
-
-def as_levels(image: Array) -> Array:
-    """Return an image of one or three channels as 8-bit levels of three."""
-    return levels(np.broadcast_to(image, (*image.shape[:2], 3)))
-
-
-def level_difference(a: Array, b: Array) -> int:
-    """Return the largest difference of two 8-bit images."""
-    return int(np.abs(a.astype(int) - b).max())
+def level_difference(a: DrawnScene, b: DrawnScene) -> int:
+    """Return the largest difference of two pictures, in 8-bit levels."""
+    return int(np.abs(a.levels.astype(int) - b.levels).max())

@@ -62,7 +62,7 @@ def normals(settings: ProofSettings) -> Proof:
         compose(_title(settings.subject, kind), panels, scale.legend),
         _verdict(found),
         [wrong, right],
-        max_level_difference=level_difference(wrong.levels, right.levels),
+        max_level_difference=level_difference(wrong, right),
         **found.errors,
     )
 
@@ -73,7 +73,7 @@ def bias(settings: ProofSettings) -> Proof:
     turned = _both(settings.scene(TURNED, shape))
     stretched = settings.placed(replace(TALL, rotate_degrees=TURNED.rotate_degrees))
     scaled = _both(settings.scene(stretched, shape))
-    hidden, seen = (level_difference(a.levels, b.levels) for a, b in (turned, scaled))
+    hidden, seen = (level_difference(a, b) for a, b in (turned, scaled))
     panels = (
         Panel(turned[0].levels, "Rotation: A n", "looks right, and is"),
         Panel(turned[1].levels, "Rotation: A⁻ᵀ n", f"differs by {hidden} levels: A⁻ᵀ = A"),
@@ -108,8 +108,8 @@ def mirror(settings: ProofSettings) -> Proof:
         compose("A mirror flips the sign of the cofactors, and the winding", panels),
         f"Without the sign of det A the normals are {found.worst_deg or 0:.0f}° off.",
         [unsigned, right, inside_out],
-        numbers={"winding_level_difference": level_difference(inside_out.levels, right.levels)},
-        max_level_difference=level_difference(unsigned.levels, right.levels),
+        numbers={"winding_level_difference": level_difference(inside_out, right)},
+        max_level_difference=level_difference(unsigned, right),
         **found.errors,
     )
 
@@ -135,7 +135,7 @@ def translation(settings: ProofSettings) -> Proof:
         f"components the shortest has length {shortest:.3f}.",
         [moved, short, right],
         numbers={"shortest_normal": shortest},
-        max_level_difference=level_difference(moved.levels, short.levels),
+        max_level_difference=level_difference(moved, short),
         **found.errors,
     )
 
@@ -149,7 +149,7 @@ def flatten(settings: ProofSettings) -> Proof:
     without = drawn_scene(scene, normals=NormalRule.INVERSE)
     found = rule_error(right.loaded, NormalRule.INVERSE)
     missing = found.covered[:, :, None] * UNDEFINED + _paper(right, found)
-    lost = level_difference(without.levels, right.levels)
+    lost = level_difference(without, right)
     panels = (
         Panel(levels(missing), "inv(A): no answer", "det A = 0: it raises, nothing is drawn"),
         Panel(without.levels, "A zero matrix instead", "normals of length 0: ambient light alone"),

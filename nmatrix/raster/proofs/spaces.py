@@ -68,9 +68,7 @@ def spaces(settings: ProofSettings) -> Proof:
         f"Five shading spaces give the same picture: the largest difference is {worst:.1e}.",
         list(drawn.values()),
         numbers={"differences": differences},
-        max_level_difference=max(
-            level_difference(one.levels, reference.levels) for one in drawn.values()
-        ),
+        max_level_difference=max(level_difference(one, reference) for one in drawn.values()),
     )
     return replace(found, effects=drawn[Space.OBJECT].effects)
 
@@ -119,5 +117,5 @@ def effects(settings: ProofSettings) -> Proof:
         f"than {worst:.0e}.",
         [full, plan],
         numbers=numbers,
-        max_level_difference=level_difference(full.levels, plan.levels),
+        max_level_difference=level_difference(full, plan),
     )

@@ -15,10 +15,8 @@ from nmatrix.raster.proofs.angles import angle_map
 from nmatrix.raster.proofs.proof import (
     Proof,
     ProofSettings,
-    as_levels,
     drawn_scene,
     level_difference,
-    redrawn,
 )
 from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading.surface import Surface
@@ -61,9 +59,9 @@ def shading(settings: ProofSettings) -> Proof:
         Panel(toon.levels, "Toon", "the cosine in bands, and an outline"),
     )
     apart = {
-        "flat_against_phong": level_difference(flat.levels, phong.levels),
-        "gouraud_against_phong": level_difference(gouraud.levels, phong.levels),
-        "phong_against_blinn_phong": level_difference(mirrored.levels, half.levels),
+        "flat_against_phong": level_difference(flat, phong),
+        "gouraud_against_phong": level_difference(gouraud, phong),
+        "phong_against_blinn_phong": level_difference(mirrored, half),
         "toon_levels": len(np.unique(toon.levels)),
     }
     found = Proof.of(
@@ -90,7 +88,7 @@ def interpolation(settings: ProofSettings) -> Proof:
     scene = settings.scene(settings.placed(TALL), settings.geometry(COARSE))
     right = drawn_scene(scene)
     never, after, both = (
-        as_levels(redrawn(right, partial(_normalised, before=before, after=then)))
+        right.redrawn(partial(_normalised, before=before, after=then))
         for before, then in ((False, False), (False, True), (True, True))
     )
     surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
@@ -99,14 +97,16 @@ def interpolation(settings: ProofSettings) -> Proof:
         *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
     )
     floor = drawn_scene(_checkered(settings))
-    correct, affine = as_levels(floor.rendered.image), as_levels(redrawn(floor, _affine))
-    swum = float((np.abs(affine.astype(int) - correct).max(axis=2) > 8).mean())
+    affine = floor.redrawn(_affine)
+    swum = float((np.abs(affine.levels.astype(int) - floor.levels).max(axis=2) > 8).mean())
     panels = (
-        Panel(never, "Never normalised", "short normals: too dark between vertices"),
-        Panel(after, "After interpolation only", f"bent by up to {bent.worst_deg or 0:.1f}°"),
-        Panel(both, "Before and after", "right"),
-        Panel(affine, "Affine interpolation", f"{swum:.0%} of the pixels are wrong"),
-        Panel(correct, "Perspective-correct", "each corner weighed by 1/w"),
+        Panel(never.levels, "Never normalised", "short normals: too dark between vertices"),
+        Panel(
+            after.levels, "After interpolation only", f"bent by up to {bent.worst_deg or 0:.1f}°"
+        ),
+        Panel(both.levels, "Before and after", "right"),
+        Panel(affine.levels, "Affine interpolation", f"{swum:.0%} of the pixels are wrong"),
+        Panel(floor.levels, "Perspective-correct", "each corner weighed by 1/w"),
     )
     return Proof.of(
         settings.subject,

@@ -53,11 +53,11 @@ class Measure:
 
     def vector_in_world(self, vectors: Array) -> Array:
         """Return vectors (3, …) with true lengths and angles."""
-        return vectors if self.world_vector is None else _times(self.world_vector, vectors)
+        return vectors if self.world_vector is None else multiply(self.world_vector, vectors)
 
     def normal_in_world(self, normals: Array) -> Array:
         """Return normals (3, …) with true lengths and angles."""
-        return normals if self.world_normal is None else _times(self.world_normal, normals)
+        return normals if self.world_normal is None else multiply(self.world_normal, normals)
 
     def vector_length(self, vectors: Array) -> Array:
         """Return |B⁻¹v|."""
@@ -69,7 +69,7 @@ class Measure:
 
     def normal_from_world(self, normals: Array) -> Array:
         """Return normals (3, …) of the world as the space has them."""
-        return normals if self.world_vector is None else _times(self.world_vector.T, normals)
+        return normals if self.world_vector is None else multiply(self.world_vector.T, normals)
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,7 +131,7 @@ class ShadingSpace:
         given = self.body.mesh.normals.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
-        return transform_normals(found, given)
+        return _transformed(found, given)
 
     def normals(self, rule: NormalRule) -> Array:
         """Return the vertices' normals (3, V) at true length one, or zero where none is left.
@@ -172,9 +172,9 @@ class ShadingSpace:
         return as_array(rational.product(light_from_world, world_from_space))
 
 
-def transform_normals(found: NormalTransform, normals: Array) -> Array:
+def _transformed(found: NormalTransform, normals: Array) -> Array:
     """Return normals (3, V) through a rule's matrix, scaled so that nothing overflows."""
-    K = as_array(found.matrix) if found.components == 4 or found.w else scaled_array(found.matrix)
+    K = as_array(found.matrix) if found.components == 4 or found.w else _scaled_array(found.matrix)
     carried = multiply(K if found.w else K[:, :3], normals)
     if found.components == 3:
         return carried[:3]
@@ -196,15 +196,10 @@ def column(vector: Sequence[Fraction]) -> Array:
     return np.array([[float(one)] for one in vector])
 
 
-def scaled_array(matrix: RationalMatrix) -> Array:
+def _scaled_array(matrix: RationalMatrix) -> Array:
     """Return an exact matrix over the power of two next to its largest entry, as float64."""
     largest = max(abs(entry) for row in matrix for entry in row)
     if not largest:
         return as_array(matrix)
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
     return as_array(rational.scaled(matrix, Fraction(2) ** -exponent))
-
-
-def _times(matrix: Array, vectors: Array) -> Array:
-    """Return a 3×3 matrix times vectors (3, …)."""
-    return multiply(matrix[:, :3], vectors)
