@@ -99,11 +99,10 @@ def interpolation(settings: ProofSettings) -> Proof:
     floor = drawn_scene(_checkered(settings))
     affine = floor.redrawn(_affine)
     swum = float((np.abs(affine.levels.astype(int) - floor.levels).max(axis=2) > 8).mean())
+    bend = f"bent by up to {bent.worst_deg or 0:.1f}°"
     panels = (
         Panel(never.levels, "Never normalised", "short normals: too dark between vertices"),
-        Panel(
-            after.levels, "After interpolation only", f"bent by up to {bent.worst_deg or 0:.1f}°"
-        ),
+        Panel(after.levels, "After interpolation only", bend),
         Panel(both.levels, "Before and after", "right"),
         Panel(affine.levels, "Affine interpolation", f"{swum:.0%} of the pixels are wrong"),
         Panel(floor.levels, "Perspective-correct", "each corner weighed by 1/w"),
@@ -111,8 +110,8 @@ def interpolation(settings: ProofSettings) -> Proof:
     return Proof.of(
         settings.subject,
         compose("Unequal lengths bend a direction; unequal depths bend a pattern", panels),
-        f"Normals of unequal length are bent by up to {bent.worst_deg or 0:.1f}°; affine "
-        f"interpolation moves the pattern in {swum:.0%} of the pixels.",
+        f"Normals of unequal length are {bend}; affine interpolation moves the pattern in "
+        f"{swum:.0%} of the pixels.",
         [floor, right],
         numbers={
             "never_level_difference": level_difference(never, both),
