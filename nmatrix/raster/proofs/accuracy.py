@@ -118,5 +118,5 @@ def _normals_in(precision: type, exact: DrawnScene) -> Array:
 def _with_normals(surface: Surface, normals: Array) -> Surface:
     """Return the surface with other vertex normals."""
     changed = replace(surface)
-    changed.__dict__["vertex_normals"] = normals
+    changed.__dict__["vertex_normals"] = normals  # as if the property had computed them
     return changed
