@@ -65,7 +65,7 @@ def proof_frame(
     choices: PictureChoices,
     clock: Callable[[], float] = float,
 ) -> PictureFrame:
-    """Return the frame of drawing a proof of a subject; `clock` tells seconds."""
+    """Return the picture frame of a proof of a subject; `clock` tells seconds."""
     setup = subject.setup
     settings = replace(choices.over(Settings(size=PANEL)), space_matrix=setup.space_matrix)
     return PictureFrame(
@@ -85,7 +85,7 @@ def proof_frame(
 
 
 def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFrame:
-    """Return the frame of a scene under what was chosen."""
+    """Return the picture frame of a scene under what was chosen."""
     settings = choices.over(scene.settings)
     found = replace(scene.sized(*settings.size), settings=settings)
     if choices.reflection is not None:

@@ -91,7 +91,7 @@ def _frame(
     picture: PictureOptions,
     common: CommonOptions,
 ) -> PictureFrame:
-    """Make the frame that the command line asks for: a proof, or a scene."""
+    """Make the picture frame that the command line asks for: a proof, or a scene."""
     from nmatrix.answers.render import checked_subject
 
     if catalogued(checked_subject(subject)) is not None:
@@ -111,7 +111,7 @@ def _proof(
     picture: PictureOptions,
     common: CommonOptions,
 ) -> PictureFrame:
-    """Make the frame of a proof: a scene lends its object, its camera and its light."""
+    """Make the picture frame of a proof: a scene lends its object, its camera and its light."""
     from nmatrix.answers.render import ProofSubject, proof_frame
     from nmatrix.scene.meshes.file import read_mesh
 
@@ -133,7 +133,7 @@ def _proof(
 def _scene(
     path: Path, groups: OptionGroups, picture: PictureOptions, common: CommonOptions
 ) -> PictureFrame:
-    """Make the frame of a file's scene, with what the command line says in place of its own.
+    """Make the picture frame of a file's scene, changed as the command line says.
 
     World options move the object that --object names, or the first.
     """

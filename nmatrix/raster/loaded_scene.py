@@ -101,6 +101,11 @@ class Body:
         middle = self.centre[:, None]
         return float(np.sqrt(max(((p - middle) ** 2).sum(0).max() for p in self.parts_world())))
 
+    @property
+    def ball(self) -> Ball:
+        """Return the centre and the radius of a ball that holds the body."""
+        return self.centre, self.radius
+
 
 @dataclass(frozen=True)
 class PlacedLight:
@@ -178,12 +183,13 @@ def loaded(scene: Scene) -> LoadedScene:
     """
     meshes: dict[object, Mesh] = {}
     bodies = tuple(_body(one, meshes) for one in scene.objects)
+    balls = [body.ball for body in bodies]
     remarks = scene.remarks
     if not scene.has_camera:
-        scene = fitted(scene, [(body.centre, body.radius) for body in bodies])
+        scene = fitted(scene, balls)
         remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")
     camera = scene.view.placed()
-    turn = _turn(scene.settings.turn_degrees, [(body.centre, body.radius) for body in bodies])
+    turn = _turn(scene.settings.turn_degrees, balls)
     camera_from_world = Transform(
         Frame.CAMERA, Frame.WORLD, rational.product(camera.camera_from_world, turn)
     )

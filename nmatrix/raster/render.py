@@ -115,8 +115,8 @@ def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], fro
     )
     lighting = Lighting(
         body.body.material,
-        tuple(light_in_space(one, space, body, maps, plan.channels) for one in body.lights),
-        colour(ambient_light(plan.loaded), plan.channels),
+        tuple(_light_in_space(one, space, body, maps, plan.channels) for one in body.lights),
+        colour(_ambient_light(plan.loaded), plan.channels),
         space.point(plan.loaded.eye),
         space.measure,
         body.effects,
@@ -131,7 +131,7 @@ def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], fro
     return Surface(space, lighting, style, body.effects, front)
 
 
-def ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
+def _ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
     """Return the light that comes from everywhere: the ambient lights' sum, white if there is none.
 
     Materials say how much of it they send back.
@@ -148,7 +148,7 @@ def _rule(plan: Plan, body: BodyPlan) -> NormalRule:
     return wanted
 
 
-def light_in_space(
+def _light_in_space(
     placed: PlacedLight,
     space: ShadingSpace,
     body: BodyPlan,

@@ -19,7 +19,7 @@ from nmatrix.scene.scene import Settings
 from nmatrix.scene.world import World
 
 
-def studios() -> list[LoadedScene]:
+def loaded_scenes() -> list[LoadedScene]:
     found = [
         loaded(
             single(
@@ -39,7 +39,7 @@ def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
     if compiler is None:
         pytest.skip("glslangValidator is not installed (Debian: glslang-tools)")
     files = []
-    for i, ready in enumerate(studios()):
+    for i, ready in enumerate(loaded_scenes()):
         for plan in (planned(ready), everything(ready)):
             for j, body in enumerate(plan.bodies):
                 for name, text in zip(("vert", "frag"), shaders(plan, body), strict=True):

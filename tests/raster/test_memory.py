@@ -45,7 +45,7 @@ matrix = np.diag([0.9, 0.9, 0.5, 1.0])
 matrix[3, 1] = 0.2
 canvas = Canvas(size, size, per_side)
 projected = project(mesh, matrix, canvas, ClipSpace())
-reads = VertexOutputs(directions={{"normal": projected.per_vertex(mesh.normals.T)}})
+outputs = VertexOutputs(directions={{"normal": projected.per_vertex(mesh.normals.T)}})
 
 def lambert(found):
     x, y, z = found["normal"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 from dataclasses import replace
-from importlib import import_module
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from nmatrix.enums import NormalRule
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.proofs import rules
+from nmatrix.raster.proofs import angles
 from nmatrix.raster.proofs.angles import Scale, normals_by
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame, gif, turns
@@ -152,7 +151,7 @@ def test_effects_are_left_out_without_a_trace() -> None:
 
 def test_the_claims_would_fail_with_the_wrong_rule(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        rules, "normals_by", lambda ready, body, rule: normals_by(ready, body, NormalRule.NONE)
+        angles, "normals_by", lambda ready, body, rule: normals_by(ready, body, NormalRule.NONE)
     )
     assert proof("normals").max_angle_error_deg == 0
     assert proof("mirror").max_angle_error_deg == 0
@@ -226,5 +225,5 @@ def test_walking_around_turns_the_picture_and_comes_back() -> None:
 
 def test_every_proof_has_its_function() -> None:
     for one in PROOFS:
-        assert callable(getattr(import_module(f"nmatrix.raster.proofs.{one.module}"), one.function))
+        assert callable(one.load())
     assert catalogued("nothing") is None

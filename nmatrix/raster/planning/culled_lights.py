@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Space
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.shading.space import ShadingSpace, dot, length
+from nmatrix.raster.shading.space import column, dot, length, world_normals
 from nmatrix.raster.triangles.products import chunks
 from nmatrix.scene.words import LightKind, Sides
 
@@ -29,8 +28,8 @@ def why_dark(facts: Facts, placed: PlacedLight) -> str | None:
     if not any(placed.colour):
         return "is black"
     if placed.position is not None:
-        place = np.array([float(one) for one in placed.position])
-        gap = float(np.sqrt(((body.centre - place) ** 2).sum())) - body.radius
+        way = column(placed.position)[:, 0] - body.centre
+        gap = float(np.sqrt((way**2).sum())) - body.radius
         if gap > placed.light.range * (1 + 1e-9):
             return f"ends at {placed.light.range:g}, and the body begins at {gap:.4g}"
     is_dark = not facts.lights_backs and _is_behind(facts.loaded, body, placed)
@@ -51,15 +50,12 @@ def _is_behind(loaded: LoadedScene, body: Body, placed: PlacedLight) -> bool:
         one_sided = body.mesh.is_closed and body.material.opacity == 1.0
     if not one_sided or body.material.normal_map is not None:
         return False
-    normals = ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(
-        loaded.settings.normals
-    )
+    normals = world_normals(loaded, body, loaded.settings.normals)
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
-        travel = np.array([[float(one)] for one in placed.direction])
+        travel = column(placed.direction)
         return bool((dot(normals, travel) >= EDGE_ON * length(travel)).all())
-    place = np.array([[float(one)] for one in placed.position])
-    way = place - body.positions_world.T
+    way = column(placed.position) - body.positions_world.T
     margin = -EDGE_ON * float(length(way).max())
     return all(
         bool((dot(normals[:, corners[i]], way[:, corners[j]]) <= margin).all())
@@ -100,13 +96,12 @@ def _is_between(placed: PlacedLight, caster: Body, body: Body) -> bool:
     way = caster.centre - body.centre
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
-        travel = np.array([float(one) for one in placed.direction])
+        travel = column(placed.direction)[:, 0]
         travel /= np.sqrt(travel @ travel)
         ahead = -float(way @ travel)
         aside = float(np.sqrt(max(0.0, way @ way - ahead * ahead)))
         return ahead > -reach and aside < reach
-    place = np.array([float(one) for one in placed.position])
-    to_light = place - body.centre
+    to_light = column(placed.position)[:, 0] - body.centre
     size = float(to_light @ to_light)
     share = float(np.clip(way @ to_light / size, 0.0, 1.0)) if size else 0.0
     nearest = way - share * to_light

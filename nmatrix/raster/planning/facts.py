@@ -19,7 +19,7 @@ from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe
-from nmatrix.raster.shading.space import ShadingSpace, as_array, dot
+from nmatrix.raster.shading.space import ShadingSpace, as_array, column, dot, world_normals
 from nmatrix.raster.triangles.clip import inside
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.scene.material import Material
@@ -60,11 +60,6 @@ class Facts:
         """Classify the map from the body to its shading space."""
         seen = ShadingSpace(self.loaded, self.body, self.space, uses_metric=False)
         return classify(seen.exact_from_object)
-
-    @cached_property
-    def space_is_rigid(self) -> bool:
-        """Return True if lengths read off the space's coordinates are true, to rounding."""
-        return self.loaded.maps(self.body).is_rigid(self.space)
 
     @cached_property
     def clip_from_object(self) -> RationalMatrix:
@@ -110,8 +105,7 @@ class Facts:
     @cached_property
     def normal_cosine(self) -> float:
         """Return the smallest cosine between the world normals of one triangle's corners."""
-        space = ShadingSpace(self.loaded, self.body, Space.WORLD, uses_metric=False)
-        normals = space.normals(self.loaded.settings.normals)
+        normals = world_normals(self.loaded, self.body, self.loaded.settings.normals)
         found = inf
         for part in chunks(self.body.mesh.triangles.T):
             a, b, c = (normals[:, corner] for corner in part)
@@ -223,16 +217,11 @@ class Facts:
         """Return True if an effect may bring a hue of its own."""
         return self._any(lambda one: one.brings_colour)
 
-    @cached_property
-    def eye(self) -> Array:
-        """Return the eye in the world."""
-        return np.array([float(one) for one in self.loaded.eye])
-
-    @cached_property
+    @property
     def eye_is_outside(self) -> bool:
         """Return True if the eye is outside of the box around the body."""
-        low, high = self.body.box
-        return bool((self.eye < low).any() or (self.eye > high).any())
+        eye, (low, high) = column(self.loaded.eye)[:, 0], self.body.box
+        return bool((eye < low).any() or (eye > high).any())
 
 
 def product(a: float, b: float) -> float:

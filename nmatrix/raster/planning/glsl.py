@@ -31,15 +31,8 @@ class Shaders:
         self.per_vertex = self.settings.shading is not Shading.PHONG
         self.reads_position = Effect.POSITION in self.on
 
-    def vertex(self) -> str:
-        """Return the vertex shader."""
-        return _text(self._vertex())
-
-    def fragment(self) -> str:
-        """Return the fragment shader."""
-        return _text(self._fragment())
-
-    def _vertex(self) -> Iterator[str]:
+    def vertex(self) -> Iterator[str]:
+        """Yield the lines of the vertex shader."""
         yield from (*HEADER, f"// vertex shader, {self.settings.space} space")
         yield from ("in vec3 vertex_position;", "in vec3 vertex_normal;")
         yield from ("uniform mat4 clip_from_object;", "uniform mat3 normal_matrix;")
@@ -74,7 +67,8 @@ class Shaders:
             yield f"    fragment_{one} = {value};"
         yield "    gl_Position = clip_from_object * vec4(vertex_position, 1.0);"
 
-    def _fragment(self) -> Iterator[str]:
+    def fragment(self) -> Iterator[str]:
+        """Yield the lines of the fragment shader."""
         yield from (*HEADER, f"// fragment shader, {self.settings.space} space")
         for kind, name in self._varyings():
             yield f"in {kind} {name};"
@@ -135,7 +129,7 @@ class Shaders:
             yield from self.terms.uniforms(i, placed)
 
     def _varyings(self) -> Iterator[tuple[str, str]]:
-        """Return the types and names of the outputs of the vertex shader."""
+        """Yield the types and names of the outputs of the vertex shader."""
         if self.per_vertex:
             yield from (("vec3", f"vertex_{one}") for one in self._sums)
         else:
@@ -181,7 +175,7 @@ class Terms:
         return Effect.METRIC in self.on
 
     def light(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        """Return the lines that add the light of light i to the sums."""
+        """Yield the lines that add the light of light i to the sums."""
         yield f"        // {placed.light.kind} light"
         if placed.position is None:
             yield f"        vec3 l = to_light_{i};"
@@ -203,7 +197,7 @@ class Terms:
             yield f"                * (pow(highlight, shininess){times});"
 
     def _weaker(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        """Return the lines that take light away: distance, the cone, what stands in the way."""
+        """Yield the lines that take light away: distance, the cone, what stands in the way."""
         if Effect.ATTENUATION in self.on and placed.position is not None and placed.light.fades:
             yield f"        strength /= dot(attenuation_{i}, vec3(1.0, d, d * d));"
             yield f"        strength *= step(d, range_{i});"
@@ -228,7 +222,7 @@ class Terms:
         return f"2.0 * n_dot_l * dot(n, v) - dot({self._in_world('l')}, {self._in_world('v')})"
 
     def uniforms(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        """Return the uniforms of light i."""
+        """Yield the declarations of the uniforms of light i."""
         yield f"uniform vec3 light_color_{i};"
         yield f"uniform vec3 {'to_light' if placed.position is None else 'light_position'}_{i};"
         if placed.position is not None and placed.light.fades and Effect.ATTENUATION in self.on:
@@ -253,7 +247,8 @@ class Terms:
 def shaders(plan: Plan, body: BodyPlan) -> tuple[str, str]:
     """Return the vertex and the fragment shader of one body, as `#version 300 es` text."""
     found = Shaders(plan, body)
-    return found.vertex(), found.fragment()
+    vertex, fragment = ("\n".join(lines) + "\n" for lines in (found.vertex(), found.fragment()))
+    return vertex, fragment
 
 
 def number(value: float) -> str:
@@ -265,7 +260,3 @@ def number(value: float) -> str:
     '3.0'
     """
     return repr(float(value))
-
-
-def _text(lines: Iterator[str]) -> str:
-    return "\n".join(lines) + "\n"

@@ -50,7 +50,7 @@ def _is_power_of_two(facts: Facts) -> bool:
 
 def metric(facts: Facts) -> Decision:
     """Decide on the metric of a space that is not rigid."""
-    if facts.space_is_rigid:
+    if facts.loaded.maps(facts.body).is_rigid(facts.space):
         return by_bound(0.0, f"{facts.space} space is rigid")
     return called_for(f"{facts.space} space stretches lengths")
 

@@ -22,12 +22,11 @@ from nmatrix.raster.proofs.proof import (
     DrawnScene,
     Proof,
     ProofSettings,
-    as_levels,
     drawn_scene,
     level_difference,
-    redrawn,
 )
 from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.space import length, quotient
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.geometry import Geometry, LoadedGeometry
 from nmatrix.scene.world import World
@@ -57,35 +56,33 @@ def accuracy(settings: ProofSettings) -> Proof:
     true = normals_by(exact.loaded, body, NormalRule.EXACT)
     panels: list[Panel] = []
     numbers: dict[str, float | None] = {}
-    images = []
+    drawn = []
     for precision in PRECISIONS:
         name = np.dtype(precision).name
         started = settings.clock()
         found = _normals_in(precision, exact)
         numbers[f"milliseconds_{name}"] = (settings.clock() - started) * 1000
-        images.append(as_levels(redrawn(exact, partial(_with_normals, normals=found))))
+        drawn.append(exact.redrawn(partial(_with_normals, normals=found)))
         worst = angle_map(exact.loaded, found, true).worst_deg
         numbers[f"worst_deg_{name}"] = worst
         told = "no normal is left" if worst is None else f"worst {worst:.3g}°"
         panels.append(
-            Panel(images[-1], name, f"{told}; {COFACTOR_MULTIPLICATIONS} multiplications")
+            Panel(drawn[-1].levels, name, f"{told}; {COFACTOR_MULTIPLICATIONS} multiplications")
         )
     bits = max(abs(entry).bit_length() for row in body.linear_map.entries for entry in row)
     panels.append(
         Panel(exact.levels, "exact", f"{COFACTOR_MULTIPLICATIONS} of {bits}-bit whole numbers")
     )
     kappa = body.kind.condition_text
-    return Proof(
-        compose(f"One map, κ = {kappa}, in four precisions", panels, columns=4),
+    return Proof.of(
         settings.subject,
+        compose(f"One map, κ = {kappa}, in four precisions", panels, columns=4),
         f"At κ = {kappa} the cofactors are up to {numbers['worst_deg_float32'] or 0:.2g}° off in "
         f"float32, {numbers['worst_deg_float64'] or 0:.2g}° in float64.",
-        exact.rendered.work,
-        exact.effects,
-        numbers,
+        [exact],
+        numbers=numbers,
         max_angle_error_deg=numbers["worst_deg_float32"],
-        max_level_difference=max(level_difference(one, exact.levels) for one in images),
-        remarks=exact.loaded.remarks,
+        max_level_difference=max(level_difference(one, exact) for one in drawn),
     )
 
 
@@ -114,13 +111,12 @@ def _normals_in(precision: type, exact: DrawnScene) -> Array:
         moved = (C @ body.mesh.normals.T.astype(precision)).astype(np.float64)
         sign = np.sign(np.float64((A[0] * C[0]).sum())) or 1.0
         moved *= sign / (np.abs(moved).max() or 1.0)
-        long = np.sqrt((moved * moved).sum(axis=0))
-        unit = np.divide(moved, long, out=np.zeros_like(moved), where=long > 0)
-    return unit if np.isfinite(unit).all() else np.zeros_like(unit)
+        found = quotient(moved, length(moved))
+    return found if np.isfinite(found).all() else np.zeros_like(found)
 
 
 def _with_normals(surface: Surface, normals: Array) -> Surface:
     """Return the surface with other vertex normals."""
     changed = replace(surface)
-    changed.__dict__["vertex_normals"] = normals
+    changed.__dict__["vertex_normals"] = normals  # as if the property had computed them
     return changed

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import NormalRule, Space
+from nmatrix.enums import NormalRule
 from nmatrix.raster.image import Legend
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
-from nmatrix.raster.shading.space import ShadingSpace, as_array
+from nmatrix.raster.shading.space import as_array, column, quotient, world_normals
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing
 from nmatrix.raster.triangles.vertices import front_sign, project
@@ -22,6 +22,7 @@ Array = NDArray[Any]
 STOPS = ((13, 8, 80), (78, 35, 140), (158, 50, 128), (214, 92, 82), (248, 160, 48), (250, 240, 110))
 STEPS = 256
 ROUNDING_DEG = 1e-6  # far above the rounding of this rasterizer, far below what can be seen
+INVISIBLE_DEG = 1e-4  # far below what a picture can show
 UNDEFINED = 0.5
 CANCELLED = 1e-12  # an interpolated normal this short is rounding, not a direction
 
@@ -38,6 +39,17 @@ class AngleMap:
     covered: Array
     worst_deg: float | None
     mean_deg: float | None
+
+    @property
+    def errors(self) -> dict[str, float | None]:
+        """Return the statistics under the names of a proof's fields."""
+        return {"max_angle_error_deg": self.worst_deg, "mean_angle_error_deg": self.mean_deg}
+
+
+def rule_error(loaded: LoadedScene, rule: NormalRule) -> AngleMap:
+    """Measure the angle between the normals of a rule and the right ones, on the only body."""
+    (body,) = loaded.bodies
+    return angle_map(loaded, *(normals_by(loaded, body, one) for one in (rule, NormalRule.EXACT)))
 
 
 def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
@@ -68,7 +80,7 @@ def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
     total, compared, covered = np.moveaxis(drawing.picture().image, 2, 0)
     angles = np.concatenate([np.zeros(0), *of_samples])
     return AngleMap(
-        np.divide(total, compared, out=np.zeros_like(total), where=compared > 0),
+        quotient(total, compared),
         compared,
         covered,
         float(angles.max()) if len(angles) else None,
@@ -78,11 +90,10 @@ def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
 
 def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
     """Return a body's normals (3, V) in the world by a rule, turned to the eye if it is flat."""
-    normals = ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
+    normals = world_normals(loaded, body, rule)
     if body.linear_map.rank == 3 or rule is not NormalRule.EXACT:
         return normals
-    eye = np.array([[float(one)] for one in loaded.eye])
-    return turned_towards(normals, eye - body.positions_world.T)
+    return turned_towards(normals, column(loaded.eye) - body.positions_world.T)
 
 
 @dataclass(frozen=True)

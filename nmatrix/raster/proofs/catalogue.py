@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from nmatrix.raster.proofs.proof import Proof, ProofSettings
 
 
 @dataclass(frozen=True)
 class ProofEntry:
-    """One proof: its name, the module and function that draw it, and what it shows."""
+    """One proof: its name, the module of the function that draws it, and what it shows."""
 
     name: str
     module: str
     shows: str
 
-    @property
-    def function(self) -> str:
-        """Return the name of the function in the module."""
-        return self.name.replace("-", "_")
+    def load(self) -> Callable[[ProofSettings], Proof]:
+        """Import the function that draws it."""
+        module = import_module(f"nmatrix.raster.proofs.{self.module}")
+        found: Callable[[ProofSettings], Proof] = getattr(module, self.name.replace("-", "_"))
+        return found
 
 
 PROOFS: tuple[ProofEntry, ...] = (
@@ -62,7 +69,7 @@ def catalogued(name: str) -> ProofEntry | None:
 
     Examples
     --------
-    >>> catalogued("object-rule").function
-    'object_rule'
+    >>> catalogued("object-rule").module
+    'lights'
     """
     return next((one for one in PROOFS if one.name == name), None)

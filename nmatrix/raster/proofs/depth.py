@@ -8,7 +8,7 @@ import numpy as np
 
 from nmatrix.enums import DepthRange
 from nmatrix.raster.image import Panel, compose
-from nmatrix.raster.proofs.proof import DrawnScene, Proof, ProofSettings, drawn_scene, together
+from nmatrix.raster.proofs.proof import DrawnScene, Proof, ProofSettings, drawn_scene
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lens import Lens
@@ -48,14 +48,13 @@ def depth(settings: ProofSettings) -> Proof:
         for (order, buffer), one in drawn.items()
     ]
     standard, reverse = (wrong[order, DepthBuffer.FLOAT32] for order in RANGES)
-    return Proof(
-        compose(f"Two floors {GAP} apart, seen from {HEIGHT:g} above, near {NEAR}", panels),
+    return Proof.of(
         settings.subject,
+        compose(f"Two floors {GAP} apart, seen from {HEIGHT:g} above, near {NEAR}", panels),
         f"In float32 {standard:.1%} of the floor is wrong with standard depth, {reverse:.1%} with "
         "reversed depth: its steps are finest where perspective needs them.",
-        together(*(one.rendered.work for one in drawn.values())),
-        alone.effects,
-        {
+        list(drawn.values()),
+        numbers={
             f"wrong_{buffer.name.lower()}_{RANGES[order]}": share
             for (order, buffer), share in wrong.items()
         },

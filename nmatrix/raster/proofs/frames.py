@@ -1,12 +1,11 @@
-"""Frames: one picture after another while the camera walks around."""
+"""Picture frames: one picture after another while the camera walks around."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -32,10 +31,10 @@ class PictureFrame:
     scene: Scene | None = None
 
     def turned(self, degrees: float) -> PictureFrame:
-        """Return the frame with the camera some way around."""
+        """Return the picture frame with the camera some way around."""
         if self.settings is not None:
-            picture = replace(self.settings.picture, turn_degrees=degrees)
-            return replace(self, settings=replace(self.settings, picture=picture))
+            turned = replace(self.settings.picture, turn_degrees=degrees)
+            return replace(self, settings=replace(self.settings, picture=turned))
         assert self.scene is not None  # what has no settings of a proof has a scene
         settings = replace(self.scene.settings, turn_degrees=degrees)
         return replace(self, scene=replace(self.scene, settings=settings))
@@ -46,10 +45,7 @@ class PictureFrame:
             return picture(self.scene, self.name)
         found = catalogued(self.name)
         assert found is not None and self.settings is not None  # a proof has settings
-        proof: Callable[[ProofSettings], Proof] = getattr(
-            import_module(f"nmatrix.raster.proofs.{found.module}"), found.function
-        )
-        return proof(self.settings)
+        return found.load()(self.settings)
 
 
 def turns(frames: int) -> list[float]:
@@ -64,7 +60,7 @@ def turns(frames: int) -> list[float]:
 
 
 def drawn(frames: Sequence[PictureFrame], executor: Executor | None) -> Iterator[Proof]:
-    """Draw frames in their order, here or wherever an executor runs them."""
+    """Draw picture frames in their order, here or wherever an executor runs them."""
     if executor is None:
         yield from map(PictureFrame.draw, frames)
         return

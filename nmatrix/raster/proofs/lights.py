@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalRule, Space
-from nmatrix.linear.rational import linear_part, to_floats
+from nmatrix.linear.rational import linear_part
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.proof import (
     TORUS,
     DrawnScene,
     Proof,
     ProofSettings,
-    as_levels,
     drawn_scene,
     level_difference,
-    redrawn,
-    together,
 )
-from nmatrix.raster.proofs.rules import by_rule
 from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading.lighting import ShadingLight
-from nmatrix.raster.shading.space import Measure
+from nmatrix.raster.shading.space import Measure, as_array, column, length, quotient
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.camera import View
 from nmatrix.scene.light import EYE, SceneLight
@@ -47,88 +44,82 @@ def object_rule(settings: ProofSettings) -> Proof:
     lit = replace(settings, lights=(FROM_ABOVE,))
     scene = lit.scene(settings.placed(SQUEEZED), space=Space.OBJECT)
     exact = drawn_scene(scene)
-    naive = drawn_scene(
-        by_rule(
-            replace(scene, settings=replace(scene.settings, space=Space.WORLD)), NormalRule.NONE
-        )
+    naive = drawn_scene(scene, space=Space.WORLD, normals=NormalRule.NONE)
+    transposed, inverted = _by_wrong_lights(exact)
+    dark, dark_naive, dark_transposed, dark_inverted = (
+        _unlit(one) for one in (exact, naive, transposed, inverted)
     )
-    transposed, inverted = (_with_light(exact, rule) for rule in ("transposed", "inverted"))
-    dark = [
-        _unlit(exact, one)
-        for one in (exact.rendered.image, transposed, inverted, naive.rendered.image)
-    ]
     parted = {
-        "terminator_transposed_pixels": int((dark[1] != dark[0]).sum()),
-        "terminator_inverted_pixels": int((dark[2] != dark[0]).sum()),
-        "terminator_transposed_against_naive_pixels": int((dark[1] != dark[3]).sum()),
+        "terminator_transposed_pixels": int((dark_transposed != dark).sum()),
+        "terminator_inverted_pixels": int((dark_inverted != dark).sum()),
+        "terminator_transposed_against_naive_pixels": int((dark_transposed != dark_naive).sum()),
     }
-    shades = [as_levels(one) for one in (transposed, inverted)]
-    off = [level_difference(one, exact.levels) for one in shades]
+    off = [level_difference(one, exact) for one in (transposed, inverted)]
     panels = (
-        Panel(shades[0], "Mᵀ l", f"the terminator of A n; up to {off[0]} levels off"),
-        Panel(shades[1], "M⁻¹ l", f"the right terminator; up to {off[1]} levels off"),
+        Panel(transposed.levels, "Mᵀ l", f"the terminator of A n; up to {off[0]} levels off"),
+        Panel(inverted.levels, "M⁻¹ l", f"the right terminator; up to {off[1]} levels off"),
         Panel(exact.levels, "Exact: M⁻¹ l and the metric", "what world space shows"),
     )
-    return Proof(
-        compose("A light direction in object space is a vector, measured by the metric", panels),
+    return Proof.of(
         settings.subject,
+        compose("A light direction in object space is a vector, measured by the metric", panels),
         f"Mᵀl is up to {off[0]} levels off and moves the terminator; M⁻¹l keeps it, and is up to "
         f"{off[1]} levels off in shade.",
-        exact.rendered.work,
-        exact.effects,
-        {**parted, "levels_transposed": off[0], "levels_inverted": off[1]},
+        [exact],
+        numbers={**parted, "levels_transposed": off[0], "levels_inverted": off[1]},
         max_level_difference=max(off),
-        remarks=exact.loaded.remarks,
     )
 
 
-def light_by_rule(to_light_world: Array, M: Array, rule: str) -> Array:
-    """Return the unit vector to the light that a rule gives in object space, as (3, 1).
+def wrong_lights(to_light_world: Array, M: Array) -> tuple[Array, Array]:
+    """Return the unit vectors (3, 1) to the light in object space by Mᵀl and by M⁻¹l.
 
     Examples
     --------
     >>> M = np.diag([1, 0.25, 1])
     >>> l = np.array([[0.3], [0.9], [0.2]])
     >>> n = np.array([1, 1, 0]) / np.sqrt(2)
-    >>> [round(float((n @ light_by_rule(l, M, rule))[0]), 4) for rule in ("transposed", "inverted")]
+    >>> [round(float((n @ light)[0]), 4) for light in wrong_lights(l, M)]
     [0.8735, 0.7622]
     """
-    moved = M.T @ to_light_world if rule == "transposed" else np.linalg.solve(M, to_light_world)
-    return np.asarray(moved / np.sqrt((moved * moved).sum()))
+    transposed, inverted = M.T @ to_light_world, np.linalg.solve(M, to_light_world)
+    return quotient(transposed, length(transposed)), quotient(inverted, length(inverted))
 
 
-def _with_light(exact: DrawnScene, rule: str) -> Array:
-    """Draw the body in object space, by a light that a rule moved, without the metric."""
+def _by_wrong_lights(exact: DrawnScene) -> list[DrawnScene]:
+    """Draw the body in object space by each of the wrong lights, without the metric."""
     (plan,) = exact.plan.bodies
     (light,) = plan.lights
     assert light.direction is not None  # the proof's own light
-    travel = np.array([[float(one)] for one in light.direction])
-    M = np.array(to_floats(linear_part(plan.body.world_from_object.exact)))
-    moved = ShadingLight(np.array([[1.0]]), to_light=light_by_rule(-travel, M, rule))
+    M = as_array(linear_part(plan.body.world_from_object.exact))
 
-    def without_metric(surface: Surface) -> Surface:
-        lighting = replace(surface.lighting, lights=(moved,), measure=Measure())
+    def under(to_light: Array, surface: Surface) -> Surface:
+        light = ShadingLight(np.array([[1.0]]), to_light=to_light)
+        lighting = replace(surface.lighting, lights=(light,), measure=Measure())
         return replace(surface, space=replace(surface.space, uses_metric=False), lighting=lighting)
 
-    return redrawn(exact, without_metric)
+    return [
+        exact.redrawn(partial(under, to_light))
+        for to_light in wrong_lights(-column(light.direction), M)
+    ]
 
 
-def _unlit(exact: DrawnScene, image: Array) -> Array:
+def _unlit(drawn: DrawnScene) -> Array:
     """Return the pixels that get ambient light alone."""
-    ambient = exact.loaded.bodies[0].material.ambient[0]
-    return np.asarray(np.abs(image[:, :, 0] - ambient) < 1e-12)
+    ambient = drawn.loaded.bodies[0].material.ambient[0]
+    return np.asarray(np.abs(drawn.rendered.image[:, :, 0] - ambient) < 1e-12)
 
 
 def stuck_light(settings: ProofSettings) -> Proof:
     """Turn a torus under a light in model space, and under one in eye space."""
     (light,) = settings.lights[:1]
-    stuck = replace(light, fixed_to=settings.subject)
+    stuck = replace(settings, lights=(replace(light, fixed_to=settings.subject),))
     geometry = settings.geometry(TORUS)
     before = drawn_scene(settings.scene(UPRIGHT, geometry))
     turned = settings.placed(FLIPPED)
-    sticks = drawn_scene(replace(settings, lights=(stuck,)).scene(turned, geometry))
+    sticks = drawn_scene(stuck.scene(turned, geometry))
     stays = drawn_scene(settings.scene(turned, geometry))
-    carried = _shade(drawn_scene(replace(settings, lights=(stuck,)).scene(UPRIGHT, geometry)))
+    carried = _shade(drawn_scene(stuck.scene(UPRIGHT, geometry)))
     sticking = float(np.abs(carried - _shade(sticks)).max())
     staying = float(np.abs(_shade(before) - _shade(stays)).max())
     panels = (
@@ -136,16 +127,14 @@ def stuck_light(settings: ProofSettings) -> Proof:
         Panel(sticks.levels, "Turned, light in model space", "the shade turns with it: it sticks"),
         Panel(stays.levels, "Turned, light in eye space", "the shade stays with the light"),
     )
-    return Proof(
-        compose("A light that turns with the object was never moved to its space", panels),
+    return Proof.of(
         settings.subject,
+        compose("A light that turns with the object was never moved to its space", panels),
         f"In model space each vertex keeps its shade (it changes by {sticking:.0e}); in eye space "
         f"it changes by up to {staying * 255:.0f} levels.",
-        together(before.rendered.work, sticks.rendered.work, stays.rendered.work),
-        stays.effects,
-        {"vertex_change_model_space": sticking, "vertex_change_eye_space": staying},
-        max_level_difference=level_difference(sticks.levels, stays.levels),
-        remarks=stays.loaded.remarks,
+        [before, sticks, stays],
+        numbers={"vertex_change_model_space": sticking, "vertex_change_eye_space": staying},
+        max_level_difference=level_difference(sticks, stays),
     )
 
 
@@ -174,16 +163,14 @@ def flashlight(settings: ProofSettings) -> Proof:
         Panel(drawn[3].levels, "Fixed to the eye", "a third of the way around: lit again"),
     ]
     changed = [abs(middle[0] - middle[1]), abs(middle[2] - middle[3])]
-    return Proof(
-        compose("A flashlight is a light whose place is given in camera space", panels, columns=4),
+    return Proof.of(
         settings.subject,
+        compose("A flashlight is a light whose place is given in camera space", panels, columns=4),
         f"Walking around, the middle changes by {changed[0]} levels under the light in the world, "
         f"by {changed[1]} under the flashlight.",
-        together(*(one.rendered.work for one in drawn)),
-        drawn[-1].effects,
-        {"middle_change_world": changed[0], "middle_change_eye": changed[1]},
+        drawn,
+        numbers={"middle_change_world": changed[0], "middle_change_eye": changed[1]},
         max_level_difference=max(changed),
-        remarks=drawn[0].loaded.remarks,
     )
 
 

@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from typing import Any
 
 from nmatrix.enums import NormalRule
-from nmatrix.raster.proofs.angles import angle_map, normals_by
-from nmatrix.raster.proofs.proof import (
-    DrawnScene,
-    Proof,
-    drawn_scene,
-    effect_names,
-    level_difference,
-)
+from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error
+from nmatrix.raster.proofs.proof import DrawnScene, Proof, drawn_scene, level_difference
 from nmatrix.scene.scene import Scene
-
-INVISIBLE = 1e-4  # degrees: far below what a picture can show
 
 
 def picture(scene: Scene, subject: str) -> Proof:
@@ -25,34 +17,16 @@ def picture(scene: Scene, subject: str) -> Proof:
     rule is worth here.
     """
     drawn = drawn_scene(scene)
-    image = drawn.levels
-    difference = 0
     rule = scene.settings.normals
+    measured: dict[str, Any] = {}
     if rule is not NormalRule.EXACT:
-        right = replace(scene, settings=replace(scene.settings, normals=NormalRule.EXACT))
-        difference = level_difference(image, drawn_scene(right).levels)
-    worst, mean = _angles(drawn, NormalRule.NONE if rule is NormalRule.EXACT else rule)
-    return Proof(
-        image,
-        subject,
-        _verdict(drawn, worst, rule),
-        drawn.rendered.work,
-        effect_names(drawn.plan),
-        max_angle_error_deg=worst,
-        mean_angle_error_deg=mean,
-        max_level_difference=difference,
-        remarks=drawn.loaded.remarks,
-    )
-
-
-def _angles(drawn: DrawnScene, rule: NormalRule) -> tuple[float | None, float | None]:
-    """Return the worst and the mean angle between a rule and the right one, for one object."""
-    if len(drawn.loaded.bodies) != 1:
-        return None, None
-    (body,) = drawn.loaded.bodies
-    by_both = (normals_by(drawn.loaded, body, one) for one in (rule, NormalRule.EXACT))
-    found = angle_map(drawn.loaded, *by_both)
-    return found.worst_deg, found.mean_deg
+        right = drawn_scene(scene, normals=NormalRule.EXACT)
+        measured["max_level_difference"] = level_difference(drawn, right)
+    if len(drawn.loaded.bodies) == 1:
+        wrong = NormalRule.NONE if rule is NormalRule.EXACT else rule
+        measured |= rule_error(drawn.loaded, wrong).errors
+    verdict = _verdict(drawn, measured.get("max_angle_error_deg"), rule)
+    return Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
 
 
 def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
@@ -60,7 +34,7 @@ def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
         return "Nothing covers a sample: move the camera or make the picture larger."
     if worst is None:
         return f"{len(drawn.loaded.bodies)} objects, drawn."
-    if worst < INVISIBLE:
+    if worst < INVISIBLE_DEG:
         return "Drawn; here A itself carries the normals just as well."
     if rule is NormalRule.EXACT:
         return f"Drawn rightly; with A itself the normals would be up to {worst:.3g}° off."

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -93,6 +94,21 @@ class Proof:
     max_level_difference: int = 0
     remarks: tuple[str, ...] = ()
 
+    @classmethod
+    def of(
+        cls,
+        subject: str,
+        image: Array,
+        verdict: str,
+        drawn: Sequence[DrawnScene],
+        **measured: Any,  # noqa: ANN401  # the other fields
+    ) -> Proof:
+        """Return the proof that scenes make: the work of all, effects and remarks of the last."""
+        works = (asdict(one.rendered.work).values() for one in drawn)
+        work, last = Work(*map(sum, zip(*works, strict=True))), drawn[-1]
+        remarks = last.loaded.remarks
+        return cls(image, subject, verdict, work, last.effects, remarks=remarks, **measured)
+
     def png(self) -> bytes:
         """Return the picture as PNG, its numbers in text chunks; never a time."""
         texts = {
@@ -109,51 +125,42 @@ class Proof:
 
 @dataclass(frozen=True, eq=False)
 class DrawnScene:
-    """A scene that was drawn: its loaded scene, its plan, its levels."""
+    """A scene that was drawn: its plan, and the picture."""
 
-    loaded: LoadedScene
     plan: Plan
     rendered: Rendered
 
     @property
+    def loaded(self) -> LoadedScene:
+        """Return the loaded scene."""
+        return self.plan.loaded
+
+    @cached_property
     def levels(self) -> Array:
         """Return the 8-bit image (height, width, 3)."""
         return levels(self.rendered.rgb)
 
     @property
     def effects(self) -> tuple[str, ...]:
-        """Return the effects that were on, in the order of the table."""
-        return effect_names(self.plan)
+        """Return the names of the effects that were on, in the order of the table."""
+        return tuple(one.value for one in Effect if one in self.plan.effects)
+
+    def redrawn(self, change: Change) -> DrawnScene:
+        """Draw the scene again with its surfaces changed."""
+        return DrawnScene(self.plan, render(self.plan, change=change))
 
 
-def effect_names(plan: Plan) -> tuple[str, ...]:
-    """Return the names of the effects that are on, in the order of the table."""
-    return tuple(one.value for one in Effect if one in plan.effects)
+def drawn_scene(scene: Scene, **settings: Any) -> DrawnScene:  # noqa: ANN401  # fields of Settings
+    """Draw a scene by its plan; `settings` replace those of the scene."""
+    changed = replace(scene, settings=replace(scene.settings, **settings))
+    return drawn_plan(plan_for(loaded(changed)))
 
 
-def drawn_scene(scene: Scene) -> DrawnScene:
-    """Draw a scene by its plan."""
-    ready = loaded(scene)
-    plan = plan_for(ready)
-    return DrawnScene(ready, plan, render(plan))
+def drawn_plan(plan: Plan) -> DrawnScene:
+    """Draw the scene of a plan."""
+    return DrawnScene(plan, render(plan))
 
 
-def redrawn(scene: DrawnScene, change: Change) -> Array:
-    """Draw a scene again with its surfaces changed: the image (height, width, channels)."""
-    return render(scene.plan, change=change).image
-
-
-def as_levels(image: Array) -> Array:
-    """Return an image of one or three channels as 8-bit levels of three."""
-    return levels(np.broadcast_to(image, (*image.shape[:2], 3)))
-
-
-def together(*works: Work) -> Work:
-    """Return the work of several pictures."""
-    totals = (sum(column) for column in zip(*(asdict(one).values() for one in works), strict=True))
-    return Work(*totals)
-
-
-def level_difference(a: Array, b: Array) -> int:
-    """Return the largest difference of two 8-bit images."""
-    return int(np.abs(a.astype(int) - b).max())
+def level_difference(a: DrawnScene, b: DrawnScene) -> int:
+    """Return the largest difference of two pictures, in 8-bit levels."""
+    return int(np.abs(a.levels.astype(int) - b.levels).max())

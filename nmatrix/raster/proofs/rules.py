@@ -12,12 +12,13 @@ from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear.classify import Classification
 from nmatrix.raster.image import Panel, compose, levels
 from nmatrix.raster.proofs.angles import (
+    INVISIBLE_DEG,
     ROUNDING_DEG,
     UNDEFINED,
     AngleMap,
     Scale,
-    angle_map,
     normals_by,
+    rule_error,
 )
 from nmatrix.raster.proofs.proof import (
     TORUS,
@@ -26,8 +27,8 @@ from nmatrix.raster.proofs.proof import (
     ProofSettings,
     drawn_scene,
     level_difference,
-    together,
 )
+from nmatrix.raster.shading.space import length
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.world import World
@@ -36,7 +37,6 @@ Array = NDArray[Any]
 
 TALL = World(scale=(1, 2, 1))
 TURNED = World(rotate_degrees=(20, 30, 40))
-INVISIBLE = 1e-4  # degrees: far below what a picture can show
 
 # What the right rule is called, by the rank of A.
 RIGHT_RULE = {
@@ -48,18 +48,23 @@ NO_RULE = ("Right: none", "no plane is left to be normal to")
 
 def normals(settings: ProofSettings) -> Proof:
     """Draw a mesh with wrong and with right normals, and the angle between them."""
-    scene = settings.scene(settings.placed(TALL))
-    wrong, right = _both(scene)
-    found = _measured(right, NormalRule.NONE)
+    wrong, right = _both(settings.scene(settings.placed(TALL)))
+    found = rule_error(right.loaded, NormalRule.NONE)
     scale = Scale.reaching(found.worst_deg)
     kind = right.loaded.bodies[0].kind
     panels = (
         Panel(wrong.levels, "Wrong: A n", "the matrix itself carries the normals"),
         Panel(right.levels, *RIGHT_RULE.get(kind.rank, NO_RULE)),
-        Panel(heat(found, scale, right), "Angle between them", _angle_caption(found)),
+        Panel(_heat(found, scale, right), "Angle between them", _angle_caption(found)),
     )
-    image = compose(_title(settings.subject, kind), panels, scale.legend)
-    return _proof(settings, image, _verdict(found), (wrong, right), found)
+    return Proof.of(
+        settings.subject,
+        compose(_title(settings.subject, kind), panels, scale.legend),
+        _verdict(found),
+        [wrong, right],
+        max_level_difference=level_difference(wrong, right),
+        **found.errors,
+    )
 
 
 def bias(settings: ProofSettings) -> Proof:
@@ -68,24 +73,21 @@ def bias(settings: ProofSettings) -> Proof:
     turned = _both(settings.scene(TURNED, shape))
     stretched = settings.placed(replace(TALL, rotate_degrees=TURNED.rotate_degrees))
     scaled = _both(settings.scene(stretched, shape))
-    hidden, seen = (level_difference(a.levels, b.levels) for a, b in (turned, scaled))
-    found = _measured(scaled[1], NormalRule.NONE)
+    hidden, seen = (level_difference(a, b) for a, b in (turned, scaled))
     panels = (
         Panel(turned[0].levels, "Rotation: A n", "looks right, and is"),
         Panel(turned[1].levels, "Rotation: A⁻ᵀ n", f"differs by {hidden} levels: A⁻ᵀ = A"),
         Panel(scaled[0].levels, "Scale: A n", "the same code, and wrong"),
         Panel(scaled[1].levels, "Scale: A⁻ᵀ n", f"differs by {seen} levels"),
     )
-    return replace(
-        _proof(
-            settings,
-            compose("A test on rotations cannot tell a wrong normal matrix", panels, columns=4),
-            f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a scale.",
-            (*turned, *scaled),
-            found,
-        ),
+    return Proof.of(
+        settings.subject,
+        compose("A test on rotations cannot tell a wrong normal matrix", panels, columns=4),
+        f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a scale.",
+        [*turned, *scaled],
         numbers={"rotation_level_difference": hidden, "scale_level_difference": seen},
         max_level_difference=seen,
+        **rule_error(scaled[1].loaded, NormalRule.NONE).errors,
     )
 
 
@@ -93,49 +95,49 @@ def mirror(settings: ProofSettings) -> Proof:
     """Draw a mirrored object by cofactors without their sign, rightly, and with wrong winding."""
     scene = settings.scene(settings.placed(World(scale=(-1, 1.4, 1), rotate_degrees=(0, 30, 0))))
     right = drawn_scene(scene)
-    unsigned = drawn_scene(by_rule(scene, NormalRule.COFACTOR))
+    unsigned = drawn_scene(scene, normals=NormalRule.COFACTOR)
     inside_out = drawn_scene(_other_winding(scene))
-    found = _measured(right, NormalRule.COFACTOR)
-    difference = level_difference(inside_out.levels, right.levels)
+    found = rule_error(right.loaded, NormalRule.COFACTOR)
     panels = (
         Panel(unsigned.levels, "Cofactors, sign dropped", _angle_caption(found)),
         Panel(right.levels, "sign(det) · C = A⁻ᵀ · |det|", "normals point outwards"),
         Panel(inside_out.levels, "Winding not flipped", "faces are culled from the wrong side"),
     )
-    proof = _proof(
-        settings,
+    return Proof.of(
+        settings.subject,
         compose("A mirror flips the sign of the cofactors, and the winding", panels),
         f"Without the sign of det A the normals are {found.worst_deg or 0:.0f}° off.",
-        (unsigned, right, inside_out),
-        found,
+        [unsigned, right, inside_out],
+        numbers={"winding_level_difference": level_difference(inside_out, right)},
+        max_level_difference=level_difference(unsigned, right),
+        **found.errors,
     )
-    return replace(proof, numbers={"winding_level_difference": difference})
 
 
 def translation(settings: ProofSettings) -> Proof:
     """Draw normals that a translation moved, and normals measured over four components."""
     scene = settings.scene(settings.placed(World(translate=(5, 0, 0))))
     right = drawn_scene(scene)
-    moved = drawn_scene(by_rule(scene, NormalRule.TRANSLATED))
-    per_vertex = replace(scene, settings=replace(scene.settings, shading=Shading.GOURAUD))
-    short = drawn_scene(by_rule(per_vertex, NormalRule.FOUR_COMPONENT))
-    found = _measured(right, NormalRule.TRANSLATED)
-    shrunk = normals_by(right.loaded, right.loaded.bodies[0], NormalRule.FOUR_COMPONENT)
-    shortest = float(np.sqrt((shrunk * shrunk).sum(axis=0)).min())
+    moved = drawn_scene(scene, normals=NormalRule.TRANSLATED)
+    short = drawn_scene(scene, normals=NormalRule.FOUR_COMPONENT, shading=Shading.GOURAUD)
+    found = rule_error(right.loaded, NormalRule.TRANSLATED)
+    (body,) = right.loaded.bodies
+    shortest = float(length(normals_by(right.loaded, body, NormalRule.FOUR_COMPONENT)).min())
     panels = (
         Panel(moved.levels, "w = 1 with M", _angle_caption(found)),
         Panel(short.levels, "A⁻ᵀ in 4×4, 4-component normalise", f"lengths fall to {shortest:.3f}"),
         Panel(right.levels, "Right: w = 0, three components", "a normal knows no place"),
     )
-    proof = _proof(
-        settings,
+    return Proof.of(
+        settings.subject,
         compose("A normal is no point: a translation must not reach it", panels),
         f"With w = 1 the normals are up to {found.worst_deg or 0:.2f}° off; normalised over four "
         f"components the shortest has length {shortest:.3f}.",
-        (moved, short, right),
-        found,
+        [moved, short, right],
+        numbers={"shortest_normal": shortest},
+        max_level_difference=level_difference(moved, short),
+        **found.errors,
     )
-    return replace(proof, numbers={"shortest_normal": shortest})
 
 
 def flatten(settings: ProofSettings) -> Proof:
@@ -144,37 +146,27 @@ def flatten(settings: ProofSettings) -> Proof:
         settings.placed(World(scale=(1, 0, 1), rotate_degrees=(25, 0, 0), order="XYZ"))
     )
     right = drawn_scene(scene)
-    without = drawn_scene(by_rule(scene, NormalRule.INVERSE))
-    found = _measured(right, NormalRule.INVERSE)
-    covered = angle_map(
-        right.loaded, *(normals_by(right.loaded, right.loaded.bodies[0], NormalRule.EXACT),) * 2
-    )
-    missing = np.repeat((covered.covered * UNDEFINED)[:, :, None], 3, axis=2)
-    missing += _paper(right, covered)
+    without = drawn_scene(scene, normals=NormalRule.INVERSE)
+    found = rule_error(right.loaded, NormalRule.INVERSE)
+    missing = found.covered[:, :, None] * UNDEFINED + _paper(right, found)
+    lost = level_difference(without, right)
     panels = (
         Panel(levels(missing), "inv(A): no answer", "det A = 0: it raises, nothing is drawn"),
         Panel(without.levels, "A zero matrix instead", "normals of length 0: ambient light alone"),
         Panel(right.levels, "C n, two-sided", "the plane's own normal, and its shade"),
     )
-    lost = level_difference(without.levels, right.levels)
-    proof = _proof(
-        settings,
+    return Proof.of(
+        settings.subject,
         compose("Flattened: the inverse is gone, the normal of the plane is not", panels),
         f"The cofactors still know the plane's normal; without it {lost} levels of light are lost.",
-        (without, right),
-        found,
+        [without, right],
+        numbers={"rank": right.loaded.bodies[0].kind.rank},
+        max_level_difference=lost,
+        **found.errors,
     )
-    return replace(
-        proof, max_level_difference=lost, numbers={"rank": right.loaded.bodies[0].kind.rank}
-    )
 
 
-def by_rule(scene: Scene, rule: NormalRule) -> Scene:
-    """Return the scene with normals carried by a rule."""
-    return replace(scene, settings=replace(scene.settings, normals=rule))
-
-
-def heat(found: AngleMap, scale: Scale, on: DrawnScene) -> Array:
+def _heat(found: AngleMap, scale: Scale, on: DrawnScene) -> Array:
     """Return the map of angles as an 8-bit image; grey where a normal is missing."""
     compared, covered = found.compared[:, :, None], found.covered[:, :, None]
     colours = compared * scale.colours(found.pixel_deg) + (covered - compared) * UNDEFINED
@@ -188,13 +180,7 @@ def _paper(on: DrawnScene, found: AngleMap) -> Array:
 
 def _both(scene: Scene) -> tuple[DrawnScene, DrawnScene]:
     """Return the scene by the matrix itself, and by the right rule."""
-    return drawn_scene(by_rule(scene, NormalRule.NONE)), drawn_scene(scene)
-
-
-def _measured(right: DrawnScene, wrong: NormalRule) -> AngleMap:
-    body = right.loaded.bodies[0]
-    by_both = (normals_by(right.loaded, body, rule) for rule in (wrong, NormalRule.EXACT))
-    return angle_map(right.loaded, *by_both)
+    return drawn_scene(scene, normals=NormalRule.NONE), drawn_scene(scene)
 
 
 def _other_winding(scene: Scene) -> Scene:
@@ -203,26 +189,6 @@ def _other_winding(scene: Scene) -> Scene:
     mesh = one.geometry.mesh()
     turned = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
     return replace(scene, objects=(replace(one, geometry=LoadedGeometry(turned)),))
-
-
-def _proof(
-    settings: ProofSettings,
-    image: Array,
-    verdict: str,
-    drawn: tuple[DrawnScene, ...],
-    found: AngleMap,
-) -> Proof:
-    return Proof(
-        image,
-        settings.subject,
-        verdict,
-        together(*(one.rendered.work for one in drawn)),
-        drawn[-1].effects,
-        max_angle_error_deg=found.worst_deg,
-        mean_angle_error_deg=found.mean_deg,
-        max_level_difference=level_difference(drawn[0].levels, drawn[1].levels),
-        remarks=drawn[-1].loaded.remarks,
-    )
 
 
 def _title(subject: str, found: Classification) -> str:
@@ -248,6 +214,6 @@ def _verdict(found: AngleMap) -> str:
         return "Nothing of the mesh covers a sample: move the camera or make the picture larger."
     if found.worst_deg is None:
         return "No normal survives this map."
-    if found.worst_deg < INVISIBLE:
+    if found.worst_deg < INVISIBLE_DEG:
         return "Both are the same here: a test on this map cannot tell a wrong normal matrix."
     return f"With A itself the normals are up to {found.worst_deg:.2f}° off."

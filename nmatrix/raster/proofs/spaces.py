@@ -17,13 +17,11 @@ from nmatrix.raster.proofs.proof import (
     DrawnScene,
     Proof,
     ProofSettings,
+    drawn_plan,
     drawn_scene,
-    effect_names,
     level_difference,
-    together,
 )
 from nmatrix.raster.proofs.showpiece import showpiece
-from nmatrix.raster.render import render
 from nmatrix.report import Value
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
@@ -45,12 +43,12 @@ def spaces(settings: ProofSettings) -> Proof:
         lit = replace(lit, reflection=Reflection.BLINN_PHONG)
     scene = lit.scene(settings.placed(SKEWED), settings.geometry(TORUS))
     names = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.LIGHT)
-    drawn = {one: drawn_scene(_in_space(scene, one)) for one in names}
-    drawn[Space.STATIC] = drawn_scene(_in_space(_baked(scene, drawn[Space.WORLD]), Space.STATIC))
-    reference = drawn[Space.WORLD].rendered.image
+    drawn = {one: drawn_scene(scene, space=one) for one in names}
+    reference = drawn[Space.WORLD]
+    drawn[Space.STATIC] = drawn_scene(_baked(scene, reference), space=Space.STATIC)
     differences = {
-        one.value: float(np.abs(found.rendered.image - reference).max())
-        for one, found in drawn.items()
+        one.value: float(np.abs(scene.rendered.image - reference.rendered.image).max())
+        for one, scene in drawn.items()
     }
     captions = {
         Space.WORLD: "the reference",
@@ -64,22 +62,15 @@ def spaces(settings: ProofSettings) -> Proof:
         for one, found in drawn.items()
     ]
     worst = max(differences.values())
-    return Proof(
-        compose("One picture, whatever the shading space", panels, columns=5),
+    found = Proof.of(
         settings.subject,
+        compose("One picture, whatever the shading space", panels, columns=5),
         f"Five shading spaces give the same picture: the largest difference is {worst:.1e}.",
-        together(*(one.rendered.work for one in drawn.values())),
-        drawn[Space.OBJECT].effects,
-        {"differences": differences},
-        max_level_difference=max(
-            level_difference(one.levels, drawn[Space.WORLD].levels) for one in drawn.values()
-        ),
-        remarks=drawn[Space.WORLD].loaded.remarks,
+        list(drawn.values()),
+        numbers={"differences": differences},
+        max_level_difference=max(level_difference(one, reference) for one in drawn.values()),
     )
-
-
-def _in_space(scene: Scene, space: Space) -> Scene:
-    return replace(scene, settings=replace(scene.settings, space=space))
+    return replace(found, effects=drawn[Space.OBJECT].effects)
 
 
 def _baked(scene: Scene, world: DrawnScene) -> Scene:
@@ -100,35 +91,31 @@ def effects(settings: ProofSettings) -> Proof:
     """Draw a scene with everything on and by its plan: the same picture for less work."""
     ready = loaded(showpiece(settings.picture))
     started = settings.clock()
-    full = render(everything(ready))
+    full = drawn_plan(everything(ready))
     between = settings.clock()
-    plan = planned(ready)
-    found = render(plan)
+    plan = drawn_plan(planned(ready))
     ended = settings.clock()
-    difference = np.abs(full.rgb - found.rgb)
+    difference = np.abs(full.rendered.rgb - plan.rendered.rgb)
     worst = float(difference.max())
-    saved = 1 - found.work.multiplications / full.work.multiplications
+    most, needed = (one.rendered.work.multiplications for one in (full, plan))
     numbers: dict[str, Value] = {
         "difference": worst,
-        "multiplications_everything": full.work.multiplications,
-        "multiplications_planned": found.work.multiplications,
+        "multiplications_everything": most,
+        "multiplications_planned": needed,
         "milliseconds_everything": (between - started) * 1000,
         "milliseconds_planned": (ended - between) * 1000,
     }
-    shown_full, shown_plan = levels(full.rgb), levels(found.rgb)
     panels = (
-        Panel(shown_full, "Everything on", f"{full.work.multiplications:,} multiplications"),
-        Panel(shown_plan, "What the scene calls for", f"{found.work.multiplications:,}"),
+        Panel(full.levels, "Everything on", f"{most:,} multiplications"),
+        Panel(plan.levels, "What the scene calls for", f"{needed:,}"),
         Panel(levels(difference * AMPLIFIED), f"Difference × {AMPLIFIED}", f"at most {worst:.0e}"),
     )
-    return Proof(
-        compose("The plan leaves out what cannot be seen", panels),
+    return Proof.of(
         settings.subject,
-        f"The plan saves {saved:.0%} of the multiplications; no channel moves by more than "
-        f"{worst:.0e}.",
-        together(full.work, found.work),
-        effect_names(plan),
-        numbers,
-        max_level_difference=level_difference(shown_full, shown_plan),
-        remarks=ready.remarks,
+        compose("The plan leaves out what cannot be seen", panels),
+        f"The plan saves {1 - needed / most:.0%} of the multiplications; no channel moves by more "
+        f"than {worst:.0e}.",
+        [full, plan],
+        numbers=numbers,
+        max_level_difference=level_difference(full, plan),
     )

@@ -15,11 +15,8 @@ from nmatrix.raster.proofs.angles import angle_map
 from nmatrix.raster.proofs.proof import (
     Proof,
     ProofSettings,
-    as_levels,
     drawn_scene,
     level_difference,
-    redrawn,
-    together,
 )
 from nmatrix.raster.render import surface_of
 from nmatrix.raster.shading.surface import Surface
@@ -39,44 +36,44 @@ FLOOR = World(translate=(0, -1, -3), scale=(3, 1, 6))
 
 def shading(settings: ProofSettings) -> Proof:
     """Draw flat, Gouraud and Phong shading, two highlights, and toon bands."""
-    world = settings.placed(World())
-    shape = settings.geometry(ShapeGeometry(Shape.TORUS, (12, 24)))
-    shiny = (Shading.PHONG, Reflection.PHONG)
-    drawn = {
-        "Flat shading": (Shading.FLAT, Reflection.PHONG, "light once for each triangle"),
-        "Gouraud shading": (Shading.GOURAUD, Reflection.PHONG, "light at vertices, interpolated"),
-        "Phong shading": (*shiny, "normals interpolated, light at fragments"),
-        "Phong reflection": (*shiny, "the mirrored light and the eye"),
-        "Blinn-Phong reflection": (Shading.PHONG, Reflection.BLINN_PHONG, "normal and half vector"),
-        "Toon": (Shading.PHONG, Reflection.TOON, "the cosine in bands, and an outline"),
-    }
-    found = {
-        title: drawn_scene(_as_material(settings.scene(world, shape, shading=where), reflection))
-        for title, (where, reflection, _) in drawn.items()
-    }
-    panels = [Panel(found[title].levels, title, row[2]) for title, row in drawn.items()]
-    images = {title: one.levels for title, one in found.items()}
+    scene = settings.scene(
+        settings.placed(World()), settings.geometry(ShapeGeometry(Shape.TORUS, (12, 24)))
+    )
+    flat, gouraud, phong, mirrored, half, toon = drawn = [
+        drawn_scene(_as_material(scene, reflection), shading=shading)
+        for shading, reflection in (
+            (Shading.FLAT, Reflection.PHONG),
+            (Shading.GOURAUD, Reflection.PHONG),
+            (Shading.PHONG, Reflection.PHONG),
+            (Shading.PHONG, Reflection.PHONG),
+            (Shading.PHONG, Reflection.BLINN_PHONG),
+            (Shading.PHONG, Reflection.TOON),
+        )
+    ]
+    panels = (
+        Panel(flat.levels, "Flat shading", "light once for each triangle"),
+        Panel(gouraud.levels, "Gouraud shading", "light at vertices, interpolated"),
+        Panel(phong.levels, "Phong shading", "normals interpolated, light at fragments"),
+        Panel(mirrored.levels, "Phong reflection", "the mirrored light and the eye"),
+        Panel(half.levels, "Blinn-Phong reflection", "normal and half vector"),
+        Panel(toon.levels, "Toon", "the cosine in bands, and an outline"),
+    )
     apart = {
-        "flat_against_phong": level_difference(images["Flat shading"], images["Phong shading"]),
-        "gouraud_against_phong": level_difference(
-            images["Gouraud shading"], images["Phong shading"]
-        ),
-        "phong_against_blinn_phong": level_difference(
-            images["Phong reflection"], images["Blinn-Phong reflection"]
-        ),
-        "toon_levels": len(np.unique(images["Toon"])),
+        "flat_against_phong": level_difference(flat, phong),
+        "gouraud_against_phong": level_difference(gouraud, phong),
+        "phong_against_blinn_phong": level_difference(mirrored, half),
+        "toon_levels": len(np.unique(toon.levels)),
     }
-    return Proof(
-        compose("Phong shading is where, Phong reflection is how", panels),
+    found = Proof.of(
         settings.subject,
+        compose("Phong shading is where, Phong reflection is how", panels),
         f"Gouraud shading is up to {apart['gouraud_against_phong']} levels from Phong shading: it "
         "misses highlights between vertices.",
-        together(*(one.rendered.work for one in found.values())),
-        found["Phong reflection"].effects,
-        apart,
+        drawn,
+        numbers=apart,
         max_level_difference=apart["flat_against_phong"],
-        remarks=found["Toon"].loaded.remarks,
     )
+    return replace(found, effects=mirrored.effects)
 
 
 def _as_material(scene: Scene, reflection: Reflection) -> Scene:
@@ -91,7 +88,7 @@ def interpolation(settings: ProofSettings) -> Proof:
     scene = settings.scene(settings.placed(TALL), settings.geometry(COARSE))
     right = drawn_scene(scene)
     never, after, both = (
-        as_levels(redrawn(right, partial(_normalised, before=before, after=then)))
+        right.redrawn(partial(_normalised, before=before, after=then))
         for before, then in ((False, False), (False, True), (True, True))
     )
     surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
@@ -100,31 +97,29 @@ def interpolation(settings: ProofSettings) -> Proof:
         *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
     )
     floor = drawn_scene(_checkered(settings))
-    correct, affine = as_levels(floor.rendered.image), as_levels(redrawn(floor, _affine))
-    swum = float((np.abs(affine.astype(int) - correct).max(axis=2) > 8).mean())
+    affine = floor.redrawn(_affine)
+    swum = float((np.abs(affine.levels.astype(int) - floor.levels).max(axis=2) > 8).mean())
+    bend = f"bent by up to {bent.worst_deg or 0:.1f}°"
     panels = (
-        Panel(never, "Never normalised", "short normals: too dark between vertices"),
-        Panel(after, "After interpolation only", f"bent by up to {bent.worst_deg or 0:.1f}°"),
-        Panel(both, "Before and after", "right"),
-        Panel(affine, "Affine interpolation", f"{swum:.0%} of the pixels are wrong"),
-        Panel(correct, "Perspective-correct", "each corner weighed by 1/w"),
+        Panel(never.levels, "Never normalised", "short normals: too dark between vertices"),
+        Panel(after.levels, "After interpolation only", bend),
+        Panel(both.levels, "Before and after", "right"),
+        Panel(affine.levels, "Affine interpolation", f"{swum:.0%} of the pixels are wrong"),
+        Panel(floor.levels, "Perspective-correct", "each corner weighed by 1/w"),
     )
-    return Proof(
-        compose("Unequal lengths bend a direction; unequal depths bend a pattern", panels),
+    return Proof.of(
         settings.subject,
-        f"Normals of unequal length are bent by up to {bent.worst_deg or 0:.1f}°; affine "
-        f"interpolation moves the pattern in {swum:.0%} of the pixels.",
-        together(right.rendered.work, floor.rendered.work),
-        right.effects,
-        {
+        compose("Unequal lengths bend a direction; unequal depths bend a pattern", panels),
+        f"Normals of unequal length are {bend}; affine interpolation moves the pattern in "
+        f"{swum:.0%} of the pixels.",
+        [floor, right],
+        numbers={
             "never_level_difference": level_difference(never, both),
             "after_level_difference": level_difference(after, both),
             "affine_wrong_part": swum,
         },
-        max_angle_error_deg=bent.worst_deg,
-        mean_angle_error_deg=bent.mean_deg,
         max_level_difference=level_difference(never, both),
-        remarks=right.loaded.remarks,
+        **bent.errors,
     )
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Reflection
-from nmatrix.raster.shading.space import Measure, dot
+from nmatrix.raster.shading.space import Measure, dot, quotient
 from nmatrix.scene.material import Material
 
 Array = NDArray[Any]
@@ -66,7 +66,7 @@ class Lighting:
         channels = len(self.ambient)
         to_eye = None
         if Effect.EYE in self.effects and positions is not None:
-            to_eye = self._unit(self.eye - positions)
+            to_eye = self.to_eye(positions)
         matte = np.zeros((channels, normals.shape[1]))
         if Effect.AMBIENT in self.effects:
             matte += self.ambient * colour(self.material.ambient, channels)
@@ -94,8 +94,7 @@ class Lighting:
         return self.measure.vector_length(self.eye - positions)
 
     def _unit(self, vectors: Array) -> Array:
-        long = self.measure.vector_length(vectors)
-        return np.divide(vectors, long, out=np.zeros_like(vectors), where=long > 0)
+        return quotient(vectors, self.measure.vector_length(vectors))
 
     def _reaching(
         self, light: ShadingLight, positions: Array | None
@@ -106,7 +105,7 @@ class Lighting:
             return light.to_light, 1.0
         way = light.position - positions
         distance = self.measure.vector_length(way)
-        to_light = np.divide(way, distance, out=np.zeros_like(way), where=distance > 0)
+        to_light = quotient(way, distance)
         strength: Array | float = 1.0
         if Effect.ATTENUATION in self.effects:
             constant, linear, quadratic = light.attenuation

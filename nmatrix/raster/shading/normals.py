@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.shading.space import Measure, dot, length
+from nmatrix.raster.shading.space import Measure, dot, length, quotient
 
 Array = NDArray[Any]
 
@@ -23,7 +23,7 @@ def unit(vectors: Array, shortest: float = 0.0) -> Array:
     [[0.6, 0.0, 0.8], [0.0, 0.0, 0.0]]
     """
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
-    scaled = np.divide(vectors, largest, out=np.zeros_like(vectors), where=largest > 0)
+    scaled = quotient(vectors, largest)
     length = np.sqrt((scaled * scaled).sum(axis=-1, keepdims=True))
     kept = (largest > shortest) & (length > 0)
     return np.asarray(np.divide(scaled, length, out=np.zeros_like(vectors), where=kept))
@@ -64,9 +64,11 @@ def bumped(normals: Array, tangents: Array, signs: Array, texels: Array, measure
     >>> bumped(up, east, plus, np.array([[0.5], [0.5], [1]]), Measure()).ravel().tolist()
     [0.0, 0.0, 1.0]
     """
-    n = _at_length_one(measure.normal_in_world(normals))
+    n = measure.normal_in_world(normals)
+    n = quotient(n, length(n))
     t = measure.vector_in_world(tangents)
-    t = _at_length_one(t - n * dot(n, t))
+    t = t - n * dot(n, t)
+    t = quotient(t, length(t))
     b = np.cross(n, t, axis=0) * signs
     x, y, z = texels * 2.0 - 1.0
     return measure.normal_from_world(x * t + y * b + z * n)
@@ -76,8 +78,3 @@ def angles_deg(a: Array, b: Array) -> Array:
     """Return the angles between unit vectors in degrees: atan2 of |a×b| and a·b, never acos."""
     sine = np.sqrt((np.cross(a, b) ** 2).sum(axis=1))
     return np.asarray(np.degrees(np.arctan2(sine, (a * b).sum(axis=1))))
-
-
-def _at_length_one(vectors: Array) -> Array:
-    long = length(vectors)
-    return np.divide(vectors, long, out=np.zeros_like(vectors), where=long > 0)

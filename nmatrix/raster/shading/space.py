@@ -7,6 +7,7 @@ would square the condition number, is never formed.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -38,6 +39,11 @@ def length(vectors: Array) -> Array:
     return np.asarray(np.sqrt(dot(vectors, vectors)))
 
 
+def quotient(a: Array, b: Array) -> Array:
+    """Return a / b, and 0 where b is not positive: vectors over their lengths (…), say."""
+    return np.divide(a, b, out=np.zeros_like(a), where=b > 0)
+
+
 @dataclass(frozen=True, eq=False)
 class Measure:
     """True lengths in a space: by B⁻¹ for vectors, by Bᵀ for normals; None where B is rigid."""
@@ -47,11 +53,11 @@ class Measure:
 
     def vector_in_world(self, vectors: Array) -> Array:
         """Return vectors (3, …) with true lengths and angles."""
-        return vectors if self.world_vector is None else _times(self.world_vector, vectors)
+        return vectors if self.world_vector is None else multiply(self.world_vector, vectors)
 
     def normal_in_world(self, normals: Array) -> Array:
         """Return normals (3, …) with true lengths and angles."""
-        return normals if self.world_normal is None else _times(self.world_normal, normals)
+        return normals if self.world_normal is None else multiply(self.world_normal, normals)
 
     def vector_length(self, vectors: Array) -> Array:
         """Return |B⁻¹v|."""
@@ -63,7 +69,7 @@ class Measure:
 
     def normal_from_world(self, normals: Array) -> Array:
         """Return normals (3, …) of the world as the space has them."""
-        return normals if self.world_vector is None else _times(self.world_vector.T, normals)
+        return normals if self.world_vector is None else multiply(self.world_vector.T, normals)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +131,7 @@ class ShadingSpace:
         given = self.body.mesh.normals.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
-        return transform_normals(found, given)
+        return _transformed(found, given)
 
     def normals(self, rule: NormalRule) -> Array:
         """Return the vertices' normals (3, V) at true length one, or zero where none is left.
@@ -140,22 +146,21 @@ class ShadingSpace:
         found = np.zeros(normals.shape)
         for given, unit in zip(chunks(normals), chunks(found), strict=True):
             size = np.abs(given).max(axis=0)
-            scaled = np.divide(given, size, out=np.zeros_like(given), where=size > 0)
+            scaled = quotient(given, size)
             long = self.measure.normal_length(scaled)
             np.divide(scaled, long, out=unit, where=long > 0)
         return found
 
     def point(self, point: RationalVector) -> Array:
         """Return a point of the world as a column (3, 1)."""
-        found = self.maps.space_from_world(self.space).exact_point(point)
-        return np.array([[float(one)] for one in found])
+        return column(self.maps.space_from_world(self.space).exact_point(point))
 
     def direction(self, vector: RationalVector) -> Array:
         """Return a vector of the world as a column (3, 1) of true length one."""
         found = self.maps.space_from_world(self.space).exact_vector(vector)
         largest = max(map(abs, found))
-        column = np.array([[float(one / largest)] for one in found])
-        return np.asarray(column / self.measure.vector_length(column))
+        scaled = column([one / largest for one in found])
+        return np.asarray(scaled / self.measure.vector_length(scaled))
 
     def light_from_space(self, light_from_world: RationalMatrix) -> Array:
         """Return the map from this space to a light's clip space."""
@@ -167,14 +172,18 @@ class ShadingSpace:
         return as_array(rational.product(light_from_world, world_from_space))
 
 
-def transform_normals(found: NormalTransform, normals: Array) -> Array:
+def _transformed(found: NormalTransform, normals: Array) -> Array:
     """Return normals (3, V) through a rule's matrix, scaled so that nothing overflows."""
-    K = as_array(found.matrix) if found.components == 4 or found.w else scaled_array(found.matrix)
+    K = as_array(found.matrix) if found.components == 4 or found.w else _scaled_array(found.matrix)
     carried = multiply(K if found.w else K[:, :3], normals)
     if found.components == 3:
         return carried[:3]
-    long = np.sqrt(dot(carried, carried) + carried[3] * carried[3])
-    return np.asarray(np.divide(carried[:3], long, out=np.zeros_like(carried[:3]), where=long > 0))
+    return quotient(carried[:3], np.sqrt(dot(carried, carried) + carried[3] * carried[3]))
+
+
+def world_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return the vertices' normals (3, V) in the world as a rule carries them."""
+    return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
 
 
 def as_array(matrix: RationalMatrix) -> Array:
@@ -182,15 +191,15 @@ def as_array(matrix: RationalMatrix) -> Array:
     return np.array(to_floats(matrix))
 
 
-def scaled_array(matrix: RationalMatrix) -> Array:
+def column(vector: Sequence[Fraction]) -> Array:
+    """Return an exact vector as a column (n, 1) of float64."""
+    return np.array([[float(one)] for one in vector])
+
+
+def _scaled_array(matrix: RationalMatrix) -> Array:
     """Return an exact matrix over the power of two next to its largest entry, as float64."""
     largest = max(abs(entry) for row in matrix for entry in row)
     if not largest:
         return as_array(matrix)
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
     return as_array(rational.scaled(matrix, Fraction(2) ** -exponent))
-
-
-def _times(matrix: Array, vectors: Array) -> Array:
-    """Return a 3×3 matrix times vectors (3, …)."""
-    return multiply(matrix[:, :3], vectors)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, NormalRule, Shading
 from nmatrix.raster.shading.lighting import Lighting, Lit, colour
 from nmatrix.raster.shading.normals import bumped, turned_towards
-from nmatrix.raster.shading.space import ShadingSpace, dot
+from nmatrix.raster.shading.space import ShadingSpace, dot, quotient
 from nmatrix.raster.shading.texture import sample
 from nmatrix.raster.triangles.fragments import Fragments, Interpolation, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
@@ -165,8 +165,7 @@ class Surface:
         if Effect.NORMAL_MAP in self.effects and "tangent" in fragments.values:
             normals = self._bumped(normals, fragments)
         if Effect.RENORMALISE in self.effects:
-            long = self.space.measure.normal_length(normals)
-            normals = np.divide(normals, long, out=np.zeros_like(normals), where=long > 0)
+            normals = quotient(normals, self.space.measure.normal_length(normals))
         if "facing" in fragments.values:
             normals = normals * fragments["facing"]
         return normals

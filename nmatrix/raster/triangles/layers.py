@@ -7,7 +7,7 @@ same depth stand in the order in which their triangles were named.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,20 +18,12 @@ from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile
 Array = NDArray[Any]
 
 
-class Layer(NamedTuple):
-    """Samples of one drawable that lie at the same rank from the back: runs of length one."""
-
-    drawable: int
-    runs: Runs
-
-
 def layers(
-    glass: Sequence[tuple[int, Projected, int]], tile: Tile, rows: tuple[int, int]
-) -> Iterator[Layer]:
-    """Yield the layers in front of a tile's rows, from the back to the front.
+    glass: Sequence[tuple[Projected, int]], tile: Tile, rows: tuple[int, int]
+) -> Iterator[Runs]:
+    """Yield the layers in front of a tile's rows, from the back to the front: runs of length one.
 
-    `glass` holds, for each transparent drawable, its place in the list, its triangles, and the
-    number of the first of them.
+    `glass` holds the triangles of each transparent drawable, and the number of the first of them.
     """
     stripe = tile.part(rows)
     place, key = _in_front(stripe, glass)
@@ -43,17 +35,13 @@ def layers(
         which = np.flatnonzero(rank == level)
         triangle = key[which] & TRIANGLE_MASK
         row, column = np.divmod(place[which], stripe.columns)
-        found = Runs(triangle, row + rows[0], column, np.ones_like(row))
-        for i, projected, first in glass:
-            mine = found.of(first, first + projected.triangles.shape[1])
-            if len(mine.triangle):
-                yield Layer(i, mine)
+        yield Runs(triangle, row + rows[0], column, np.ones_like(row))
 
 
-def _in_front(stripe: Tile, glass: Sequence[tuple[int, Projected, int]]) -> tuple[Array, Array]:
+def _in_front(stripe: Tile, glass: Sequence[tuple[Projected, int]]) -> tuple[Array, Array]:
     """Return place and key of every transparent fragment that nothing opaque hides."""
     places, keys = [np.zeros(0, np.intp)], [np.zeros(0, np.int64)]
-    for _, projected, first in glass:
+    for projected, first in glass:
         for index, key in stripe.fragments(projected, first):
             seen = np.flatnonzero(key < stripe.keys.take(index))
             places.append(index.take(seen))

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -105,24 +106,16 @@ class Drawing:
         samples = np.empty((len(self.background), (rows[1] - rows[0]) * columns))
         samples[:] = self.background[:, None]
         counts = np.zeros(len(self.drawables), np.int64)
-        for i, runs in self._seen(visible_runs(tile, rows)):
-            counts[i] += self._colour(samples, i, runs, rows[0] * columns)
-        glass = [
-            (i, one.projected, self._first[i])
-            for i, one in enumerate(self.drawables)
-            if one.opacity < 1.0
-        ]
-        if glass:
-            for layer in layers(glass, tile, rows):
-                counts[layer.drawable] += self._colour(samples, *layer, rows[0] * columns)
+        opaque = [i for i, one in enumerate(self.drawables) if one.opacity == 1.0]
+        glass = [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
+        triangles = [(self.drawables[i].projected, self._first[i]) for i in glass]
+        in_front = ((glass, runs) for runs in layers(triangles, tile, rows))
+        for which, runs in chain([(opaque, visible_runs(tile, rows))], in_front):
+            for i in which:
+                mine = runs.of(self._first[i], self._first[i + 1])
+                if len(mine.triangle):
+                    counts[i] += self._colour(samples, i, mine, rows[0] * columns)
         return samples, counts
-
-    def _seen(self, runs: Runs) -> Iterator[tuple[int, Runs]]:
-        """Return the runs of each drawable."""
-        for i in range(len(self.drawables)):
-            mine = runs.of(self._first[i], self._first[i + 1])
-            if len(mine.triangle):
-                yield i, mine
 
     def _colour(self, samples: Array, i: int, runs: Runs, before: int) -> int:
         """Colour the samples of one drawable's runs, and return how many they are."""

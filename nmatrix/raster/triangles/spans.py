@@ -52,11 +52,6 @@ class Canvas:
         """Return the samples in a column."""
         return self.height * self.per_side
 
-    @property
-    def aspect(self) -> float:
-        """Return width over height."""
-        return self.width / self.height
-
 
 class Spans(NamedTuple):
     """Covered samples row by row: the triangle, its row, the first column, how many."""
