@@ -80,8 +80,7 @@ class Report:
         IllegalValueError
             For another word, digits outside 1 to 17, or a format that cannot say this answer.
         """
-        from nmatrix.output.options import OutputOptions
-        from nmatrix.output.write import write
+        from nmatrix.output.write import OutputOptions, write
 
         return write(
             self.answer,

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from nmatrix.enums import Format
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.output.numbers import round_trip_text, significant
-from nmatrix.output.quantities import Leaf, is_matrix, is_number, is_vector, leaves
+from nmatrix.output.numbers import (
+    Leaf,
+    is_matrix,
+    is_number,
+    is_vector,
+    leaves,
+    round_trip_text,
+    significant,
+)
 from nmatrix.report import Matrix, Number, Report, Value, Vector
+from nmatrix.version import __version__
 
 _RESERVED = (
     " as await break case catch class const continue debugger def default del delete do else enum"
@@ -19,6 +27,7 @@ _RESERVED = (
     " return sample static super switch this throw true try typeof uniform var varying void while"
     " window with yield length normalize cross dot reflect transpose inverse determinant "
 )
+Assigned = bool | Number | Vector | Matrix
 _WORDS = {Format.LATEX, Format.MARKDOWN, Format.MATHML, Format.TYPST, Format.JSON, Format.CSV}
 
 
@@ -27,8 +36,22 @@ class Assignment:
     """A name and the value it gets; the value is None where no float64 can hold it."""
 
     name: str
-    value: bool | Number | Vector | Matrix | None
+    value: Assigned | None
     note: str = ""
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a program is written: its comments, what the first one says, and its statements.
+
+    `preamble` is the lines before the first assignment.
+    """
+
+    format: Format
+    comment: str
+    about: str
+    statement: Callable[[str, Assigned], str]
+    preamble: tuple[str, ...] = ()
 
 
 def assignments(data: Mapping[str, Value]) -> Iterator[Assignment]:
@@ -59,8 +82,8 @@ def identifier(key: str) -> str:
     return f"{name}_" if f" {name} " in _RESERVED else name
 
 
-def require_numbers(report: Report, chosen: Format) -> None:
-    """Refuse a program format for a report without a single number.
+def program(report: Report, language: Language) -> str:
+    """Write the numbers of a report as statements, and its remarks as comments.
 
     Raises
     ------
@@ -71,15 +94,35 @@ def require_numbers(report: Report, chosen: Format) -> None:
     if not any(leaf.value is not None for leaf in numbers):
         works = ", ".join(sorted(_WORDS))
         raise IllegalValueError(
-            f"{quantity('format')} ({chosen})",
+            f"{quantity('format')} ({language.format})",
             f"{report.command} has no numbers to write in a program",
             f"use text, {works}",
         )
+    lines = [
+        f"{language.comment} nmatrix {report.command} {__version__}; {language.about}",
+        *language.preamble,
+        *statements(report.data, language),
+        *(_commented(remark, language) for remark in report.remarks),
+    ]
+    return "\n".join(lines) + "\n"
 
 
-def comment(text: str) -> str:
-    """Bring a text onto one line, for a comment."""
-    return " ".join(text.split())
+def statements(data: Mapping[str, Value], language: Language) -> Iterator[str]:
+    """Write each assignment as a statement; a comment says of which number there is none."""
+    for each in assignments(data):
+        if each.value is None:
+            yield _commented(each.note, language)
+        else:
+            yield language.statement(each.name, each.value)
+
+
+def _commented(text: str, language: Language) -> str:
+    return f"{language.comment} {' '.join(text.split())}"
+
+
+def number(value: Number) -> str:
+    """Write a number of an assignment, which a float64 can hold."""
+    return round_trip_text(value) or "0.0"
 
 
 def vector(entries: Vector) -> str:
@@ -90,7 +133,7 @@ def vector(entries: Vector) -> str:
     >>> vector((1.0, 0.5))
     '[1.0, 0.5]'
     """
-    return f"[{', '.join(round_trip_text(entry) or 'null' for entry in entries)}]"
+    return f"[{', '.join(map(number, entries))}]"
 
 
 def matrix(rows: Matrix) -> str:
@@ -133,7 +176,7 @@ def _assignment(leaf: Leaf) -> Assignment:
     return Assignment(identifier(leaf.key), value)
 
 
-def _numbers(value: bool | Number | Vector | Matrix) -> Iterator[Number]:  # noqa: FBT001 - data
+def _numbers(value: Assigned) -> Iterator[Number]:
     if is_matrix(value):
         yield from (entry for row in value for entry in row)
     elif is_vector(value):

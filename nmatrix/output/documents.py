@@ -5,9 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 
-from nmatrix.output.numbers import significant
-from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
+from nmatrix.output.numbers import is_matrix, is_number, is_vector, leaves, significant
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import (
     Blank,
     Block,
@@ -42,9 +41,9 @@ class Dialect(ABC):
     def heading(self, text: str) -> str:
         """Write a heading."""
 
-    @abstractmethod
     def paragraph(self, text: str) -> str:
         """Write a paragraph."""
+        return self.words(text)
 
     @abstractmethod
     def strong(self, text: str) -> str:
@@ -54,9 +53,9 @@ class Dialect(ABC):
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         """Write a matrix, or a vector as one column, under its key."""
 
-    @abstractmethod
     def scalar(self, key: str, title: str, value: str) -> str:
-        """Write a number or a word under its key."""
+        """Write a number or a word under its title, or else its key."""
+        return f"{self.words(title or key)}: {value}"
 
     @abstractmethod
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
@@ -66,13 +65,13 @@ class Dialect(ABC):
     def formula(self, formula: Formula) -> str:
         """Write a formula that stands by itself."""
 
-    @abstractmethod
     def code(self, language: str, text: str) -> str:
-        """Write program text."""
+        """Write program text; Markdown and Typst have the same fences."""
+        return f"```{language}\n{text.rstrip()}\n```"
 
-    @abstractmethod
     def remarks(self, remarks: Sequence[str]) -> str:
-        """Write the remarks as a list."""
+        """Write the remarks as a list; Markdown and Typst have the same dashes."""
+        return "\n".join(f"- {self.words(remark)}" for remark in remarks)
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Write one line of a derivation, with its reason."""

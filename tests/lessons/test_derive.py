@@ -16,7 +16,7 @@ from nmatrix.lessons.derive.lesson import LESSONS, derive
 from nmatrix.lessons.derive.steps import equal
 from nmatrix.lessons.derive.users_matrix import exact_matrix
 from nmatrix.linear import rational
-from nmatrix.output.quantities import members
+from nmatrix.output.numbers import members
 from nmatrix.scene.world import World
 
 

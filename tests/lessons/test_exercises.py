@@ -18,7 +18,7 @@ from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Exerc
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
 from nmatrix.lessons.exercises.tracing import UNDIVIDED
-from nmatrix.output.formulas.text import text as drawn
+from nmatrix.output.drawing import draw_formula
 from nmatrix.report import Formula, Text
 
 SIZE = len(ExerciseKind)
@@ -26,7 +26,7 @@ SIZE = len(ExerciseKind)
 
 def lines(blocks) -> str:
     shown = (block for block in blocks if isinstance(block, (Text, Formula)))
-    return "\n".join(drawn(one) if isinstance(one, Formula) else one.text for one in shown)
+    return "\n".join(draw_formula(one) if isinstance(one, Formula) else one.text for one in shown)
 
 
 def said(one: Exercise) -> str:

@@ -77,9 +77,9 @@ def write(document: Document, kind: PageFormat) -> bytes:
         case PageFormat.TYP:
             from nmatrix.output.pages.page_typst import typ as found
         case PageFormat.TEX:
-            from nmatrix.output.pages.page_latex import tex as found
+            from nmatrix.output.pages.page_sources import tex as found
         case PageFormat.MD:
-            from nmatrix.output.pages.page_markdown import md as found
+            from nmatrix.output.pages.page_sources import md as found
         case _:
             assert_never(kind)
     return found(document)
