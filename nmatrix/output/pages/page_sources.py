@@ -87,7 +87,8 @@ class MarkdownPage(markdown.Markdown):
 
     def figure(self, figure: Figure) -> str:
         """Write a picture with its alternative text."""
-        return f"![{markdown.escaped(figure.alternative)}]({figure.path})\n\n{markdown.escaped(figure.caption)}"
+        alternative, caption = map(markdown.escaped, (figure.alternative, figure.caption))
+        return f"![{alternative}]({figure.path})\n\n{caption}"
 
     def page_break(self) -> str:
         """Draw a rule."""
