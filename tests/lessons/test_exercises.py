@@ -173,13 +173,13 @@ def test_numbers_outside_the_sheet_are_refused() -> None:
 
 def test_attempts_that_do_not_show_their_mistakes_are_drawn_again(monkeypatch) -> None:
     built = []
-    original = sheets.KINDS[0]
+    original = sheets.BUILDERS[ExerciseKind.WORLD]
 
-    def reluctant(draws: Draws, number: int) -> Exercise | None:
+    def reluctant(draws: Draws) -> Exercise | None:
         built.append(draws)
-        return original(draws, number) if len(built) > 3 else None
+        return original(draws) if len(built) > 3 else None
 
-    monkeypatch.setattr(sheets, "KINDS", (reluctant,))
+    monkeypatch.setitem(sheets.BUILDERS, ExerciseKind.WORLD, reluctant)
     assert exercise(1, Sheet("1", "Ada")).kind is ExerciseKind.WORLD
     assert len(built) == 4
 

@@ -9,8 +9,9 @@ import pytest
 
 from nmatrix.formula import Fence, Name, Numeral, Power, Quotient, Root, Row, Sign, parse
 from nmatrix.lessons.derive.lesson import derive
+from nmatrix.lessons.exercises.exercise import ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
-from nmatrix.lessons.exercises.sheet import KINDS, exercises
+from nmatrix.lessons.exercises.sheet import exercises
 from nmatrix.output.drawing import draw_formula
 from nmatrix.output.formulas.latex import latex
 from nmatrix.output.formulas.mathml import equation, mathml
@@ -27,7 +28,7 @@ def of_lessons() -> list[Formula]:
 
 
 def of_exercises() -> list[Formula]:
-    sheet = exercises(2 * len(KINDS), Sheet("7", "Ada"))
+    sheet = exercises(2 * len(ExerciseKind), Sheet("7", "Ada"))
     blocks = (block for one in sheet for block in (*one.task, *one.key))
     return [block for block in blocks if isinstance(block, Formula)]
 
