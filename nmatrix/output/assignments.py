@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from nmatrix.enums import Format
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.numbers import (
-    Leaf,
     is_matrix,
     is_number,
     is_vector,
@@ -28,16 +27,7 @@ _RESERVED = (
     " window with yield length normalize cross dot reflect transpose inverse determinant "
 )
 Assigned = bool | Number | Vector | Matrix
-_WORDS = {Format.LATEX, Format.MARKDOWN, Format.MATHML, Format.TYPST, Format.JSON, Format.CSV}
-
-
-@dataclass(frozen=True)
-class Assignment:
-    """A name and the value it gets; the value is None where no float64 can hold it."""
-
-    name: str
-    value: Assigned | None
-    note: str = ""
+PROGRAMS = (Format.GLSL, Format.JS, Format.NUMPY)
 
 
 @dataclass(frozen=True)
@@ -52,21 +42,6 @@ class Language:
     about: str
     statement: Callable[[str, Assigned], str]
     preamble: tuple[str, ...] = ()
-
-
-def assignments(data: Mapping[str, Value]) -> Iterator[Assignment]:
-    """Name every number, vector, matrix, truth value and null of the data.
-
-    Words are left out: a program computes with numbers.
-
-    Examples
-    --------
-    >>> [each.name for each in assignments({"spaces": [{"eye": (0, 0, 5)}], "kind": "shear"})]
-    ['spaces_0_eye']
-    """
-    for leaf in leaves(data):
-        if not isinstance(leaf.value, str):
-            yield _assignment(leaf)
 
 
 def identifier(key: str) -> str:
@@ -92,11 +67,11 @@ def program(report: Report, language: Language) -> str:
     """
     numbers = (leaf for leaf in leaves(report.data) if not isinstance(leaf.value, (str, bool)))
     if not any(leaf.value is not None for leaf in numbers):
-        works = ", ".join(sorted(_WORDS))
+        works = sorted(each for each in Format if each not in (Format.TEXT, *PROGRAMS))
         raise IllegalValueError(
             f"{quantity('format')} ({language.format})",
             f"{report.command} has no numbers to write in a program",
-            f"use text, {works}",
+            f"use text, {', '.join(works)}",
         )
     lines = [
         f"{language.comment} nmatrix {report.command} {__version__}; {language.about}",
@@ -108,12 +83,21 @@ def program(report: Report, language: Language) -> str:
 
 
 def statements(data: Mapping[str, Value], language: Language) -> Iterator[str]:
-    """Write each assignment as a statement; a comment says of which number there is none."""
-    for each in assignments(data):
-        if each.value is None:
-            yield _commented(each.note, language)
-        else:
-            yield language.statement(each.name, each.value)
+    """Write a statement for every number, vector, matrix and truth value of the data.
+
+    Words are left out: a program computes with numbers. What no float64 can hold is a comment.
+    """
+    for leaf in leaves(data):
+        value = leaf.value
+        if value is None:
+            yield _commented(f"{leaf.key} is null", language)
+        elif not isinstance(value, str):
+            outside = [entry for entry in _numbers(value) if round_trip_text(entry) is None]
+            if outside:
+                note = f"holds {significant(outside[0], 6)}, outside the range of float64"
+                yield _commented(f"{leaf.key} {note}", language)
+            else:
+                yield language.statement(identifier(leaf.key), value)
 
 
 def _commented(text: str, language: Language) -> str:
@@ -162,18 +146,6 @@ def flat(rows: Matrix) -> str:
     ]
     """
     return "[\n" + "".join(f"  {vector(row)[1:-1]},\n" for row in rows) + "]"
-
-
-def _assignment(leaf: Leaf) -> Assignment:
-    value = leaf.value
-    if value is None or isinstance(value, str):
-        return Assignment(identifier(leaf.key), None, f"{leaf.key} is null")
-    outside = next((entry for entry in _numbers(value) if round_trip_text(entry) is None), None)
-    if outside is not None:
-        shown = significant(outside, 6)
-        note = f"{leaf.key} holds {shown}, outside the range of float64"
-        return Assignment(identifier(leaf.key), None, note)
-    return Assignment(identifier(leaf.key), value)
 
 
 def _numbers(value: Assigned) -> Iterator[Number]:

@@ -102,10 +102,6 @@ class Dialect(ABC):
     def words(self, text: str) -> str:
         """Escape a text, so that it is shown as it is."""
 
-    def document(self, body: str) -> str:
-        """Put around the body whatever the format needs."""
-        return body
-
 
 def blocks_in(blocks: Sequence[Block], dialect: Dialect) -> str:
     """Write some blocks in a dialect, parted by empty lines."""
@@ -113,24 +109,11 @@ def blocks_in(blocks: Sequence[Block], dialect: Dialect) -> str:
     return "\n\n".join(part for part in written if part)
 
 
-def sections(blocks: Sequence[Block]) -> Iterator[tuple[Block, ...]]:
-    """Part blocks at their headings."""
-    found: list[Block] = []
-    for block in blocks:
-        if isinstance(block, Heading) and found:
-            yield tuple(found)
-            found = []
-        found.append(block)
-    if found:
-        yield tuple(found)
-
-
 def compose(report: Report, dialect: Dialect) -> str:
     """Write the whole report in a dialect, ending in a newline."""
-    parts = [_block(block, dialect) for block in (*report.blocks, *_not_shown_yet(report))]
-    if report.remarks:
-        parts.append(dialect.remarks(report.remarks))
-    return dialect.document("\n\n".join(part.rstrip("\n") for part in parts)) + "\n"
+    body = blocks_in((*report.blocks, *_not_shown_yet(report)), dialect)
+    remarks = dialect.remarks(report.remarks) if report.remarks else ""
+    return "\n\n".join(part for part in (body, remarks) if part) + "\n"
 
 
 def _not_shown_yet(report: Report) -> Iterator[Quantity]:

@@ -45,13 +45,10 @@ def is_matrix(value: object) -> TypeGuard[Matrix]:
     >>> is_matrix(((1, 0), (0, 1))), is_matrix(((1, 0), (0,)))
     (True, False)
     """
-    return (
-        is_list(value)
-        and 2 <= len(value) <= LARGEST_MATRIX
-        and all(is_vector(row) for row in value)
-        and len({len(row) for row in value if is_list(row)}) == 1
-        and 1 <= len(value[0] if is_list(value[0]) else ()) <= LARGEST_MATRIX
-    )
+    if not (is_list(value) and 2 <= len(value) <= LARGEST_MATRIX):
+        return False
+    sizes = {len(row) if is_vector(row) else 0 for row in value}
+    return len(sizes) == 1 and 1 <= sizes.pop() <= LARGEST_MATRIX
 
 
 def arranged(matrix: Matrix, layout: Layout) -> Matrix:

@@ -136,25 +136,13 @@ def shear() -> tuple[list[Step], str]:
 def _on_one_normal(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix, tangent: sp.Expr) -> list[Step]:
     """Carry one normal both ways, measure both against the moved tangent, then each other."""
     wrong, right = A_ * n, cofactors(A_) * n / determinant(A_)
+    wrong_dot, right_dot = (A_ * t).dot(wrong), (A_ * t).dot(right)
     return [
-        _chosen(A_, n, t),
-        *_against_tangent(A_ * t, wrong, right),
-        _angle_between(wrong, right, tangent),
-    ]
-
-
-def _chosen(A_: sp.Matrix, n: sp.Matrix, t: sp.Matrix) -> Step:
-    return step(
-        formula("A = ", A_, ",  n = ", n, ",  t = ", t, ",  t · n = 0"),
-        "take one such matrix, a normal, and a tangent perpendicular to it",
-        proved=t.dot(n) == 0,
-    )
-
-
-def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> list[Step]:
-    """Measure A n and A⁻ᵀ n against the moved tangent."""
-    wrong_dot, right_dot = moved_t.dot(wrong), moved_t.dot(right)
-    return [
+        step(
+            formula("A = ", A_, ",  n = ", n, ",  t = ", t, ",  t · n = 0"),
+            "take one such matrix, a normal, and a tangent perpendicular to it",
+            proved=t.dot(n) == 0,
+        ),
         step(
             formula("(A t) · (A n) = ", wrong_dot, " ≠ 0"),
             "moved by A the normal is no longer perpendicular to the moved tangent",
@@ -165,6 +153,7 @@ def _against_tangent(moved_t: sp.Matrix, wrong: sp.Matrix, right: sp.Matrix) -> 
             "moved by the inverse transpose it is",
             proved=right_dot == 0,
         ),
+        _angle_between(wrong, right, tangent),
     ]
 
 

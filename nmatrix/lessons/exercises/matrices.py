@@ -21,7 +21,7 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
 )
-from nmatrix.report import Block, Formula, Text
+from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
@@ -197,19 +197,22 @@ def _computed(
     wrong = _shown_mistakes(judge, planned)
     if wrong is None:
         return None
-    right = judge.right
-    if question.is_vector:
-        right = (right[0][:3],)
-    cells = (len(right[0]), 1) if question.is_vector else (len(right), len(right[0]))
+    right = _asked_for(judge, judge.right)
+    shown = column(right[0]) if question.is_vector else right
     return Exercise(
         draws.number,
         task,
-        cells,
-        (*steps, answer_formula(right, is_vector=question.is_vector)),
+        (len(shown), len(shown[0])),
+        (*steps, formula("answer = ", shown)),
         typed(right),
         Computed(judge),
         wrong,
     )
+
+
+def _asked_for(judge: Judge, value: RationalMatrix) -> RationalMatrix:
+    """Leave out the w of a vector."""
+    return (value[0][:3],) if judge.question.is_vector else value
 
 
 def _shown_mistakes(
@@ -219,7 +222,7 @@ def _shown_mistakes(
     found: list[ExpectedMistake] = []
     for mistake in planned:
         values = (one.value for one in judge.singles if one.mistakes == (mistake,))
-        texts = (typed((value[0][:3],) if judge.question.is_vector else value) for value in values)
+        texts = (typed(_asked_for(judge, value)) for value in values)
         named = next((text for text in texts if _is_named(judge, mistake, text)), None)
         if named is None or named in (one.text for one in found):
             return None
@@ -228,11 +231,5 @@ def _shown_mistakes(
 
 
 def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
-    found = Computed(judge).answer(text)
-    judged = judge.judge(found)
+    judged = Computed(judge).judge(text)
     return judged.verdict is Outcome.MISTAKE and judged.mistakes == (mistake,)
-
-
-def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
-    """Write the right answer for the key."""
-    return formula("answer = ", column(right[0]) if is_vector else right)
