@@ -13,7 +13,7 @@ from textwrap import wrap
 
 from nmatrix.output.drawing import draw_formula, draw_matrix, draw_table, draw_vector
 from nmatrix.output.numbers import is_matrix, is_number, is_vector, significant
-from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled
+from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import (
     Blank,
@@ -95,9 +95,9 @@ class _Writer:
             case Heading(text):
                 lines = self._heading(text)
             case Text(text):
-                lines = [plain(line) for line in self._wrapped(text, 0)]
+                lines = self._lines(text)
             case Verdict(text):
-                lines = [(Span(line, Style.TITLE),) for line in self._wrapped(text, 0)]
+                lines = self._lines(text, Style.TITLE)
             case Quantity():
                 lines = self._matrix(block)
             case Table():
@@ -124,14 +124,16 @@ class _Writer:
         room = max(self.options.width - indent, 10)
         return [piece for line in lines for piece in wrap(line, room) or [""]]
 
+    def _lines(self, text: str, style: Style = Style.PLAIN) -> list[Line]:
+        return [(Span(line, style),) for line in self._wrapped(text, 0)]
+
     def _heading(self, text: str) -> list[Line]:
-        lines = self._wrapped(text, 0)
-        rule = RULES[self.options.charset] * max((len(line) for line in lines), default=0)
-        return [*((Span(line, Style.TITLE),) for line in lines), (Span(rule, Style.DIM),)]
+        lines = self._lines(text, Style.TITLE)
+        rule = RULES[self.options.charset] * max(map(width, lines), default=0)
+        return [*lines, (Span(rule, Style.DIM),)]
 
     def _titled(self, title: str, lines: list[Line]) -> list[Line]:
-        head: list[Line] = [(Span(line, Style.TITLE),) for line in self._wrapped(title, 0)]
-        return [*head, *lines]
+        return [*self._lines(title, Style.TITLE), *lines]
 
     def _matrix(self, block: Quantity) -> list[Line]:
         assert is_matrix(block.value)  # every other quantity has a label
@@ -207,6 +209,4 @@ class _Writer:
 
     def _figure(self, block: Figure) -> list[Line]:
         named = f"{block.caption}: {block.path}" if block.caption else block.path
-        return [
-            plain(line) for text in (named, block.alternative) for line in self._wrapped(text, 0)
-        ]
+        return [*self._lines(named), *self._lines(block.alternative)]
