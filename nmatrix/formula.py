@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 APART = ",  "  # between two statements, which stand further apart than two numbers
-FUNCTIONS = ("det", "tan", "sin", "cos", "arctan", "sign", "max", "rank", "fl")
+OPERATORS = ("det", "tan", "sin", "cos", "arctan", "max")  # which LaTeX and Typst know by name
+FUNCTIONS = (*OPERATORS, "sign", "rank", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 _ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")

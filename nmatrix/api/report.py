@@ -106,8 +106,7 @@ class Report:
 def _written(
     answer: report.Report, format_: Format, digits: int = 6, layout: Layout = Layout.ROW_MAJOR
 ) -> str:
-    from nmatrix.output.options import OutputOptions
-    from nmatrix.output.write import write
+    from nmatrix.output.write import OutputOptions, write
 
     return write(answer, OutputOptions(format_, digits, layout))
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from nmatrix.classroom.topics import Part, Topic, part
+from nmatrix.classroom.topics import PARTS, Part, Topic
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
 from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, Document, PageFormat, Paper, write
 from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
@@ -97,7 +97,7 @@ def _exercises(count: int, sheet: Sheet) -> tuple[Exercise, ...]:
 
 @lru_cache(maxsize=32)  # a class shares its theory and its pictures
 def _common(topic: Topic, setup: Setup) -> Part:
-    return part(topic, setup)
+    return PARTS[topic](setup)
 
 
 def _beside(block: Block, prefix: str) -> Block:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
 
+from nmatrix.enums import Space
+from nmatrix.errors import NoAnswerError
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Block, Figure, Heading, Quantity, Table, Text, Verdict
+from nmatrix.report import Block, Cells, Figure, Heading, Quantity, Table, Text, Verdict
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.shading_spaces import PROFILES, UNMOVED, USUAL_SPACES
 
@@ -27,6 +30,12 @@ class Topic(StrEnum):
 
 USUAL = (Topic.RULE, Topic.WORKED, Topic.SPACES, Topic.PROOFS, Topic.PITFALLS)
 PROOF_SIZE = (220, 220)
+TOLD = {
+    "normals": "Three pictures of a stretched sphere: lit by normals that A itself carried, lit by "
+    "those of the inverse transpose, and a map of the angle between the two.",
+    "mirror": "Three pictures of a mirrored object: by cofactors without the sign, by the inverse "
+    "transpose, and with the winding of its triangles left as it was.",
+}
 
 
 @dataclass(frozen=True)
@@ -35,11 +44,6 @@ class Part:
 
     blocks: tuple[Block, ...]
     pictures: Mapping[str, bytes] = field(default_factory=dict)
-
-
-def part(topic: Topic, setup: Setup) -> Part:
-    """Compose a topic for a scene; exercises belong to a student and are not made here."""
-    return PARTS[topic](setup)
 
 
 def _rule(setup: Setup) -> Part:
@@ -60,24 +64,29 @@ def _worked(setup: Setup) -> Part:
     return Part((Heading("In numbers"), *matrices, *verdicts, _seen(setup)))
 
 
+def _in_each(spaces: Iterable[Space], row: Callable[[Space], Cells]) -> tuple[Cells, ...]:
+    """Make a row for each space that there is: a flattened world has no object space."""
+    rows = []
+    for space in spaces:
+        with suppress(NoAnswerError):
+            rows.append(row(space))
+    return tuple(rows)
+
+
 def _is(block: Block, key: str) -> bool:
     return isinstance(block, Quantity) and block.key == key
 
 
 def _seen(setup: Setup) -> Table:
     """Tabulate the light and the eye in each space that there is."""
-    from nmatrix.errors import NoAnswerError
     from nmatrix.spaces.light_and_eye import light_in
 
-    rows = []
-    for space in USUAL_SPACES[:3]:
-        try:
-            light, eye = light_in(setup.maps, space), setup.maps.eye_in(space)
-        except NoAnswerError:  # a flattened world has no object space
-            continue
-        rows.append((space.value, _short(light.direction), _short(light.position), _short(eye)))
+    def row(space: Space) -> Cells:
+        light, eye = light_in(setup.maps, space), setup.maps.eye_in(space)
+        return space.value, _short(light.direction), _short(light.position), _short(eye)
+
     columns = ("space", "light direction", "light position", "eye")
-    return Table(columns, tuple(rows), "The light and the eye, moved")
+    return Table(columns, _in_each(USUAL_SPACES[:3], row), "The light and the eye, moved")
 
 
 def _short(vector: Sequence[float | Fraction] | None) -> str:
@@ -119,14 +128,6 @@ def _proofs(setup: Setup) -> Part:
     return Part(tuple(blocks), pictures)
 
 
-TOLD = {
-    "normals": "Three pictures of a stretched sphere: lit by normals that A itself carried, lit by "
-    "those of the inverse transpose, and a map of the angle between the two.",
-    "mirror": "Three pictures of a mirrored object: by cofactors without the sign, by the inverse "
-    "transpose, and with the winding of its triangles left as it was.",
-}
-
-
 def _pitfalls(setup: Setup) -> Part:
     from nmatrix.classroom.pitfalls import PITFALLS
 
@@ -138,31 +139,25 @@ def _pitfalls(setup: Setup) -> Part:
 
 def _cost(setup: Setup) -> Part:
     """Count the work; a time would be another one tomorrow."""
-    from nmatrix.errors import NoAnswerError
     from nmatrix.spaces.cost import cost
     from nmatrix.spaces.uniforms import Request
 
-    rows = []
-    for space in USUAL_SPACES:
-        try:
-            found = cost(setup.maps, Request(space))
-        except NoAnswerError:  # a flattened world has no object space
-            continue
-        rows.append(
-            (
-                space.value,
-                found.per_vertex_multiplications,
-                found.per_fragment_multiplications,
-                found.per_object_multiplications,
-                found.uniform_bytes,
-            )
+    def row(space: Space) -> Cells:
+        found = cost(setup.maps, Request(space))
+        return (
+            space.value,
+            found.per_vertex_multiplications,
+            found.per_fragment_multiplications,
+            found.per_object_multiplications,
+            found.uniform_bytes,
         )
+
     columns = ("space", "a vertex", "a fragment", "an object", "bytes of uniforms")
     return Part(
         (
             Heading("What it costs"),
             Text("Multiplications for light with a highlight, counted where they happen."),
-            Table(columns, tuple(rows)),
+            Table(columns, _in_each(USUAL_SPACES, row)),
             Text(
                 "For one matrix exact whole numbers take less than twice the time of a float64 "
                 "inverse. What is visible in a picture are normals that are zero, not a number, "
@@ -172,6 +167,7 @@ def _cost(setup: Setup) -> Part:
     )
 
 
+# Exercises belong to a student and are not made here.
 PARTS: dict[Topic, Callable[[Setup], Part]] = {
     Topic.RULE: _rule,
     Topic.WORKED: _worked,

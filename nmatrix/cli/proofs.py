@@ -12,7 +12,7 @@ from nmatrix.cli.show import put, show
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.errors import IllegalValueError
-from nmatrix.lessons.derive.cases import ALL, TITLES, chosen
+from nmatrix.lessons.derive import lesson
 from nmatrix.reading.numbers import fractions
 from nmatrix.scene.world import World
 
@@ -23,7 +23,7 @@ nmatrix derive mirror -f latex
 
 nmatrix derive nonuniform --scale 1 2 1 --rotate 0 0 30
 
-Cases: {", ".join(TITLES)}, all.""",
+Cases: {", ".join(lesson.LESSONS)}, all.""",
     "plan": """nmatrix plan scene.toml
 
 nmatrix plan scene.glb -f json
@@ -35,7 +35,7 @@ What each of them needs, and how safely the others are left out.""",
 
 
 def _complete_case(incomplete: str) -> list[str]:
-    return [name for name in (*TITLES, ALL) if name.startswith(incomplete)]
+    return [name for name in (*lesson.LESSONS, lesson.ALL) if name.startswith(incomplete)]
 
 
 def derive(
@@ -47,13 +47,11 @@ def derive(
     ] = "rule",
 ) -> None:
     """Show a derivation."""
-    chosen(case)
+    lesson.chosen(case)
     own = None
     if world.is_given:
         own = world.over(World(), Sources(common.input_layout), fractions)
-    from nmatrix.lessons.derive.lesson import derive as answer
-
-    show(answer(case, own), common)
+    show(lesson.derive(case, own), common)
 
 
 def plan(

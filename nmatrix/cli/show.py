@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from nmatrix.cli.shared_options import ColorWhen, CommonOptions
 from nmatrix.enums import Format
-from nmatrix.output.options import Charset, Colour, OutputOptions
-from nmatrix.output.write import write
+from nmatrix.output.write import Charset, Colour, OutputOptions, write
 from nmatrix.report import Report
 
 if TYPE_CHECKING:

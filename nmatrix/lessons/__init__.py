@@ -1,1 +1,1 @@
-"""Lessons: the rules derived and proved; the only importers of SymPy."""
+"""Lessons: rules are derived and proved, answers checked, exercises drawn."""

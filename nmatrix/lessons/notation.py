@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.report import Formula
+from nmatrix.report import Formula, Number
 
 LARGEST_BOTTOM = 1000  # of a fraction that is written as one
 
@@ -62,6 +62,17 @@ def written(value: object) -> str:
         .replace("kappa", "κ")
         .replace("_", "")
     )
+
+
+def in_parentheses(values: Iterable[Number]) -> str:
+    """Write a point or a vector in a sentence.
+
+    Examples
+    --------
+    >>> in_parentheses((1, Fraction(-1, 2), 0))
+    '(1, −1/2, 0)'
+    """
+    return f"({', '.join(written(Fraction(value)) for value in values)})"
 
 
 def _power_of_ten(number: re.Match[str]) -> str:

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from nmatrix.enums import Format
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.output.numbers import round_trip_text, significant
-from nmatrix.output.quantities import Leaf, is_matrix, is_number, is_vector, leaves
+from nmatrix.output.numbers import (
+    is_matrix,
+    is_number,
+    is_vector,
+    leaves,
+    round_trip_text,
+    significant,
+)
 from nmatrix.report import Matrix, Number, Report, Value, Vector
+from nmatrix.version import __version__
 
 _RESERVED = (
     " as await break case catch class const continue debugger def default del delete do else enum"
@@ -19,31 +26,22 @@ _RESERVED = (
     " return sample static super switch this throw true try typeof uniform var varying void while"
     " window with yield length normalize cross dot reflect transpose inverse determinant "
 )
-_WORDS = {Format.LATEX, Format.MARKDOWN, Format.MATHML, Format.TYPST, Format.JSON, Format.CSV}
+Assigned = bool | Number | Vector | Matrix
+PROGRAMS = (Format.GLSL, Format.JS, Format.NUMPY)
 
 
 @dataclass(frozen=True)
-class Assignment:
-    """A name and the value it gets; the value is None where no float64 can hold it."""
+class Language:
+    """How a program is written: its comments, what the first one says, and its statements.
 
-    name: str
-    value: bool | Number | Vector | Matrix | None
-    note: str = ""
-
-
-def assignments(data: Mapping[str, Value]) -> Iterator[Assignment]:
-    """Name every number, vector, matrix, truth value and null of the data.
-
-    Words are left out: a program computes with numbers.
-
-    Examples
-    --------
-    >>> [each.name for each in assignments({"spaces": [{"eye": (0, 0, 5)}], "kind": "shear"})]
-    ['spaces_0_eye']
+    `preamble` is the lines before the first assignment.
     """
-    for leaf in leaves(data):
-        if not isinstance(leaf.value, str):
-            yield _assignment(leaf)
+
+    format: Format
+    comment: str
+    about: str
+    statement: Callable[[str, Assigned], str]
+    preamble: tuple[str, ...] = ()
 
 
 def identifier(key: str) -> str:
@@ -59,8 +57,8 @@ def identifier(key: str) -> str:
     return f"{name}_" if f" {name} " in _RESERVED else name
 
 
-def require_numbers(report: Report, chosen: Format) -> None:
-    """Refuse a program format for a report without a single number.
+def program(report: Report, language: Language) -> str:
+    """Write the numbers of a report as statements, and its remarks as comments.
 
     Raises
     ------
@@ -69,17 +67,46 @@ def require_numbers(report: Report, chosen: Format) -> None:
     """
     numbers = (leaf for leaf in leaves(report.data) if not isinstance(leaf.value, (str, bool)))
     if not any(leaf.value is not None for leaf in numbers):
-        works = ", ".join(sorted(_WORDS))
+        works = sorted(each for each in Format if each not in (Format.TEXT, *PROGRAMS))
         raise IllegalValueError(
-            f"{quantity('format')} ({chosen})",
+            f"{quantity('format')} ({language.format})",
             f"{report.command} has no numbers to write in a program",
-            f"use text, {works}",
+            f"use text, {', '.join(works)}",
         )
+    lines = [
+        f"{language.comment} nmatrix {report.command} {__version__}; {language.about}",
+        *language.preamble,
+        *statements(report.data, language),
+        *(_commented(remark, language) for remark in report.remarks),
+    ]
+    return "\n".join(lines) + "\n"
 
 
-def comment(text: str) -> str:
-    """Bring a text onto one line, for a comment."""
-    return " ".join(text.split())
+def statements(data: Mapping[str, Value], language: Language) -> Iterator[str]:
+    """Write a statement for every number, vector, matrix and truth value of the data.
+
+    Words are left out: a program computes with numbers. What no float64 can hold is a comment.
+    """
+    for leaf in leaves(data):
+        value = leaf.value
+        if value is None:
+            yield _commented(f"{leaf.key} is null", language)
+        elif not isinstance(value, str):
+            outside = [entry for entry in _numbers(value) if round_trip_text(entry) is None]
+            if outside:
+                note = f"holds {significant(outside[0], 6)}, outside the range of float64"
+                yield _commented(f"{leaf.key} {note}", language)
+            else:
+                yield language.statement(identifier(leaf.key), value)
+
+
+def _commented(text: str, language: Language) -> str:
+    return f"{language.comment} {' '.join(text.split())}"
+
+
+def number(value: Number) -> str:
+    """Write a number of an assignment, which a float64 can hold."""
+    return round_trip_text(value) or "0.0"
 
 
 def vector(entries: Vector) -> str:
@@ -90,7 +117,7 @@ def vector(entries: Vector) -> str:
     >>> vector((1.0, 0.5))
     '[1.0, 0.5]'
     """
-    return f"[{', '.join(round_trip_text(entry) or 'null' for entry in entries)}]"
+    return f"[{', '.join(map(number, entries))}]"
 
 
 def matrix(rows: Matrix) -> str:
@@ -121,19 +148,7 @@ def flat(rows: Matrix) -> str:
     return "[\n" + "".join(f"  {vector(row)[1:-1]},\n" for row in rows) + "]"
 
 
-def _assignment(leaf: Leaf) -> Assignment:
-    value = leaf.value
-    if value is None or isinstance(value, str):
-        return Assignment(identifier(leaf.key), None, f"{leaf.key} is null")
-    outside = next((entry for entry in _numbers(value) if round_trip_text(entry) is None), None)
-    if outside is not None:
-        shown = significant(outside, 6)
-        note = f"{leaf.key} holds {shown}, outside the range of float64"
-        return Assignment(identifier(leaf.key), None, note)
-    return Assignment(identifier(leaf.key), value)
-
-
-def _numbers(value: bool | Number | Vector | Matrix) -> Iterator[Number]:  # noqa: FBT001 - data
+def _numbers(value: Assigned) -> Iterator[Number]:
     if is_matrix(value):
         yield from (entry for row in value for entry in row)
     elif is_vector(value):

@@ -7,18 +7,24 @@ entry comes first.
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from io import StringIO
 
 from nmatrix.enums import Layout
 from nmatrix.output.jsontext import outside_remark
-from nmatrix.output.numbers import round_trip_text, significant
-from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
-from nmatrix.report import Report, Table, Value
+from nmatrix.output.numbers import (
+    is_matrix,
+    is_number,
+    is_vector,
+    leaves,
+    round_trip_text,
+    significant,
+)
+from nmatrix.output.write import OutputOptions
+from nmatrix.report import Report, Value
 from nmatrix.version import __version__
 
-Record = tuple[str, int | str, int | str, str]
+Entry = tuple[str, int | str, int | str, Value]
 HEADER = ("key", "row", "column", "value")
 
 
@@ -34,7 +40,7 @@ def write(report: Report, options: OutputOptions) -> str:
     value,1,,2.5
     """
     if report.records is not None:
-        return _table(report.records)
+        return _lines(report.records.columns, report.records.rows)
     outside = [
         outside_remark(key, significant(value, options.digits))
         for key, _, _, value in _entries(report.data, options.layout)
@@ -47,24 +53,18 @@ def write(report: Report, options: OutputOptions) -> str:
         **report.data,
         "remarks": [*report.remarks, *outside],
     }
+    return _lines(HEADER, _entries(whole, options.layout))
+
+
+def _lines(header: Sequence[str], rows: Iterable[Sequence[Value]]) -> str:
     text = StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    rows.writerow(HEADER)
-    rows.writerows((*place, _cell(value)) for *place, value in _entries(whole, options.layout))
+    lines = csv.writer(text, lineterminator="\n")
+    lines.writerow(header)
+    lines.writerows(map(_cell, row) for row in rows)
     return text.getvalue()
 
 
-def _table(table: Table) -> str:
-    text = StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    rows.writerow(table.columns)
-    rows.writerows([_cell(cell) for cell in row] for row in table.rows)
-    return text.getvalue()
-
-
-def _entries(
-    data: Mapping[str, Value], layout: Layout
-) -> Iterator[tuple[str, int | str, int | str, Value]]:
+def _entries(data: Mapping[str, Value], layout: Layout) -> Iterator[Entry]:
     for leaf in leaves(data):
         value = leaf.value
         if is_matrix(value):

@@ -5,9 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 
-from nmatrix.output.numbers import significant
-from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector, leaves
+from nmatrix.output.numbers import is_matrix, is_number, is_vector, leaves, significant
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import (
     Blank,
     Block,
@@ -42,9 +41,9 @@ class Dialect(ABC):
     def heading(self, text: str) -> str:
         """Write a heading."""
 
-    @abstractmethod
     def paragraph(self, text: str) -> str:
         """Write a paragraph."""
+        return self.words(text)
 
     @abstractmethod
     def strong(self, text: str) -> str:
@@ -54,9 +53,9 @@ class Dialect(ABC):
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         """Write a matrix, or a vector as one column, under its key."""
 
-    @abstractmethod
     def scalar(self, key: str, title: str, value: str) -> str:
-        """Write a number or a word under its key."""
+        """Write a number or a word under its title, or else its key."""
+        return f"{self.words(title or key)}: {value}"
 
     @abstractmethod
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
@@ -66,13 +65,13 @@ class Dialect(ABC):
     def formula(self, formula: Formula) -> str:
         """Write a formula that stands by itself."""
 
-    @abstractmethod
     def code(self, language: str, text: str) -> str:
-        """Write program text."""
+        """Write program text; Markdown and Typst have the same fences."""
+        return f"```{language}\n{text.rstrip()}\n```"
 
-    @abstractmethod
     def remarks(self, remarks: Sequence[str]) -> str:
-        """Write the remarks as a list."""
+        """Write the remarks as a list; Markdown and Typst have the same dashes."""
+        return "\n".join(f"- {self.words(remark)}" for remark in remarks)
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Write one line of a derivation, with its reason."""
@@ -103,10 +102,6 @@ class Dialect(ABC):
     def words(self, text: str) -> str:
         """Escape a text, so that it is shown as it is."""
 
-    def document(self, body: str) -> str:
-        """Put around the body whatever the format needs."""
-        return body
-
 
 def blocks_in(blocks: Sequence[Block], dialect: Dialect) -> str:
     """Write some blocks in a dialect, parted by empty lines."""
@@ -114,24 +109,11 @@ def blocks_in(blocks: Sequence[Block], dialect: Dialect) -> str:
     return "\n\n".join(part for part in written if part)
 
 
-def sections(blocks: Sequence[Block]) -> Iterator[tuple[Block, ...]]:
-    """Part blocks at their headings."""
-    found: list[Block] = []
-    for block in blocks:
-        if isinstance(block, Heading) and found:
-            yield tuple(found)
-            found = []
-        found.append(block)
-    if found:
-        yield tuple(found)
-
-
 def compose(report: Report, dialect: Dialect) -> str:
     """Write the whole report in a dialect, ending in a newline."""
-    parts = [_block(block, dialect) for block in (*report.blocks, *_not_shown_yet(report))]
-    if report.remarks:
-        parts.append(dialect.remarks(report.remarks))
-    return dialect.document("\n\n".join(part.rstrip("\n") for part in parts)) + "\n"
+    body = blocks_in((*report.blocks, *_not_shown_yet(report)), dialect)
+    remarks = dialect.remarks(report.remarks) if report.remarks else ""
+    return "\n\n".join(part for part in (body, remarks) if part) + "\n"
 
 
 def _not_shown_yet(report: Report) -> Iterator[Quantity]:

@@ -1,4 +1,4 @@
-"""Matrices, vectors and tables drawn in characters, for people.
+"""Matrices, vectors, formulas and tables drawn in characters, for people.
 
 A matrix has box brackets, aligned points, named axes, and a bar before t, the translation column
 of an affine 4×4. Columns of a table are aligned and fit the width: long sentences are wrapped
@@ -12,9 +12,9 @@ from textwrap import wrap
 
 from nmatrix.linear.rational import is_affine
 from nmatrix.output.numbers import significant
-from nmatrix.output.options import Charset, OutputOptions
 from nmatrix.output.style import AXES, Line, Span, Style, plain, width
-from nmatrix.report import Matrix, Vector
+from nmatrix.output.write import Charset, OutputOptions
+from nmatrix.report import Formula, Matrix, Vector
 
 GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
@@ -46,14 +46,8 @@ def _at_point(text: str) -> tuple[str, str]:
     return text[:place], text[place:]
 
 
-def brackets(rows: int, charset: Charset) -> list[tuple[str, str]]:
-    """Choose the opening and the closing bracket of each row of a matrix.
-
-    Examples
-    --------
-    >>> brackets(1, Charset.UNICODE), brackets(2, Charset.UNICODE)
-    ([('[', ']')], [('⎡', '⎤'), ('⎣', '⎦')])
-    """
+def _brackets(rows: int, charset: Charset) -> list[tuple[str, str]]:
+    """Choose the opening and the closing bracket of each row of a matrix."""
     only, first, middle, last = BRACKETS[charset]
     return [only] if rows == 1 else [first, *[middle] * (rows - 2), last]
 
@@ -121,12 +115,9 @@ def _draw_group(
 ) -> list[Line]:
     barred = 3 if is_affine(matrix) and group[0] < 3 <= group[-1] else None
     named = len(matrix) >= 3 and len(columns) == len(matrix)
-    lines = (
-        [_header(columns, group, barred, "xyzt" if is_affine(matrix) else AXIS_NAMES)]
-        if named
-        else []
-    )
-    for place, (opening, closing) in enumerate(brackets(len(matrix), charset)):
+    names = "xyzt" if is_affine(matrix) else AXIS_NAMES
+    lines = [_header(columns, group, barred, names)] if named else []
+    for place, (opening, closing) in enumerate(_brackets(len(matrix), charset)):
         spans = [_axis(AXIS_NAMES[place]), Span(" ")] if named else []
         spans.append(Span(opening + " "))
         for column in group:
@@ -163,6 +154,36 @@ def _number(text: str) -> Span:
     return Span(text, Style.DIM if text.strip() == "0" else Style.PLAIN)
 
 
+def draw_formula(formula: Formula) -> str:
+    """Draw a formula as it was typed, with tall brackets around its matrices.
+
+    Examples
+    --------
+    >>> print(draw_formula(Formula(("A = ", (("1", "0"), ("0", "−2"))))))
+    A = ⎡ 1   0 ⎤
+        ⎣ 0  −2 ⎦
+    """
+    blocks = [[part] if isinstance(part, str) else _drawn_cells(part) for part in formula.parts]
+    height = max(map(len, blocks))
+    padded = []
+    for block in blocks:
+        above = (height - len(block)) // 2
+        width = max(map(len, block))
+        empty = " " * width
+        lines = [line.ljust(width) for line in block]
+        padded.append([empty] * above + lines + [empty] * (height - above - len(block)))
+    return "\n".join("".join(line).rstrip() for line in zip(*padded, strict=True))
+
+
+def _drawn_cells(cells: Sequence[Sequence[str]]) -> list[str]:
+    rows = zip(*map(_right, zip(*cells, strict=True)), strict=True)
+    around = _brackets(len(cells), Charset.UNICODE)
+    return [
+        f"{opening} {GAP.join(row)} {closing}"
+        for row, (opening, closing) in zip(rows, around, strict=True)
+    ]
+
+
 def draw_table(
     columns: Sequence[str],
     rows: Sequence[Sequence[str]],
@@ -176,7 +197,7 @@ def draw_table(
     Examples
     --------
     >>> from nmatrix.output.style import render
-    >>> from nmatrix.output.options import Colour
+    >>> from nmatrix.output.write import Colour
     >>> for line in draw_table(["n", "is"], [["1.5", "a"], ["10", "b"]], [True, False], (80, "-")):
     ...     print(render(line, Colour.PLAIN))
     n     is
@@ -187,8 +208,8 @@ def draw_table(
     if not rows:
         return [(Span(GAP.join(columns), Style.DIM),)]
     cells = [
-        _column([row[place] for row in rows], number=numeric[place])
-        for place in range(len(columns))
+        aligned(column) if is_numeric else column
+        for column, is_numeric in zip(zip(*rows, strict=True), numeric, strict=True)
     ]
     widths = _widths(columns, cells, numeric, frame[0])
     if widths is None:
@@ -202,12 +223,11 @@ def draw_table(
     return lines
 
 
-def _column(cells: list[str], *, number: bool) -> list[str]:
-    return aligned(cells) if number else cells
-
-
 def _widths(
-    columns: Sequence[str], cells: list[list[str]], numeric: Sequence[bool], limit: int
+    columns: Sequence[str],
+    cells: Sequence[Sequence[str]],
+    numeric: Sequence[bool],
+    limit: int,
 ) -> list[int] | None:
     """Fit the columns into the limit, taking room from the widest words first."""
     widths = [

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 from nmatrix.enums import Format
 from nmatrix.linear.rational import transpose
-from nmatrix.output.assignments import Assignment, assignments, comment, require_numbers
-from nmatrix.output.numbers import float_or_none, round_trip_text
-from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector
+from nmatrix.output.assignments import Assigned, Language, program, statements
+from nmatrix.output.numbers import float_or_none, is_matrix, is_number, is_vector, round_trip_text
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Code, Matrix, Number, Report, Vector
-from nmatrix.version import __version__
 
 SHADER_BREAK = "// ---- fragment shader ----"
 LARGEST_FLOAT32 = 3.4028234663852886e38
@@ -41,11 +40,12 @@ def write(report: Report, options: OutputOptions) -> str:
     ]
     if shaders:
         return "\n".join([f"\n{SHADER_BREAK}\n".join(shaders), *_uniforms(report)]) + "\n"
-    require_numbers(report, Format.GLSL)
-    lines = [f"// nmatrix {report.command} {__version__}; GLSL ES 3.00, matrices are column-major."]
-    lines += [_statement(each, "const ") for each in assignments(report.data)]
-    lines += [f"// {comment(remark)}" for remark in report.remarks]
-    return "\n".join(lines) + "\n"
+    return program(report, _glsl("const"))
+
+
+def _glsl(qualifier: str) -> Language:
+    about = "GLSL ES 3.00, matrices are column-major."
+    return Language(Format.GLSL, "//", about, partial(_statement, qualifier))
 
 
 def _uniforms(report: Report) -> list[str]:
@@ -54,21 +54,19 @@ def _uniforms(report: Report) -> list[str]:
     if not isinstance(values, Mapping):
         return []
     lines = ["// The uniforms' values; matrices are column-major."]
-    for each in assignments(values):
-        statement = _statement(each, "uniform ").removeprefix("// ").replace("\n", "\n// ")
-        lines.append(f"// {statement}")
+    for statement in statements(values, _glsl("uniform")):
+        commented = statement.removeprefix("// ").replace("\n", "\n// ")
+        lines.append(f"// {commented}")
     return lines
 
 
-def _statement(each: Assignment, qualifier: str) -> str:
-    if each.value is None:
-        return f"// {comment(each.note)}"
-    kind, written, numbers = _typed(each.value, each.name)
+def _statement(qualifier: str, name: str, value: Assigned) -> str:
+    kind, written, numbers = _typed(value, name)
     too_large = any(abs(float_or_none(entry) or 0.0) > LARGEST_FLOAT32 for entry in numbers)
-    return f"{qualifier}{kind} = {written};{OUTSIDE if too_large else ''}"
+    return f"{qualifier} {kind} = {written};{OUTSIDE if too_large else ''}"
 
 
-def _typed(value: bool | Number | Vector | Matrix, name: str) -> tuple[str, str, Vector]:  # noqa: FBT001 - data
+def _typed(value: Assigned, name: str) -> tuple[str, str, Vector]:
     """Write the declaration and the initial value; the third part is the floats in it."""
     if is_matrix(value):
         return _matrix(value, name)

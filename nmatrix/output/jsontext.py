@@ -5,9 +5,17 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 
-from nmatrix.output.numbers import round_trip_text, significant
-from nmatrix.output.options import Charset, OutputOptions
-from nmatrix.output.quantities import arranged, is_list, is_matrix, is_number, is_vector, members
+from nmatrix.output.numbers import (
+    arranged,
+    is_list,
+    is_matrix,
+    is_number,
+    is_vector,
+    members,
+    round_trip_text,
+    significant,
+)
+from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import Number, Report, Step, Value
 from nmatrix.version import __version__
 

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.formulas.latex import bmatrix, latex
-from nmatrix.output.options import Charset, OutputOptions
 from nmatrix.output.style import spelled
+from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import Formula, Report
 
 _CHARACTERS = {
@@ -96,18 +96,12 @@ class Latex(Dialect):
     def heading(self, text: str) -> str:
         return rf"\section*{{{escaped(text)}}}"
 
-    def paragraph(self, text: str) -> str:
-        return escaped(text)
-
     def strong(self, text: str) -> str:
         return rf"\textbf{{{escaped(text)}}}"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         about = f"{escaped(title)}\n" if title else ""
         return f"{about}% key: {key}\n\\[\n{symbol(key)} = {bmatrix(cells)}\n\\]"
-
-    def scalar(self, key: str, title: str, value: str) -> str:
-        return f"{escaped(title or key)}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         lines = [[escaped(column) for column in columns], *rows]

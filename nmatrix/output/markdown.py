@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.formulas.latex import bmatrix, latex
 from nmatrix.output.latex import power_of_ten, symbol
-from nmatrix.output.options import OutputOptions
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
 
@@ -21,9 +21,6 @@ class Markdown(Dialect):
 
     def heading(self, text: str) -> str:
         return f"## {escaped(text)}"
-
-    def paragraph(self, text: str) -> str:
-        return escaped(text)
 
     def strong(self, text: str) -> str:
         return f"**{escaped(text)}**"
@@ -43,12 +40,6 @@ class Markdown(Dialect):
 
     def formula(self, formula: Formula) -> str:
         return f"$$\n{latex(formula.tree)}\n$$"
-
-    def code(self, language: str, text: str) -> str:
-        return f"```{language}\n{text.rstrip()}\n```"
-
-    def remarks(self, remarks: Sequence[str]) -> str:
-        return "\n".join(f"- {escaped(remark)}" for remark in remarks)
 
     def number(self, text: str) -> str:
         return power_of_ten(text)

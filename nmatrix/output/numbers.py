@@ -1,12 +1,112 @@
-"""Numbers as characters: rounded for people, round-trip for machines."""
+"""The numbers of a report's data: which they are, under which dotted keys, and as characters."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite
+from typing import TypeGuard
 
+from nmatrix.enums import Layout
+from nmatrix.linear.rational import transpose
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Number
+from nmatrix.report import Matrix, Number, Step, Value, Vector
+
+LARGEST_MATRIX = 4
+
+
+def is_number(value: object) -> TypeGuard[Number]:
+    """Recognise a number; a bool is none.
+
+    Examples
+    --------
+    >>> is_number(1), is_number(True)
+    (True, False)
+    """
+    return isinstance(value, (int, float, Fraction)) and not isinstance(value, bool)
+
+
+def is_list(value: object) -> TypeGuard[Sequence[Value]]:
+    """Recognise a sequence other than a string."""
+    return isinstance(value, Sequence) and not isinstance(value, str)
+
+
+def is_vector(value: object) -> TypeGuard[Vector]:
+    """Recognise a list of at least one number, and of nothing else."""
+    return is_list(value) and len(value) > 0 and all(is_number(entry) for entry in value)
+
+
+def is_matrix(value: object) -> TypeGuard[Matrix]:
+    """Recognise a matrix: 2 to 4 rows of equally many numbers, 1 to 4 of them.
+
+    Examples
+    --------
+    >>> is_matrix(((1, 0), (0, 1))), is_matrix(((1, 0), (0,)))
+    (True, False)
+    """
+    if not (is_list(value) and 2 <= len(value) <= LARGEST_MATRIX):
+        return False
+    sizes = {len(row) if is_vector(row) else 0 for row in value}
+    return len(sizes) == 1 and 1 <= sizes.pop() <= LARGEST_MATRIX
+
+
+def arranged(matrix: Matrix, layout: Layout) -> Matrix:
+    """Order the entries as a layout wants them: the rows to write down one after the other."""
+    return transpose(matrix) if layout is Layout.COLUMN_MAJOR else matrix
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A value of the data that holds no keys of its own: a scalar, a vector or a matrix."""
+
+    key: str
+    value: bool | str | Number | Vector | Matrix | None
+
+
+def members(step: Step) -> dict[str, Value]:
+    """Spread a step of a derivation over the keys that it has in the data.
+
+    Examples
+    --------
+    >>> from nmatrix.report import Formula
+    >>> members(Step(Formula(("A = I",)), "nothing moves", verified=True))["latex"]
+    'A = I'
+    """
+    from nmatrix.output.drawing import draw_formula
+    from nmatrix.output.formulas.latex import latex
+
+    return {
+        "text": draw_formula(step.formula),
+        "latex": latex(step.formula.tree),
+        "because": step.because,
+        "verified": step.verified,
+    }
+
+
+def leaves(data: Mapping[str, Value], prefix: str = "") -> Iterator[Leaf]:
+    """Walk through the data in order; inner keys and positions are joined by dots.
+
+    Examples
+    --------
+    >>> [leaf.key for leaf in leaves({"spaces": [{"eye": (0, 0, 5)}], "rank": 3})]
+    ['spaces.0.eye', 'rank']
+    """
+    for name, value in data.items():
+        yield from _leaves_of(f"{prefix}{name}", value)
+
+
+def _leaves_of(key: str, value: Value) -> Iterator[Leaf]:
+    if isinstance(value, Step):
+        value = members(value)
+    if isinstance(value, Mapping):
+        yield from leaves(value, f"{key}.")
+    elif is_matrix(value) or is_vector(value):
+        yield Leaf(key, value)
+    elif is_list(value):
+        yield from leaves({str(place): entry for place, entry in enumerate(value)}, f"{key}.")
+    elif value is None or isinstance(value, (bool, str, int, float, Fraction)):
+        yield Leaf(key, value)
 
 
 def float_or_none(value: Number) -> float | None:

@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from nmatrix.enums import Format, Layout
-from nmatrix.output.assignments import (
-    Assignment,
-    assignments,
-    comment,
-    matrix,
-    require_numbers,
-    vector,
-)
-from nmatrix.output.numbers import round_trip_text
-from nmatrix.output.options import OutputOptions
-from nmatrix.output.quantities import arranged, is_matrix, is_number, is_vector
+from nmatrix.output.assignments import Assigned, Language, matrix, number, program, vector
+from nmatrix.output.numbers import arranged, is_matrix, is_number, is_vector
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Report
-from nmatrix.version import __version__
 
 
 def write(report: Report, options: OutputOptions) -> str:
@@ -31,27 +24,16 @@ def write(report: Report, options: OutputOptions) -> str:
     >>> print(write(Report("calc", {"value": (1.0, 2.0)}, ()), OutputOptions()).splitlines()[-1])
     value = np.array([1.0, 2.0])
     """
-    require_numbers(report, Format.NUMPY)
-    lines = [
-        f"# nmatrix {report.command} {__version__}; layout: {options.layout}",
-        "import numpy as np",
-        "",
-    ]
-    lines += [_statement(each, options.layout) for each in assignments(report.data)]
-    lines += [f"# {comment(remark)}" for remark in report.remarks]
-    return "\n".join(lines) + "\n"
+    about, statement = f"layout: {options.layout}", partial(_statement, options.layout)
+    numpy = Language(Format.NUMPY, "#", about, statement, ("import numpy as np", ""))
+    return program(report, numpy)
 
 
-def _statement(each: Assignment, layout: Layout) -> str:
-    value = each.value
-    if value is None:
-        return f"# {comment(each.note)}"
+def _statement(layout: Layout, name: str, value: Assigned) -> str:
     if is_matrix(value):
         written = f"np.array({matrix(arranged(value, layout))})"
     elif is_vector(value):
         written = f"np.array({vector(value)})"
-    elif isinstance(value, bool):
-        written = str(value)
     else:
-        written = (round_trip_text(value) if is_number(value) else None) or "None"
-    return f"{each.name} = {written}"
+        written = number(value) if is_number(value) else str(value)
+    return f"{name} = {written}"

@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.output.style import RESET
+
 Array = NDArray[Any]
 
 RAMP = " .:-=+*#%@"
-RESET = "\x1b[0m"
 
 
 def preview(image: Array, columns: int, *, in_colour: bool) -> str:

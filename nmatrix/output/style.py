@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from nmatrix.output.options import Charset, Colour
+from nmatrix.output.write import Charset, Colour
 
 RESET = "\x1b[0m"
 

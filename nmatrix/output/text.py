@@ -6,16 +6,15 @@ The lines are built as styled spans and become characters at the very end.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from dataclasses import replace
 from itertools import groupby
 from textwrap import wrap
 
-from nmatrix.output.drawing import draw_matrix, draw_table, draw_vector
-from nmatrix.output.formulas.text import text as drawn
-from nmatrix.output.numbers import significant
-from nmatrix.output.options import Charset, OutputOptions
-from nmatrix.output.quantities import is_matrix, is_number, is_vector
-from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled
+from nmatrix.output.drawing import draw_formula, draw_matrix, draw_table, draw_vector
+from nmatrix.output.numbers import is_matrix, is_number, is_vector, significant
+from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled, width
+from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import (
     Blank,
     Block,
@@ -57,28 +56,16 @@ def write(report: Report, options: OutputOptions) -> str:
     <BLANKLINE>
     • Three numbers.
     """
-    writer = _Writer(options)
-    parts = [writer.part(kind, group) for kind, group in groupby(report.blocks, _grouping)]
-    parts.append([line for remark in report.remarks for line in writer.remark(remark)])
-    lines = list(_parted(parts))
-    return "".join(render(line, options.colour) + "\n" for line in lines)
+    written = (
+        "".join(render(line, options.colour) + "\n" for line in part)
+        for part in _Writer(options).parts(report)
+    )
+    return "\n".join(part for part in written if part)
 
 
-def _grouping(block: Block) -> tuple[str, int]:
-    """Group neighbours that stand without an empty line between them."""
-    if isinstance(block, Quantity) and not is_matrix(block.value):
-        return ("quantities", 0)
-    return (type(block).__name__, id(block))
-
-
-def _parted(parts: Iterable[list[Line]]) -> Iterator[Line]:
-    """Put an empty line between two parts."""
-    first = True
-    for part in parts:
-        if part and not first:
-            yield ()
-        yield from part
-        first = first and not part
+def _is_labelled(block: Block) -> bool:
+    """Recognise a value that stands beside its label, with no empty line to its neighbours."""
+    return isinstance(block, Quantity) and not is_matrix(block.value)
 
 
 class _Writer:
@@ -87,12 +74,16 @@ class _Writer:
     def __init__(self, options: OutputOptions) -> None:
         self.options = options
 
-    def part(self, kind: tuple[str, int], group: Iterable[Block]) -> list[Line]:
-        if kind[0] == "quantities":
-            return self._labelled([block for block in group if isinstance(block, Quantity)])
-        return [line for block in group for line in self._block(block)]
+    def parts(self, report: Report) -> Iterator[list[Line]]:
+        """Draw the parts that empty lines stand between."""
+        for labelled, group in groupby(report.blocks, _is_labelled):
+            if labelled:
+                yield self._labelled([block for block in group if isinstance(block, Quantity)])
+            else:
+                yield from map(self._block, group)
+        yield [line for remark in report.remarks for line in self._remark(remark)]
 
-    def remark(self, text: str) -> list[Line]:
+    def _remark(self, text: str) -> list[Line]:
         bullet = BULLETS[self.options.charset]
         lines = self._wrapped(text, 2)
         return [
@@ -104,9 +95,9 @@ class _Writer:
             case Heading(text):
                 lines = self._heading(text)
             case Text(text):
-                lines = [plain(line) for line in self._wrapped(text, 0)]
+                lines = self._lines(text)
             case Verdict(text):
-                lines = [(Span(line, Style.TITLE),) for line in self._wrapped(text, 0)]
+                lines = self._lines(text, Style.TITLE)
             case Quantity():
                 lines = self._matrix(block)
             case Table():
@@ -133,18 +124,19 @@ class _Writer:
         room = max(self.options.width - indent, 10)
         return [piece for line in lines for piece in wrap(line, room) or [""]]
 
+    def _lines(self, text: str, style: Style = Style.PLAIN) -> list[Line]:
+        return [(Span(line, style),) for line in self._wrapped(text, 0)]
+
     def _heading(self, text: str) -> list[Line]:
-        lines = self._wrapped(text, 0)
-        rule = RULES[self.options.charset] * max((len(line) for line in lines), default=0)
-        return [*((Span(line, Style.TITLE),) for line in lines), (Span(rule, Style.DIM),)]
+        lines = self._lines(text, Style.TITLE)
+        rule = RULES[self.options.charset] * max(map(width, lines), default=0)
+        return [*lines, (Span(rule, Style.DIM),)]
 
     def _titled(self, title: str, lines: list[Line]) -> list[Line]:
-        head: list[Line] = [(Span(line, Style.TITLE),) for line in self._wrapped(title, 0)]
-        return [*head, *lines]
+        return [*self._lines(title, Style.TITLE), *lines]
 
     def _matrix(self, block: Quantity) -> list[Line]:
-        if not is_matrix(block.value):
-            return self._labelled([block])
+        assert is_matrix(block.value)  # every other quantity has a label
         title = "" if block.title == block.key else block.title
         about = [part for part in (title, block.unit and f"in {block.unit}") if part]
         name = _PLACE_IN_A_LIST.sub("", block.key)
@@ -170,12 +162,8 @@ class _Writer:
         """Write a scalar, a vector or a word, on as many lines as it needs."""
         value, unit = block.value, self._spelled(f" {block.unit}" if block.unit else "")
         if is_vector(value):
-            room = OutputOptions(
-                digits=self.options.digits,
-                charset=self.options.charset,
-                width=self.options.width - indent - len(unit),
-            )
-            lines = draw_vector(value, room)
+            room = self.options.width - indent - len(unit)
+            lines = draw_vector(value, replace(self.options, width=room))
             return [*lines[:-1], (*lines[-1], Span(unit))] if unit else lines
         if is_number(value):
             return [plain(significant(value, self.options.digits) + unit)]
@@ -201,7 +189,7 @@ class _Writer:
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:
-        text = self._spelled(drawn(block))
+        text = self._spelled(draw_formula(block))
         if "\n" in text:
             return [(INDENT, Span(line)) for line in text.splitlines()]
         return [(INDENT, Span(line)) for line in self._wrapped(text, 2)]
@@ -221,6 +209,4 @@ class _Writer:
 
     def _figure(self, block: Figure) -> list[Line]:
         named = f"{block.caption}: {block.path}" if block.caption else block.path
-        return [
-            plain(line) for text in (named, block.alternative) for line in self._wrapped(text, 0)
-        ]
+        return [*self._lines(named), *self._lines(block.alternative)]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.formulas.typst import matrix, typst
-from nmatrix.output.options import OutputOptions
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
 _LISTLIKE = re.compile(r"^(\s*(?:[0-9]+)?)([-+.])", re.MULTILINE)
@@ -24,18 +24,12 @@ class Typst(Dialect):
     def heading(self, text: str) -> str:
         return f"== {escaped(text)}"
 
-    def paragraph(self, text: str) -> str:
-        return escaped(text)
-
     def strong(self, text: str) -> str:
         return f"*{escaped(text)}*"
 
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         about = f"{escaped(title)}\n" if title else ""
         return f'{about}$ #raw("{key}") = {matrix(cells)} $'
-
-    def scalar(self, key: str, title: str, value: str) -> str:
-        return f"{escaped(title or key)}: {value}"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         lines = [[escaped(column) for column in columns], *rows]
@@ -45,12 +39,6 @@ class Typst(Dialect):
 
     def formula(self, formula: Formula) -> str:
         return f"$ {typst(formula.tree)} $"
-
-    def code(self, language: str, text: str) -> str:
-        return f"```{language}\n{text.rstrip()}\n```"
-
-    def remarks(self, remarks: Sequence[str]) -> str:
-        return "\n".join(f"- {escaped(remark)}" for remark in remarks)
 
     def number(self, text: str) -> str:
         mantissa, mark, exponent = text.partition("e")

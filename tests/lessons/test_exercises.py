@@ -18,7 +18,7 @@ from nmatrix.lessons.exercises.exercise import Choice, Computed, Exercise, Exerc
 from nmatrix.lessons.exercises.scheme import SCHEME, Draws, Sheet
 from nmatrix.lessons.exercises.sheet import exercise, exercises
 from nmatrix.lessons.exercises.tracing import UNDIVIDED
-from nmatrix.output.formulas.text import text as drawn
+from nmatrix.output.drawing import draw_formula
 from nmatrix.report import Formula, Text
 
 SIZE = len(ExerciseKind)
@@ -26,7 +26,7 @@ SIZE = len(ExerciseKind)
 
 def lines(blocks) -> str:
     shown = (block for block in blocks if isinstance(block, (Text, Formula)))
-    return "\n".join(drawn(one) if isinstance(one, Formula) else one.text for one in shown)
+    return "\n".join(draw_formula(one) if isinstance(one, Formula) else one.text for one in shown)
 
 
 def said(one: Exercise) -> str:
@@ -173,13 +173,13 @@ def test_numbers_outside_the_sheet_are_refused() -> None:
 
 def test_attempts_that_do_not_show_their_mistakes_are_drawn_again(monkeypatch) -> None:
     built = []
-    original = sheets.KINDS[0]
+    original = sheets.BUILDERS[ExerciseKind.WORLD]
 
-    def reluctant(draws: Draws, number: int) -> Exercise | None:
+    def reluctant(draws: Draws) -> Exercise | None:
         built.append(draws)
-        return original(draws, number) if len(built) > 3 else None
+        return original(draws) if len(built) > 3 else None
 
-    monkeypatch.setattr(sheets, "KINDS", (reluctant,))
+    monkeypatch.setitem(sheets.BUILDERS, ExerciseKind.WORLD, reluctant)
     assert exercise(1, Sheet("1", "Ada")).kind is ExerciseKind.WORLD
     assert len(built) == 4
 

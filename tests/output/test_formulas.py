@@ -9,12 +9,13 @@ import pytest
 
 from nmatrix.formula import Fence, Name, Numeral, Power, Quotient, Root, Row, Sign, parse
 from nmatrix.lessons.derive.lesson import derive
+from nmatrix.lessons.exercises.exercise import ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
-from nmatrix.lessons.exercises.sheet import KINDS, exercises
+from nmatrix.lessons.exercises.sheet import exercises
+from nmatrix.output.drawing import draw_formula
 from nmatrix.output.formulas.latex import latex
 from nmatrix.output.formulas.mathml import equation, mathml
 from nmatrix.output.formulas.spoken import spoken
-from nmatrix.output.formulas.text import text
 from nmatrix.output.formulas.typst import typst
 from nmatrix.report import Formula, Step
 from nmatrix.scene.world import World
@@ -27,7 +28,7 @@ def of_lessons() -> list[Formula]:
 
 
 def of_exercises() -> list[Formula]:
-    sheet = exercises(2 * len(KINDS), Sheet("7", "Ada"))
+    sheet = exercises(2 * len(ExerciseKind), Sheet("7", "Ada"))
     blocks = (block for one in sheet for block in (*one.task, *one.key))
     return [block for block in blocks if isinstance(block, Formula)]
 
@@ -77,7 +78,7 @@ def test_every_formula_prints_in_every_notation(formulas) -> None:
         assert page.get("alttext") == spoken(tree)
         assert sum(node.tag.endswith("mtable") for node in page.iter()) == matrices
         assert typst(tree).count("mat(") == matrices
-        assert len(re.findall(r"\[ |⎡ ", text(formula))) == matrices
+        assert len(re.findall(r"\[ |⎡ ", draw_formula(formula))) == matrices
         assert spoken(tree)
         assert not set(spoken(tree)) & set("⁻ᵀ²·×√≤≠κθσ⇒")
 

@@ -51,15 +51,20 @@ class Answer:
     @cached_property
     def floats(self) -> Rows | None:
         """The numbers in float64, for a first look; None where one is beyond."""
-        try:
-            return to_floats(self.rows)
-        except IllegalValueError:
-            return None
+        return floats_or_none(self.rows)
 
     @cached_property
     def coarsest(self) -> float:
         """The largest unit of a last place that counts."""
         return float(max(min(place, FEWEST) for row in self.last_places for place in row))
+
+
+def floats_or_none(rows: RationalMatrix) -> Rows | None:
+    """Round numbers to float64; None where one is beyond."""
+    try:
+        return to_floats(rows)
+    except IllegalValueError:
+        return None
 
 
 def read_answer(text: str, question: Question, layout: Layout = Layout.ROW_MAJOR) -> Answer:
@@ -86,7 +91,7 @@ def shaped(literal: MatrixLiteral, question: Question) -> Answer:
         flat = tuple(entry for row in rows for entry in row)
         if len(flat) in (3, 4) and 1 in size:
             return Answer((flat,), (tuple(place for row in decimals for place in row),))
-        raise _refusal(size, question, "3 or 4 numbers", "1 0 0")
+        raise _refusal(size, "3 or 4 numbers", "1 0 0")
     if question.subject is Subject.NORMAL:
         if size == (3, 3):
             return Answer(rows, decimals)
@@ -95,14 +100,14 @@ def shaped(literal: MatrixLiteral, question: Question) -> Answer:
             return Answer(
                 linear_part(rows), block, ("Of the 16 numbers the 3×3 block was compared.",)
             )
-        raise _refusal(size, question, "9 or 16 numbers", "1 0 0; 0 1 0; 0 0 1")
+        raise _refusal(size, "9 or 16 numbers", "1 0 0; 0 1 0; 0 0 1")
     if size == (4, 4):
         return Answer(rows, decimals)
     if size == (3, 3) and question.subject is not Subject.PROJECTION:
         grown = (*((*row, None) for row in decimals), (None,) * 4)
         return Answer(affine_matrix(rows), grown, ("Nine numbers: a matrix without translation.",))
     wanted = "16 numbers" if question.subject is Subject.PROJECTION else "9 or 16 numbers"
-    raise _refusal(size, question, wanted, "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1")
+    raise _refusal(size, wanted, "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1")
 
 
 def with_w_one(row: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
@@ -115,9 +120,7 @@ def _last_place(decimals: int | None) -> Fraction:
     return ZERO if decimals is None else Fraction(1, 10**decimals)
 
 
-def _refusal(
-    size: tuple[int, int], question: Question, wanted: str, example: str
-) -> IllegalValueError:
+def _refusal(size: tuple[int, int], wanted: str, example: str) -> IllegalValueError:
     got = f"{size[0]} rows of {size[1]}" if size[0] > 1 else f"{size[1]} numbers"
     return IllegalValueError(
         f"answer ({got})", f"it is to have {wanted}", f'write it like "{example}"'

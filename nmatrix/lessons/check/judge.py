@@ -55,8 +55,8 @@ class Outcome(StrEnum):
 class Judgement:
     """What is to be said about one answer.
 
-    `right` and `wrong_entries` are in the shape of the answer; `mistake` is one id, or two
-    joined by a plus sign; `also` are those that give the same numbers here.
+    `right` and `wrong_entries` are in the shape of the answer; `also` are the mistakes that give
+    the same numbers here.
     """
 
     verdict: Outcome
@@ -129,8 +129,9 @@ class Judge:
         if len(names) == 1:
             return self._mistaken(answer, found, names)
         if found.lacks_only_digits:
-            return self._incomplete(answer, found)
-        return self._unknown(answer, found, names)
+            return self._unknown(answer, found, TOO_FEW_DIGITS)
+        several = f"{SEVERAL} {', '.join(map('+'.join, names))}." if names else NO_MISTAKE
+        return self._unknown(answer, found, self._hint(answer) or several)
 
     def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
         """Prefer a mistake that gives every digit of an answer which is only close to right."""
@@ -165,7 +166,7 @@ class Judge:
             found.difference,
             found.wrong or found.unrounded,
             first,
-            tuple("+".join(other) for other in others),
+            tuple(map("+".join, others)),
             self._explanation(answer, first, others),
             answer.remarks,
         )
@@ -201,9 +202,7 @@ class Judge:
         free = replace(self.question, unit=False)
         return self.question.unit and is_alike(answer, self.right, free)
 
-    def _unknown(self, answer: Answer, found: Likeness, several: Names) -> Judgement:
-        pairs = f"{SEVERAL} {', '.join('+'.join(pair) for pair in several)}." if several else None
-        sentence = self._hint(answer) or pairs or NO_MISTAKE
+    def _unknown(self, answer: Answer, found: Likeness, sentence: str) -> Judgement:
         return Judgement(
             Outcome.UNKNOWN,
             scaled(self.right, found.factor),
@@ -212,10 +211,6 @@ class Judge:
             explanation=sentence,
             remarks=answer.remarks,
         )
-
-    def _incomplete(self, answer: Answer, found: Likeness) -> Judgement:
-        unknown = self._unknown(answer, found, {})
-        return replace(unknown, explanation=TOO_FEW_DIGITS)
 
     def _hint(self, answer: Answer) -> str | None:
         alike = (one for one in self.hints if is_alike(answer, one.value, self.question))

@@ -137,17 +137,13 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     Fraction(7, 1)
     """
     given, wanted = _comparable(answer.rows, value, question)
-    best = _at(given, wanted, ONE, answer, question)
-    if best.alike or not question.any_length:
-        return best
-    first = True
-    for factor in _factors(given, wanted):
-        found = _at(given, wanted, factor, answer, question)
-        if first and found.alike:
-            return found
-        first = False
-        best = min(best, found, key=lambda one: (len(one.wrong), one.difference))
-    return best
+    as_it_is = _at(given, wanted, ONE, answer, question)
+    if as_it_is.alike or not question.any_length:
+        return as_it_is
+    tried = [_at(given, wanted, factor, answer, question) for factor in _factors(given, wanted)]
+    if tried and tried[0].alike:
+        return tried[0]
+    return min((as_it_is, *tried), key=lambda one: (len(one.wrong), one.difference))
 
 
 def likeness_to_known(answer: Answer, value: RationalMatrix, question: Question) -> Likeness | None:
@@ -202,8 +198,7 @@ def _at(
     question: Question,
 ) -> Likeness:
     wanted = value if factor == 1 else scaled(value, factor)
-    places = answer.last_places
-    return Likeness(given, wanted, places, question, factor)
+    return Likeness(given, wanted, answer.last_places, question, factor)
 
 
 def _factors(given: RationalMatrix, value: RationalMatrix) -> Iterator[Fraction]:

@@ -226,6 +226,6 @@ def _normal(question: Question, linear_map: LinearMap) -> RationalMatrix:
         raise NoAnswerError(
             f"normal ({' '.join(f'{float(x):g}' for x in n)})", found.reason, "choose another one"
         )
-    if linear_map.integer_determinant:
-        return ((*apply(linear_map.inverse_transpose, n), ZERO),)
-    return ((*apply(linear_map.cofactor_matrix, n), ZERO),)
+    flattens = not linear_map.integer_determinant
+    N = linear_map.cofactor_matrix if flattens else linear_map.inverse_transpose
+    return ((*apply(N, n), ZERO),)

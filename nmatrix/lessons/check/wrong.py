@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
-from nmatrix.errors import NMatrixError
+from nmatrix.lessons.check.answer import floats_or_none
 from nmatrix.lessons.check.computation import MisreadScenes
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question
-from nmatrix.linear.rational import RationalMatrix, Rows, to_floats
+from nmatrix.linear.rational import RationalMatrix, Rows
 
 
 @dataclass(frozen=True)
@@ -24,10 +24,7 @@ class WrongAnswer:
     @cached_property
     def floats(self) -> Rows | None:
         """The value in float64, for a first look; None where it is beyond."""
-        try:
-            return to_floats(self.value)
-        except NMatrixError:
-            return None
+        return floats_or_none(self.value)
 
 
 def single_mistakes(question: Question) -> Iterator[WrongAnswer]:

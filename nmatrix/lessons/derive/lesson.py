@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from fractions import Fraction
 
-from nmatrix.lessons.derive import (
-    derivations,
-    examples,
-    lighting,
-    mirrors_and_flattening,
-    reflecting,
-)
-from nmatrix.lessons.derive.cases import TITLES, chosen
+from nmatrix.errors import IllegalValueError
+from nmatrix.lessons.derive import derivations, kinds_of_maps, lighting
 from nmatrix.lessons.derive.users_matrix import users_matrix
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear.classify import classify
@@ -21,23 +16,61 @@ from nmatrix.report import Block, Heading, Report, Step, Value, Verdict
 from nmatrix.scene.world import World
 
 SYMBOLIC = Fraction(1, 10**30)  # sines come in 130 bits here; what they miss by, surds do not
-Lesson = Callable[[], tuple[list[Step], str]]
+ALL = "all"
 
-LESSONS: dict[str, Lesson] = {
-    "rule": derivations.rule,
-    "cofactor": derivations.cofactor,
-    "translation": derivations.translation,
-    "rotation": examples.rotation,
-    "uniform": examples.uniform,
-    "nonuniform": examples.nonuniform,
-    "shear": examples.shear,
-    "mirror": mirrors_and_flattening.mirror,
-    "singular": mirrors_and_flattening.singular,
-    "lightdirection": lighting.lightdirection,
-    "eye": lighting.eye,
-    "metric": lighting.metric,
-    "reflection": reflecting.reflection,
+
+@dataclass(frozen=True)
+class Lesson:
+    """A title, and what proves it: steps and a conclusion."""
+
+    title: str
+    prove: Callable[[], tuple[list[Step], str]]
+
+
+LESSONS = {
+    "rule": Lesson("Why normals move by the inverse transpose", derivations.rule),
+    "cofactor": Lesson("The cofactor matrix, and the sign that it lacks", derivations.cofactor),
+    "translation": Lesson("What a translation does to normals", derivations.translation),
+    "rotation": Lesson("A rotation is its own inverse transpose", kinds_of_maps.rotation),
+    "uniform": Lesson("A uniform scale changes lengths only", kinds_of_maps.uniform),
+    "nonuniform": Lesson("A non-uniform scale bends normals", kinds_of_maps.nonuniform),
+    "shear": Lesson("A shear has determinant 1 and bends normals", kinds_of_maps.shear),
+    "mirror": Lesson("A mirror, its determinant and the outward side", kinds_of_maps.mirror),
+    "singular": Lesson("What is left when space is flattened", kinds_of_maps.singular),
+    "lightdirection": Lesson(
+        "A light direction is a vector, not a normal", lighting.lightdirection
+    ),
+    "eye": Lesson("Where the eye is in object space", lighting.eye),
+    "metric": Lesson("Lengths and angles in a space that is not rigid", lighting.metric),
+    "reflection": Lesson(
+        "Mirrored light, the half vector, and the gate on n · l", lighting.reflection
+    ),
 }
+
+
+def chosen(case: str) -> tuple[str, ...]:
+    """Choose the cases that a word stands for.
+
+    Raises
+    ------
+    IllegalValueError
+        If no case has this name.
+
+    Examples
+    --------
+    >>> chosen("mirror")
+    ('mirror',)
+    """
+    if case == ALL:
+        return tuple(LESSONS)
+    if case in LESSONS:
+        return (case,)
+    near = get_close_matches(case.lower(), (*LESSONS, ALL), 1)
+    raise IllegalValueError(
+        f"case ({case[:40]})",
+        f"the cases are {', '.join(LESSONS)}, all",
+        f"did you mean {near[0]}?" if near else "try nmatrix derive rule",
+    )
 
 
 def derive(case: str, world: World | None = None) -> Report:
@@ -68,11 +101,12 @@ def derive(case: str, world: World | None = None) -> Report:
 
 def _lesson(name: str, world: World | None) -> Report:
     """Teach a lesson; after its conclusion the user's own matrix, with a conclusion of its own."""
-    steps, conclusion = LESSONS[name]()
-    blocks: tuple[Block, ...] = (Heading(TITLES[name]), *steps, Verdict(conclusion))
+    lesson = LESSONS[name]
+    steps, conclusion = lesson.prove()
+    blocks: tuple[Block, ...] = (Heading(lesson.title), *steps, Verdict(conclusion))
     data: dict[str, Value] = {
         "case": name,
-        "title": TITLES[name],
+        "title": lesson.title,
         "steps": steps,
         "conclusion": conclusion,
     }

@@ -5,8 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.derive.steps import equal, is_zero, normal_form, step
-from nmatrix.lessons.derive.symbols import cofactors, determinant
+from nmatrix.lessons.derive.steps import cofactors, determinant, equal, is_zero, normal_form, step
 from nmatrix.lessons.notation import formula, written
 from nmatrix.linear.angle import Angle
 from nmatrix.report import Number, Step

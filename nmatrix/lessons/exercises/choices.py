@@ -8,18 +8,21 @@ from nmatrix.lessons.check.judge import Judge
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import Choice, Exercise, ExerciseKind, Option, listed
-from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES
+from nmatrix.lessons.exercises.exercise import LETTERS, Choice, Exercise, Option
+from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES, SHORT_MOVES
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.notation import formula, written
+from nmatrix.lessons.notation import formula, in_parentheses, written
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import RationalMatrix, diagonal, product, transpose
+from nmatrix.linear.rational import RationalMatrix, diagonal, identity, product, transpose
 from nmatrix.report import Block, Code, Text
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 LETTER = Text("Answer with a letter.")
+CHOICES = 4
+# They need a sentence of context to be a fair question.
+NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
 
 # What a wrong choice is told: where to look, and not what is to be seen there.
 FOLLOW_THE_MATRICES = (
@@ -34,7 +37,7 @@ UP_TO_LENGTH = "Of a normal matrix any positive multiple counts."
 OTHER_NUMBERS = "That mistake gives other numbers: work one entry out and compare."
 
 
-def which_space(draws: Draws, number: int) -> Exercise:
+def which_space(draws: Draws) -> Exercise:
     """Ask for the space of a vector in a line of shader code."""
     line, space, because = draws.choice(SPACES)
     options = tuple(
@@ -48,12 +51,10 @@ def which_space(draws: Draws, number: int) -> Exercise:
             "which space is the result?"
         ),
     )
-    return _choice(
-        number, ExerciseKind.WHICH_SPACE, task, options, list(SPACE_OPTIONS).index(space)
-    )
+    return _choice(draws, task, options, list(SPACE_OPTIONS).index(space))
 
 
-def short_cut(draws: Draws, number: int) -> Exercise:
+def short_cut(draws: Draws) -> Exercise:
     """Ask whether a world matrix may carry normals itself."""
     yes = "yes: the columns are perpendicular and equally long"
     lengths = "no: the columns are perpendicular, but not equally long"
@@ -75,18 +76,15 @@ def short_cut(draws: Draws, number: int) -> Exercise:
         formula("A = ", A),
         Text("Is it legal to multiply normals by A itself, and to normalise?"),
     )
-    return _choice(
-        number, ExerciseKind.SHORTCUT, task, options, right, (formula("Aᵀ · A = ", size),)
-    )
+    return _choice(draws, task, options, right, (formula("Aᵀ · A = ", size),))
 
 
-def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
+def find_the_mistake(draws: Draws) -> Exercise | None:
     """Show a wrong answer and ask which mistake it holds."""
     quarter = draws.choice((90, -90))
     scale = draws.several(SCALES, 3)
     move = tuple(Fraction(1 + draws.randbelow(4)) for _ in range(3))
-    angles = tuple(Fraction(quarter if i == 2 else 0) for i in range(3))
-    world = World(translate=move, rotate_degrees=angles, scale=scale)
+    world = World(translate=move, rotate_degrees=(0, 0, quarter), scale=scale)
     subject = draws.choice((Subject.WORLD, Subject.NORMAL))
     judge = Judge(Question(subject, Setup(world)))
     by_mistake = {one.mistakes[0]: one.value for one in reversed(judge.singles)}
@@ -103,8 +101,8 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
         for one in chosen
     )
     told = (
-        f"scaled by ({', '.join(map(written, scale))}), turned by {written(Fraction(quarter))}° "
-        f"about z, moved by ({', '.join(map(written, move))})"
+        f"scaled by {in_parentheses(scale)}, turned by {written(quarter)}° about z, "
+        f"moved by {in_parentheses(move)}"
     )
     what = "the world matrix" if subject is Subject.WORLD else "the normal matrix"
     task: tuple[Block, ...] = (
@@ -114,43 +112,34 @@ def find_the_mistake(draws: Draws, number: int) -> Exercise | None:
         Text("What do you tell Sam?"),
     )
     key = (formula("right = ", judge.right), Text(MISTAKES[made].did))
-    return _choice(number, ExerciseKind.MISTAKE, task, options, right, key)
+    return _choice(draws, task, options, right, key)
 
 
-def concept(draws: Draws, number: int) -> Exercise:
+def concept(draws: Draws) -> Exercise:
     """Ask a question of understanding."""
     question, right, wrong = draws.choice(CONCEPTS)
     options = [Option(text, because) for text, because in (right, *wrong)]
     order = draws.shuffled(range(len(options)))
     shuffled = tuple(options[i] for i in order)
-    return _choice(number, ExerciseKind.CONCEPT, (Text(question),), shuffled, order.index(0))
-
-
-CHOICES = 4
-# They need a sentence of context to be a fair question.
-NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
+    return _choice(draws, (Text(question),), shuffled, order.index(0))
 
 
 def _block(draws: Draws, kind: int) -> RationalMatrix:
     """Draw a turn with a uniform scale, a mirror of one, a stretch, or a shear."""
     turn = rotation_about(draws.choice("XYZ"), Angle.degrees(draws.choice((90, 180, 270))))
-    if kind == 0:
+    if kind < 2:
         s = draws.choice(SCALES)
-        return product(turn, diagonal((s, s, s)))
-    if kind == 1:
-        s = draws.choice(SCALES)
-        return product(turn, diagonal((-s, s, s)))
+        return product(turn, diagonal((-s if kind else s, s, s)))
     if kind == 2:
         return product(turn, diagonal(draws.several(SCALES, 3)))
-    H = [[Fraction(int(i == j)) for j in range(3)] for i in range(3)]
+    H = [list(row) for row in identity(3)]
     i, j = draws.choice(((0, 1), (0, 2), (1, 2)))
-    H[i][j] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
+    H[i][j] = draws.choice(SHORT_MOVES)
     return product(turn, tuple(map(tuple, H)))
 
 
 def _choice(
-    number: int,
-    kind: ExerciseKind,
+    draws: Draws,
     task: tuple[Block, ...],
     options: tuple[Option, ...],
     right: int,
@@ -158,5 +147,5 @@ def _choice(
 ) -> Exercise:
     grader = Choice(options, right)
     worked = (*key, Text(f"Answer: {grader.letter}. {options[right].because}"))
-    choices = tuple(Text(line) for line in listed(options).split("\n"))
-    return Exercise(number, kind, (*task, *choices, LETTER), (1, 1), worked, grader.letter, grader)
+    choices = (Text(f"{LETTERS[i]}) {option.text}") for i, option in enumerate(options))
+    return Exercise(draws.number, (*task, *choices, LETTER), (1, 1), worked, grader.letter, grader)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -17,7 +16,7 @@ from nmatrix.report import Block
 
 
 class ExerciseKind(StrEnum):
-    """The kinds, in the order in which a sheet takes turns."""
+    """The kinds, in the order in which a sheet takes turns through them."""
 
     WORLD = "world matrix"
     NORMAL = "normal matrix"
@@ -29,6 +28,18 @@ class ExerciseKind(StrEnum):
     MISTAKE = "find the mistake"
     MIRROR_SINGULAR = "mirrored and flattened"
     CONCEPT = "concept"
+
+    @classmethod
+    def of(cls, number: int) -> ExerciseKind:
+        """Tell the kind of an exercise from its number.
+
+        Examples
+        --------
+        >>> ExerciseKind.of(12)
+        <ExerciseKind.NORMAL: 'normal matrix'>
+        """
+        kinds = tuple(cls)
+        return kinds[(number - 1) % len(kinds)]
 
 
 class Grader(Protocol):
@@ -56,13 +67,17 @@ class Exercise:
     """
 
     number: int
-    kind: ExerciseKind
     task: tuple[Block, ...]
     cells: tuple[int, int]
     key: tuple[Block, ...]
     right: str
     grader: Grader
     planned: tuple[ExpectedMistake, ...] = ()
+
+    @property
+    def kind(self) -> ExerciseKind:
+        """What kind of exercise it is, by its number."""
+        return ExerciseKind.of(self.number)
 
     @property
     def title(self) -> str:
@@ -176,9 +191,10 @@ class Choice:
         for found in (by_name, begun):
             if len(found) == 1:
                 return found[0]
-        letters = ", ".join(LETTERS[: len(self.options)])
         raise IllegalValueError(
-            f"answer ({text.strip()[:30]})", "it is none of the choices", f"answer {letters}"
+            f"answer ({text.strip()[:30]})",
+            "it is none of the choices",
+            f"answer {', '.join(LETTERS[: len(self.options)])}",
         )
 
 
@@ -186,8 +202,3 @@ def _begins(option: Option, typed: str) -> bool:
     """Compare the beginning of an option with these whole words."""
     words, first = typed.rstrip(",:").split(), option.text.lower().split()
     return bool(words) and [word.rstrip(",:") for word in first[: len(words)]] == words
-
-
-def listed(options: Sequence[Option]) -> str:
-    """List options with their letters, one on a line."""
-    return "\n".join(f"{LETTERS[i]}) {option.text}" for i, option in enumerate(options))

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from fractions import Fraction
 
 from nmatrix.enums import Space
 from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind, ExpectedMistake
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.notation import column, formula, typed, written
+from nmatrix.lessons.notation import column, formula, in_parentheses, typed, written
 from nmatrix.linear.rational import (
     RationalMatrix,
     cofactor_matrix,
@@ -21,22 +21,23 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
 )
-from nmatrix.report import Block, Formula, Number, Text
+from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
 Vector = tuple[Fraction, ...]
-Build = Callable[[Draws, int], Exercise | None]
+Build = Callable[[Draws], Exercise | None]
 
 SCALES = tuple(Fraction(x) for x in ("1/4", "1/2", "1", "2", "4"))
 MOVES = tuple(Fraction(x) for x in (-3, -2, -1, 1, 2, 3))
+SHORT_MOVES = MOVES[1:5]
 QUARTERS = (90, -90)
 AXES = "xyz"
 CONVENTION = "Column vectors; M = T · R · S; angles by the right-hand rule."
 
 
-def world_matrix(draws: Draws, number: int) -> Exercise | None:
+def world_matrix(draws: Draws) -> Exercise | None:
     """Ask for a world matrix made of a translation, a quarter turn and a scale."""
     world, told = _placed(draws)
     question = Question(Subject.WORLD, Setup(world))
@@ -56,14 +57,14 @@ def world_matrix(draws: Draws, number: int) -> Exercise | None:
         formula("R = ", R, ", S = ", S, ", t = ", column(t)),
         formula("R · S = ", product(R, S)),
     )
-    return _computed(number, ExerciseKind.WORLD, question, task, planned, steps)
+    return _computed(draws, question, task, planned, steps)
 
 
-def normal_matrix(draws: Draws, number: int) -> Exercise | None:
+def normal_matrix(draws: Draws) -> Exercise | None:
     """Ask for the normal matrix of a scale and a shear."""
     scale = draws.several(SCALES, 3)
     shear = [Fraction(0)] * 3
-    shear[draws.randbelow(3)] = draws.choice((Fraction(-2), Fraction(-1), Fraction(1), Fraction(2)))
+    shear[draws.randbelow(3)] = draws.choice(SHORT_MOVES)
     world = World(scale=scale, shear=tuple(shear))
     question = Question(Subject.NORMAL, Setup(world))
     A = linear_part(world.world_from_object)
@@ -83,10 +84,10 @@ def normal_matrix(draws: Draws, number: int) -> Exercise | None:
         formula(f"det A = {written(det)}"),
         formula("A⁻ᵀ = C / det A"),
     )
-    return _computed(number, ExerciseKind.NORMAL, question, task, planned, steps)
+    return _computed(draws, question, task, planned, steps)
 
 
-def light_in_camera(draws: Draws, number: int) -> Exercise | None:
+def light_in_camera(draws: Draws) -> Exercise | None:
     """Ask for a light's position in camera space, beside an object that must not matter."""
     world, told = _placed(draws)
     axis, side = draws.randbelow(2), draws.choice((-1, 1))
@@ -97,8 +98,8 @@ def light_in_camera(draws: Draws, number: int) -> Exercise | None:
     question = Question(Subject.LIGHT, setup, Space.CAMERA, light=LightPart.POSITION)
     task = (
         Text(
-            f"The camera stands at {_listed(eye)}, looks at the origin, and y is up. A lamp hangs "
-            f"in the world at {_listed(light)}. An object {told}. "
+            f"The camera stands at {in_parentheses(eye)}, looks at the origin, and y is up. A "
+            f"lamp hangs in the world at {in_parentheses(light)}. An object {told}. "
             "Where is the lamp in camera space?"
         ),
         Text("The camera looks down −z. Three numbers."),
@@ -109,10 +110,10 @@ def light_in_camera(draws: Draws, number: int) -> Exercise | None:
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
     )
     planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
-    return _computed(number, ExerciseKind.LIGHT, question, task, planned, steps)
+    return _computed(draws, question, task, planned, steps)
 
 
-def eye_in_object(draws: Draws, number: int) -> Exercise | None:
+def eye_in_object(draws: Draws) -> Exercise | None:
     """Ask for the eye in object space."""
     world, told = _placed(draws)
     eye = tuple(draws.choice(MOVES) * 2 for _ in range(3))
@@ -120,8 +121,8 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
     question = Question(Subject.EYE, setup, Space.OBJECT)
     task = (
         Text(
-            f"An object {told}, and the eye is at {_listed(eye)} in the world. Where is the eye in "
-            f"object space? {CONVENTION}"
+            f"An object {told}, and the eye is at {in_parentheses(eye)} in the world. Where is "
+            f"the eye in object space? {CONVENTION}"
         ),
         Text("Three numbers."),
     )
@@ -132,10 +133,10 @@ def eye_in_object(draws: Draws, number: int) -> Exercise | None:
         formula("e − t = ", column(away)),
     )
     planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
-    return _computed(number, ExerciseKind.EYE, question, task, planned, steps)
+    return _computed(draws, question, task, planned, steps)
 
 
-def mirrored(draws: Draws, number: int) -> Exercise | None:
+def mirrored(draws: Draws) -> Exercise | None:
     """Ask for an outward normal through a turned mirror, or through a flattening."""
     scale = list(draws.several(SCALES[1:4], 3))
     place = draws.randbelow(3)
@@ -153,17 +154,16 @@ def mirrored(draws: Draws, number: int) -> Exercise | None:
         ),
         Text("Three numbers; any positive multiple counts, and where A flattens, either sign."),
     )
-    steps: tuple[Block, ...] = (formula("C = ", cofactor_matrix(A)),)
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
-        return _computed(
-            number, ExerciseKind.MIRROR_SINGULAR, question, task, (), (*steps, Text(told))
+        planned: tuple[MistakeId, ...] = ()
+    else:
+        told = (
+            "det A < 0: the outward normal is −C n, a positive multiple of the inverse transpose's."
         )
-    told = "det A < 0: the outward normal is −C n, a positive multiple of the inverse transpose's."
-    planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
-    return _computed(
-        number, ExerciseKind.MIRROR_SINGULAR, question, task, planned, (*steps, Text(told))
-    )
+        planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
+    steps = (formula("C = ", cofactor_matrix(A)), Text(told))
+    return _computed(draws, question, task, planned, steps)
 
 
 def _placed(draws: Draws) -> tuple[World, str]:
@@ -173,8 +173,8 @@ def _placed(draws: Draws) -> tuple[World, str]:
     scale = draws.several(SCALES, 3)
     turn, axis = next((angle, axis) for angle, axis in zip(angles, AXES, strict=True) if angle)
     told = (
-        f"is scaled by {_listed(scale)}, then turned by {written(turn)}° about {axis}, then moved "
-        f"by {_listed(move)}"
+        f"is scaled by {in_parentheses(scale)}, then turned by {written(turn)}° about {axis}, "
+        f"then moved by {in_parentheses(move)}"
     )
     return World(translate=move, rotate_degrees=angles, scale=scale), told
 
@@ -185,37 +185,34 @@ def _quarter_turn(draws: Draws) -> Vector:
     return tuple(Fraction(turn) if i == axis else Fraction(0) for i in range(3))
 
 
-def _listed(values: Iterable[Number]) -> str:
-    return f"({', '.join(written(Fraction(value)) for value in values)})"
-
-
 def _computed(
-    number: int,
-    kind: ExerciseKind,
+    draws: Draws,
     question: Question,
     task: tuple[Block, ...],
     planned: tuple[MistakeId, ...],
-    steps: tuple[Block, ...] = (),
+    steps: tuple[Block, ...],
 ) -> Exercise | None:
     """Make the exercise; None where a planned mistake would not show in these numbers."""
     judge = Judge(question)
     wrong = _shown_mistakes(judge, planned)
     if wrong is None:
         return None
-    right = judge.right
-    if question.is_vector:
-        right = (right[0][:3],)
-    cells = (len(right[0]), 1) if question.is_vector else (len(right), len(right[0]))
+    right = _asked_for(judge, judge.right)
+    shown = column(right[0]) if question.is_vector else right
     return Exercise(
-        number,
-        kind,
+        draws.number,
         task,
-        cells,
-        (*steps, answer_formula(right, is_vector=question.is_vector)),
+        (len(shown), len(shown[0])),
+        (*steps, formula("answer = ", shown)),
         typed(right),
         Computed(judge),
         wrong,
     )
+
+
+def _asked_for(judge: Judge, value: RationalMatrix) -> RationalMatrix:
+    """Leave out the w of a vector."""
+    return (value[0][:3],) if judge.question.is_vector else value
 
 
 def _shown_mistakes(
@@ -225,7 +222,7 @@ def _shown_mistakes(
     found: list[ExpectedMistake] = []
     for mistake in planned:
         values = (one.value for one in judge.singles if one.mistakes == (mistake,))
-        texts = (typed((value[0][:3],) if judge.question.is_vector else value) for value in values)
+        texts = (typed(_asked_for(judge, value)) for value in values)
         named = next((text for text in texts if _is_named(judge, mistake, text)), None)
         if named is None or named in (one.text for one in found):
             return None
@@ -234,11 +231,5 @@ def _shown_mistakes(
 
 
 def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
-    found = Computed(judge).answer(text)
-    judged = judge.judge(found)
+    judged = Computed(judge).judge(text)
     return judged.verdict is Outcome.MISTAKE and judged.mistakes == (mistake,)
-
-
-def answer_formula(right: RationalMatrix, *, is_vector: bool) -> Formula:
-    """Write the right answer for the key."""
-    return formula("answer = ", column(right[0]) if is_vector else right)

@@ -44,6 +44,7 @@ class Draws:
     """
 
     def __init__(self, sheet: Sheet, number: int, attempt: int) -> None:
+        self.number = number
         counted = b"".join(
             len(part).to_bytes(8, "big") + part
             for part in (*sheet.parts, str(number).encode(), str(attempt).encode())

@@ -4,25 +4,25 @@ from __future__ import annotations
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.exercises import choices, matrices, tracing
-from nmatrix.lessons.exercises.exercise import Exercise
+from nmatrix.lessons.exercises.exercise import Exercise, ExerciseKind
 from nmatrix.lessons.exercises.matrices import Build
 from nmatrix.lessons.exercises.scheme import Draws, Sheet
 
 MOST = 100  # exercises of one sheet
 ATTEMPTS = 200  # until the numbers of an exercise show its planned mistakes
 
-KINDS: tuple[Build, ...] = (
-    matrices.world_matrix,
-    matrices.normal_matrix,
-    choices.which_space,
-    matrices.light_in_camera,
-    matrices.eye_in_object,
-    choices.short_cut,
-    tracing.trace,
-    choices.find_the_mistake,
-    matrices.mirrored,
-    choices.concept,
-)
+BUILDERS: dict[ExerciseKind, Build] = {
+    ExerciseKind.WORLD: matrices.world_matrix,
+    ExerciseKind.NORMAL: matrices.normal_matrix,
+    ExerciseKind.WHICH_SPACE: choices.which_space,
+    ExerciseKind.LIGHT: matrices.light_in_camera,
+    ExerciseKind.EYE: matrices.eye_in_object,
+    ExerciseKind.SHORTCUT: choices.short_cut,
+    ExerciseKind.TRACE: tracing.trace,
+    ExerciseKind.MISTAKE: choices.find_the_mistake,
+    ExerciseKind.MIRROR_SINGULAR: matrices.mirrored,
+    ExerciseKind.CONCEPT: choices.concept,
+}
 
 
 def exercise(number: int, sheet: Sheet) -> Exercise:
@@ -42,9 +42,9 @@ def exercise(number: int, sheet: Sheet) -> Exercise:
         raise IllegalValueError(
             f"exercise ({number})", f"a sheet has 1 to {MOST}", "give a number from the sheet"
         )
-    build = KINDS[(number - 1) % len(KINDS)]
+    build = BUILDERS[ExerciseKind.of(number)]
     for attempt in range(ATTEMPTS):
-        found = build(Draws(sheet, number, attempt), number)
+        found = build(Draws(sheet, number, attempt))
         if found is not None:
             return found
     raise AssertionError(f"exercise {number} of {sheet} found no numbers")

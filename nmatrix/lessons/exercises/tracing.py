@@ -12,10 +12,10 @@ from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.wrong import WrongAnswer
-from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind, ExpectedMistake
-from nmatrix.lessons.exercises.matrices import MOVES
+from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake
+from nmatrix.lessons.exercises.matrices import SHORT_MOVES
 from nmatrix.lessons.exercises.scheme import Draws
-from nmatrix.lessons.notation import column, formula, typed, written
+from nmatrix.lessons.notation import column, formula, in_parentheses, typed, written
 from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector, apply
 from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
@@ -27,11 +27,11 @@ UNDIVIDED = "These are clip coordinates: divide x, y and z by the fourth number,
 PLANNED = (MistakeId.ASPECT_INVERTED, MistakeId.HORIZONTAL_FOV)
 
 
-def trace(draws: Draws, number: int) -> Exercise | None:
+def trace(draws: Draws) -> Exercise | None:
     """Ask for the normalised device coordinates of a vertex."""
     scale, further = Fraction(draws.choice((1, 2))), draws.randbelow(4)
-    point = tuple(Fraction(draws.choice((-2, -1, 1, 2))) for _ in range(3))
-    move = tuple(draws.choice(MOVES[1:5]) for _ in range(2))
+    point = tuple(draws.choice(SHORT_MOVES) for _ in range(3))
+    move = tuple(draws.choice(SHORT_MOVES) for _ in range(2))
     world = World(translate=(*move, 0), scale=(scale, scale, scale))
     lens = Lens(90.0, 2.0, 1.0, float(draws.choice((9, 17))))
     setup = Setup(world, View(eye=(0, 0, 5 + further)), lens)
@@ -48,8 +48,7 @@ def trace(draws: Draws, number: int) -> Exercise | None:
     undivided = Hint((_clip(setup, point),), UNDIVIDED)
     judge = _TraceJudge(Question(Subject.EYE, setup), right, tuple(wrong), undivided)
     return Exercise(
-        number,
-        ExerciseKind.TRACE,
+        draws.number,
         _task(setup, point),
         (3, 1),
         _key(setup, point, right),
@@ -126,14 +125,14 @@ def _misread(mistake: MistakeId, setup: Setup) -> Iterator[Setup]:
 
 def _task(setup: Setup, point: RationalVector) -> tuple[Text, ...]:
     world, lens = setup.world, setup.lens
-    moved = ", ".join(written(Fraction(x)) for x in world.translate)
     return (
         Text(
-            f"An object is scaled by {written(Fraction(world.scale[0]))} and moved by ({moved}). "
+            f"An object is scaled by {written(Fraction(world.scale[0]))} and moved by "
+            f"{in_parentheses(world.translate)}. "
             f"The camera stands at (0, 0, {setup.view.eye[2]}), looks at the origin, and y is up; "
             f"a vertical field of view of 90°, width over height 2, near 1, far {lens.far:g}, "
             "depth from −1 to 1. Where is the vertex "
-            f"({', '.join(map(written, point))}) in normalised device coordinates?"
+            f"{in_parentheses(point)} in normalised device coordinates?"
         ),
         Text("Three numbers."),
     )

@@ -10,7 +10,6 @@ import json
 from base64 import b64encode
 from collections.abc import Iterable
 from dataclasses import replace
-from fractions import Fraction
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any
@@ -97,7 +96,7 @@ def page_data(setup: Setup) -> dict[str, Any]:
 def _start(setup: Setup) -> dict[str, float | str]:
     """Place the sliders."""
     scale, rotate, shear = _sliders(setup)
-    direction = _float3(setup.maps.light.direction or DOWNWARDS)
+    direction = _floats(setup.maps.light.direction or DOWNWARDS)
     start: dict[str, float | str] = {"rule": "none", "space": "world", "shape": "torus"}
     for axis, s, r, d in zip("xyz", scale, rotate, direction, strict=True):
         start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"l{axis}": d}
@@ -109,7 +108,7 @@ def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[
     world = setup.world
     plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
     if world == plain:
-        return _float3(world.scale), _float3(world.rotate_degrees), _float3(world.shear)
+        return _floats(world.scale), _floats(world.rotate_degrees), _floats(world.shear)
     taken = parts(world.world_from_object)
     if taken is None:
         raise NoAnswerError(
@@ -117,11 +116,7 @@ def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[
             "sliders cannot show a singular matrix that is not given by its parts",
             f"give {quantity('scale')} with a 0 in it",
         )
-    return _float3(taken.scale), taken.rotate, _float3(taken.shear)
-
-
-def _float3(values: Iterable[Number]) -> tuple[float, ...]:
-    return tuple(map(float, values))
+    return _floats(taken.scale), taken.rotate, _floats(taken.shear)
 
 
 def _shaders(setup: Setup) -> dict[str, dict[str, Any]]:
@@ -152,7 +147,7 @@ def _options(setup: Setup) -> list[str]:
     return found
 
 
-def _spaced(values: Any) -> str:  # noqa: ANN401  # numbers of any kind
+def _spaced(values: Iterable[Number]) -> str:
     return " ".join(f"{value:.17g}" for value in _floats(values))
 
 
@@ -160,8 +155,8 @@ def _literal(A: RationalMatrix) -> str:
     return '"' + "; ".join(" ".join(map(repr, row)) for row in to_floats(A)) + '"'
 
 
-def _floats(values: Any) -> list[float]:  # noqa: ANN401  # numbers of any kind
-    return [float(Fraction(value)) for value in values]
+def _floats(values: Iterable[Number]) -> tuple[float, ...]:
+    return tuple(map(float, values))
 
 
 def _hash(text: str) -> str:

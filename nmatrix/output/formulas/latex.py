@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from nmatrix.formula import (
     APART,
     FUNCTIONS,
+    OPERATORS,
     Fence,
     Grid,
     Name,
@@ -43,7 +44,6 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "°": r"^\circ",
 }
 LETTERS = {"κ": r"\kappa", "θ": r"\theta", "σ": r"\sigma", "λ": r"\lambda", "π": r"\pi"}
-NAMED = ("det", "tan", "sin", "cos", "arctan", "max")  # operators that LaTeX knows
 EXPONENTS = str.maketrans({"⊤": r"\mathsf T", "′": r"\prime", "−": "-"})
 
 
@@ -95,7 +95,7 @@ def bmatrix(cells: Sequence[Sequence[str]]) -> str:
 
 
 def _name(name: Name) -> str:
-    if name.text in NAMED:
+    if name.text in OPERATORS:
         return f"\\{name.text}"
     if name.text in FUNCTIONS:
         return rf"\operatorname{{{name.text}}}"

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from nmatrix.formula import (
     APART,
     FUNCTIONS,
+    OPERATORS,
     Fence,
     Grid,
     Name,
@@ -30,7 +31,6 @@ SIGNS = {
     "≥": ">=",
 }
 ESCAPED = '#$"\\_*`~@&;,'
-NAMED = ("det", "tan", "sin", "cos", "arctan", "max")  # operators that Typst knows
 EXPONENTS = str.maketrans({"⊤": " top", "′": "prime", "−": "-"})
 
 
@@ -81,6 +81,6 @@ def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if below:
         return f"{letter}_{below}"
-    if letter in NAMED or len(letter) == 1:
+    if letter in OPERATORS or len(letter) == 1:
         return letter
     return f'op("{letter}")' if letter in FUNCTIONS else f'"{letter}"'

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from itertools import pairwise
 from typing import assert_never
 
-from nmatrix.output.documents import sections
-from nmatrix.report import Blank, Block, PageBreak
+from nmatrix.report import Blank, Block, Heading, PageBreak
 
 
 class Paper(StrEnum):
@@ -56,9 +56,11 @@ class Document:
 
     def sections(self) -> Iterator[tuple[tuple[Block, ...], bool]]:
         """Part the blocks at headings; an exercise, which is True, must stay on one page."""
-        for section in sections(self.blocks):
-            has_room = any(isinstance(block, Blank) for block in section)
-            yield section, has_room and not any(isinstance(one, PageBreak) for one in section)
+        begins = [i for i, block in enumerate(self.blocks) if i == 0 or isinstance(block, Heading)]
+        for begin, end in pairwise((*begins, len(self.blocks))):
+            section = self.blocks[begin:end]
+            kinds = set(map(type, section))
+            yield section, Blank in kinds and PageBreak not in kinds
 
 
 def write(document: Document, kind: PageFormat) -> bytes:
@@ -77,9 +79,9 @@ def write(document: Document, kind: PageFormat) -> bytes:
         case PageFormat.TYP:
             from nmatrix.output.pages.page_typst import typ as found
         case PageFormat.TEX:
-            from nmatrix.output.pages.page_latex import tex as found
+            from nmatrix.output.pages.page_sources import tex as found
         case PageFormat.MD:
-            from nmatrix.output.pages.page_markdown import md as found
+            from nmatrix.output.pages.page_sources import md as found
         case _:
             assert_never(kind)
     return found(document)

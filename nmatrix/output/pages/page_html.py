@@ -10,8 +10,8 @@ from importlib.resources import files
 
 from nmatrix.output.documents import Cells, blocks_in
 from nmatrix.output.mathml import MathML, prose
-from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Figure, Formula
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from nmatrix.output.documents import Cells, blocks_in
 from nmatrix.output.formulas.spoken import matrix_in_words, spoken
 from nmatrix.output.formulas.typst import matrix, typst
-from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
 from nmatrix.output.typst import Typst, escaped
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Figure, Formula
 
 TOGETHER = "#block(breakable: false, width: 100%)"

@@ -17,7 +17,7 @@ from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import affine_matrix, apply, rational_matrix
 from nmatrix.report import Number, Vector
 from nmatrix.scene.camera import FirstPerson, View
-from nmatrix.scene.setup import Light, Setup
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 
@@ -25,7 +25,8 @@ def degrees_as_radians(setup: Setup) -> Iterator[Setup]:
     """Take angles for radians, group by group and at once."""
     world, view, light = _radians_world(setup.world), _radians_view(setup.view), setup.light
     if light.angles_degrees is not None:
-        light = _radians_light(light)
+        alpha, beta = light.angles_degrees
+        light = replace(light, angles_degrees=(degrees(alpha), degrees(beta)))
         yield replace(setup, light=light)
     yield replace(setup, world=world)
     yield replace(setup, view=view)
@@ -54,7 +55,7 @@ def rotation_sign(setup: Setup) -> Iterator[Setup]:
             yield replace(setup, world=replace(world, rotate_degrees=turned))
     if angles is not None:
         for turned in _signs((angles.elevation, angles.angle, angles.roll)):
-            yield replace(setup, view=replace(setup.view, angles=_first_person(turned)))
+            yield replace(setup, view=replace(setup.view, angles=FirstPerson(*map(float, turned))))
 
 
 def polimi_angles_swapped(setup: Setup) -> Iterator[Setup]:
@@ -80,13 +81,7 @@ def _radians_view(view: View) -> View:
     if view.angles is None:
         return view
     angles = (view.angles.elevation, view.angles.angle, view.angles.roll)
-    return replace(view, angles=_first_person(_radians(angles)))
-
-
-def _radians_light(light: Light) -> Light:
-    assert light.angles_degrees is not None
-    alpha, beta = light.angles_degrees
-    return replace(light, angles_degrees=(degrees(alpha), degrees(beta)))
+    return replace(view, angles=FirstPerson(*map(float, _radians(angles))))
 
 
 def _radians(values: Vector) -> Vector:
@@ -98,10 +93,6 @@ def _signs(values: Vector) -> Iterator[Vector]:
     """Choose signs in every way but the given one; a zero has no sign."""
     choices = [(value, -value) if value else (value,) for value in values]
     yield from list(product(*choices))[1:]
-
-
-def _first_person(values: Vector) -> FirstPerson:
-    return FirstPerson(*(float(value) for value in values))
 
 
 def _standard(world: World) -> World | None:

@@ -25,8 +25,6 @@ SWAPPED_DEPTH = {
     DepthRange.ZERO_TO_ONE: DepthRange.REVERSED,
     DepthRange.REVERSED: DepthRange.ZERO_TO_ONE,
 }
-
-
 OTHER_Z: RationalMatrix = diagonal((ONE, ONE, -ONE, ONE))
 
 

@@ -21,6 +21,8 @@ from nmatrix.linear.rational import (
     transpose,
 )
 
+_STILL = (Space.WORLD, Space.STATIC)
+
 
 def used_world_matrix(question: Question, right: Matrices) -> Matrices | None:
     """Move a light or the eye by M; into object space a symmetric M is the course's own rule."""
@@ -39,10 +41,8 @@ def used_model_view(question: Question, right: Matrices) -> Matrices | None:
         return replace(right, space_from_world=V) if question.space in _STILL else None
     if question.space in (Space.LIGHT, Space.CUSTOM):
         return None
-    model_view = product(V, M)
-    if question.space is Space.OBJECT:
-        return _invertible(replace(right, space_from_world=model_view))
-    return replace(right, space_from_world=model_view)
+    replaced = replace(right, space_from_world=product(V, M))
+    return _inverted(replaced) if question.space is Space.OBJECT else replaced
 
 
 def view_not_inverted(question: Question, right: Matrices) -> Matrices | None:
@@ -50,7 +50,7 @@ def view_not_inverted(question: Question, right: Matrices) -> Matrices | None:
     if question.subject is Subject.VIEW:
         return replace(right, camera_from_world=inverse(right.camera_from_world))
     if question.space in (Space.CAMERA, Space.LIGHT):
-        return _invertible(right)
+        return _inverted(right)
     return None
 
 
@@ -68,12 +68,8 @@ def scale_before_translate(question: Question, right: Matrices) -> Matrices | No
     if question.space is Space.CAMERA:
         return replace(right, space_from_world=_moved_first(right.space_from_world))
     if question.space is Space.OBJECT:
-        swapped = replace(right, space_from_world=_moved_last(right.world_from_object))
-        return _invertible(swapped)
+        return _inverted(replace(right, space_from_world=_moved_last(right.world_from_object)))
     return None
-
-
-_STILL = (Space.WORLD, Space.STATIC)
 
 
 def _moved_last(T_A: RationalMatrix) -> RationalMatrix:
@@ -88,7 +84,7 @@ def _moved_first(R_T: RationalMatrix) -> RationalMatrix:
     return affine_matrix(block, apply(inverse(block), translation(R_T)))
 
 
-def _invertible(matrices: Matrices) -> Matrices | None:
+def _inverted(matrices: Matrices) -> Matrices | None:
     """Invert S, if it can be."""
     S = matrices.space_from_world
     if determinant(linear_part(S)) == 0:

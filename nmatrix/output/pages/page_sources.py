@@ -1,13 +1,13 @@
-"""A document as LaTeX source, for pdflatex and what every distribution of TeX has."""
+"""A document as source: LaTeX for every distribution of TeX, Markdown for wikis and notebooks."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nmatrix.output import latex, markdown
 from nmatrix.output.documents import Cells, blocks_in
-from nmatrix.output.latex import Latex, escaped
-from nmatrix.output.options import OutputOptions
 from nmatrix.output.pages.document import Document, Paper
+from nmatrix.output.write import OutputOptions
 from nmatrix.report import Figure
 
 LONG = 30  # characters from which a cell is a sentence
@@ -17,7 +17,7 @@ SIZES = {Paper.A4: "a4paper", Paper.LETTER: "letterpaper"}
 def tex(document: Document) -> bytes:
     """Write the document as LaTeX source."""
     body = blocks_in(document.blocks, LatexPage(OutputOptions()))
-    subtitle = rf"\\[1ex] \large {escaped(document.subtitle)}" if document.subtitle else ""
+    subtitle = rf"\\[1ex] \large {latex.escaped(document.subtitle)}" if document.subtitle else ""
     source = rf"""\documentclass[11pt,{SIZES[document.paper]}]{{article}}
 \usepackage[utf8]{{inputenc}}
 \usepackage[T1]{{fontenc}}
@@ -26,21 +26,21 @@ def tex(document: Document) -> bytes:
 \setlength{{\parindent}}{{0pt}}
 \setlength{{\parskip}}{{1ex}}
 \pagestyle{{myheadings}}
-\markright{{{escaped(document.subtitle)}}}
+\markright{{{latex.escaped(document.subtitle)}}}
 \begin{{document}}
-{{\Large\bfseries {escaped(document.title)}}}{subtitle}
+{{\Large\bfseries {latex.escaped(document.title)}}}{subtitle}
 
 {body}
 
 \vfill
-{{\footnotesize {escaped(document.note)}}}
+{{\footnotesize {latex.escaped(document.note)}}}
 \end{{document}}
 """
     return source.encode("utf-8", "replace")
 
 
-class LatexPage(Latex):
-    """How a page writes each kind of block."""
+class LatexPage(latex.Latex):
+    """How a page of LaTeX writes each kind of block."""
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table whose long columns wrap, each with its share of the line."""
@@ -59,9 +59,9 @@ class LatexPage(Latex):
 
     def figure(self, figure: Figure) -> str:
         """Write a picture; its alternative text stands in a comment."""
-        comment = escaped(" ".join(figure.alternative.split()))
+        comment = latex.escaped(" ".join(figure.alternative.split()))
         include = rf"\includegraphics[width=\linewidth]{{{figure.path}}}"
-        return f"% alt: {comment}\n{include}\n\n{escaped(figure.caption)}"
+        return f"% alt: {comment}\n{include}\n\n{latex.escaped(figure.caption)}"
 
     def blank(self, rows: int, columns: int) -> str:
         """Leave empty cells between brackets."""
@@ -72,3 +72,24 @@ class LatexPage(Latex):
     def page_break(self) -> str:
         """End a page."""
         return r"\clearpage"
+
+
+def md(document: Document) -> bytes:
+    """Write the document as Markdown."""
+    body = blocks_in(document.blocks, MarkdownPage(OutputOptions()))
+    title, subtitle = f"# {markdown.escaped(document.title)}", markdown.escaped(document.subtitle)
+    parts = (title, subtitle, body, "---", markdown.escaped(document.note))
+    return ("\n\n".join(part for part in parts if part) + "\n").encode("utf-8", "replace")
+
+
+class MarkdownPage(markdown.Markdown):
+    """How a page of Markdown writes each kind of block."""
+
+    def figure(self, figure: Figure) -> str:
+        """Write a picture with its alternative text."""
+        alternative, caption = map(markdown.escaped, (figure.alternative, figure.caption))
+        return f"![{alternative}]({figure.path})\n\n{caption}"
+
+    def page_break(self) -> str:
+        """Draw a rule."""
+        return "---"
