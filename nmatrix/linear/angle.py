@@ -100,7 +100,12 @@ def turn(value: object, name: str) -> Number:
     return value.in_degrees if isinstance(value, Angle) else number(value, name)
 
 
-def turns(values: object, size: int, name: str) -> Vector:
+def float_turn(value: object, name: str) -> float:
+    """Return the float64 nearest to an angle in degrees."""
+    return real(turn(value, name), name)
+
+
+def turns(values: object, name: str, size: int = 3) -> Vector:
     """Return so many angles in degrees."""
     entries = listed(values, name, (size,))
     return tuple(turn(one, f"{name}[{i}]") for i, one in enumerate(entries))

@@ -14,8 +14,7 @@ from typing import Any
 
 from nmatrix.enums import API_PRESETS, Api, Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
-from nmatrix.linear.projection import ClipSpace, Window, check_aspect
-from nmatrix.linear.values import vector
+from nmatrix.linear.projection import ClipSpace, check_aspect
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
@@ -120,9 +119,6 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     shape = {name: found[name] for name in SHAPE if name in found}
     if shape.keys() & {"fov", "aspect", "ortho", "frustum"}:
         shape = {"ortho": None, "frustum": None, "matrix": None} | shape
-    for name in ("ortho", "frustum"):
-        if shape.get(name) is not None:
-            shape[name] = Window(*map(float, vector(shape[name], 4, name)))
     if "fov" in shape:
         shape["fov_degrees"] = shape.pop("fov")
     lens = replace(base, clip=clip, **shape)

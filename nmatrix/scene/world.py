@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
-from nmatrix.linear.values import settle, vector
+from nmatrix.linear.values import named, read_fields, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
@@ -57,21 +58,16 @@ class World:
     matrix: RationalMatrix | None = None
 
     def __post_init__(self) -> None:
-        scale = self.scale
-        if not (isinstance(scale, tuple | list) or hasattr(scale, "__len__")):
-            scale = (scale,) * 3
-        read: dict[str, object] = {
-            "translate": vector(self.translate, 3, "translate"),
-            "rotate_degrees": turns(self.rotate_degrees, 3, "rotate"),
-            "scale": vector(scale, 3, "scale"),
-            "shear": vector(self.shear, 3, "shear"),
-            "convention": chosen(Convention, self.convention, "convention"),
-        }
-        if self.quaternion is not None:
-            read["quaternion"] = vector(self.quaternion, 4, "quaternion")
-        if self.matrix is not None:
-            read["matrix"] = read_affine(self.matrix, "world_matrix")
-        settle(self, **read)
+        read_fields(
+            self,
+            translate=vector,
+            rotate_degrees=named("rotate", turns),
+            quaternion=partial(vector, size=4),
+            scale=_read_scale,
+            shear=vector,
+            convention=partial(chosen, Convention),
+            matrix=named("world_matrix", read_affine),
+        )
         affine.checked_order(self.order)
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
@@ -146,6 +142,10 @@ class World:
         if self.convention is Convention.POLIMI_ASSIGNMENTS:
             return (_ASSIGNMENTS_REMARK,)
         return ()
+
+
+def _read_scale(scale: object, name: str) -> Vector:
+    return vector(scale if hasattr(scale, "__len__") else (scale,) * 3, name)
 
 
 def _number(value: Number) -> float | Fraction:
