@@ -130,16 +130,11 @@ def read_fields(value: object, **readers: Reader) -> None:
 
     Examples
     --------
-    >>> from dataclasses import dataclass
-    >>> @dataclass(frozen=True)
-    ... class Pair:
-    ...     near: float
-    ...     up: Vector | None = None
-    ...
-    ...     def __post_init__(self):
-    ...         read_fields(self, near=real, up=named("upwards", vector))
-    >>> Pair(Decimal("0.5"), [0, 1, 0])
-    Pair(near=0.5, up=(0, 1, 0))
+    >>> from types import SimpleNamespace
+    >>> given = SimpleNamespace(near=Decimal("0.5"), up=None)
+    >>> read_fields(given, near=real, up=vector)
+    >>> given
+    namespace(near=0.5, up=None)
     """
     for field, read in readers.items():
         given = getattr(value, field)

@@ -1,9 +1,9 @@
-"""A matrix that was read: its exact entries, and the floats nearest to them."""
+"""What a text holds: quantities as rows of number texts, and the matrix that one of them is."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -25,6 +25,17 @@ _BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where othe
 def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:
     """Make the error of a text that is no matrix: where it came from, why, what to write."""
     return IllegalValueError(f"matrix ({source})", why, next_step)
+
+
+@dataclass(frozen=True)
+class Notation:
+    """The quantities of a text, in its order; `layout` is None where the text does not say it.
+
+    A text that is one nameless matrix has the single name "".
+    """
+
+    quantities: Mapping[str, Tokens]
+    layout: Layout | None = None
 
 
 @dataclass(frozen=True)

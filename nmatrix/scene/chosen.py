@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity, shortlist
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, apply, inverse, rational_vector
 from nmatrix.linear.values import text
 from nmatrix.scene.camera import View
@@ -12,8 +12,6 @@ from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.scene import Scene, SceneObject
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
-
-MOST_NAMES = 8  # that an error lists
 
 
 def setup_of(scene: Scene, object_name: str | None = None, light_name: str | None = None) -> Setup:
@@ -115,11 +113,8 @@ def _carried(light: Light, world_from_home: RationalMatrix) -> Light:
 
 
 def _unknown(scene: Scene, what: str, name: str, names: list[str]) -> IllegalValueError:
-    more = ", …" if len(names) > MOST_NAMES else ""
-    listed = f"there are {', '.join(names[:MOST_NAMES])}{more}"
-    near = did_you_mean(name, names, "")
     return IllegalValueError(
         f"{quantity(what)} ({name[:40]})",
         f"{scene.path} has no {what} of this name",
-        f"{near} {listed}".strip(),
+        f"{did_you_mean(name, names, '')} there are {shortlist(map(printable, names))}".strip(),
     )

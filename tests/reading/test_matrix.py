@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.reading import latex
-from nmatrix.reading.matrix import matrix_literal
-from nmatrix.reading.notation import FIRST_OF
+from nmatrix.reading.matrix import FIRST_OF, matrix_literal
 from nmatrix.reading.shapes import as_affine, as_linear, as_projection, as_vector
 
 M = ((1.0, 2.0, 3.0), (4.0, -5.5, 6.0), (7.0, 8.0, 1e-7))

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, did_you_mean
 
 TITLES: dict[str, str] = {
     "rule": "Why normals move by the inverse transpose",
@@ -41,9 +39,8 @@ def chosen(case: str) -> tuple[str, ...]:
         return tuple(TITLES)
     if case in TITLES:
         return (case,)
-    near = get_close_matches(case.lower(), (*TITLES, ALL), 1)
     raise IllegalValueError(
         f"case ({case[:40]})",
         f"the cases are {', '.join(TITLES)}, all",
-        f"did you mean {near[0]}?" if near else "try nmatrix derive rule",
+        did_you_mean(case.lower(), (*TITLES, ALL), "try nmatrix derive rule"),
     )

@@ -18,7 +18,7 @@ from urllib.parse import unquote
 
 import msgspec
 
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, shortlist
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, identity, product, rational_matrix, to_floats
 from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
@@ -185,7 +185,7 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         return nodes, ()
     return nodes, (
         f"{len(off_length)} quaternions were not of length one and were normalised: "
-        f"{', '.join(off_length[:MOST_NAMED])}{', …' if len(off_length) > MOST_NAMED else ''}.",
+        f"{shortlist(off_length, MOST_NAMED)}.",
     )
 
 

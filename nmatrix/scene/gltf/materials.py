@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from urllib.parse import unquote
 
+from nmatrix.errors import shortlist
 from nmatrix.scene.gltf.file import LONGEST_URI, GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, TextureReference
 from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
@@ -55,9 +56,8 @@ class Materials:
         if self.left_out:
             found.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
         if self.missing:
-            names = list(dict.fromkeys(self.missing))
-            more = ", …" if len(names) > MOST_NAMED else ""
-            found.append(f"Images are missing: {', '.join(names[:MOST_NAMED])}{more}.")
+            names = shortlist(dict.fromkeys(self.missing), MOST_NAMED)
+            found.append(f"Images are missing: {names}.")
         return tuple(found)
 
     def _note(self, record: MaterialRecord, surface: MetallicRoughness) -> None:
