@@ -8,11 +8,10 @@ from functools import cached_property, partial
 
 from nmatrix.enums import Frame
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
-from nmatrix.linear.angle import Angle, turns
+from nmatrix.linear.angle import Angle, direction_from_angles, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.values import named, number, read_fields, vector
-from nmatrix.linear.vectors import direction_from_angles
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
