@@ -13,6 +13,7 @@ import msgspec
 
 from nmatrix.errors import IllegalValueError, did_you_mean, printable, quoted, shortlist
 from nmatrix.linear.rational import RationalMatrix, affine_matrix, rational_matrix
+from nmatrix.reading.files import existing_file
 from nmatrix.scene.toml.records import Record
 
 Checked = TypeVar("Checked", bound=Record)
@@ -66,13 +67,10 @@ class SceneTable:
         IllegalValueError
             If there is no such file.
         """
-        path: Path = self.path.parent / self.raw[key]
-        try:
-            if path.is_file():
-                return path
-        except (OSError, ValueError):  # a name too long, or with a NUL: no file has it
-            pass
-        raise self.fault(key, "there is no such file", "names are relative to the scene file")
+        path = existing_file(str(self.path.parent / self.raw[key]))
+        if path is None:
+            raise self.fault(key, "there is no such file", "names are relative to the scene file")
+        return path
 
     def affine_matrix(self, key: str, rows: Sequence[Sequence[float]]) -> RationalMatrix:
         """Return the affine 4×4 matrix of a key's rows; three rows are its linear part.
