@@ -7,6 +7,7 @@ is told with the index.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,18 +16,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from nmatrix.api import arrays
 from nmatrix.errors import IllegalValueError, NMatrixError
-from nmatrix.linear.angle import Angle, as_angle
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.rounding import nearest
 
 Array = NDArray[Any]
 Turns = Any  # an Angle, radians, or an array-like of either
 
 
+@dataclass(frozen=True, eq=False)
 class Parameter:
     """One parameter, read: an array of its own axes behind leading ones, and its float type."""
 
-    def __init__(self, values: Array, own: int, kind: np.dtype[Any] | None) -> None:
-        self.values, self.own, self.kind = values, own, kind
+    values: Array
+    own: int
+    kind: np.dtype[Any] | None = None
 
     @property
     def leading(self) -> tuple[int, ...]:
@@ -58,40 +61,24 @@ def distance(name: str, values: ArrayLike) -> Parameter:
         far = np.empty(0)
     if far.dtype.kind != "f" or not np.isposinf(far).any():
         return real(name, values, ())
-    found = real(name, np.where(np.isposinf(far), 1.0, far), ())
-    found.values = far
-    return found
+    return replace(real(name, np.where(np.isposinf(far), 1.0, far), ()), values=far)
 
 
-def turns(name: str, values: Turns, own: tuple[int, ...], *, whole: bool = False) -> Parameter:
-    """Read angles: `Angle` or radians, and lists of either; `whole` leaves radians as they are."""
-    if isinstance(values, Angle):
-        values = [values]
-        found = _mixed(name, values)[0:1].reshape(())
-    elif isinstance(values, list | tuple) and any(isinstance(one, Angle) for one in values):
-        found = _mixed(name, values)
-    else:
-        read = real(name, values, own)
-        if whole:
-            return read
-        turned = np.empty(read.values.shape, object)
-        for index in np.ndindex(turned.shape):
-            turned[index] = Angle.radians(float(read.values[index]))
-        return Parameter(turned, len(own), read.kind)
+def turns(name: str, values: Turns, own: tuple[int, ...]) -> Parameter:
+    """Read radians, an `Angle`, or a list in which some are an `Angle`."""
+    listed = [values] if isinstance(values, Angle) else values
+    if not (isinstance(listed, list | tuple) and any(isinstance(one, Angle) for one in listed)):
+        return real(name, values, own)
+    found: Array = np.empty(len(listed), object)
+    for i, one in enumerate(listed):
+        found[i] = one if isinstance(one, Angle) else float(arrays.reals(one, f"{name}[{i}]"))
+    if listed is not values:
+        found = found.reshape(())
     if found.shape[found.ndim - len(own) :] != own:
         raise IllegalValueError(
             f"{name} of {found.size} angles", f"it takes {own[0] if own else 1}", "give as many"
         )
-    return Parameter(found, len(own), None)
-
-
-def _mixed(name: str, values: list[Any] | tuple[Any, ...]) -> Array:
-    found = np.empty(len(values), object)
-    for i, one in enumerate(values):
-        found[i] = (
-            one if isinstance(one, Angle) else as_angle(float(arrays.reals(one, f"{name}[{i}]")))
-        )
-    return found
+    return Parameter(found, len(own))
 
 
 def each(build: Callable[..., Any], given: tuple[Parameter, ...]) -> Array:
