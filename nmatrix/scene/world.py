@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import partial
 
 from nmatrix.enums import Convention, chosen
@@ -90,14 +89,14 @@ class World:
             return self.matrix
         return affine.compose(
             self._rotation(turn),
-            _numbers(self.scale),
-            _numbers(self.shear),
-            _numbers(self.translate),
+            self.scale,
+            self.shear,
+            self.translate,
         )
 
     def _rotation(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         if self.quaternion is not None:
-            return affine.rotation_from_quaternion(_numbers(self.quaternion))
+            return affine.rotation_from_quaternion(self.quaternion)
         turns = [turn(value) for value in self.rotate_degrees]
         if self.convention is Convention.STANDARD:
             return affine.rotation(turns, self.order)
@@ -106,7 +105,7 @@ class World:
     @property
     def exact(self) -> RationalMatrix:
         """Return the matrix before its one rounding."""
-        return self.exact_by(lambda degrees: Angle.degrees(_number(degrees)))
+        return self.exact_by(Angle.degrees)
 
     @property
     def world_from_object(self) -> RationalMatrix:
@@ -146,11 +145,3 @@ class World:
 
 def _read_scale(scale: object, name: str) -> Vector:
     return vector(scale if hasattr(scale, "__len__") else (scale,) * 3, name)
-
-
-def _number(value: Number) -> float | Fraction:
-    return Fraction(value) if isinstance(value, int) else value
-
-
-def _numbers(values: Vector) -> list[float | Fraction]:
-    return [_number(value) for value in values]
