@@ -14,12 +14,10 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.errors import LONGEST_QUOTE, IllegalValueError, quantity
 from nmatrix.report import Number, Vector
 
 Reader = Callable[[Any, str], object]  # of a value, under the name that an error speaks of
-
-LONGEST = 40  # characters of a value that an error shows
 
 
 def number(value: object, name: str) -> Number:
@@ -150,6 +148,6 @@ def named(name: str, read: Reader) -> Reader:
 def refused(value: object, name: str, why: str, next_step: str) -> IllegalValueError:
     """Make the error for a value that a parameter cannot take; `name` may end in an index."""
     shown = " ".join(repr(value).split())
-    short = shown if len(shown) <= LONGEST else f"{shown[: LONGEST - 1]}…"
+    short = shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
     head, bracket, place = name.partition("[")
     return IllegalValueError(f"{quantity(head)}{bracket}{place} ({short})", why, next_step)

@@ -92,7 +92,7 @@ class View:
             return PlacedCamera(self.matrix, _eye_of(self.matrix))
         if self.angles is not None:
             return self._by_angles(self.angles)
-        found = look_at(_floats(self.eye), _floats(self.target), _floats(self.up), self.handed)
+        found = look_at(self.eye, self.target, self.up, self.handed)
         return PlacedCamera(
             rational.rational_matrix(found.camera_from_world),
             rational_vector(self.eye),
@@ -101,7 +101,7 @@ class View:
 
     def _by_angles(self, angles: FirstPerson) -> PlacedCamera:
         exact = first_person(
-            _floats(self.eye),
+            self.eye,
             Angle.degrees(angles.elevation),
             Angle.degrees(angles.angle),
             Angle.degrees(angles.roll),
@@ -121,7 +121,3 @@ def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:
             "give an invertible matrix",
         )
     return rational.translation(rational.inverse(camera_from_world))
-
-
-def _floats(values: Vector) -> list[float]:
-    return [float(value) for value in values]
