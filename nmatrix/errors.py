@@ -26,7 +26,7 @@ def quantity(name: str) -> str:
 
 
 def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
-    """Return a question that names the nearest known word, or another next step.
+    """Ask for the nearest known word, or name another next step.
 
     Examples
     --------
@@ -36,7 +36,19 @@ def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
     from difflib import get_close_matches
 
     near = get_close_matches(word[:40], list(known), n=1, cutoff=0.6)
-    return f"did you mean {near[0]}?" if near else otherwise
+    return f"did you mean {printable(near[0])}?" if near else otherwise
+
+
+def shortlist(names: Iterable[str], most: int = 8) -> str:
+    """List names in one line, of many only the first.
+
+    Examples
+    --------
+    >>> shortlist(["sun", "lamp", "moon"], 2)
+    'sun, lamp, …'
+    """
+    listed = list(names)
+    return ", ".join(listed if len(listed) <= most else [*listed[:most], "…"])
 
 
 class NMatrixError(Exception):
@@ -117,6 +129,7 @@ class MissingPackageError(NMatrixError, ImportError):
 
 
 LONGEST_QUOTE = 40  # characters
+LONGEST_NAME = 60
 
 
 def quoted(text: str) -> str:
@@ -130,3 +143,8 @@ def quoted(text: str) -> str:
     shown = repr(text[:LONGEST_QUOTE])
     safe = shown.encode("utf-8", "backslashreplace").decode()
     return safe if len(text) <= LONGEST_QUOTE else f"{safe}…"
+
+
+def printable(name: str) -> str:
+    """Leave a name as it is, but quote it where it would break the line."""
+    return name if name.isprintable() and len(name) <= LONGEST_NAME else quoted(name)

@@ -8,7 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from nmatrix.enums import Kind
-from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
+from nmatrix.errors import CheckFailedError, IllegalValueError, quantity, shortlist
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
@@ -201,7 +201,7 @@ def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError
     found = {flaw: inspection.having(flaw) for flaw in map(Flaw, fail_on)}
     told = [
         f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[flaw]}"
-        f" ({', '.join(node.name for node in nodes[:5])}{', …' if len(nodes) > 5 else ''})"
+        f" ({shortlist([node.name for node in nodes], 5)})"
         for flaw, nodes in found.items()
         if nodes
     ]

@@ -13,9 +13,10 @@ from math import inf, pi
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nmatrix.api import arrays, places
+from nmatrix.api.places import Array, Turns
 from nmatrix.enums import API_PRESETS, Api, ClipY, Convention, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear import affine, projection, rational, view
@@ -23,9 +24,6 @@ from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.linear.rational import Rows
 from nmatrix.scene.given import refuse_together
-
-Array = NDArray[Any]
-Turns = Any  # an Angle, radians, or an array-like of either
 
 XYZ, SIDES = (3,), (4,)
 
@@ -247,7 +245,7 @@ def perspective(
     return places.each(
         lambda fov, ratio, n, f: projection.perspective(_half(fov), ratio, n, f, space),
         (
-            places.turns("fov_y", fov_y, (), whole=True),
+            places.turns("fov_y", fov_y, ()),
             places.real("aspect", aspect, ()),
             places.real("near", near, ()),
             places.distance("far", far),
@@ -377,8 +375,11 @@ def _half(fov: Angle | float) -> Angle:
 
 
 def _scale(scale: ArrayLike) -> places.Parameter:
-    given = arrays.reals(scale, "scale")
-    return places.real("scale", np.repeat(given[None], 3) if given.ndim == 0 else scale, XYZ)
+    if arrays.reals(scale, "scale").ndim > 0:
+        return places.real("scale", scale, XYZ)
+    thrice: Any = [scale] * 3
+    is_typed = isinstance(scale, np.ndarray | np.generic)
+    return places.real("scale", np.asarray(thrice) if is_typed else thrice, XYZ)
 
 
 def _grown(block: rational.RationalMatrix) -> rational.RationalMatrix:

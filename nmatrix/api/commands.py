@@ -132,7 +132,7 @@ def check(
         space_named(space),
         unit=bool(unit),
         tolerance=None if tolerance is None else Fraction(number(tolerance, "tolerance")),
-        normal=None if normal is None else vector(normal, 3, "normal"),
+        normal=None if normal is None else vector(normal, "normal"),
     )
     return Report(checked(question, read_matrix(answer, "answer")))
 

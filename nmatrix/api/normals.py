@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from nmatrix.api import arrays
 from nmatrix.enums import Level, NormalMatrixKind, chosen
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
-from nmatrix.linear import batched, rational, vectors
+from nmatrix.linear import angle, batched, rational, rounding
 from nmatrix.linear.certified import STATUSES, UNDEFINED
 from nmatrix.linear.classify import BUILT, Classification
 from nmatrix.linear.classify import classify as _classify
@@ -310,7 +310,7 @@ def normalize(v: ArrayLike) -> Array:
     found = np.empty(given.shape, arrays.native(given))
     for index in np.ndindex(given.shape[:-1]):
         _check_length(given[index], "v", index)
-        found[index] = vectors.normalize(given[index].tolist())
+        found[index] = rounding.normalize(given[index].tolist())
     return found
 
 
@@ -344,7 +344,7 @@ def angle_between(a: ArrayLike, b: ArrayLike) -> Array | np.float64:
     found = np.empty(shape)
     first, second = (np.broadcast_to(given, (*shape, 3)) for given in pair)
     for index in np.ndindex(shape):
-        found[index] = vectors.angle_between(first[index].tolist(), second[index].tolist())
+        found[index] = angle.angle_between(first[index].tolist(), second[index].tolist())
     return found if shape else np.float64(found)
 
 

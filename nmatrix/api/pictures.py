@@ -70,7 +70,7 @@ def render(
 
     name = checked_subject(str(named_file(subject, "subject")))
     choices = PictureChoices(
-        None if size is None else vector(size, 2, "size"),
+        None if size is None else vector(size, "size", size=2),
         None if shading is None else chosen(Shading, shading, "shading"),
         None if reflection is None else chosen(Reflection, reflection, "reflection"),
         None if normals is None else chosen(NormalRule, normals, "normals"),

@@ -50,8 +50,13 @@ def real(name: str, values: ArrayLike, own: tuple[int, ...]) -> Parameter:
         raise IllegalValueError(
             f"{name} of shape {given.shape}", f"its shape must be ({wanted})", "give it so"
         )
+    return Parameter(name, given, len(own), _float_type(values))
+
+
+def _float_type(values: object) -> np.dtype[Any] | None:
+    """Return the type of an array or a number of NumPy's; Python's own numbers have none."""
     is_typed = isinstance(values, np.ndarray | np.generic) and values.dtype.kind == "f"
-    return Parameter(name, given, len(own), arrays.native(given) if is_typed else None)
+    return arrays.native(np.asarray(values)) if is_typed else None
 
 
 def distance(name: str, values: ArrayLike) -> Parameter:
@@ -63,11 +68,11 @@ def distance(name: str, values: ArrayLike) -> Parameter:
     if far.dtype.kind != "f" or not np.isposinf(far).any():
         return real(name, values, ())
     finite = real(name, np.where(np.isposinf(far), 1.0, far), ())
-    return replace(finite, values=far)
+    return replace(finite, values=far, kind=_float_type(values))
 
 
-def turns(name: str, values: Turns, own: tuple[int, ...], *, whole: bool = False) -> Parameter:
-    """Read angles: `Angle` or radians, and lists of either; `whole` leaves radians as they are."""
+def turns(name: str, values: Turns, own: tuple[int, ...]) -> Parameter:
+    """Read angles: radians, an `Angle`, or lists of either."""
     try:
         shown = np.asarray(values)
     except ValueError:  # ragged: to be refused below
@@ -78,14 +83,10 @@ def turns(name: str, values: Turns, own: tuple[int, ...], *, whole: bool = False
     is_angle = np.zeros(shown.shape, bool)
     if shown.dtype == object:
         is_angle = np.array([isinstance(one, Angle) for one in shown.flat]).reshape(shown.shape)
-    read = real(name, np.where(is_angle, 0.0, shown) if is_angle.any() else values, own)
-    if whole and not is_angle.any():
-        return read
-    turned = np.empty(read.values.shape, object)
-    for index in np.ndindex(turned.shape):
-        given = shown[index] if is_angle.any() and is_angle[index] else read.values[index]
-        turned[index] = given if isinstance(given, Angle) or whole else Angle.radians(float(given))
-    return replace(read, values=turned)
+    if not is_angle.any():
+        return real(name, values, own)
+    read = real(name, np.where(is_angle, 0.0, shown), own)
+    return replace(read, values=np.where(is_angle, shown, read.values))
 
 
 def each(build: Callable[..., Any], given: tuple[Parameter, ...]) -> Array:

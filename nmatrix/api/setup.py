@@ -16,7 +16,7 @@ from nmatrix.enums import (
     Space,
     chosen,
 )
-from nmatrix.linear.values import named_file, plain_value, real, refused, settle, vector
+from nmatrix.linear.values import named_file, plain_value, real, refused, vector
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
 from nmatrix.scene.given import hand_of, lens_of, light_of, view_of, world_of
@@ -80,7 +80,7 @@ class Setup:
             _part(light, Light, light_of, None),
             **{name: value for name, value in more.items() if value is not None},  # type: ignore[arg-type]  # read there
         )
-        settle(self, values=values)
+        object.__setattr__(self, "values", values)
 
     def __repr__(self) -> str:
         """Show the parts that are not the usual ones."""
@@ -105,7 +105,8 @@ class Setup:
         from nmatrix.scene.open import scene_of
 
         found = cls.__new__(cls)
-        settle(found, values=setup_of(scene_of(named_file(file, "file")), object, light))
+        values = setup_of(scene_of(named_file(file, "file")), object, light)
+        found.__dict__["values"] = values
         return found
 
     def world(self) -> Report:
@@ -198,12 +199,13 @@ class Setup:
         from nmatrix.answers.trace import trace
         from nmatrix.spaces.trace import Viewport
 
+        sides = (real(side, "viewport") for side in vector(viewport, "viewport", size=2))
         return Report(
             trace(
                 self.values,
-                vector(point, 3, "point"),
-                None if normal is None else vector(normal, 3, "normal"),
-                Viewport(*(real(side, "viewport") for side in vector(viewport, 2, "viewport"))),
+                vector(point, "point"),
+                None if normal is None else vector(normal, "normal"),
+                Viewport(*sides),
             )
         )
 
@@ -242,7 +244,7 @@ def _vectors(given: object, name: str) -> tuple[Any, ...]:
     """Return vectors of three, from one or from several."""
     listed = plain_value(given, name)
     if isinstance(listed, tuple | list) and listed and not hasattr(listed[0], "__len__"):
-        return (vector(listed, 3, name),)
+        return (vector(listed, name),)
     if not isinstance(listed, tuple | list):
-        return (vector(given, 3, name),)
-    return tuple(vector(one, 3, f"{name}[{i}]") for i, one in enumerate(listed))
+        return (vector(given, name),)
+    return tuple(vector(one, f"{name}[{i}]") for i, one in enumerate(listed))

@@ -14,14 +14,9 @@ from typer.core import TyperCommand, TyperGroup
 from typer.exceptions import TyperException
 
 from nmatrix.cli.catalogue import COMMANDS, Panel
-from nmatrix.cli.command import (
-    GatheringCommand,
-    did_you_mean,
-    examples_and_notes,
-    with_flat_options,
-)
+from nmatrix.cli.command import GatheringCommand, examples_and_notes, with_flat_options
 from nmatrix.cli.show import fail, put
-from nmatrix.errors import IllegalValueError, NMatrixError
+from nmatrix.errors import IllegalValueError, NMatrixError, did_you_mean
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:

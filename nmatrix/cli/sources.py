@@ -12,8 +12,7 @@ from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import RationalMatrix, rational_matrix
 from nmatrix.reading.files import LARGEST, decoded, existing_file
-from nmatrix.reading.literal import MatrixLiteral
-from nmatrix.reading.shapes import as_affine, as_projection
+from nmatrix.reading.literal import MatrixLiteral, as_affine, as_projection
 from nmatrix.reading.source import matrix_source
 
 if TYPE_CHECKING:

@@ -78,13 +78,13 @@ def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatr
     return product(*(about[axis] for axis in sequence))
 
 
-def course_rotation(turns: Sequence[Angle], convention: Convention) -> RationalMatrix:
+def course_rotation(turns: Sequence[Angle | float], convention: Convention) -> RationalMatrix:
     """Build the rotation of the course's library from its three angles.
 
     Its first angle turns about y and its second about x; in the labs' version the y and z
     rotations turn the other way, too.
     """
-    rx, ry, rz = turns
+    rx, ry, rz = map(as_angle, turns)
     if convention is Convention.POLIMI:
         rx, rz = -rx, -rz
     return product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))

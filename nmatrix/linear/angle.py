@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import cos, isqrt, sin
 
+from nmatrix.linear.rounding import direction, nearest
 from nmatrix.linear.values import listed, number, real
 from nmatrix.report import Number, Vector
 
@@ -95,12 +96,29 @@ def as_angle(value: Angle | float) -> Angle:
     return value if isinstance(value, Angle) else Angle.radians(value)
 
 
+def direction_from_angles(alpha: Angle, beta: Angle) -> tuple[float, ...]:
+    """Build the unit direction (cos α cos β, sin α, cos α sin β), each component rounded once.
+
+    Examples
+    --------
+    >>> direction_from_angles(Angle.degrees(-60), Angle.degrees(-120))
+    (-0.25, -0.8660254037844386, -0.4330127018922193)
+    """
+    exact = (alpha.cosine * beta.cosine, alpha.sine, alpha.cosine * beta.sine)
+    return tuple(map(nearest, exact))
+
+
 def turn(value: object, name: str) -> Number:
     """Return an angle in degrees: a number of degrees, or an `Angle`."""
     return value.in_degrees if isinstance(value, Angle) else number(value, name)
 
 
-def turns(values: object, size: int, name: str) -> Vector:
+def float_turn(value: object, name: str) -> float:
+    """Return the float64 nearest to an angle in degrees."""
+    return real(turn(value, name), name)
+
+
+def turns(values: object, name: str, size: int = 3) -> Vector:
     """Return so many angles in degrees."""
     entries = listed(values, name, (size,))
     return tuple(turn(one, f"{name}[{i}]") for i, one in enumerate(entries))
@@ -166,6 +184,22 @@ def exact_angle_between(a: Sequence[int], b: Sequence[int]) -> Fraction:
     cosine = _dot(a, b)
     total, bits = _acute(_dot(a, a) * _dot(b, b) - cosine * cosine, cosine * cosine)
     return Fraction(total if cosine >= 0 else _pi(bits) - total, 1 << bits)
+
+
+def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
+    """Measure the angle between two vectors in radians, correctly rounded.
+
+    Raises
+    ------
+    NoAnswerError
+        If one of them is the zero vector.
+
+    Examples
+    --------
+    >>> angle_between((1, 0, 0), (1, 1e-200, 0))
+    1e-200
+    """
+    return nearest(exact_angle_between(direction(a), direction(b)))
 
 
 def _acute(sine_square: int, cosine_square: int) -> tuple[int, int]:

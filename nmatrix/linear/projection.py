@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from math import inf
 
 from nmatrix.enums import ClipY, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
-from nmatrix.linear.values import real, settle
+from nmatrix.linear.values import read_fields, real
 
 
 @dataclass(frozen=True)
@@ -28,11 +29,11 @@ class ClipSpace:
     clip_y: ClipY = ClipY.UP
 
     def __post_init__(self) -> None:
-        settle(
+        read_fields(
             self,
-            depth=chosen(DepthRange, self.depth, "depth"),
-            handed=chosen(Handedness, self.handed, "handed"),
-            clip_y=chosen(ClipY, self.clip_y, "clip_y"),
+            depth=partial(chosen, DepthRange),
+            handed=partial(chosen, Handedness),
+            clip_y=partial(chosen, ClipY),
         )
 
     @property
@@ -56,8 +57,7 @@ class Window:
     top: float
 
     def __post_init__(self) -> None:
-        sides = ("left", "right", "bottom", "top")
-        settle(self, **{name: real(getattr(self, name), name) for name in sides})
+        read_fields(self, left=real, right=real, bottom=real, top=real)
 
     def checked(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """Return the four sides exactly.

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from math import isqrt, lcm
+from math import isfinite, isqrt, lcm
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, NoAnswerError
 
 DECIMALS_PER_BIT = 0.30103  # log10(2)
 FIXED_FROM = -4  # as in C's %g: smaller exponents are written as 1e-05
@@ -186,6 +186,56 @@ def unit(direction: Sequence[int]) -> tuple[float, ...]:
     """
     square = sum(component * component for component in direction)
     return tuple(over_root(component, square) for component in direction)
+
+
+def normalize(vector: Sequence[float]) -> tuple[float, ...]:
+    """Normalise a vector, every component correctly rounded.
+
+    The components are integers over one power of two, so nothing over- or underflows, from
+    5e-324 to 1.7e308.
+
+    Raises
+    ------
+    NoAnswerError, IllegalValueError
+        As `direction`.
+
+    Examples
+    --------
+    >>> normalize((3e-320, 4e-320, 0.0))
+    (0.6, 0.8, 0.0)
+    """
+    return unit(direction(vector))
+
+
+def direction(vector: Sequence[float]) -> list[int]:
+    """Bring a vector to integers that point where it does.
+
+    Raises
+    ------
+    NoAnswerError
+        For the zero vector.
+    IllegalValueError
+        For a component that is not finite.
+
+    Examples
+    --------
+    >>> direction((0.5, 0.25, 0))
+    [2, 1, 0]
+    """
+    if not all(map(isfinite, vector)):
+        raise IllegalValueError(
+            f"vector ({' '.join(map(str, vector))})",
+            "a component is not a finite number",
+            "use finite components",
+        )
+    components, _ = integers(vector)
+    if not any(components):
+        raise NoAnswerError(
+            f"vector ({' '.join('0' for _ in components)})",
+            "it has length zero and no direction",
+            "give one non-zero component",
+        )
+    return components
 
 
 def inverse_root(square: Fraction) -> Fraction:

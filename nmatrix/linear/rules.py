@@ -66,10 +66,14 @@ def normal_transform(rule: NormalRule, world_from_object: RationalMatrix) -> Nor
     return RULES[rule].transform(world_from_object)
 
 
+def _linear(K: RationalMatrix) -> NormalTransform:
+    return NormalTransform(affine_matrix(K))
+
+
 def _signed_cofactors(M: RationalMatrix) -> NormalTransform:
     linear_map = LinearMap.of(linear_part(M))
     sign = Fraction(-1 if linear_map.integer_determinant < 0 else 1)
-    return NormalTransform(affine_matrix(scaled(linear_map.cofactor_matrix, sign)))
+    return _linear(scaled(linear_map.cofactor_matrix, sign))
 
 
 def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:
@@ -82,29 +86,13 @@ def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:
             return None
     if not np.isfinite(found).all():
         return None
-    return NormalTransform(affine_matrix(rational_matrix(found.tolist())))
-
-
-def _cofactors(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(affine_matrix(LinearMap.of(linear_part(M)).cofactor_matrix))
-
-
-def _matrix_itself(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(affine_matrix(linear_part(M)))
+    return _linear(rational_matrix(found.tolist()))
 
 
 def _not_transposed(M: RationalMatrix) -> NormalTransform | None:
     if determinant(linear_part(M)) == 0:
         return None
-    return NormalTransform(affine_matrix(inverse(linear_part(M))))
-
-
-def _not_inverted(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(affine_matrix(transpose(linear_part(M))))
-
-
-def _translated(M: RationalMatrix) -> NormalTransform:
-    return NormalTransform(M, w=1)
+    return _linear(inverse(linear_part(M)))
 
 
 def _four_components(M: RationalMatrix) -> NormalTransform | None:
@@ -116,10 +104,15 @@ def _four_components(M: RationalMatrix) -> NormalTransform | None:
 RULES: Mapping[NormalRule, Rule] = {
     NormalRule.EXACT: Rule("N = A⁻ᵀ, the inverse transpose, correctly rounded", _signed_cofactors),
     NormalRule.INVERSE: Rule("np.linalg.inv(A).T, in float64", _float64_inverse_transpose),
-    NormalRule.COFACTOR: Rule("C, the cofactors without the sign of det", _cofactors),
-    NormalRule.NONE: Rule("A itself", _matrix_itself),
+    NormalRule.COFACTOR: Rule(
+        "C, the cofactors without the sign of det",
+        lambda M: _linear(LinearMap.of(linear_part(M)).cofactor_matrix),
+    ),
+    NormalRule.NONE: Rule("A itself", lambda M: _linear(linear_part(M))),
     NormalRule.NOT_TRANSPOSED: Rule("A⁻¹, not transposed", _not_transposed),
-    NormalRule.NOT_INVERTED: Rule("Aᵀ, not inverted", _not_inverted),
-    NormalRule.TRANSLATED: Rule("M (n, 1), moved as if it were a point", _translated),
+    NormalRule.NOT_INVERTED: Rule("Aᵀ, not inverted", lambda M: _linear(transpose(linear_part(M)))),
+    NormalRule.TRANSLATED: Rule(
+        "M (n, 1), moved as if it were a point", lambda M: NormalTransform(M, w=1)
+    ),
     NormalRule.FOUR_COMPONENT: Rule("M⁻ᵀ (n, 0), w counted into its length", _four_components),
 }

@@ -5,17 +5,19 @@ Anything array-like will do: its `tolist` makes Python numbers of it, so NumPy n
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from math import isfinite
 from numbers import Rational
 from os import PathLike, fspath
 from pathlib import Path
+from typing import Any
 
-from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.errors import LONGEST_QUOTE, IllegalValueError, quantity
 from nmatrix.report import Number, Vector
 
-LONGEST = 40  # characters of a value that an error shows
+Reader = Callable[[Any, str], object]  # of a value, under the name that an error speaks of
 
 
 def number(value: object, name: str) -> Number:
@@ -65,22 +67,21 @@ def whole(value: object, name: str) -> int:
     return int(found)
 
 
-def vector(values: object, size: int, name: str) -> Vector:
+def vector(values: object, name: str, size: int = 3) -> Vector:
     """Return so many numbers from any array-like of one axis.
 
     Examples
     --------
-    >>> vector([1, 2.5, 3], 3, "scale")
+    >>> vector([1, 2.5, 3], "scale")
     (1, 2.5, 3)
     """
-    if type(values) is tuple and len(values) == size and all(map(_is_exact, values)):
-        return values
+    if type(values) is tuple and len(values) == size and all(map(_is_number, values)):
+        return values  # read before: most values are made from others
     entries = listed(values, name, (size,))
     return tuple(number(one, f"{name}[{i}]") for i, one in enumerate(entries))
 
 
-def _is_exact(value: object) -> bool:
-    """Return whether a value is a number already: what is built from numbers is not read again."""
+def _is_number(value: object) -> bool:
     return type(value) in (int, Fraction) or (type(value) is float and isfinite(value))
 
 
@@ -124,15 +125,31 @@ def named_file(value: object, name: str) -> Path:
     raise refused(value, name, "it is not the name of a file", "give text or a path")
 
 
-def settle(value: object, **fields: object) -> None:
-    """Set fields of a frozen value while it is made, once they have been read."""
-    for name, one in fields.items():
-        object.__setattr__(value, name, one)
+def read_fields(value: object, **readers: Reader) -> None:
+    """Read fields of a frozen value while it is made, each by its reader; None stays None.
+
+    Examples
+    --------
+    >>> from types import SimpleNamespace
+    >>> given = SimpleNamespace(near=Decimal("0.5"), up=None)
+    >>> read_fields(given, near=real, up=vector)
+    >>> given
+    namespace(near=0.5, up=None)
+    """
+    for field, read in readers.items():
+        given = getattr(value, field)
+        if given is not None:
+            object.__setattr__(value, field, read(given, field))
+
+
+def named(name: str, read: Reader) -> Reader:
+    """Make a reader whose errors speak of another name than the field's."""
+    return lambda given, _: read(given, name)
 
 
 def refused(value: object, name: str, why: str, next_step: str) -> IllegalValueError:
-    """Return the error for a value that a parameter cannot take; `name` may end in an index."""
+    """Make the error for a value that a parameter cannot take; `name` may end in an index."""
     shown = " ".join(repr(value).split())
-    short = shown if len(shown) <= LONGEST else f"{shown[: LONGEST - 1]}…"
+    short = shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
     head, bracket, place = name.partition("[")
     return IllegalValueError(f"{quantity(head)}{bracket}{place} ({short})", why, next_step)

@@ -38,9 +38,9 @@ class LookAt:
 
 
 def look_at(
-    eye: Sequence[float],
-    target: Sequence[float],
-    up: Sequence[float] = (0, 1, 0),
+    eye: Sequence[float | Fraction],
+    target: Sequence[float | Fraction],
+    up: Sequence[float | Fraction] = (0, 1, 0),
     handed: Handedness = Handedness.RIGHT,
 ) -> LookAt:
     """Build the view matrix of a camera at `eye` that looks at `target`, in world units.
@@ -66,7 +66,7 @@ def look_at(
     forward = tuple(t - e for e, t in zip(eye_world, target_world, strict=True))
     if not any(forward):
         raise NoAnswerError(
-            f"eye and target ({' '.join(f'{x:g}' for x in eye)})",
+            f"eye and target ({' '.join(f'{float(x):g}' for x in eye)})",
             "they coincide, so there is no direction to look in",
             "move one of them",
         )
@@ -108,7 +108,7 @@ def _row(axis: RationalVector, eye: RationalVector) -> tuple[float, ...]:
 
 
 def first_person(
-    eye: Sequence[float],
+    eye: Sequence[float | Fraction],
     elevation: Angle | float,
     angle: Angle | float,
     roll: Angle | float = 0.0,

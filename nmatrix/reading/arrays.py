@@ -6,9 +6,8 @@ from fractions import Fraction
 
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.values import listed, number, plain_value, refused
-from nmatrix.reading.literal import MatrixLiteral
+from nmatrix.reading.literal import MatrixLiteral, as_affine, as_projection
 from nmatrix.reading.matrix import matrix_literal
-from nmatrix.reading.shapes import as_affine, as_projection
 
 SIZES = (1, 2, 3, 4)
 

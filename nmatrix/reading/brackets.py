@@ -10,8 +10,7 @@ from dataclasses import dataclass, field
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, quoted
-from nmatrix.reading.literal import Tokens, unreadable
-from nmatrix.reading.notation import Notation
+from nmatrix.reading.literal import Notation, Tokens, unreadable
 
 DEEPEST = 2
 PAIRS = {"[": "]", "(": ")"}

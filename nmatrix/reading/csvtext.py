@@ -8,8 +8,7 @@ from functools import partial
 from io import StringIO
 
 from nmatrix.enums import Layout
-from nmatrix.reading.literal import unreadable
-from nmatrix.reading.notation import Notation
+from nmatrix.reading.literal import Notation, unreadable
 
 HEADER = re.compile(r"\Akey,row,column,value\s*(\n|$)")
 LARGEST = 16  # rows or columns that are filled in

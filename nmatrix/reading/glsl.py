@@ -9,8 +9,7 @@ from functools import partial
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, quoted
 from nmatrix.reading.brackets import MOST
-from nmatrix.reading.literal import Tokens, unreadable
-from nmatrix.reading.notation import Notation
+from nmatrix.reading.literal import Notation, Tokens, unreadable
 
 CONSTRUCTOR = re.compile(r"\b(?:mat[234](?:x[234])?|vec[234])[ \t\n]*\(")
 _DECLARED = re.compile(

@@ -8,8 +8,7 @@ from functools import partial
 
 from nmatrix.enums import Layout
 from nmatrix.errors import quoted
-from nmatrix.reading.literal import Tokens, unreadable
-from nmatrix.reading.notation import Notation
+from nmatrix.reading.literal import Notation, Tokens, unreadable
 
 DEEPEST = 12  # levels of objects and lists that are looked into
 

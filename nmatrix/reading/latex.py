@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 
 from nmatrix.enums import Layout
-from nmatrix.reading.literal import Tokens, unreadable
-from nmatrix.reading.notation import Notation
+from nmatrix.reading.literal import Notation, Tokens, unreadable
 
 LONGEST = 40_000  # characters between \begin and \end
 MATRIX = re.compile(r"\\begin\{([bpvBV]?matrix)\}")

@@ -1,16 +1,23 @@
-"""A matrix that was read: its exact entries, and the floats nearest to them."""
+"""What a text holds: quantities as rows of number texts, and the matrix that one of them is."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
-from nmatrix.linear.rational import RationalMatrix, Rows, to_floats
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    Rows,
+    affine_matrix,
+    is_affine,
+    to_floats,
+    transpose,
+)
 from nmatrix.reading.numbers import fraction
 
 LARGEST = 4  # rows and columns
@@ -25,6 +32,17 @@ _BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where othe
 def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:
     """Make the error of a text that is no matrix: where it came from, why, what to write."""
     return IllegalValueError(f"matrix ({source})", why, next_step)
+
+
+@dataclass(frozen=True)
+class Notation:
+    """The quantities of a text, in its order; `layout` is None where the text does not say it.
+
+    A text that is one nameless matrix has the single name "".
+    """
+
+    quantities: Mapping[str, Tokens]
+    layout: Layout | None = None
 
 
 @dataclass(frozen=True)
@@ -73,8 +91,7 @@ def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLi
     )
     decimals = tuple(tuple(map(typed_decimals, row)) for row in shaped)
     if layout is Layout.COLUMN_MAJOR and min(len(rows), len(rows[0])) > 1:
-        rows = tuple(zip(*rows, strict=True))
-        decimals = tuple(zip(*decimals, strict=True))
+        rows, decimals = transpose(rows), transpose(decimals)
     return MatrixLiteral(rows, source, decimals)
 
 
@@ -91,6 +108,40 @@ def typed_decimals(text: str) -> int | None:
     mantissa, _, exponent = text.replace("−", "-").strip().lower().partition("e")
     behind = len(mantissa.partition(".")[2])
     return max(0, behind - int(exponent[:6] or "0"))
+
+
+def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
+    """Take a matrix for an affine 4×4 with the last row 0 0 0 1; nine numbers are its linear part.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is neither 3×3 nor 4×4, or its last row is not 0 0 0 1.
+
+    Examples
+    --------
+    >>> from nmatrix.reading.matrix import matrix_literal
+    >>> as_affine(matrix_literal("2 0 0; 0 2 0; 0 0 2")).rows[0]
+    (2.0, 0.0, 0.0, 0.0)
+    """
+    if matrix.shape == (3, 3):
+        return MatrixLiteral(affine_matrix(matrix.rows_exact), matrix.source)
+    _require_4x4(matrix, "9 or 16 numbers")
+    if not is_affine(matrix.rows_exact):
+        raise _not_affine(matrix)
+    return matrix
+
+
+def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:
+    """Take a matrix for a projection: any sixteen numbers.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is not 4×4.
+    """
+    _require_4x4(matrix, "16 numbers")
+    return matrix
 
 
 def _squared(tokens: Tokens, source: str) -> Tokens:
@@ -114,3 +165,18 @@ def _squared(tokens: Tokens, source: str) -> Tokens:
 def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
     name = f"row {place[0] + 1}, column {place[1] + 1} of {source}"
     return fraction(_BARE_POINT.sub("", text), name)
+
+
+def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:
+    if matrix.shape != (4, 4):
+        height, width = matrix.shape
+        raise unreadable(matrix.source, f"it has {height} × {width} entries", f"give {takes}")
+
+
+def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:
+    if is_affine(transpose(matrix.rows_exact)):
+        why = f"this looks column-major or row-vector: {quantity('input_layout')} column-major"
+        return unreadable(matrix.source, why, "")
+    last = " ".join(f"{entry:g}" for entry in matrix.rows[3])
+    why = f"its last row is {last}, that of an affine matrix is 0 0 0 1"
+    return unreadable(matrix.source, why, f"give a projection as {quantity('projection_matrix')}")

@@ -7,11 +7,25 @@ from collections.abc import Callable
 from functools import partial
 
 from nmatrix.enums import Layout
-from nmatrix.errors import quoted
+from nmatrix.errors import IllegalValueError, printable, quoted, shortlist
 from nmatrix.reading import brackets, csvtext, glsl, jsontext, latex
-from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens, unreadable
-from nmatrix.reading.notation import Notation, chosen
+from nmatrix.reading.literal import (
+    MatrixLiteral,
+    Notation,
+    Tokens,
+    literal_from_tokens,
+    unreadable,
+)
 
+FIRST_OF = (
+    "world_from_object",
+    "camera_from_world",
+    "clip_from_camera",
+    "space_from_object",
+    "space_from_world",
+    "normal_matrix",
+    "value",
+)
 LONGEST = 4_000_000  # characters; a page of shaders and tables has some ten thousand
 
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
@@ -49,7 +63,7 @@ def matrix_literal(
     if found is not None:
         raise _unreadable(origin, f"it holds the control character {found[0]!r}, so it is not text")
     notation = _notation(text.replace("\r\n", "\n").removeprefix("\ufeff").strip(), origin)
-    tokens = chosen(notation, key, origin)
+    tokens = _chosen(notation, key, origin)
     return literal_from_tokens(tokens, notation.layout or layout, origin)
 
 
@@ -58,6 +72,44 @@ def _notation(text: str, source: str) -> Notation:
         if sign.search(text):
             return reader(text, source)
     return brackets.bare_notation(text, source)
+
+
+def _chosen(notation: Notation, key: str | None, source: str) -> Tokens:
+    """Choose the quantity under a key, else the first that is usually meant, else the only one.
+
+    Dots and underscores in keys are alike, since programs cannot name a value with dots.
+
+    Raises
+    ------
+    IllegalValueError
+        If there is no such key, or no way to choose.
+
+    Examples
+    --------
+    >>> _chosen(Notation({"eye": [["1"]], "value": [["2"]]}), None, "x")
+    [['2']]
+    """
+    found = notation.quantities
+    names = [printable(name) for name in found if name]
+    if key is not None:
+        for name, tokens in found.items():
+            if name == key or _program_name(name) == _program_name(key):
+                return tokens
+        next_step = f"choose one of {shortlist(names)}" if names else "leave the key out"
+        raise IllegalValueError(f"key ({quoted(key)})", f"{source} has no such matrix", next_step)
+    for name in ("", *FIRST_OF):
+        if name in found:
+            return found[name]
+    if len(found) == 1:
+        return next(iter(found.values()))
+    if not names:
+        raise unreadable(source, "it holds no matrix")
+    next_step = f"name one of {shortlist(names)} after a #"
+    raise unreadable(source, "which of its matrices is meant?", next_step)
+
+
+def _program_name(key: str) -> str:
+    return re.sub(r"[^A-Za-z0-9]+", "_", key).strip("_")
 
 
 # Each notation is known by its first characters, or by a word that the later ones never hold.

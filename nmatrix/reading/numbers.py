@@ -105,12 +105,7 @@ def fractions(text: str, count: int, name: str) -> tuple[Fraction, ...]:
 
 
 def numbers(text: str, count: int, name: str) -> tuple[float, ...]:
-    """Read so many numbers as float64, separated by blanks or commas.
-
-    Raises
-    ------
-    IllegalValueError
-        If there are more or fewer, or one of them is not a number.
+    """Read so many numbers as `fractions` does, each as the nearest float64.
 
     Examples
     --------

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from nmatrix.enums import Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
-from nmatrix.linear.angle import Angle, turn
+from nmatrix.linear.angle import Angle, float_turn
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
-from nmatrix.linear.values import real, settle, vector
+from nmatrix.linear.values import named, read_fields, vector
 from nmatrix.linear.view import first_person, look_at
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
@@ -42,8 +43,7 @@ class FirstPerson:
     roll: float = 0.0
 
     def __post_init__(self) -> None:
-        names = ("elevation", "angle", "roll")
-        settle(self, **{name: real(turn(getattr(self, name), name), name) for name in names})
+        read_fields(self, elevation=float_turn, angle=float_turn, roll=float_turn)
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,15 @@ class View:
     convention: Convention = Convention.STANDARD
 
     def __post_init__(self) -> None:
-        read: dict[str, object] = {
-            name: vector(getattr(self, name), 3, name) for name in ("eye", "target", "up")
-        }
-        read["handed"] = chosen(Handedness, self.handed, "handed")
-        read["convention"] = chosen(Convention, self.convention, "convention")
-        if self.matrix is not None:
-            read["matrix"] = read_affine(self.matrix, "view_matrix")
-        settle(self, **read)
+        read_fields(
+            self,
+            eye=vector,
+            target=vector,
+            up=vector,
+            matrix=named("view_matrix", read_affine),
+            handed=partial(chosen, Handedness),
+            convention=partial(chosen, Convention),
+        )
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
                 f"{quantity('elevation')}/{quantity('angle')} with {quantity('handed')} left",
@@ -91,7 +92,7 @@ class View:
             return PlacedCamera(self.matrix, _eye_of(self.matrix))
         if self.angles is not None:
             return self._by_angles(self.angles)
-        found = look_at(_floats(self.eye), _floats(self.target), _floats(self.up), self.handed)
+        found = look_at(self.eye, self.target, self.up, self.handed)
         return PlacedCamera(
             rational.rational_matrix(found.camera_from_world),
             rational_vector(self.eye),
@@ -100,7 +101,7 @@ class View:
 
     def _by_angles(self, angles: FirstPerson) -> PlacedCamera:
         exact = first_person(
-            _floats(self.eye),
+            self.eye,
             Angle.degrees(angles.elevation),
             Angle.degrees(angles.angle),
             Angle.degrees(angles.roll),
@@ -120,7 +121,3 @@ def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:
             "give an invertible matrix",
         )
     return rational.translation(rational.inverse(camera_from_world))
-
-
-def _floats(values: Vector) -> list[float]:
-    return [float(value) for value in values]

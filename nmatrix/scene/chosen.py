@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity, shortlist
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, apply, inverse, rational_vector
 from nmatrix.linear.values import text
-from nmatrix.scene.camera import View
 from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.scene import Scene, SceneObject
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
-MOST_NAMES = 8  # that an error lists
-
 
 def setup_of(scene: Scene, object_name: str | None = None, light_name: str | None = None) -> Setup:
-    """Return one object under one of the lights: those that are named, else the first.
+    """Take an object and a light of a scene, by name or the first, with its camera.
 
     Raises
     ------
@@ -29,31 +26,31 @@ def setup_of(scene: Scene, object_name: str | None = None, light_name: str | Non
 
 
 def setup_before(scene: Scene, one: SceneObject, aspect: float | None = None) -> Setup:
-    """Return an object in its parent's frame with the camera: what options may still change.
+    """Take an object as it stands under its parent, and the camera: both may still be changed.
 
     `aspect` is that of the picture, where it has one; a scene's own wins.
     """
-    free = aspect is not None and not scene.has_aspect
+    lens = scene.lens
+    if aspect is not None and not scene.has_aspect:
+        lens = replace(lens, aspect=aspect)
     return Setup(
         World(matrix=one.world_from_object) if one.place is None else one.place,
         scene.view,
-        replace(scene.lens, aspect=aspect) if free and aspect else scene.lens,
+        lens,
         space_matrix=scene.settings.space_matrix,
     )
 
 
 def in_the_scene(setup: Setup, scene: Scene, one: SceneObject, light: SceneLight | None) -> Setup:
     """Put the object under its parent, and the scene's light in its place."""
-    world = setup.world
     if one.world_from_parent is not None:
-        under = world.under(one.world_from_parent)
-        world = replace(under, matrix=under.world_from_object)
-    placed = light_in_world(scene, one, light, setup.view, world)
-    return replace(setup, world=world, light=placed or setup.light)
+        under = setup.world.under(one.world_from_parent)
+        setup = replace(setup, world=replace(under, matrix=under.world_from_object))
+    return setup if light is None else replace(setup, light=_in_world(setup, scene, one, light))
 
 
 def chosen_object(scene: Scene, name: str | None) -> SceneObject:
-    """Return the object of a name, or the first."""
+    """Find the object of a name, or take the first."""
     if name is None:
         return scene.objects[0]
     name = text(name, "object")
@@ -64,7 +61,7 @@ def chosen_object(scene: Scene, name: str | None) -> SceneObject:
 
 
 def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:
-    """Return the light of a name, or the first that comes from somewhere, if there is one."""
+    """Find the light of a name, or take the first that comes from somewhere, if there is one."""
     placed = [one for one in scene.lights if one.has_position or one.has_direction]
     if name is None:
         return placed[0] if placed else None
@@ -81,15 +78,8 @@ def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:
     raise _unknown(scene, "light", name, [one.name for one in placed])
 
 
-def light_in_world(
-    scene: Scene, one: SceneObject, light: SceneLight | None, view: View, world: World
-) -> Light | None:
-    """Return a light in world space, whatever it is fixed to: the world, the eye, an object.
-
-    `view` and `world` are where the eye and the object `one` are, which options may have moved.
-    """
-    if light is None:
-        return None
+def _in_world(setup: Setup, scene: Scene, one: SceneObject, light: SceneLight) -> Light:
+    """Bring a light into world space from what it is fixed to: the eye, this object, another."""
     found = Light(
         light.direction if light.has_direction else None,
         position=light.position if light.has_position else None,
@@ -97,10 +87,9 @@ def light_in_world(
     if light.fixed_to == WORLD:
         return found
     if light.fixed_to == EYE:
-        return _carried(found, inverse(view.placed().camera_from_world))
-    if light.fixed_to == one.name:
-        return _carried(found, world.world_from_object)
+        return _carried(found, inverse(setup.camera.camera_from_world))
     homes = {other.name: other.world_from_object for other in scene.objects}
+    homes[one.name] = setup.world.world_from_object  # it may have been moved
     return _carried(found, homes[light.fixed_to])
 
 
@@ -115,11 +104,8 @@ def _carried(light: Light, world_from_home: RationalMatrix) -> Light:
 
 
 def _unknown(scene: Scene, what: str, name: str, names: list[str]) -> IllegalValueError:
-    more = ", …" if len(names) > MOST_NAMES else ""
-    listed = f"there are {', '.join(names[:MOST_NAMES])}{more}"
-    near = did_you_mean(name, names, "")
     return IllegalValueError(
         f"{quantity(what)} ({name[:40]})",
         f"{scene.path} has no {what} of this name",
-        f"{near} {listed}".strip(),
+        f"{did_you_mean(name, names, '')} there are {shortlist(map(printable, names))}".strip(),
     )

@@ -14,8 +14,7 @@ from typing import Any
 
 from nmatrix.enums import API_PRESETS, Api, Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
-from nmatrix.linear.projection import ClipSpace, Window, check_aspect
-from nmatrix.linear.values import vector
+from nmatrix.linear.projection import ClipSpace, check_aspect
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
@@ -33,7 +32,7 @@ WHOLE = "the matrix is the whole answer"
 
 
 def world_of(given: Given, base: World | None = None) -> World:
-    """Return a world with what was given in place of the base's own.
+    """Make a world of what was given; what was not is as in the base.
 
     Raises
     ------
@@ -75,7 +74,7 @@ def world_of(given: Given, base: World | None = None) -> World:
 
 
 def view_of(given: Given, base: View | None = None) -> View:
-    """Return a view with what was given in place of the base's own.
+    """Make a view of what was given; what was not is as in the base.
 
     Examples
     --------
@@ -102,7 +101,7 @@ def view_of(given: Given, base: View | None = None) -> View:
 
 
 def lens_of(given: Given, base: Lens | None = None) -> Lens:
-    """Return a lens with what was given in place of the base's own.
+    """Make a lens of what was given; what was not is as in the base.
 
     Examples
     --------
@@ -120,9 +119,6 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     shape = {name: found[name] for name in SHAPE if name in found}
     if shape.keys() & {"fov", "aspect", "ortho", "frustum"}:
         shape = {"ortho": None, "frustum": None, "matrix": None} | shape
-    for name in ("ortho", "frustum"):
-        if shape.get(name) is not None:
-            shape[name] = Window(*map(float, vector(shape[name], 4, name)))
     if "fov" in shape:
         shape["fov_degrees"] = shape.pop("fov")
     lens = replace(base, clip=clip, **shape)
@@ -132,14 +128,14 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
 
 
 def hand_of(lens: Given) -> Handedness | None:
-    """Return the hand that a lens asks for, by itself or by its interface: the view's hand too."""
+    """Find the hand that a lens asks for, by itself or by its interface: it is the view's too."""
     if lens.get("handed") is not None:
         return chosen(Handedness, lens["handed"], "handed")
     return None if lens.get("api") is None else API_PRESETS[chosen(Api, lens["api"], "api")][1]
 
 
 def light_of(given: Given, base: Light | None = None) -> Light:
-    """Return a light with what was given in place of the base's own.
+    """Make a light of what was given; what was not is as in the base.
 
     Examples
     --------
@@ -162,14 +158,14 @@ def refuse_together(name: str, others: Iterable[str], given: Given, because: str
 
 
 def _clip_space(given: Given, base: ClipSpace) -> ClipSpace:
-    """Return an interface's clip space, or the base's, under what was given by itself."""
+    """Take an interface's clip space, or the base's, and put what was given by itself over it."""
     if "api" in given:
         base = ClipSpace(*API_PRESETS[chosen(Api, given["api"], "api")])
     return replace(base, **{name: given[name] for name in CLIP if name in given})
 
 
 def _known(given: Given, names: tuple[str, ...], what: str) -> dict[str, Any]:
-    """Return what was given, if every name is known; None stands for nothing."""
+    """Refuse a name that is unknown, and drop what is None: it was not given."""
     if not isinstance(given, Mapping):
         raise IllegalValueError(
             f"{what} ({type(given).__name__})",

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import inf
 
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.angle import Angle, turn
+from nmatrix.linear.angle import Angle, float_turn
 from nmatrix.linear.projection import (
     DEFAULT_CLIP_SPACE,
     ClipSpace,
@@ -17,7 +17,7 @@ from nmatrix.linear.projection import (
     perspective,
 )
 from nmatrix.linear.rational import RationalMatrix, rational_matrix
-from nmatrix.linear.values import real, settle
+from nmatrix.linear.values import named, read_fields, real, vector
 from nmatrix.reading.arrays import read_projection
 
 
@@ -35,16 +35,16 @@ class Lens:
     clip: ClipSpace = DEFAULT_CLIP_SPACE
 
     def __post_init__(self) -> None:
-        read: dict[str, object] = {
-            "fov_degrees": real(turn(self.fov_degrees, "fov"), "fov"),
-            "aspect": real(self.aspect, "aspect"),
-            "near": real(self.near, "near"),
-        }
-        if not (isinstance(self.far, float) and self.far == inf):
-            read["far"] = real(self.far, "far")
-        if self.matrix is not None:
-            read["matrix"] = read_projection(self.matrix, "projection_matrix")
-        settle(self, **read)
+        read_fields(
+            self,
+            fov_degrees=named("fov", float_turn),
+            aspect=real,
+            near=real,
+            far=_real_or_infinity,
+            ortho=_read_window,
+            frustum=_read_window,
+            matrix=named("projection_matrix", read_projection),
+        )
 
     @property
     def clip_from_camera(self) -> RationalMatrix:
@@ -71,6 +71,16 @@ class Lens:
         check_fov(self.fov_degrees)
         half = Angle.degrees(Fraction(self.fov_degrees) / 2)
         return rational_matrix(perspective(half, self.aspect, self.near, self.far, self.clip))
+
+
+def _real_or_infinity(value: object, name: str) -> float:
+    return inf if isinstance(value, float) and value == inf else real(value, name)
+
+
+def _read_window(given: object, name: str) -> Window:
+    if isinstance(given, Window):
+        return given
+    return Window(*(real(side, name) for side in vector(given, name, size=4)))
 
 
 def check_fov(degrees: float) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf
 
-from nmatrix.linear.vectors import normalize
+from nmatrix.linear.rounding import normalize
 from nmatrix.report import Vector
 from nmatrix.scene.material import Colour
 from nmatrix.scene.words import LightKind

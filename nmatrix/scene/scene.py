@@ -8,7 +8,7 @@ from pathlib import Path
 from nmatrix.enums import Effort, NormalRule, Shading, Space
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.linear.values import number, settle, vector
+from nmatrix.linear.values import number, read_fields, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
 from nmatrix.scene.lens import Lens
@@ -72,28 +72,33 @@ class Settings:
     turn_degrees: float = 0.0
 
     def __post_init__(self) -> None:
-        width, height = vector(self.size, 2, "size")
-        sides = f"{quantity('size')} ({width:g} {height:g})"
-        if not all(float(side).is_integer() and side >= 1 for side in (width, height)):
-            why = "both sides are whole numbers of pixels, 1 at least"
-            raise IllegalValueError(sides, why, "try 360 360")
-        if max(width, height) > LARGEST:
-            raise IllegalValueError(
-                sides, f"a side has {LARGEST} pixels at the most", "try 1024 1024"
-            )
-        if number(self.samples, "samples") not in SAMPLES:
-            raise IllegalValueError(
-                f"{quantity('samples')} ({self.samples})",
-                "a pixel has 1, 4, 16 or 64",
-                f"try {quantity('samples')} 4",
-            )
-        settle(self, size=(int(width), int(height)), samples=int(self.samples))
+        read_fields(self, size=_read_size, samples=_read_samples)
+        width, height = self.size
         if width * height * self.samples > MOST_SAMPLES:
             raise IllegalValueError(
-                f"{quantity('size')} {self.size[0]} {self.size[1]} with {self.samples} samples",
+                f"{quantity('size')} {width} {height} with {self.samples} samples",
                 f"a picture has {MOST_SAMPLES} samples at the most",
                 "take fewer of either",
             )
+
+
+def _read_size(size: object, name: str) -> tuple[int, int]:
+    width, height = vector(size, name, size=2)
+    sides = f"{quantity(name)} ({width:g} {height:g})"
+    if not all(float(side).is_integer() and side >= 1 for side in (width, height)):
+        why = "both sides are whole numbers of pixels, 1 at least"
+        raise IllegalValueError(sides, why, "try 360 360")
+    if max(width, height) > LARGEST:
+        raise IllegalValueError(sides, f"a side has {LARGEST} pixels at the most", "try 1024 1024")
+    return int(width), int(height)
+
+
+def _read_samples(samples: object, name: str) -> int:
+    found = number(samples, name)
+    if found not in SAMPLES:
+        why, next_step = "a pixel has 1, 4, 16 or 64", f"try {quantity(name)} 4"
+        raise IllegalValueError(f"{quantity(name)} ({samples})", why, next_step)
+    return int(found)
 
 
 @dataclass(frozen=True)

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 
 from nmatrix.enums import Frame
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
-from nmatrix.linear.angle import Angle, turns
+from nmatrix.linear.angle import Angle, direction_from_angles, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
-from nmatrix.linear.values import number, real, settle, vector
-from nmatrix.linear.vectors import direction_from_angles
+from nmatrix.linear.values import named, number, read_fields, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
@@ -28,19 +27,16 @@ class Light:
     """A light: the direction in which it travels, or two angles for it, and a position."""
 
     direction: Vector | None = None
-    angles_degrees: tuple[float, float] | None = None
+    angles_degrees: Vector | None = None
     position: Vector | None = None
 
     def __post_init__(self) -> None:
-        read: dict[str, object] = {}
-        if self.direction is not None:
-            read["direction"] = vector(self.direction, 3, "light_direction")
-        if self.angles_degrees is not None:
-            alpha, beta = turns(self.angles_degrees, 2, "light_angles")
-            read["angles_degrees"] = (real(alpha, "light_angles"), real(beta, "light_angles"))
-        if self.position is not None:
-            read["position"] = vector(self.position, 3, "light_position")
-        settle(self, **read)
+        read_fields(
+            self,
+            direction=named("light_direction", vector),
+            angles_degrees=named("light_angles", partial(turns, size=2)),
+            position=named("light_position", vector),
+        )
 
     def placed(self) -> WorldLight:
         """Return the light in world space; nothing given means daylight.
@@ -82,9 +78,8 @@ class Setup:
     tolerance: float | Fraction = BUILT
 
     def __post_init__(self) -> None:
-        if self.space_matrix is not None:
-            settle(self, space_matrix=read_affine(self.space_matrix, "space_matrix"))
-        if not 0 <= number(self.tolerance, "tolerance") < 1:
+        read_fields(self, space_matrix=read_affine, tolerance=number)
+        if not 0 <= self.tolerance < 1:
             named = f"{quantity('tolerance')} ({self.tolerance})"
             raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
+from functools import partial
 
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
-from nmatrix.linear.values import settle, vector
+from nmatrix.linear.values import named, read_fields, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
@@ -57,21 +57,16 @@ class World:
     matrix: RationalMatrix | None = None
 
     def __post_init__(self) -> None:
-        scale = self.scale
-        if not (isinstance(scale, tuple | list) or hasattr(scale, "__len__")):
-            scale = (scale,) * 3
-        read: dict[str, object] = {
-            "translate": vector(self.translate, 3, "translate"),
-            "rotate_degrees": turns(self.rotate_degrees, 3, "rotate"),
-            "scale": vector(scale, 3, "scale"),
-            "shear": vector(self.shear, 3, "shear"),
-            "convention": chosen(Convention, self.convention, "convention"),
-        }
-        if self.quaternion is not None:
-            read["quaternion"] = vector(self.quaternion, 4, "quaternion")
-        if self.matrix is not None:
-            read["matrix"] = read_affine(self.matrix, "world_matrix")
-        settle(self, **read)
+        read_fields(
+            self,
+            translate=vector,
+            rotate_degrees=named("rotate", turns),
+            quaternion=partial(vector, size=4),
+            scale=_read_scale,
+            shear=vector,
+            convention=partial(chosen, Convention),
+            matrix=named("world_matrix", read_affine),
+        )
         affine.checked_order(self.order)
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
@@ -94,14 +89,14 @@ class World:
             return self.matrix
         return affine.compose(
             self._rotation(turn),
-            _numbers(self.scale),
-            _numbers(self.shear),
-            _numbers(self.translate),
+            self.scale,
+            self.shear,
+            self.translate,
         )
 
     def _rotation(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         if self.quaternion is not None:
-            return affine.rotation_from_quaternion(_numbers(self.quaternion))
+            return affine.rotation_from_quaternion(self.quaternion)
         turns = [turn(value) for value in self.rotate_degrees]
         if self.convention is Convention.STANDARD:
             return affine.rotation(turns, self.order)
@@ -110,7 +105,7 @@ class World:
     @property
     def exact(self) -> RationalMatrix:
         """Return the matrix before its one rounding."""
-        return self.exact_by(lambda degrees: Angle.degrees(_number(degrees)))
+        return self.exact_by(Angle.degrees)
 
     @property
     def world_from_object(self) -> RationalMatrix:
@@ -148,9 +143,5 @@ class World:
         return ()
 
 
-def _number(value: Number) -> float | Fraction:
-    return Fraction(value) if isinstance(value, int) else value
-
-
-def _numbers(values: Vector) -> list[float | Fraction]:
-    return [_number(value) for value in values]
+def _read_scale(scale: object, name: str) -> Vector:
+    return vector(scale if hasattr(scale, "__len__") else (scale,) * 3, name)

@@ -78,7 +78,7 @@ class ExactMaps:
         return self.space_from_world(space).exact_point(self.eye)
 
     def is_rigid(self, space: Space) -> bool:
-        """Tell a space whose coordinates give the lengths and angles of the world."""
+        """Recognise a space whose coordinates keep the lengths and angles of the world."""
         return classify(self.space_from_world(space).exact, self.tolerance).is_rigid
 
     def vector_world_from_space(self, space: Space) -> RationalMatrix:

@@ -7,6 +7,7 @@ that do not meet refuse to multiply.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from nmatrix.enums import Frame, chosen
 from nmatrix.errors import FrameError, NoAnswerError
@@ -14,7 +15,7 @@ from nmatrix.linear import rational
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, to_floats
 from nmatrix.linear.rounding import nearest
-from nmatrix.linear.values import settle, vector
+from nmatrix.linear.values import named, read_fields, vector
 from nmatrix.reading.arrays import read_affine
 
 
@@ -50,11 +51,11 @@ class Transform:
     exact: RationalMatrix
 
     def __post_init__(self) -> None:
-        settle(
+        read_fields(
             self,
-            to=chosen(Frame, self.to, "to"),
-            source=chosen(Frame, self.source, "source"),
-            exact=read_affine(self.exact, "matrix"),
+            to=partial(chosen, Frame),
+            source=partial(chosen, Frame),
+            exact=named("matrix", read_affine),
         )
 
     @classmethod
@@ -153,7 +154,7 @@ class Transform:
 
 
 def _exact(values: object, name: str) -> RationalVector:
-    return rational.rational_vector(vector(values, 3, name))
+    return rational.rational_vector(vector(values, name))
 
 
 def _latex_number(value: float) -> str:

@@ -19,12 +19,11 @@ import pytest
 from nmatrix.enums import ClipY, Convention, DepthRange, Frame, Handedness, Space
 from nmatrix.linear import rational
 from nmatrix.linear.affine import compose, rotation_from_quaternion
-from nmatrix.linear.angle import Angle
+from nmatrix.linear.angle import Angle, direction_from_angles
 from nmatrix.linear.decompose import parts
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace, Window, frustum, orthographic, perspective
 from nmatrix.linear.rational import to_floats
-from nmatrix.linear.vectors import direction_from_angles
 from nmatrix.linear.view import look_at
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.setup import Setup

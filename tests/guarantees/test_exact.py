@@ -19,9 +19,9 @@ from hypothesis import strategies as st
 from strategies import Matrix, any_matrix, bit_patterns, matrices, near_singular, vectors
 
 from nmatrix.enums import NormalStatus
+from nmatrix.linear.angle import angle_between
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rounding import nearest, unit
-from nmatrix.linear.vectors import angle_between, normalize
+from nmatrix.linear.rounding import nearest, normalize, unit
 from nmatrix.linear.view import look_at
 
 

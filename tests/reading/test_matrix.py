@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.reading import latex
-from nmatrix.reading.matrix import matrix_literal
-from nmatrix.reading.notation import FIRST_OF
-from nmatrix.reading.shapes import as_affine, as_linear, as_projection, as_vector
+from nmatrix.reading.literal import as_affine, as_projection
+from nmatrix.reading.matrix import FIRST_OF, matrix_literal
 
 M = ((1.0, 2.0, 3.0), (4.0, -5.5, 6.0), (7.0, 8.0, 1e-7))
 
@@ -203,7 +202,6 @@ def test_a_long_search_would_be_noticed(monkeypatch: pytest.MonkeyPatch) -> None
 def test_nine_numbers_are_the_linear_part_of_an_affine_matrix() -> None:
     affine = as_affine(matrix_literal("1 2 3; 4 5 6; 7 8 9")).rows
     assert affine == ((1, 2, 3, 0), (4, 5, 6, 0), (7, 8, 9, 0), (0, 0, 0, 1))
-    assert as_linear(as_affine(matrix_literal("1 2 3; 4 5 6; 7 8 9"))).rows[2] == (7, 8, 9)
 
 
 COLUMNS = "1 0 0 0; 0 1 0 0; 0 0 1 0; 5 6 7 1"
@@ -211,9 +209,8 @@ COLUMNS = "1 0 0 0; 0 1 0 0; 0 0 1 0; 5 6 7 1"
 
 def test_a_transposed_affine_matrix_is_recognised_with_the_remedy() -> None:
     hint = r"this looks column-major or row-vector: input_layout column-major"
-    for meant in (as_affine, as_linear):
-        with pytest.raises(IllegalValueError, match=hint):
-            meant(matrix_literal(COLUMNS))
+    with pytest.raises(IllegalValueError, match=hint):
+        as_affine(matrix_literal(COLUMNS))
     assert as_affine(matrix_literal(COLUMNS, Layout.COLUMN_MAJOR)).rows[0] == (1, 0, 0, 5)
 
 
@@ -236,9 +233,8 @@ def test_a_projection_is_any_sixteen_numbers() -> None:
 )
 def test_vectors(text: str) -> None:
     for layout in Layout:
-        assert as_vector(matrix_literal(text, layout)) == (1.0, 2.0, 3.0)
-    with pytest.raises(IllegalValueError, match="3 or 4 numbers"):
-        as_vector(matrix_literal("1 2"))
+        found = matrix_literal(text, layout).rows
+        assert [entry for row in found for entry in row] == [1.0, 2.0, 3.0]
 
 
 def test_a_vector_keeps_its_shape_in_either_layout() -> None:

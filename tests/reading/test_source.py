@@ -156,7 +156,7 @@ def test_reading_text_loads_no_numpy() -> None:
     program = (
         "import sys\n"
         "from nmatrix.reading.source import matrix_source\n"
-        "from nmatrix.reading.shapes import as_affine\n"
+        "from nmatrix.reading.literal import as_affine\n"
         "as_affine(matrix_source('mat3(2.0)', str))\n"
         "sys.exit('numpy' in sys.modules)"
     )

@@ -15,7 +15,7 @@ import pytest
 from nmatrix.enums import DepthRange, Handedness, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import inverse_transpose, linear_part, product, to_floats
-from nmatrix.linear.vectors import normalize
+from nmatrix.linear.rounding import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.scene import Fog, Scene

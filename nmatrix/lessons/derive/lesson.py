@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, did_you_mean
 from nmatrix.lessons.derive import derivations, kinds_of_maps, lighting
 from nmatrix.lessons.derive.users_matrix import users_matrix
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
@@ -65,11 +64,10 @@ def chosen(case: str) -> tuple[str, ...]:
         return tuple(LESSONS)
     if case in LESSONS:
         return (case,)
-    near = get_close_matches(case.lower(), (*LESSONS, ALL), 1)
     raise IllegalValueError(
         f"case ({case[:40]})",
         f"the cases are {', '.join(LESSONS)}, all",
-        f"did you mean {near[0]}?" if near else "try nmatrix derive rule",
+        did_you_mean(case.lower(), (*LESSONS, ALL), "try nmatrix derive rule"),
     )
 
 

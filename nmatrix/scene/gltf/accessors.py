@@ -126,10 +126,7 @@ def _triangles(order: Array, mode: int) -> Array:
 
 
 def _read(file: GltfFile, index: int) -> Array:
-    accessors = file.document.accessors
-    if not 0 <= index < len(accessors):
-        raise file.fault(f"accessor {index} does not exist")
-    record = accessors[index]
+    record = file.entry("accessor", file.document.accessors, index)
     known = record.component_type in TYPES and record.type in WIDTHS
     if not known or not 0 <= record.count <= MOST_ROWS:
         raise file.fault(f"accessor {index} has an unknown type or size")
@@ -148,10 +145,7 @@ def _from_view(file: GltfFile, record: Accessor) -> Array:
     kind, width = np.dtype(TYPES[record.component_type]), WIDTHS[record.type]
     if record.buffer_view is None or record.count == 0:
         return np.zeros((record.count, width), kind)
-    views = file.document.buffer_views
-    if not 0 <= record.buffer_view < len(views):
-        raise file.fault(f"buffer view {record.buffer_view} does not exist")
-    view = views[record.buffer_view]
+    view = file.entry("buffer view", file.document.buffer_views, record.buffer_view)
     content = file.buffer(view.buffer)
     row = kind.itemsize * width
     stride = view.byte_stride or row

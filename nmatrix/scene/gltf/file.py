@@ -14,14 +14,17 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite
 from pathlib import Path
+from typing import TypeVar
 from urllib.parse import unquote
 
 import msgspec
 
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, shortlist
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, identity, product, rational_matrix, to_floats
 from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
+
+Entry = TypeVar("Entry")
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 LONGEST_URI = 200
@@ -54,6 +57,18 @@ class GltfFile:
         """Return the error for this file."""
         return IllegalValueError(f"{self.path}", why, next_step)
 
+    def entry(self, kind: str, entries: Sequence[Entry], index: int) -> Entry:
+        """Look up what another part of the file refers to by its index.
+
+        Raises
+        ------
+        IllegalValueError
+            If there is no such entry.
+        """
+        if not 0 <= index < len(entries):
+            raise self.fault(f"{kind} {index} does not exist", "mend the file")
+        return entries[index]
+
     @cached_property
     def _buffers(self) -> dict[int, bytes]:
         return {}
@@ -70,10 +85,7 @@ class GltfFile:
         """
         if index in self._buffers:
             return self._buffers[index]
-        buffers = self.document.buffers
-        if not 0 <= index < len(buffers):
-            raise self.fault(f"buffer {index} does not exist", "mend the file")
-        record = buffers[index]
+        record = self.entry("buffer", self.document.buffers, index)
         content = self.binary if record.uri is None else _from_uri(self.path, record.uri)
         if len(content) < record.byte_length:
             raise IllegalValueError(
@@ -185,7 +197,7 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         return nodes, ()
     return nodes, (
         f"{len(off_length)} quaternions were not of length one and were normalised: "
-        f"{', '.join(off_length[:MOST_NAMED])}{', …' if len(off_length) > MOST_NAMED else ''}.",
+        f"{shortlist(off_length, MOST_NAMED)}.",
     )
 
 

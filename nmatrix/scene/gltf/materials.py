@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from urllib.parse import unquote
 
+from nmatrix.errors import shortlist
+from nmatrix.reading.files import existing_file
 from nmatrix.scene.gltf.file import LONGEST_URI, GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, TextureReference
 from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
@@ -30,9 +32,7 @@ class Materials:
             For a material, a texture or an image that does not exist.
         """
         records = self.file.document.materials
-        if index is not None and not 0 <= index < len(records):
-            raise self.file.fault(f"material {index} does not exist", "mend the file")
-        record = MaterialRecord() if index is None else records[index]
+        record = MaterialRecord() if index is None else self.file.entry("material", records, index)
         surface = record.pbr_metallic_roughness or MetallicRoughness()
         red, green, blue, alpha = (min(max(one, 0.0), 1.0) for one in surface.base_color_factor)
         if index is not None:
@@ -55,9 +55,8 @@ class Materials:
         if self.left_out:
             found.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
         if self.missing:
-            names = list(dict.fromkeys(self.missing))
-            more = ", …" if len(names) > MOST_NAMED else ""
-            found.append(f"Images are missing: {', '.join(names[:MOST_NAMED])}{more}.")
+            names = shortlist(dict.fromkeys(self.missing), MOST_NAMED)
+            found.append(f"Images are missing: {names}.")
         return tuple(found)
 
     def _note(self, record: MaterialRecord, surface: MetallicRoughness) -> None:
@@ -77,24 +76,16 @@ class Materials:
         if reference is None or reference.tex_coord != 0:
             return None
         document = self.file.document
-        if not 0 <= reference.index < len(document.textures):
-            raise self.file.fault(f"texture {reference.index} does not exist", "mend the file")
-        source = document.textures[reference.index].source
+        source = self.file.entry("texture", document.textures, reference.index).source
         if source is None:
             return None
-        if not 0 <= source < len(document.images):
-            raise self.file.fault(f"image {source} does not exist", "mend the file")
-        record = document.images[source]
+        record = self.file.entry("image", document.images, source)
         uri = record.uri
         if uri is None or uri.startswith("data:"):
             name = f"{self.file.path} (image {source})"
             return EmbeddedImage(name, self.file.image(record))
         name = unquote(uri[:LONGEST_URI])
-        path = self.file.path.parent / name
-        try:
-            if path.is_file():
-                return path
-        except (OSError, ValueError):  # a name too long, or with a NUL: no file has it
-            pass
-        self.missing.append(name if name.isprintable() else "one without a readable name")
-        return None
+        path = existing_file(str(self.file.path.parent / name))
+        if path is None:
+            self.missing.append(name if name.isprintable() else "one without a readable name")
+        return path

@@ -108,13 +108,10 @@ class TextureReference(msgspec.Struct, rename="camel"):
 
 
 class MetallicRoughness(msgspec.Struct, rename="camel"):
-    """The base colour of a material, and what makes it metallic or rough."""
+    """The base colour of a material."""
 
     base_color_factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
     base_color_texture: TextureReference | None = None
-    metallic_roughness_texture: TextureReference | None = None
-    metallic_factor: float = 1.0
-    roughness_factor: float = 1.0
 
 
 class MaterialRecord(msgspec.Struct, rename="camel"):

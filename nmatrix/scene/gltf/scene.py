@@ -70,18 +70,14 @@ class _Reading:
         if not document.scenes:
             roots = [i for i, node in enumerate(self.file.nodes) if node.parent is None]
         else:
-            index = document.scene or 0
-            if not 0 <= index < len(document.scenes):
-                raise self.file.fault(f"scene {index} does not exist")
-            roots = document.scenes[index].nodes
+            roots = self.file.entry("scene", document.scenes, document.scene or 0).nodes
         waiting, found = list(reversed(roots)), dict[int, None]()
         while waiting:
             at = waiting.pop()
-            if not 0 <= at < len(document.nodes):
-                raise self.file.fault(f"node {at} does not exist")
+            node = self.file.entry("node", document.nodes, at)
             if at not in found:
                 found[at] = None
-                waiting.extend(reversed(document.nodes[at].children))
+                waiting.extend(reversed(node.children))
         return tuple(found)
 
     def scene(self) -> Scene:

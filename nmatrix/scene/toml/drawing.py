@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from nmatrix.enums import Convention, Handedness, Space
@@ -98,7 +97,7 @@ def material(table: SceneTable, name: str) -> Material:
         shininess=record.shininess,
         reflection=record.reflection,
         opacity=record.opacity,
-        texture=_texture(table, record),
+        texture=record.texture if record.texture in (None, CHECKER) else table.file("texture"),
         normal_map=None if record.normal_map is None else table.file("normal_map"),
         toon_steps=record.toon_steps,
         outline=record.outline,
@@ -121,10 +120,6 @@ def _colours(record: MaterialRecord) -> dict[str, Any]:
     return given
 
 
-def _texture(table: SceneTable, record: MaterialRecord) -> Path | str | None:
-    return record.texture if record.texture in (None, CHECKER) else table.file("texture")
-
-
 def settings(table: SceneTable) -> Settings:
     """Return the settings of the table [render].
 
@@ -133,7 +128,8 @@ def settings(table: SceneTable) -> Settings:
     IllegalValueError
         For values out of bounds, and a space matrix without its space.
     """
-    fog = table.inner("fog").checked(FogRecord) if _holds_table(table, "fog") else None
+    if isinstance(table.raw, dict) and isinstance(table.raw.get("fog"), dict):
+        table.inner("fog").checked(FogRecord)  # so that its faults are told under its own header
     record = table.checked(RenderRecord)
     if record.space_matrix is None and record.space is Space.CUSTOM:
         raise table.fault("space", "it needs its matrix", "add space_matrix")
@@ -153,15 +149,11 @@ def settings(table: SceneTable) -> Settings:
         size=record.size,
         samples=record.samples,
         background=background,
-        fog=None if fog is None else _fog(table.inner("fog"), fog, background),
+        fog=None if record.fog is None else _fog(table.inner("fog"), record.fog, background),
         gamma=record.gamma,
         depth=DepthBuffer(str(record.depth_bits)),
         shadow_map=record.shadow_map,
     )
-
-
-def _holds_table(table: SceneTable, key: str) -> bool:
-    return isinstance(table.raw, dict) and isinstance(table.raw.get(key), dict)
 
 
 def _fog(table: SceneTable, record: FogRecord, background: Colour) -> Fog:

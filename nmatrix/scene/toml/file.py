@@ -8,7 +8,7 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, printable, quoted
 from nmatrix.reading.files import file_bytes
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -17,7 +17,7 @@ from nmatrix.scene.toml.drawing import camera, material, settings
 from nmatrix.scene.toml.lights import read_lights
 from nmatrix.scene.toml.objects import named_objects, scene_objects
 from nmatrix.scene.toml.records import SceneRecord
-from nmatrix.scene.toml.table import SceneTable, printable, shown, suggestion
+from nmatrix.scene.toml.table import SceneTable, shown, suggestion
 
 LARGEST = 4_000_000  # bytes
 _SPELLED = ("inf", "nan")

@@ -6,8 +6,7 @@ from collections.abc import Collection
 from dataclasses import replace
 from math import inf
 
-from nmatrix.linear.angle import Angle
-from nmatrix.linear.vectors import direction_from_angles
+from nmatrix.linear.angle import Angle, direction_from_angles
 from nmatrix.report import Vector
 from nmatrix.scene.light import DAYLIGHT, EYE, WORLD, SceneLight
 from nmatrix.scene.material import colour

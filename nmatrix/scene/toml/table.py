@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from enum import StrEnum
 from math import isfinite
 from pathlib import Path
@@ -12,8 +11,9 @@ from typing import Any, Literal, TypeVar, get_args, get_origin
 
 import msgspec
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, did_you_mean, printable, quoted, shortlist
 from nmatrix.linear.rational import RationalMatrix, affine_matrix, rational_matrix
+from nmatrix.reading.files import existing_file
 from nmatrix.scene.toml.records import Record
 
 Checked = TypeVar("Checked", bound=Record)
@@ -67,13 +67,10 @@ class SceneTable:
         IllegalValueError
             If there is no such file.
         """
-        path: Path = self.path.parent / self.raw[key]
-        try:
-            if path.is_file():
-                return path
-        except (OSError, ValueError):  # a name too long, or with a NUL: no file has it
-            pass
-        raise self.fault(key, "there is no such file", "names are relative to the scene file")
+        path = existing_file(str(self.path.parent / self.raw[key]))
+        if path is None:
+            raise self.fault(key, "there is no such file", "names are relative to the scene file")
+        return path
 
     def affine_matrix(self, key: str, rows: Sequence[Sequence[float]]) -> RationalMatrix:
         """Return the affine 4×4 matrix of a key's rows; three rows are its linear part.
@@ -192,25 +189,15 @@ def _choices(annotation: object) -> list[str]:
     return [word for part in get_args(annotation) for word in _choices(part)]
 
 
-def suggestion(name: str, names: Iterable[str]) -> str:
-    """Return a question with the nearest name, or the list of all of them.
+def suggestion(name: str, names: Collection[str]) -> str:
+    """Ask for the nearest name, or list what there is.
 
     Examples
     --------
     >>> suggestion("lihgt", ["light"]), suggestion("x", ["light", "sun"]), suggestion("x", [])
     ('did you mean light?', 'there are light, sun', 'there are none')
     """
-    choice = list(names)
-    near = get_close_matches(name, choice, n=1, cutoff=0.6)
-    if near:
-        return f"did you mean {printable(near[0])}?"
-    listed = ", ".join(printable(one) for one in choice[:8])
-    return f"there are {listed or 'none'}{', …' if len(choice) > 8 else ''}"
-
-
-def printable(name: str) -> str:
-    """Return a name as it is, or quoted where it would break the line."""
-    return name if name.isprintable() and len(name) <= LONGEST else quoted(name)
+    return did_you_mean(name, names, f"there are {shortlist(map(printable, names)) or 'none'}")
 
 
 def shown(value: Raw) -> str:

@@ -15,8 +15,8 @@ from nmatrix.linear.compensated import cofactors
 from nmatrix.linear.projection import perspective
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.linear.rules import normal_transform
+from nmatrix.reading.literal import as_affine
 from nmatrix.reading.matrix import matrix_literal
-from nmatrix.reading.shapes import as_affine
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own, spelled
 from nmatrix.studies.hardcases.normals import contestant, ours
 from nmatrix.studies.methods import method

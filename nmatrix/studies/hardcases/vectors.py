@@ -8,7 +8,8 @@ from math import acos, atan2, sqrt
 
 import numpy as np
 
-from nmatrix.linear.vectors import angle_between, normalize
+from nmatrix.linear.angle import angle_between
+from nmatrix.linear.rounding import normalize
 from nmatrix.raster.shading.normals import unit
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 from nmatrix.studies.hardcases.oracle import root
