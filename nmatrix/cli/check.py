@@ -13,9 +13,8 @@ from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
-from nmatrix.cli.sources import Sources, table
+from nmatrix.cli.sources import table
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fraction, numbers
 
@@ -109,17 +108,11 @@ def check(
     if exercise_answer is not None:
         typed, why = exercise_answer[:30], f"check {what} takes one ANSWER"
         raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
-    sources = Sources(common.input_layout)
-    question = _question(what, groups, options, sources)
-    _check_scene(question, sources, answer, batch, common)
+    _check_scene(_question(what, groups, options, common), answer, batch, common)
 
 
 def _check_scene(
-    question: Question,
-    sources: Sources,
-    answer: str | None,
-    batch: str | None,
-    common: CommonOptions,
+    question: Question, answer: str | None, batch: str | None, common: CommonOptions
 ) -> None:
     """Check one answer to a question about a scene, or a class's."""
     if (answer is None) is (batch is None):
@@ -137,7 +130,7 @@ def _check_scene(
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 
-        show(answer_of(question, sources.literal(answer)), common)
+        show(answer_of(question, common.sources.literal(answer)), common)
 
 
 def _check_exercise(
@@ -193,7 +186,9 @@ def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:
             )
 
 
-def _question(what: str, groups: OptionGroups, options: CheckOptions, sources: Sources) -> Question:
+def _question(
+    what: str, groups: OptionGroups, options: CheckOptions, common: CommonOptions
+) -> Question:
     from nmatrix.lessons.check.question import Question, Subject
 
     if what not in list(Subject):
@@ -207,8 +202,8 @@ def _question(what: str, groups: OptionGroups, options: CheckOptions, sources: S
         )
     return Question(
         subject,
-        groups.setup_from(sources),
-        groups.space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
+        groups.setup(common),
+        groups.shading_space(),
         unit=options.unit,
         tolerance=options.limit,
         normal=None if options.normal is None else numbers(options.normal, 3, "--normal"),

@@ -13,14 +13,13 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass
-from difflib import get_close_matches
 from functools import wraps
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 from typer.core import TyperArgument, TyperCommand, TyperOption
 
 from nmatrix.cli.show import put
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, did_you_mean
 
 if TYPE_CHECKING:
     from typer._click import Context, HelpFormatter
@@ -230,15 +229,3 @@ def _split(word: str) -> tuple[str, str | None]:
         name, equals, value = word.partition("=")
         return name, value if equals else None
     return word[:2], word[2:].removeprefix("=") or None
-
-
-def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
-    """Ask for the nearest known word, or name another next step.
-
-    Examples
-    --------
-    >>> did_you_mean("wrold", ["view", "world"], "see --help")
-    'did you mean world?'
-    """
-    near = get_close_matches(word[:40], known, n=1, cutoff=0.6)
-    return f"did you mean {near[0]}?" if near else otherwise

@@ -51,12 +51,13 @@ def explore(
     path = Path(output)
     refuse_existing([path], force=force)
     setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
-    if not view.is_given and scene.scene is None:
-        setup = replace(setup, view=replace(setup.view, eye=FROM_ABOVE))
-    if not light.is_given and scene.scene is None:
-        setup = replace(setup, light=SHORT_LIGHT)
-    if not world.is_given and scene.scene is None:
-        setup = replace(setup, world=STRETCHED)
+    if scene.scene is None:
+        setup = replace(
+            setup,
+            world=setup.world if world.given else STRETCHED,
+            view=setup.view if view.given else replace(setup.view, eye=FROM_ABOVE),
+            light=setup.light if light.given else SHORT_LIGHT,
+        )
     write_file(path, page(setup), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), common)

@@ -21,7 +21,6 @@ from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
-from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import fractions, number
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
@@ -71,8 +70,8 @@ class SpaceOptions:
         Option(metavar="MATRIX", help="Space from world, for custom.", rich_help_panel=SPACE),
     ] = None
 
-    def chosen(self, positional: str | None, default: Space | None) -> Space | None:
-        """Choose the space that was typed, as an argument or as an option."""
+    def chosen(self, positional: str | None = None) -> Space | None:
+        """Choose the space that was typed, by name or as the matrix of custom space."""
         if positional is not None and self.space is not None:
             raise IllegalValueError(
                 f"{positional[:20]} with --space {self.space[:20]}",
@@ -80,8 +79,9 @@ class SpaceOptions:
                 "keep one of them",
             )
         name = self.space if positional is None else positional
-        unnamed = Space.CUSTOM if self.space_matrix is not None else default
-        found = unnamed if name is None else space_named(name)
+        if name is None:
+            return None if self.space_matrix is None else Space.CUSTOM
+        found = space_named(name)
         if self.space_matrix is not None and found is not Space.CUSTOM:
             raise IllegalValueError(
                 f"--space-matrix with space {found}",
@@ -90,11 +90,11 @@ class SpaceOptions:
             )
         return found
 
-    def matrix(self, sources: Sources) -> RationalMatrix | None:
-        """Read `space_from_world` for custom space."""
+    def override(self, setup: Setup, sources: Sources) -> Setup:
+        """Put the typed matrix of custom space in place of the setup's own."""
         if self.space_matrix is None:
-            return None
-        return sources.affine(self.space_matrix)
+            return setup
+        return replace(setup, space_matrix=sources.affine(self.space_matrix))
 
 
 @dataclass(frozen=True)
@@ -109,10 +109,10 @@ class ToleranceOption:
         ),
     ] = None
 
-    def value(self, sources: Sources) -> float:
-        """Read the tolerance, by default that of the numbers' origin: files often hold float32."""
+    def value(self, usual: float) -> float:
+        """Read the tolerance that was typed, if any."""
         if self.tolerance is None:
-            return FROM_FILE if sources.any_from_file else BUILT
+            return usual
         found = number(self.tolerance, "--tolerance")
         if not 0 <= found < 1:
             raise IllegalValueError(
@@ -209,36 +209,28 @@ class OptionGroups:
 
     def setup(self, common: CommonOptions, aspect: float | None = None) -> Setup:
         """Build what the command line describes; `aspect` is that of a picture, if it has one."""
-        return self.setup_from(Sources(common.input_layout), aspect)
-
-    def setup_from(self, sources: Sources, aspect: float | None = None) -> Setup:
-        """Build the setup with matrices from these sources."""
-        setup = self.scene.setup(sources, aspect)
+        setup = self.scene.setup(common.sources, aspect)
         for group in (self.world, self.view, self.lens):
-            if group != type(group)():
-                setup = group.override(setup, sources)
+            setup = group.override(setup, common.sources)
         setup = self.scene.in_the_scene(setup, under_parent=self.world.world_matrix is None)
-        if self.light.is_given:
-            setup = self.light.override(setup, sources)
-        space_matrix = self.space.matrix(sources)
-        return replace(
-            setup,
-            space_matrix=setup.space_matrix if space_matrix is None else space_matrix,
-            tolerance=self.tolerance.value(sources),
-        )
+        for later in (self.light, self.space):
+            setup = later.override(setup, common.sources)
+        usual = FROM_FILE if common.sources.any_from_file else BUILT  # files often hold float32
+        return replace(setup, tolerance=self.tolerance.value(usual))
 
-    def typed_world(self, sources: Sources, setup: Setup) -> World:
+    def typed_world(self, common: CommonOptions, setup: Setup) -> World:
         """Build the world of every number as it was typed, where it was typed in parts."""
         chosen = self.scene.chosen_object
         if chosen is None or self.world.world_matrix is not None:
-            return self.world.over(World(), sources, fractions)
+            return self.world.over(World(), common.sources, fractions)
         if chosen.world_from_parent is not None or chosen.place is None:
             return setup.world
-        return self.world.over(_as_typed(chosen.place), sources, fractions)
+        return self.world.over(_as_typed(chosen.place), common.sources, fractions)
 
-    def usual_space(self, default: Space) -> Space:
-        """Return the scene's shading space, or the default without a scene."""
-        return default if self.scene.scene is None else self.scene.scene.settings.space
+    def shading_space(self, positional: str | None = None) -> Space:
+        """Choose the space that was typed, else the scene's, else world space."""
+        usual = Space.WORLD if self.scene.scene is None else self.scene.scene.settings.space
+        return self.space.chosen(positional) or usual
 
 
 def _as_typed(place: World) -> World:

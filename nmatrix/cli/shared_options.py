@@ -1,22 +1,24 @@
-"""What commands and option groups share: the Output panel, contradictions, and typed numbers."""
+"""What commands and option groups share: the Output panel, and how typed words are read."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from functools import cached_property
 from typing import Annotated, Any
 
 from typer import Option
 
+from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention, Format, Handedness, Layout
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.options import MOST_DIGITS
 from nmatrix.reading.numbers import number, numbers
 from nmatrix.report import Vector
 
 CONVENTIONS = "Conventions"  # options of two groups, of which a command may take only one
 OUTPUT = "Output"
-MOST_DIGITS = 17
 
 ReadNumbers = Callable[[str, int, str], Vector]
 
@@ -68,6 +70,11 @@ class CommonOptions:
         ColorWhen.AUTO
     )
 
+    @cached_property
+    def sources(self) -> Sources:
+        """The matrices of the command line, read in their order."""
+        return Sources(self.input_layout)
+
     @property
     def digits_checked(self) -> int:
         """The number of digits, which a float64 must have."""
@@ -79,29 +86,20 @@ class CommonOptions:
 class OptionGroup:
     """A group whose options are None until somebody types them."""
 
-    def given(self, *names: str) -> dict[str, Any]:
-        """Collect the typed options by their spelling: the named ones, or all that only it has.
+    @property
+    def given(self) -> dict[str, Any]:
+        """The typed options that only this group has, by field.
 
         Examples
         --------
         >>> from nmatrix.cli.world_options import WorldOptions
-        >>> WorldOptions(scale="1 2 1", convention=Convention.POLIMI).given()
-        {'--scale': '1 2 1'}
+        >>> WorldOptions(scale="1 2 1", convention=Convention.POLIMI).given
+        {'scale': '1 2 1'}
         """
-        wanted = names or [one.name for one in fields(self) if one.name not in SHARED]
-        return {
-            option_name(name): getattr(self, name)
-            for name in wanted
-            if getattr(self, name) is not None
-        }
-
-    @property
-    def is_given(self) -> bool:
-        """Whether an option that only this group has was typed."""
-        return bool(self.given())
+        return self.typed(*(one.name for one in fields(self) if one.name not in SHARED))
 
     def typed(self, *names: str) -> dict[str, Any]:
-        """Collect the typed values that need no reading, by field."""
+        """Collect those of these options that were typed, by field."""
         return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
 
     def numbers(self, read: ReadNumbers = numbers, **counts: int) -> dict[str, Any]:
@@ -123,18 +121,6 @@ def option_name(field: str) -> str:
     '--world-matrix'
     """
     return f"--{field.replace('_', '-')}"
-
-
-def refuse_together(option: str, others: Mapping[str, object], because: str) -> None:
-    """Refuse an option beside any of the others that was given.
-
-    Raises
-    ------
-    IllegalValueError
-        If there is one.
-    """
-    if others:
-        raise IllegalValueError(f"{option} with {', '.join(others)}", because, "keep one of them")
 
 
 def whole_number(text: str, option: str, among: range, example: int, why: str = "") -> int:

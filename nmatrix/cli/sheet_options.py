@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.shared_options import OptionGroup
+from nmatrix.cli.shared_options import OptionGroup, option_name
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.files import existing_file, file_bytes
 
@@ -71,7 +71,8 @@ class SheetOptions(OptionGroup):
 
     def refuse(self, what: str) -> None:
         """Refuse these options where there are no exercises."""
-        for name in self.given():
+        for name in self.given:
+            option = option_name(name)
             raise IllegalValueError(
-                f"{name} with check {what}", "it names a sheet", "use check exercise"
+                f"{option} with check {what}", "it names a sheet", "use check exercise"
             )
