@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from difflib import get_close_matches
 
-from nmatrix.errors import CheckFailedError, IllegalValueError, quantity
+from nmatrix.errors import CheckFailedError, IllegalValueError, did_you_mean, quantity
 from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
 from nmatrix.studies.hardcases import (
     affine,
     coverage,
     depths,
-    mistakes,
     normals,
     samples,
     vectors,
@@ -21,7 +19,7 @@ from nmatrix.studies.hardcases import (
 )
 from nmatrix.studies.hardcases.case import IMPRECISE, Case, CaseVerdict, Result
 
-_PARTS = (normals, affine, vectors, views, depths, coverage, samples, mistakes)
+_PARTS = (normals, affine, vectors, views, depths, coverage, samples)
 FAMILIES = {
     "N": "normals",
     "V": "vectors and angles",
@@ -58,12 +56,10 @@ def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
     found = next((one for one in among if one.id.lower() == name.lower()), None)
     if found is None:
         ids = [one.id for one in among]
-        near = get_close_matches(name.upper(), ids, 1)
-        hint = f"did you mean {near[0]}?" if near else f"try {ids[0]}"
         raise IllegalValueError(
             f"{quantity('case')} ({name[:20]})",
             f"there are {len(ids)}, {ids[0]} to {ids[-1]}",
-            hint,
+            did_you_mean(name.upper(), ids, f"try {ids[0]}"),
         )
     return found
 
