@@ -161,11 +161,8 @@ def _check_class(
             "the answers stand in the file",
             "leave it out",
         )
-    if sheet.student is not None:
-        raise IllegalValueError(
-            "--student with --batch", "the students stand in the file", "leave it out"
-        )
-    rows, judge = table(batch, EXERCISE_COLUMNS), exercises_of(sheet.class_seed, sheet.salt_read)
+    judge = exercises_of(*sheet.of_a_class("--batch"))
+    rows = table(batch, EXERCISE_COLUMNS)
     show(grades(progress(rows, len(rows), GRADING), judge), common)
 
 

@@ -96,13 +96,16 @@ class FrameOptions(WorkerOptions):
         return whole_number(self.frames or default, "--frames", range(1, MOST_FRAMES + 1), 2)
 
 
-def frame_names(target: Path, count: int) -> list[Path]:
-    """Write numbers into the names of a sequence.
+def frame_names(target: str, count: int) -> list[Path]:
+    """Name the files of so many frames: one file, or numbered ones where a file holds one picture.
 
     Examples
     --------
-    >>> [str(one) for one in frame_names(Path("a.png"), 2)]
-    ['a-0.png', 'a-1.png']
+    >>> [str(one) for one in frame_names("a.png", 2)], frame_names("a.gif", 2)[0].name
+    (['a-0.png', 'a-1.png'], 'a.gif')
     """
+    path = Path(target)
+    if count == 1 or target == "-" or path.suffix.lower() == ".gif":
+        return [path]
     digits = len(str(count - 1))
-    return [target.with_stem(f"{target.stem}-{i:0{digits}}") for i in range(count)]
+    return [path.with_stem(f"{path.stem}-{i:0{digits}}") for i in range(count)]

@@ -66,7 +66,7 @@ def _write(
 ) -> None:
     """Draw, write the files, and show the numbers."""
     target = file.output or f"{frame.name}.{'gif' if frames.count > 1 else 'png'}"
-    names = _names(target, frames.count)
+    names = frame_names(target, frames.count)
     refuse_existing(names, force=file.force)
     started = time.perf_counter()
     proofs = _draw(frame, frames)
@@ -166,13 +166,6 @@ def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
     )
     with frames.executor() as executor:
         return list(progress(drawn(pictures, executor), len(pictures), "frames"))
-
-
-def _names(target: str, count: int) -> list[Path]:
-    path = Path(target)
-    if count == 1 or target == "-" or path.suffix.lower() == ".gif":
-        return [path]
-    return frame_names(path, count)
 
 
 def _content(proofs: Sequence[Proof], target: str) -> list[bytes]:

@@ -38,14 +38,20 @@ class SheetOptions(OptionGroup):
         ),
     ] = None
 
+    def of_a_class(self, option: str) -> tuple[str, bytes]:
+        """Take the seed and the salt of a class, whose students stand in the file of an option."""
+        if self.student is not None:
+            raise IllegalValueError(
+                f"--student with {option}", "the students stand in the file", "leave it out"
+            )
+        return self._seed, self._salt
+
     @property
-    def class_seed(self) -> str:
-        """The seed of the class, any text."""
+    def _seed(self) -> str:
         return USUAL_SEED if self.seed is None else self.seed
 
     @property
-    def salt_read(self) -> bytes:
-        """The content of the salt's file."""
+    def _salt(self) -> bytes:
         if self.salt is None:
             return b""
         path = existing_file(self.salt)
@@ -67,7 +73,7 @@ class SheetOptions(OptionGroup):
         """The sheet that these options name."""
         from nmatrix.lessons.exercises.scheme import Sheet
 
-        return Sheet(self.class_seed, self.student or "", self.salt_read)
+        return Sheet(self._seed, self.student or "", self._salt)
 
     def refuse(self, what: str) -> None:
         """Refuse these options where there are no exercises."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from importlib import import_module
 from math import radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -112,17 +113,9 @@ def _rows(tasks: list[Task], study: Study) -> tuple[Measurement, ...]:
 
 
 def _tasks(study: Study, harness: Harness, *, quick: bool) -> list[Task]:
-    if study is Study.NORMALS:
-        from nmatrix.studies import normals
-
-        return normals.tasks(harness, normals.QUICK if quick else normals.Extent())
-    if study is Study.SHADING:
-        from nmatrix.studies import shading
-
-        return shading.tasks(harness, shading.QUICK if quick else shading.FULL)
-    from nmatrix.studies import spaces
-
-    return spaces.tasks(harness, spaces.QUICK if quick else spaces.VERTICES)
+    module = import_module(f"nmatrix.studies.{study}")
+    found: list[Task] = module.tasks(harness, module.QUICK if quick else module.FULL)
+    return found
 
 
 def _target(study: Study, tolerance: str | None, budget: str | None) -> Target:
