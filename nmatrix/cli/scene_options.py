@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from nmatrix.report import Number
     from nmatrix.scene.scene import Scene, SceneObject
 
-SCENE, SPACE = "Scene", "Space"
+in_scene = partial(Option, rich_help_panel="Scene")
+in_space = partial(Option, rich_help_panel="Space")
 _NAMES = (*(space.value for space in Space), *SYNONYMS)
 _ANY_SPACE = f"{', '.join(list(Space)[:-1])} or {list(Space)[-1]}."
 
@@ -57,17 +58,10 @@ class SpaceOptions:
 
     space: Annotated[
         str | None,
-        Option(
-            "--space",
-            metavar="SPACE",
-            autocompletion=_complete_space,
-            help=_ANY_SPACE,
-            rich_help_panel=SPACE,
-        ),
+        in_space("--space", metavar="SPACE", autocompletion=_complete_space, help=_ANY_SPACE),
     ] = None
     space_matrix: Annotated[
-        str | None,
-        Option(metavar="MATRIX", help="Space from world, for custom.", rich_help_panel=SPACE),
+        str | None, in_space(metavar="MATRIX", help="Space from world, for custom.")
     ] = None
 
     def chosen(self, positional: str | None = None) -> Space | None:
@@ -127,20 +121,17 @@ class SceneOptions:
 
     scene_file: Annotated[
         str | None,
-        Option(
+        in_scene(
             "--scene",
             metavar="FILE",
             help="Take what no option says from a .toml, .gltf or .glb scene.",
-            rich_help_panel=SCENE,
         ),
     ] = None
     object_name: Annotated[
-        str | None,
-        Option("--object", metavar="NAME", help="Which object (the first).", rich_help_panel=SCENE),
+        str | None, in_scene("--object", metavar="NAME", help="Which object (the first).")
     ] = None
     light_name: Annotated[
-        str | None,
-        Option("--light", metavar="NAME", help="Which light (the first).", rich_help_panel=SCENE),
+        str | None, in_scene("--light", metavar="NAME", help="Which light (the first).")
     ] = None
 
     @cached_property

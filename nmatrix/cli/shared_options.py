@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from enum import StrEnum
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Annotated, Any
 
 from typer import Option
@@ -17,26 +17,19 @@ from nmatrix.output.options import MOST_DIGITS
 from nmatrix.reading.numbers import number, numbers
 from nmatrix.report import Vector
 
-CONVENTIONS = "Conventions"  # options of two groups, of which a command may take only one
-OUTPUT = "Output"
+# Options of two groups, of which a command may take only one.
+in_conventions = partial(Option, rich_help_panel="Conventions")
+in_output = partial(Option, rich_help_panel="Output")
 
 ReadNumbers = Callable[[str, int, str], Vector]
 
 ConventionOption = Annotated[
     Convention | None,
-    Option(
-        "--convention",
-        help="How angles make a matrix (default: standard).",
-        rich_help_panel=CONVENTIONS,
-    ),
+    in_conventions("--convention", help="How angles make a matrix (default: standard)."),
 ]
 HandedOption = Annotated[
     Handedness | None,
-    Option(
-        "--handed",
-        help="The camera looks down −z (right, the default) or +z (left).",
-        rich_help_panel=CONVENTIONS,
-    ),
+    in_conventions("--handed", help="The camera looks down −z (right, the default) or +z (left)."),
 ]
 SHARED = ("convention", "handed")
 
@@ -53,22 +46,17 @@ class ColorWhen(StrEnum):
 class CommonOptions:
     """How to write the answer, and in which order matrices are read and written."""
 
-    format: Annotated[
-        Format, Option("--format", "-f", help="How to write the answer.", rich_help_panel=OUTPUT)
-    ] = Format.TEXT
+    format: Annotated[Format, in_output("--format", "-f", help="How to write the answer.")] = (
+        Format.TEXT
+    )
     digits: Annotated[
-        str,
-        Option(metavar="N", help="Significant digits for people, 1 to 17.", rich_help_panel=OUTPUT),
+        str, in_output(metavar="N", help="Significant digits for people, 1 to 17.")
     ] = "6"
-    layout: Annotated[Layout, Option(help="Order of written matrices.", rich_help_panel=OUTPUT)] = (
+    layout: Annotated[Layout, in_output(help="Order of written matrices.")] = Layout.ROW_MAJOR
+    input_layout: Annotated[Layout, in_output(help="Order of matrices that are read.")] = (
         Layout.ROW_MAJOR
     )
-    input_layout: Annotated[
-        Layout, Option(help="Order of matrices that are read.", rich_help_panel=OUTPUT)
-    ] = Layout.ROW_MAJOR
-    color: Annotated[ColorWhen, Option(help="Colours in text.", rich_help_panel=OUTPUT)] = (
-        ColorWhen.AUTO
-    )
+    color: Annotated[ColorWhen, in_output(help="Colours in text.")] = ColorWhen.AUTO
 
     @cached_property
     def sources(self) -> Sources:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
@@ -14,7 +15,7 @@ from nmatrix.reading.files import existing_file, file_bytes
 if TYPE_CHECKING:
     from nmatrix.lessons.exercises.scheme import Sheet
 
-PANEL = "Exercises"
+in_exercises = partial(Option, rich_help_panel="Exercises")
 USUAL_SEED = "1"
 
 
@@ -23,19 +24,12 @@ class SheetOptions(OptionGroup):
     """A seed for the class, a student, and the teacher's salt."""
 
     seed: Annotated[
-        str | None,
-        Option(metavar="SEED", help="Of the class's numbers (1).", rich_help_panel=PANEL),
+        str | None, in_exercises(metavar="SEED", help="Of the class's numbers (1).")
     ] = None
-    student: Annotated[
-        str | None, Option(metavar="NAME", help="Whose sheet it is.", rich_help_panel=PANEL)
-    ] = None
+    student: Annotated[str | None, in_exercises(metavar="NAME", help="Whose sheet it is.")] = None
     salt: Annotated[
         str | None,
-        Option(
-            metavar="FILE",
-            help="A secret of the teacher's, for graded tests.",
-            rich_help_panel=PANEL,
-        ),
+        in_exercises(metavar="FILE", help="A secret of the teacher's, for graded tests."),
     ] = None
 
     def of_a_class(self, option: str) -> tuple[str, bytes]:
