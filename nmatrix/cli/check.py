@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.sources import table
-from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fraction, numbers
 
@@ -65,12 +63,7 @@ class CheckOptions:
 
 def check(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     options: CheckOptions,
     common: CommonOptions,
     what: Annotated[
@@ -96,7 +89,6 @@ def check(
     ] = None,
 ) -> None:
     """Check an answer."""
-    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     if what == EXERCISE:
         _refuse_scene(groups, options)
         if batch is None:

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, PageFormat, Paper
@@ -95,12 +93,7 @@ class HandoutOptions:
 
 def handout(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     options: HandoutOptions,
     sheet: SheetOptions,
     workers: WorkerOptions,
@@ -118,7 +111,7 @@ def handout(
         from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
-    setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
+    setup = groups.setup(common)
     count = options.count() if has_exercises else 0
     plan = HandoutPlan(topics, setup, count, options.to, options.paper, options.key)
     if options.roster is None:

@@ -44,8 +44,8 @@ def world(
     """Show the world matrix."""
     from nmatrix.answers.world import world as answer
 
-    groups = OptionGroups(world=world, tolerance=tolerance, scene=scene)
-    show(answer(groups.setup(common)), common)
+    groups = OptionGroups(world=world, scene=scene)
+    show(answer(groups.setup(common, tolerance=tolerance)), common)
 
 
 def view(view: ViewOptions, scene: SceneOptions, common: CommonOptions) -> None:
@@ -93,13 +93,13 @@ def normal(
 
     if matrix is not None or scene.scene is None:
         world = _with_matrix(world, matrix)
-    groups = OptionGroups(world, view, space=space, tolerance=tolerance, scene=scene)
+    groups = OptionGroups(world, view, space=space, scene=scene)
     request = NormalRequest(
         normals=tuple(numbers(text, 3, "--normal") for text in normals or ()),
         space=groups.shading_space(),
         method=chosen(NormalRule, method, "method", NORMAL_METHODS),
     )
-    show(answer(groups.setup(common), request), common)
+    show(answer(groups.setup(common, tolerance=tolerance), request), common)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:

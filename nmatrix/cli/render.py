@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
-from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS
 
@@ -37,12 +35,7 @@ Between wrong and right stands the number by which they differ.""",
 
 def render(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     picture: PictureOptions,
     frames: FrameOptions,
     file: FileOptions,
@@ -57,7 +50,6 @@ def render(
     if list_:
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
-    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     _write(_frame(subject, mesh, groups, picture, common), frames, file, common)
 
 

@@ -115,6 +115,9 @@ class ToleranceOption:
         return found
 
 
+USUAL_TOLERANCE = ToleranceOption()
+
+
 @dataclass(frozen=True)
 class SceneOptions:
     """Which scene, and what in it."""
@@ -183,14 +186,13 @@ class SceneOptions:
 
 @dataclass(frozen=True)
 class OptionGroups:
-    """The groups that a command took; what it did not take has its defaults."""
+    """The groups that make a setup; what a command does not take has its defaults."""
 
     world: WorldOptions = field(default_factory=WorldOptions)
     view: ViewOptions = field(default_factory=ViewOptions)
     lens: LensOptions = field(default_factory=LensOptions)
     light: LightOptions = field(default_factory=LightOptions)
     space: SpaceOptions = field(default_factory=SpaceOptions)
-    tolerance: ToleranceOption = field(default_factory=ToleranceOption)
     scene: SceneOptions = field(default_factory=SceneOptions)
 
     @property
@@ -198,7 +200,13 @@ class OptionGroups:
         """Whether any option of any group was typed."""
         return self != OptionGroups()
 
-    def setup(self, common: CommonOptions, aspect: float | None = None) -> Setup:
+    def setup(
+        self,
+        common: CommonOptions,
+        *,
+        aspect: float | None = None,
+        tolerance: ToleranceOption = USUAL_TOLERANCE,
+    ) -> Setup:
         """Build what the command line describes; `aspect` is that of a picture, if it has one."""
         setup = self.scene.setup(common.sources, aspect)
         for group in (self.world, self.view, self.lens):
@@ -207,7 +215,7 @@ class OptionGroups:
         for later in (self.light, self.space):
             setup = later.override(setup, common.sources)
         usual = FROM_FILE if common.sources.any_from_file else BUILT  # files often hold float32
-        return replace(setup, tolerance=self.tolerance.value(usual))
+        return replace(setup, tolerance=tolerance.value(usual))
 
     def typed_world(self, common: CommonOptions, setup: Setup) -> World:
         """Build the world of every number as it was typed, where it was typed in parts."""

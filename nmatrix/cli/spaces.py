@@ -79,12 +79,7 @@ def eye(
 
 def space(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     common: CommonOptions,
     where: SpaceArgument = None,
     shading: Annotated[
@@ -104,7 +99,6 @@ def space(
             "the sheet's shaders light per vertex or per fragment",
             "use gouraud or phong",
         )
-    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     chosen = groups.shading_space(where)
     show(answer(groups.setup(common), Request(chosen, shading, reflection)), common)
 
