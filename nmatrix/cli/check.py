@@ -17,6 +17,9 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fraction, numbers
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from nmatrix.answers.grades import JudgeRecord
     from nmatrix.lessons.check.question import Question
 
 HELP = {
@@ -30,7 +33,6 @@ Exit 0 if it is right, 1 if not.""",
 }
 
 EXERCISE = "exercise"
-GRADING = "grading answers"
 EXERCISE_COLUMNS = ("student", "exercise", "answer")
 
 
@@ -114,11 +116,9 @@ def _check_scene(
             f'try nmatrix check {question.subject} "1 0 0; 0 1 0; 0 0 1"',
         )
     if batch is not None:
-        from nmatrix.answers.grades import NEEDED, answers_to, grades
+        from nmatrix.answers.grades import NEEDED, answers_to
 
-        judge = answers_to(question, common.input_layout)
-        rows = table(batch, NEEDED)
-        show(grades(progress(rows, len(rows), GRADING), judge), common)
+        _show_grades(batch, NEEDED, answers_to(question, common.input_layout), common)
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 
@@ -145,7 +145,6 @@ def _check_class(
 ) -> None:
     """Check the answers of a class, each with its student and exercise."""
     from nmatrix.answers.exercise import exercises_of
-    from nmatrix.answers.grades import grades
 
     if answer is not None:
         raise IllegalValueError(
@@ -153,9 +152,16 @@ def _check_class(
             "the answers stand in the file",
             "leave it out",
         )
-    judge = exercises_of(*sheet.of_a_class("--batch"))
-    rows = table(batch, EXERCISE_COLUMNS)
-    show(grades(progress(rows, len(rows), GRADING), judge), common)
+    _show_grades(batch, EXERCISE_COLUMNS, exercises_of(*sheet.of_a_class("--batch")), common)
+
+
+def _show_grades(
+    batch: str, columns: Sequence[str], judge: JudgeRecord, common: CommonOptions
+) -> None:
+    from nmatrix.answers.grades import grades
+
+    rows = table(batch, columns)
+    show(grades(progress(rows, len(rows), "grading answers"), judge), common)
 
 
 def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:

@@ -22,12 +22,11 @@ from nmatrix.studies.methods import method
 
 Array = NDArray[Any]
 X: tuple[float, ...] = (1.0, 0.0, 0.0)
-MOVED = np.array([[2.0, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 0], [0, 0, 0, 1]])
 
 
-def _moved(by: float) -> Array:
+def _moved(*by: float) -> Array:
     M = np.diag([2.0, 1, 1, 1])
-    M[0, 3] = by
+    M[: len(by), 3] = by
     return M
 
 
@@ -116,7 +115,7 @@ CASES: tuple[Case, ...] = (
         f"n = (1, 0, 0), rule “{NormalRule.TRANSLATED}”",
         exactly(1, 0, 0),
         "a normal has no place to be moved from",
-        _by(NormalRule.TRANSLATED, MOVED),
+        _by(NormalRule.TRANSLATED, _moved(5.0, 5.0)),
         is_direction=True,
     ),
     Case(
