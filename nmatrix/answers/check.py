@@ -64,24 +64,8 @@ def _without_answer(question: Question, error: NoAnswerError) -> Report:
 
 def judges(question: Question) -> tuple[Judge, ...]:
     """Make the judge of a question; for a light, one judge for each part that the light has."""
-    return tuple(Judge(asked) for asked in parts_asked(question))
-
-
-def best_judgement(
-    judges: tuple[Judge, ...], literal: MatrixLiteral
-) -> tuple[Question, Answer, Judgement]:
-    """Judge numbers; for a light with two parts, by the part that they fit better."""
-    found = []
-    for judge in judges:
-        answer = shaped(literal, judge.question)
-        found.append((judge.question, answer, judge.judge(answer)))
-    return min(found, key=lambda one: list(Outcome).index(one[2].verdict))
-
-
-def parts_asked(question: Question) -> tuple[Question, ...]:
-    """Split the question about a light into one for each part that the light has."""
     if question.subject is not Subject.LIGHT:
-        return (question,)
+        return (Judge(question),)
     light = question.setup.maps.light
     has = {LightPart.DIRECTION: light.direction, LightPart.POSITION: light.position}
     parts = [part for part in LightPart if has[part] is not None]
@@ -93,7 +77,18 @@ def parts_asked(question: Question) -> tuple[Question, ...]:
             "only a direction has a length to bring to 1",
             f"leave {quantity('unit')} out, or give {quantity('light_direction')} X Y Z",
         )
-    return tuple(replace(question, light=part) for part in parts)
+    return tuple(Judge(replace(question, light=part)) for part in parts)
+
+
+def best_judgement(
+    judges: tuple[Judge, ...], literal: MatrixLiteral
+) -> tuple[Question, Answer, Judgement]:
+    """Judge numbers; for a light with two parts, by the part that they fit better."""
+    found = []
+    for judge in judges:
+        answer = shaped(literal, judge.question)
+        found.append((judge.question, answer, judge.judge(answer)))
+    return min(found, key=lambda one: list(Outcome).index(one[2].verdict))
 
 
 def judged(
@@ -126,7 +121,7 @@ def _defaults_used(question: Question, found: Judgement) -> tuple[str, ...]:
 
 
 def judgement_data(found: Judgement) -> dict[str, Value]:
-    """Return the JSON keys of a judgement."""
+    """Describe a judgement under the keys of the data."""
     return {
         "verdict": found.verdict.value,
         "mistake": found.mistake,
@@ -138,7 +133,6 @@ def judgement_data(found: Judgement) -> dict[str, Value]:
 
 
 def _failure(question: Question, found: Judgement, command: str) -> CheckFailedError | None:
-    """Return the error that a wrong answer ends in."""
     if found.verdict is Outcome.CORRECT:
         return None
     why = found.mistake or "no known mistake gives these numbers"

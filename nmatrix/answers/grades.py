@@ -40,7 +40,7 @@ class Grade:
 
     @property
     def cells(self) -> tuple[str | None, ...]:
-        """Return the cells under `COLUMNS`."""
+        """The cells under `COLUMNS`."""
         return (
             self.student,
             self.exercise,
@@ -52,7 +52,7 @@ class Grade:
 
     @property
     def data(self) -> dict[str, Value]:
-        """Return the cells by their columns, as JSON has them."""
+        """The cells by their columns, as JSON has them."""
         return {**dict(zip(COLUMNS, self.cells, strict=True)), "also": list(self.also)}
 
 
@@ -116,14 +116,8 @@ def _grade(record: Record, judge: JudgeRecord) -> Grade:
     except NMatrixError as error:
         sentence = f"line {record.line}: {error}"
         return Grade(student, exercise, UNREADABLE, None, (), sentence)
-    return Grade(
-        student,
-        exercise,
-        found.verdict.value,
-        found.mistake,
-        found.also,
-        found.explanation,
-    )
+    verdict = found.verdict.value
+    return Grade(student, exercise, verdict, found.mistake, found.also, found.explanation)
 
 
 def _counted(summary: Mapping[str, int]) -> str:

@@ -11,7 +11,7 @@ from nmatrix.enums import Kind
 from nmatrix.errors import CheckFailedError, IllegalValueError, quantity, shortlist
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
-from nmatrix.report import Block, Heading, Report, Table, Value, Verdict
+from nmatrix.report import Heading, Report, Table, Value, Verdict
 from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.words import GLTF_SUFFIXES
 
@@ -62,7 +62,7 @@ class Inspection:
     remarks: tuple[str, ...]
 
     def having(self, flaw: Flaw) -> tuple[InspectedNode, ...]:
-        """Return the nodes with this flaw."""
+        """Find the nodes with this flaw."""
         return tuple(node for node in self.nodes if node.has(flaw))
 
     @property
@@ -116,16 +116,17 @@ def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
 
 
 def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:
-    """Return the nodes as a report; it ends in a failure where a node has a flaw of `fail_on`."""
+    """Report the nodes; it ends in a failure where one of them has a flaw of `fail_on`."""
     data: dict[str, Value] = {
         "nodes": [_node_data(node) for node in inspection.nodes],
         "summary": _summary(inspection),
     }
-    blocks: list[Block] = [Heading(f"{inspection.path.name}"), _table(inspection)]
-    blocks.append(Verdict(_sentence(inspection)))
-    return Report(
-        "inspect", data, tuple(blocks), _remarks(inspection), _failure(inspection, fail_on)
+    blocks = (
+        Heading(inspection.path.name),
+        _table(inspection),
+        Verdict(_sentence(inspection)),
     )
+    return Report("inspect", data, blocks, _remarks(inspection), _failure(inspection, fail_on))
 
 
 def _node_data(node: InspectedNode) -> dict[str, Value]:
@@ -164,21 +165,16 @@ def _sentence(inspection: Inspection) -> str:
 
 
 def _table(inspection: Inspection) -> Table:
-    rows = tuple(
-        (
-            node.name[:24],
-            node.classification.kind.value,
-            "yes" if node.classification.mirrored else "no",
-            "yes" if node.classification.needs_inverse_transpose else "no",
-            node.classification.worst_angle_deg
-            if node.classification.needs_inverse_transpose
-            else 0,
-        )
-        for node in inspection.nodes[:SHOWN]
-    )
+    rows = []
+    for node in inspection.nodes[:SHOWN]:
+        found = node.classification
+        needs_it = found.needs_inverse_transpose
+        flags = ("yes" if flag else "no" for flag in (found.mirrored, needs_it))
+        worst = found.worst_angle_deg if needs_it else 0
+        rows.append((node.name[:24], found.kind.value, *flags, worst))
     more = len(inspection.nodes) - SHOWN
     title = f"The first {SHOWN} nodes; {more} more with -f json" if more > 0 else ""
-    return Table(("node", "world matrix", "mirrored", "needs it", "worst °"), rows, title)
+    return Table(("node", "world matrix", "mirrored", "needs it", "worst °"), tuple(rows), title)
 
 
 def _remarks(inspection: Inspection) -> tuple[str, ...]:
@@ -197,7 +193,7 @@ def _remarks(inspection: Inspection) -> tuple[str, ...]:
 
 
 def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError | None:
-    """Return the failure that names every flaw which some node has, with its nodes."""
+    """Name every flaw that some node has, with its nodes."""
     found = {flaw: inspection.having(flaw) for flaw in map(Flaw, fail_on)}
     told = [
         f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[flaw]}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import fields
 from typing import TypeVar
 
 from nmatrix.enums import Space
@@ -24,21 +25,11 @@ def light(setup: Setup, space: Space | None) -> Report:
     >>> light(Setup(), Space.WORLD).data["rules_differ_deg"]
     0.0
     """
-    if space is not None:
-        seen = light_in(setup.maps, space)
-        return Report("light", _light_data(seen), _light_blocks(seen), _light_remarks(setup, seen))
-    entries = _in_each(setup, light_in)
-    blocks = [block for i, one in enumerate(entries) for block in _one_of_four(one, i)]
+    entries = _seen(setup, space, light_in)
     remarks = list(setup.remarks)
-    for one in entries:
-        if one is None:
-            remarks.append(_NO_OBJECT_SPACE)
-        else:
-            remarks += [text for text in _light_remarks(setup, one) if text not in remarks]
-    data: dict[str, Value] = {
-        "spaces": [None if one is None else _light_data(one) for one in entries]
-    }
-    return Report("light", data, tuple(blocks), tuple(remarks))
+    for seen in entries:
+        remarks += [_NO_OBJECT_SPACE] if seen is None else _light_remarks(setup, seen)
+    return _report("light", entries, _light_blocks, tuple(dict.fromkeys(remarks)))
 
 
 def eye(setup: Setup, space: Space | None) -> Report:
@@ -49,22 +40,11 @@ def eye(setup: Setup, space: Space | None) -> Report:
     >>> [float(x) for x in eye(Setup(), Space.CAMERA).data["eye"]]
     [0.0, 0.0, 0.0]
     """
-    if space is not None:
-        seen = eye_in(setup.maps, space)
-        return Report(
-            "eye", _eye_data(seen), tuple(_eye_blocks(seen)), _eye_remarks(setup, (seen,))
-        )
-    entries = _in_each(setup, eye_in)
-    blocks: list[Block] = []
-    for i, one in enumerate(entries):
-        blocks += _eye_blocks(one, f"spaces.{i}.") if one else [Text(_NO_OBJECT_SPACE)]
-    remarks = _eye_remarks(setup, tuple(one for one in entries if one))
+    entries = _seen(setup, space, eye_in)
+    remarks = [*setup.remarks, *_eye_remarks([seen for seen in entries if seen])]
     if None in entries:
-        remarks = (*remarks, _NO_OBJECT_SPACE)
-    data: dict[str, Value] = {
-        "spaces": [None if one is None else _eye_data(one) for one in entries]
-    }
-    return Report("eye", data, tuple(blocks), remarks)
+        remarks.append(_NO_OBJECT_SPACE)
+    return _report("eye", entries, _eye_blocks, tuple(remarks))
 
 
 _NO_OBJECT_SPACE = (
@@ -72,57 +52,60 @@ _NO_OBJECT_SPACE = (
 )
 
 
-def _in_each(setup: Setup, see: Callable[[ExactMaps, Space], Seen]) -> list[Seen | None]:
-    """See the light or the eye from each usual space; None for object space of a singular world."""
+def _seen(
+    setup: Setup, space: Space | None, see: Callable[[ExactMaps, Space], Seen]
+) -> list[Seen | None]:
+    """See from one space, or each usual one; None for object space of a singular world."""
+    if space is not None:
+        return [see(setup.maps, space)]
     singular = setup.placed_world.linear_map.rank < 3
     return [
-        None if singular and space is Space.OBJECT else see(setup.maps, space)
-        for space in USUAL_SPACES
+        None if singular and one is Space.OBJECT else see(setup.maps, one) for one in USUAL_SPACES
     ]
 
 
-def _light_data(seen: LightInSpace) -> dict[str, Value]:
-    return {
-        "space": seen.space.value,
-        "space_from_world": seen.space_from_world,
-        "direction": seen.direction,
-        "direction_unnormalised": seen.direction_unnormalised,
-        "direction_course_rule": seen.direction_course_rule,
-        "rules_differ_deg": seen.rules_differ_deg,
-        "position": seen.position,
-    }
+def _report(
+    command: str,
+    entries: list[Seen | None],
+    blocks: Callable[[Seen, str], list[Block]],
+    remarks: tuple[str, ...],
+) -> Report:
+    """Report one entry by itself, several as a list of `spaces`."""
+    only, *others = entries
+    if only is not None and not others:
+        return Report(command, _data(only), tuple(blocks(only, "")), remarks)
+    shown: list[Block] = []
+    for i, seen in enumerate(entries):
+        shown += [Text(_NO_OBJECT_SPACE)] if seen is None else blocks(seen, f"spaces.{i}.")
+    data = {"spaces": [None if seen is None else _data(seen) for seen in entries]}
+    return Report(command, data, tuple(shown), remarks)
 
 
-def _one_of_four(seen: LightInSpace | None, index: int) -> tuple[Block, ...]:
-    if seen is None:
-        return (Text(_NO_OBJECT_SPACE),)
-    return _light_blocks(seen, f"spaces.{index}.")
+def _data(seen: LightInSpace | EyeInSpace) -> dict[str, Value]:
+    named: dict[str, Value] = {one.name: getattr(seen, one.name) for one in fields(seen)}
+    return named | {"space": seen.space.value}
 
 
-def _light_blocks(seen: LightInSpace, prefix: str = "") -> tuple[Block, ...]:
+def _light_blocks(seen: LightInSpace, prefix: str) -> list[Block]:
     blocks: list[Block] = [
         Heading(f"Light in {seen.space} space"),
         Quantity(f"{prefix}space_from_world", seen.space_from_world, f"{seen.space} from world"),
     ]
-    if seen.direction is not None:
-        blocks += [
-            Quantity(f"{prefix}direction", seen.direction, "direction (unit)"),
-            Quantity(
-                f"{prefix}direction_unnormalised",
-                seen.direction_unnormalised,
-                "direction, not normalised",
-            ),
-            Quantity(
-                f"{prefix}direction_course_rule",
-                seen.direction_course_rule,
-                "direction by the course's rule",
-            ),
-            Quantity(f"{prefix}rules_differ_deg", seen.rules_differ_deg, "they differ by", "°"),
-        ]
-    if seen.position is not None:
-        blocks.append(Quantity(f"{prefix}position", seen.position, "position"))
-    blocks.append(Verdict(_light_verdict(seen)))
-    return tuple(blocks)
+    for key, title in _LIGHT_TITLES.items():
+        value = getattr(seen, key)
+        if value is not None:
+            unit = "°" if key.endswith("_deg") else ""
+            blocks.append(Quantity(f"{prefix}{key}", value, title, unit))
+    return [*blocks, Verdict(_light_verdict(seen))]
+
+
+_LIGHT_TITLES = {
+    "direction": "direction (unit)",
+    "direction_unnormalised": "direction, not normalised",
+    "direction_course_rule": "direction by the course's rule",
+    "rules_differ_deg": "they differ by",
+    "position": "position",
+}
 
 
 def _light_verdict(seen: LightInSpace) -> str:
@@ -136,8 +119,8 @@ def _light_verdict(seen: LightInSpace) -> str:
     )
 
 
-def _light_remarks(setup: Setup, seen: LightInSpace) -> tuple[str, ...]:
-    remarks = list(setup.remarks)
+def _light_remarks(setup: Setup, seen: LightInSpace) -> list[str]:
+    remarks = []
     if seen.space is Space.CAMERA:
         remarks.append("A lamp fixed in the world moves by V only, never by V·M.")
     if seen.direction is not None and not setup.maps.is_rigid(seen.space):
@@ -148,37 +131,26 @@ def _light_remarks(setup: Setup, seen: LightInSpace) -> tuple[str, ...]:
         )
     if seen.space is Space.STATIC and setup.placed_world.exact != identity(4):
         remarks.append("Static space: the mesh is baked into the world once, by M.")
-    return tuple(remarks)
+    return remarks
 
 
-def _eye_data(seen: EyeInSpace) -> dict[str, Value]:
-    return {
-        "space": seen.space.value,
-        "eye": seen.eye,
-        "eye_by_inverse_mv": seen.eye_by_inverse_mv,
-        "relative_difference": seen.relative_difference,
+def _eye_blocks(seen: EyeInSpace, prefix: str) -> list[Block]:
+    titles = {
+        "eye": "eye",
+        "eye_by_inverse_mv": "course's (MV)⁻¹, float64",
+        "relative_difference": "relative difference",
     }
+    quantities = (
+        Quantity(f"{prefix}{key}", getattr(seen, key), title) for key, title in titles.items()
+    )
+    return [Heading(f"Eye in {seen.space} space"), *quantities]
 
 
-def _eye_blocks(seen: EyeInSpace, prefix: str = "") -> list[Block]:
-    return [
-        Heading(f"Eye in {seen.space} space"),
-        Quantity(f"{prefix}eye", seen.eye, "eye"),
-        Quantity(
-            f"{prefix}eye_by_inverse_mv",
-            seen.eye_by_inverse_mv,
-            "course's (MV)⁻¹, float64",
-        ),
-        Quantity(f"{prefix}relative_difference", seen.relative_difference, "relative difference"),
-    ]
-
-
-def _eye_remarks(setup: Setup, entries: tuple[EyeInSpace, ...]) -> tuple[str, ...]:
+def _eye_remarks(entries: list[EyeInSpace]) -> list[str]:
     worst = max((one.relative_difference or 0.0 for one in entries), default=0.0)
     if worst < 1e-9:
-        return setup.remarks
-    return (
-        *setup.remarks,
+        return []
+    return [
         f"The course's formula is {worst:.2g} off (relative): it adds and takes away a large "
-        "translation. Subtract first, then solve A x = eye − t.",
-    )
+        "translation. Subtract first, then solve A x = eye − t."
+    ]

@@ -101,10 +101,8 @@ class _Answered:
         )
 
     def _sentence(self) -> str:
-        if self.image.status is NormalStatus.UNDEFINED:
-            return f"undefined: {self.image.reason}."
-        if self.image.status is NormalStatus.TWO_SIDED:
-            return f"two-sided: {self.image.reason}."
+        if self.image.status is not NormalStatus.OK:
+            return f"{self.image.status}: {self.image.reason}."
         if self.without_deg is None:
             return "ok."
         if self.without_deg < SAME_DIRECTION_DEG:
@@ -113,7 +111,7 @@ class _Answered:
 
 
 def _transformed(by_rule: NormalTransform | None, n: Vector) -> Normal:
-    """Return one normal by a rule, at length one."""
+    """Carry one normal by a rule, and normalise it."""
     if by_rule is None:
         return Normal(None, NormalStatus.UNDEFINED, "this rule has no answer here")
     direction, _ = integers(by_rule.applied_to(rational_vector(n))[:3])

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict, astuple, fields
 from math import inf
 
 from nmatrix.enums import ClipY, DepthRange
 from nmatrix.linear.depthstep import DepthStep, orthographic_steps, perspective_steps
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value, Verdict
+from nmatrix.report import Block, Heading, Quantity, Report, Table, Value, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 
@@ -32,7 +33,7 @@ def projection(setup: Setup) -> Report:
     data: dict[str, Value] = {
         "clip_from_camera": P,
         "depth_range": lens.clip.depth.value,
-        "depth_step": None if steps is None else [_step_data(step) for step in steps],
+        "depth_step": None if steps is None else [asdict(step) for step in steps],
     }
     blocks: list[Block] = [
         Heading("Projection matrix: clip from camera"),
@@ -40,7 +41,9 @@ def projection(setup: Setup) -> Report:
         Verdict(_verdict(lens)),
     ]
     if steps is not None:
-        blocks.append(_table(steps))
+        title = "Smallest gap in distance that window depth can tell"
+        columns = tuple(one.name for one in fields(DepthStep))
+        blocks.append(Table(columns, tuple(map(astuple, steps)), title))
     return Report("projection", data, tuple(blocks), _remarks(lens, steps))
 
 
@@ -50,25 +53,6 @@ def _steps(lens: Lens) -> tuple[DepthStep, ...] | None:
         return None
     steps = perspective_steps if lens.ortho is None else orthographic_steps
     return steps(lens.near, lens.far, lens.clip.depth)
-
-
-def _step_data(step: DepthStep) -> dict[str, Value]:
-    return dict(zip(_COLUMNS, _cells(step), strict=True))
-
-
-_COLUMNS = ("distance", "float32", "unorm24")
-
-
-def _cells(step: DepthStep) -> Cells:
-    return (step.distance, step.float32, step.unorm24)
-
-
-def _table(steps: tuple[DepthStep, ...]) -> Table:
-    return Table(
-        _COLUMNS,
-        tuple(_cells(step) for step in steps),
-        "Smallest gap in distance that window depth can tell",
-    )
 
 
 def _verdict(lens: Lens) -> str:

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.raster.proofs.catalogue import catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES, LightKind
 
 NUMBERS = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
 SCENES = (".toml", *GLTF_SUFFIXES)
-PANEL = (360, 360)  # pixels of one panel of a proof
+PANEL = Settings(size=(360, 360))  # of one panel of a proof
 
 
 @dataclass(frozen=True)
@@ -36,56 +34,33 @@ class PictureChoices:
     effort: Effort | None = None
 
     def over(self, settings: Settings) -> Settings:
-        """Return settings with what was chosen in place of their own."""
+        """Put what was chosen in place of the settings' own."""
         names = ("size", "shading", "normals", "space", "samples", "effort")
         chosen = {name: getattr(self, name) for name in names}
         return replace(settings, **{k: v for k, v in chosen.items() if v is not None})
 
-    @property
-    def panel_aspect(self) -> float:
-        """Width over height of a proof's panel."""
-        width, height = self.over(Settings(size=PANEL)).size
+    def aspect(self, settings: Settings) -> float:
+        """Width over height of a picture with these settings, as chosen."""
+        width, height = self.over(settings).size
         return width / height
 
 
-@dataclass(frozen=True)
-class ProofSubject:
-    """What a proof is drawn of: a setup, a mesh, and which of them stand for the proof's own."""
-
-    setup: Setup
-    mesh: Mesh | None
-    name: str
-    has_world: bool
-    has_view: bool
-
-
 def proof_frame(
-    name: str,
-    subject: ProofSubject,
-    choices: PictureChoices,
-    clock: Callable[[], float] = float,
+    name: str, own: ProofSettings, setup: Setup, choices: PictureChoices
 ) -> PictureFrame:
-    """Return the picture frame of a proof of a subject; `clock` tells seconds."""
-    setup = subject.setup
-    settings = replace(choices.over(Settings(size=PANEL)), space_matrix=setup.space_matrix)
-    return PictureFrame(
-        name,
-        settings=ProofSettings(
-            subject.name,
-            subject.mesh,
-            setup.world if subject.has_world else None,
-            setup.view if subject.has_view else None,
-            setup.lens,
-            scene_lights(setup.light),
-            settings,
-            choices.reflection or Reflection.LAMBERT,
-            clock,
-        ),
+    """Frame a proof of these settings under the lens and the light of a setup, drawn as chosen."""
+    settings = replace(
+        own,
+        lens=setup.lens,
+        lights=scene_lights(setup.light),
+        picture=replace(choices.over(PANEL), space_matrix=setup.space_matrix),
+        reflection=choices.reflection or own.reflection,
     )
+    return PictureFrame(name, settings=settings)
 
 
 def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFrame:
-    """Return the picture frame of a scene under what was chosen."""
+    """Frame a scene, drawn as chosen."""
     settings = choices.over(scene.settings)
     found = replace(scene.sized(*settings.size), settings=settings)
     if choices.reflection is not None:
@@ -97,29 +72,35 @@ def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFram
     return PictureFrame(name, scene=found)
 
 
-def checked_subject(subject: str) -> str:
-    """Return the name of a proof or of a file that can be drawn.
+def is_proof(subject: str, **beside: object) -> bool:
+    """Tell a proof by its name from a file, beside which nothing else may say what to draw.
 
     Raises
     ------
     IllegalValueError
-        If it is neither.
+        If it is neither, or a file beside anything but None.
     """
-    if catalogued(subject) is None and Path(subject).suffix.lower() not in (
-        *SCENES,
-        *MESH_SUFFIXES,
-    ):
+    if catalogued(subject) is not None:
+        return True
+    if Path(subject).suffix.lower() not in (*SCENES, *MESH_SUFFIXES):
         raise IllegalValueError(
             f"render ({subject[:60]})",
             f"it is no proof; scenes end in {', '.join(SCENES)}, "
             f"meshes in {', '.join(MESH_SUFFIXES)}",
             "see nmatrix render --list",
         )
-    return subject
+    for name, given in beside.items():
+        if given is not None:
+            raise IllegalValueError(
+                f"{subject[:60]} with {quantity(name)}",
+                "both say what to draw",
+                "keep one of them",
+            )
+    return False
 
 
 def scene_lights(light: Light) -> tuple[SceneLight, ...]:
-    """Return a setup's light as lights of a scene: one for its direction, one for its place."""
+    """Split a setup's light into lights of a scene: one for its direction, one for its place."""
     placed = light.placed()
     lights = []
     if placed.direction is not None:

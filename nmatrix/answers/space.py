@@ -23,8 +23,8 @@ from nmatrix.scene.setup import Setup
 from nmatrix.spaces.cost import Cost, cost
 from nmatrix.spaces.light_and_eye import light_in
 from nmatrix.spaces.shaders import shader_pair
-from nmatrix.spaces.shading_spaces import PROFILES, Row, SpaceProfile
-from nmatrix.spaces.uniforms import Request, Uniform, uniforms
+from nmatrix.spaces.shading_spaces import PROFILES, Row
+from nmatrix.spaces.uniforms import Request, uniforms
 
 
 def space(setup: Setup, request: Request) -> Report:
@@ -59,9 +59,11 @@ def space(setup: Setup, request: Request) -> Report:
         _table(rows),
         *(Quantity(key, value, _TITLES[key]) for key, value in quantities.items()),
         _cost_table(counted),
-        *_lesson_blocks(profile),
+        *(Text(f"+ {pro}") for pro in profile.pros),
+        *(Text(f"− {con}") for con in profile.cons),
+        Text(f"Used in: {profile.used}."),
         Heading("Uniforms"),
-        *_uniform_blocks(listed),
+        *(Quantity(f"uniforms.{one.name}", one.value, f"{one.kind} {one.name}") for one in listed),
         Code("glsl", shaders[0], "vertex shader"),
         Code("glsl", shaders[1], "fragment shader"),
         Verdict(_verdict(chosen, rigid=maps.is_rigid(chosen))),
@@ -119,21 +121,6 @@ def _cost_table(counted: Cost) -> Table:
             ("uniform bytes", counted.uniform_bytes),
         ),
         "Cost",
-    )
-
-
-def _lesson_blocks(profile: SpaceProfile) -> tuple[Block, ...]:
-    return (
-        *(Text(f"+ {pro}") for pro in profile.pros),
-        *(Text(f"− {con}") for con in profile.cons),
-        Text(f"Used in: {profile.used}."),
-    )
-
-
-def _uniform_blocks(listed: tuple[Uniform, ...]) -> tuple[Block, ...]:
-    return tuple(
-        Quantity(f"uniforms.{uniform.name}", uniform.value, f"{uniform.kind} {uniform.name}")
-        for uniform in listed
     )
 
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nmatrix.linear.exact import Normal
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Block, Heading, Quantity, Report, Value, Vector, Verdict
+from nmatrix.report import Block, Heading, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.setup import Setup
-from nmatrix.spaces.trace import Trace, Viewport
+from nmatrix.spaces.trace import Trace, TracedNormal, Viewport
 from nmatrix.spaces.trace import trace as follow
 
 
@@ -28,50 +27,40 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
         setup.lens.clip,
         viewport,
     )
+    frames: dict[str, Vector | Number | None] = {key: getattr(found, key) for key in _TITLES}
+    carried = None if found.normal is None else _directions(found.normal)
     data: dict[str, Value] = {
-        "object": found.object,
-        "world": found.world,
-        "camera": found.camera,
-        "clip": found.clip,
-        "ndc": found.ndc,
-        "window": found.window,
-        "reciprocal_w": found.reciprocal_w,
+        **frames,
         "inside": found.inside,
         "outside_planes": list(found.outside_planes),
-        "normal": _normal_data(found),
+        "normal": None if carried is None else {**carried},
     }
-    return Report("trace", data, tuple(_blocks(found)), (*setup.remarks, *_remarks(found)))
-
-
-def _normal_data(found: Trace) -> dict[str, Value] | None:
-    if found.normal is None:
-        return None
-    return {
-        "object": found.normal.object,
-        "world": found.normal.world.direction,
-        "camera": found.normal.camera.direction,
-    }
-
-
-def _blocks(found: Trace) -> list[Block]:
-    blocks: list[Block] = [
+    blocks: tuple[Block, ...] = (
         Heading("One vertex through the pipeline"),
-        Quantity("object", found.object, "object"),
-        Quantity("world", found.world, "world   = M · object"),
-        Quantity("camera", found.camera, "camera  = V · world"),
-        Quantity("clip", found.clip, "clip    = P · camera"),
-        Quantity("ndc", found.ndc, "NDC     = clip / w"),
-        Quantity("window", found.window, "window  (x, y, depth)"),
-        Quantity("reciprocal_w", found.reciprocal_w, "1/w"),
-    ]
-    if found.normal is not None:
-        blocks += [
-            Quantity("normal.object", found.normal.object, "normal, object"),
-            Quantity("normal.world", found.normal.world.direction, "normal, world"),
-            Quantity("normal.camera", found.normal.camera.direction, "normal, camera"),
-        ]
-    blocks.append(Verdict(_verdict(found)))
-    return blocks
+        *(Quantity(key, value, _TITLES[key]) for key, value in frames.items()),
+        *(Quantity(f"normal.{key}", v, f"normal, {key}") for key, v in (carried or {}).items()),
+        Verdict(_verdict(found)),
+    )
+    return Report("trace", data, blocks, (*setup.remarks, *_remarks(found)))
+
+
+_TITLES = {
+    "object": "object",
+    "world": "world   = M · object",
+    "camera": "camera  = V · world",
+    "clip": "clip    = P · camera",
+    "ndc": "NDC     = clip / w",
+    "window": "window  (x, y, depth)",
+    "reciprocal_w": "1/w",
+}
+
+
+def _directions(normal: TracedNormal) -> dict[str, Vector | None]:
+    return {
+        "object": normal.object,
+        "world": normal.world.direction,
+        "camera": normal.camera.direction,
+    }
 
 
 def _verdict(found: Trace) -> str:
@@ -93,13 +82,7 @@ def _remarks(found: Trace) -> tuple[str, ...]:
             "and has no NDC."
         )
     if found.normal is not None:
-        remarks += [
-            f"The normal has no image: {image.reason}."
-            for image in dict.fromkeys((found.normal.world, found.normal.camera))
-            if _is_missing(image)
-        ][:1]
+        images = (found.normal.world, found.normal.camera)
+        missing = [image.reason for image in images if image.direction is None]
+        remarks += [f"The normal has no image: {reason}." for reason in missing[:1]]
     return tuple(remarks)
-
-
-def _is_missing(image: Normal) -> bool:
-    return image.direction is None

@@ -10,7 +10,7 @@ from nmatrix.lessons.map_sentences import transform_remarks
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.classify import Classification, classify
-from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.report import Block, Heading, Matrix, Quantity, Report, Vector, Verdict
 from nmatrix.scene.setup import Setup
@@ -29,7 +29,7 @@ def view(setup: Setup) -> Report:
     R = rational.affine_matrix(rational.linear_part(V))
     T = translation_matrix(tuple(-component for component in placed.eye))
     found = classify(V, setup.tolerance)
-    right, up, forward = camera_axes(V, found, setup.view.handed)
+    right, up, forward = _camera_axes(V, found, setup.view.handed)
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
     normal_matrix = found.linear_map.inverse_transpose
@@ -69,22 +69,18 @@ def _blocks(data: Mapping[str, Vector | Matrix], found: Classification) -> tuple
     return (*blocks, Verdict(_verdict(needs=found.needs_inverse_transpose)))
 
 
-def camera_axes(
+def _camera_axes(
     camera_from_world: RationalMatrix, found: Classification, handed: Handedness
 ) -> tuple[Vector, ...]:
-    """Return the world directions that the camera calls right, up and forward, at length one.
+    """Find the world directions that the camera calls right, up and forward, at length one.
 
     They are the columns of V⁻¹; where V is rigid they are its rows, already rounded once.
     """
     block = rational.linear_part(camera_from_world)
     axes = block if found.is_rigid else rational.transpose(rational.inverse(block))
-    ahead = axes[2] if handed is Handedness.LEFT else _negated(axes[2])
-    named = (axes[0], axes[1], ahead)
+    ahead = 1 if handed is Handedness.LEFT else -1
+    named = (axes[0], axes[1], tuple(ahead * component for component in axes[2]))
     return named if found.is_rigid else tuple(unit(integers(axis)[0]) for axis in named)
-
-
-def _negated(v: RationalVector) -> RationalVector:
-    return tuple(-component for component in v)
 
 
 def _verdict(*, needs: bool) -> str:

@@ -44,12 +44,11 @@ def world(setup: Setup) -> Report:
         *transform_blocks(found),
     ]
     if taken_apart is not None:
-        blocks += [Heading("Parts"), parts_table(taken_apart)]
+        blocks += [Heading("Parts"), _parts_table(taken_apart)]
     return Report("world", data, tuple(blocks), (*setup.world.remarks, *transform_remarks(found)))
 
 
-def parts_table(taken_apart: Parts) -> Table:
-    """Return translation, angles, scale and shear as a table."""
+def _parts_table(taken_apart: Parts) -> Table:
     rows: tuple[Cells, ...] = (
         ("translate", *taken_apart.translate),
         ("rotate (deg)", *taken_apart.rotate),

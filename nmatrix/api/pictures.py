@@ -8,7 +8,6 @@ from pathlib import Path
 from nmatrix.api.report import Picture
 from nmatrix.api.setup import Setup, setup_values
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen
-from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.values import named_file, number, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -56,19 +55,13 @@ def render(
     >>> picture.image.dtype, picture.png[:4]
     (dtype('uint8'), b'\x89PNG')
     """
-    from nmatrix.answers.render import (
-        PictureChoices,
-        ProofSubject,
-        checked_subject,
-        proof_frame,
-        scene_frame,
-    )
+    from nmatrix.answers.render import PANEL, PictureChoices, is_proof, proof_frame, scene_frame
     from nmatrix.answers.render import render as answer
-    from nmatrix.raster.proofs.catalogue import catalogued
+    from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.open import scene_of
 
-    name = checked_subject(str(named_file(subject, "subject")))
+    name = str(named_file(subject, "subject"))
     choices = PictureChoices(
         None if size is None else vector(size, "size", size=2),
         None if shading is None else chosen(Shading, shading, "shading"),
@@ -78,27 +71,19 @@ def render(
         None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
     )
-    if catalogued(name) is not None:
+    if is_proof(name, setup=setup, mesh=mesh):
         values = setup_values(Setup() if setup is None else setup)
         if values.lens.aspect == Lens().aspect:  # a panel's own
-            values = replace(values, lens=replace(values.lens, aspect=choices.panel_aspect))
+            values = replace(values, lens=replace(values.lens, aspect=choices.aspect(PANEL)))
         of_mesh = None if mesh is None else named_file(mesh, "mesh")
-        drawn = ProofSubject(
-            values,
-            None if of_mesh is None else read_mesh(of_mesh),
+        own = ProofSettings(
             name if of_mesh is None else of_mesh.stem,
-            has_world=values.world != World(),
-            has_view=values.view != View(),
+            None if of_mesh is None else read_mesh(of_mesh),
+            None if values.world == World() else values.world,
+            None if values.view == View() else values.view,
         )
-        frame = proof_frame(name, drawn, choices)
+        frame = proof_frame(name, own, values, choices)
     else:
-        for given, value in (("setup", setup), ("mesh", mesh)):
-            if value is not None:
-                raise IllegalValueError(
-                    f"{name[:60]} with {quantity(given)}",
-                    "both say what to draw",
-                    "keep one of them",
-                )
-        frame = scene_frame(scene_of(named_file(name, "subject")), Path(name).stem, choices)
+        frame = scene_frame(scene_of(Path(name)), Path(name).stem, choices)
     proof = frame.draw()
     return Picture(answer(proof), proof.image, proof.png())

@@ -10,7 +10,7 @@ from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
 from nmatrix.calculator.operators import BINARY
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind, each
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
 from nmatrix.reading.numbers import fraction
 
@@ -79,7 +79,7 @@ class _Evaluation:
             case ast.Call(func=ast.Name(id=name), args=arguments):
                 return self._call(node, name, arguments)
             case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return _negative(self.value_of(operand))
+                return -self.value_of(operand)
             case ast.UnaryOp(operand=operand):
                 return self.value_of(operand)
             case ast.BinOp(left=left, op=operator, right=right):
@@ -159,7 +159,3 @@ class _Evaluation:
             return value.kept_by(self.arithmetic)
         except IllegalValueError as error:
             raise self._error(node.col_offset, "value", error) from None
-
-
-def _negative(value: Value) -> Value:
-    return Value(each(value.entries, lambda x: -x), value.exact)

@@ -91,14 +91,16 @@ def _require_size(value: Value, size: int, what: str) -> None:
         raise IllegalValueError(value.shape, f"{what} is needed", "check its size")
 
 
-def _linear(M: Value) -> Value:
-    _require_size(M, 4, "a 4×4 matrix")
-    return Value(rational.linear_part(M.matrix), M.exact)
+def _of_affine(
+    function: Callable[
+        [rational.RationalMatrix], rational.RationalMatrix | rational.RationalVector
+    ],
+) -> Compute:
+    def compute(M: Value) -> Value:
+        _require_size(M, 4, "a 4×4 matrix")
+        return Value(function(M.matrix), M.exact)
 
-
-def _translation(M: Value) -> Value:
-    _require_size(M, 4, "a 4×4 matrix")
-    return Value(rational.translation(M.matrix), M.exact)
+    return compute
 
 
 def _with_w(w: int) -> Compute:
@@ -219,8 +221,8 @@ FUNCTIONS: dict[str, Function] = {
     "det": Function(_M, "a row times its cofactors", _of_square(rational.determinant)),
     "rank": Function(_M, "rows left after elimination", _rank),
     "trace": Function(_M, "the sum of the diagonal", _of_square(_trace_of)),
-    "linear": Function(_M, "the 3×3 block", _linear),
-    "translation": Function(_M, "the last column", _translation),
+    "linear": Function(_M, "the 3×3 block", _of_affine(rational.linear_part)),
+    "translation": Function(_M, "the last column", _of_affine(rational.translation)),
     "point": Function(_V, "w = 1: points move with the translation", _with_w(1)),
     "vector": Function(_V, "w = 0: vectors do not", _with_w(0)),
     "normalize": Function(_V, "divided by its length", _normalize),

@@ -16,7 +16,7 @@ SCENE_NAMES = ("M", "V", "P")
 
 
 def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[str, Value]:
-    """Return M, V and P, the last two only where the expression may ask for them.
+    """Name M, V and P, the last two only where the expression may ask for them.
 
     M is exact where it is rational: in quarter turns, or without angles. `typed` is the world with
     its numbers as they were typed, where those are not the floats of the setup.
@@ -32,7 +32,7 @@ def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[
 
 
 def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> dict[str, Value]:
-    """Return the names and one more, for a number, a vector (one row) or a matrix.
+    """Add a name for a number, a vector (one row) or a matrix.
 
     Raises
     ------

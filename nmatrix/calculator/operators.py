@@ -19,8 +19,7 @@ def _add(a: Value, b: Value) -> Computed:
 
 
 def _subtract(a: Value, b: Value) -> Computed:
-    negative = Value(each(b.entries, lambda x: -x))
-    return _add(a, negative)
+    return _add(a, -b)
 
 
 def _together(a: object, b: object) -> Fraction:

@@ -73,6 +73,9 @@ class Value:
         assert self.kind is ValueKind.MATRIX  # callers check the kind
         return self.entries  # type: ignore[return-value]  # the assertion says so
 
+    def __neg__(self) -> Value:
+        return Value(each(self.entries, lambda x: -x), self.exact)
+
     def kept_by(self, arithmetic: Arithmetic) -> Value:
         """Round the value as the arithmetic does before the next operation.
 

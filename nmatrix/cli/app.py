@@ -14,7 +14,12 @@ from typer.core import TyperCommand, TyperGroup
 from typer.exceptions import TyperException
 
 from nmatrix.cli.catalogue import COMMANDS, Panel
-from nmatrix.cli.command import GatheringCommand, examples_and_notes, with_flat_options
+from nmatrix.cli.command import (
+    GatheringCommand,
+    examples_and_notes,
+    with_flat_options,
+)
+from nmatrix.cli.shared_options import option_name
 from nmatrix.cli.show import fail, put
 from nmatrix.errors import IllegalValueError, NMatrixError, did_you_mean
 from nmatrix.version import __version__
@@ -147,7 +152,7 @@ def run(arguments: Sequence[str]) -> int:
             list(arguments), prog_name="nmatrix", standalone_mode=False
         )
     except NMatrixError as error:
-        return fail(error.spelled(_option), error.exit_code)
+        return fail(error.spelled(option_name), error.exit_code)
     except TyperException as error:
         return _usage(error)
     except (KeyboardInterrupt, typer.Abort):
@@ -161,11 +166,6 @@ def run(arguments: Sequence[str]) -> int:
             DEFECT,
         )
     return code if isinstance(code, int) else 0
-
-
-def _option(quantity: str) -> str:
-    """Return the option that sets a quantity."""
-    return f"--{quantity.replace('_', '-')}"
 
 
 def _usage(error: TyperException) -> int:

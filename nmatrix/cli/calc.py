@@ -10,7 +10,6 @@ from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
-from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.errors import IllegalValueError
 
@@ -46,17 +45,16 @@ def calc(
     from nmatrix.calculator.names import names_of, with_name
     from nmatrix.calculator.values import Arithmetic
 
-    sources = Sources(common.input_layout)
     groups = OptionGroups(world, view, lens, scene=scene)
-    setup = groups.setup_from(sources)
+    setup = groups.setup(common)
     piped = (world.world_matrix or "").partition("#")[0] == "-"  # stdin is read once
-    names = names_of(setup, expression, None if piped else groups.typed_world(sources, setup))
+    names = names_of(setup, expression, None if piped else groups.typed_world(common, setup))
     for definition in let or ():
         name, equals, text = definition.partition("=")
         if not equals:
             raise IllegalValueError(
                 f"--let ({definition[:40]})", "it is NAME=MATRIX", 'try --let "A=1 0; 0 2"'
             )
-        names = with_name(names, name.strip(), sources.literal(text.strip()).rows_exact)
+        names = with_name(names, name.strip(), common.sources.literal(text.strip()).rows_exact)
     arithmetic = Arithmetic.FLOAT if float64 else Arithmetic.EXACT
     show(report(calculate(expression, names, arithmetic), with_steps=steps), common)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Annotated
 
 from typer import Option
@@ -14,38 +15,24 @@ from nmatrix.reading.numbers import number_or_infinity
 from nmatrix.scene.given import hand_of, lens_of, view_of
 from nmatrix.scene.setup import Setup
 
-VIEW, LENS = "View", "Lens"
+in_view = partial(Option, rich_help_panel="View")
+in_lens = partial(Option, rich_help_panel="Lens")
 
 
 @dataclass(frozen=True)
 class ViewOptions(OptionGroup):
     """Where the camera stands and looks."""
 
-    eye: Annotated[
-        str | None,
-        Option(metavar="X Y Z", help="The camera's place (0 0 5).", rich_help_panel=VIEW),
-    ] = None
-    target: Annotated[
-        str | None, Option(metavar="X Y Z", help="What it looks at (0 0 0).", rich_help_panel=VIEW)
-    ] = None
-    up: Annotated[
-        str | None, Option(metavar="X Y Z", help="What is up (0 1 0).", rich_help_panel=VIEW)
-    ] = None
+    eye: Annotated[str | None, in_view(metavar="X Y Z", help="The camera's place (0 0 5).")] = None
+    target: Annotated[str | None, in_view(metavar="X Y Z", help="What it looks at (0 0 0).")] = None
+    up: Annotated[str | None, in_view(metavar="X Y Z", help="What is up (0 1 0).")] = None
     elevation: Annotated[
-        str | None,
-        Option(
-            metavar="DEG", help="Look up by so much, instead of a target.", rich_help_panel=VIEW
-        ),
+        str | None, in_view(metavar="DEG", help="Look up by so much, instead of a target.")
     ] = None
-    angle: Annotated[
-        str | None, Option(metavar="DEG", help="Look sideways by so much.", rich_help_panel=VIEW)
-    ] = None
-    roll: Annotated[
-        str | None, Option(metavar="DEG", help="Turn about the view axis.", rich_help_panel=VIEW)
-    ] = None
+    angle: Annotated[str | None, in_view(metavar="DEG", help="Look sideways by so much.")] = None
+    roll: Annotated[str | None, in_view(metavar="DEG", help="Turn about the view axis.")] = None
     view_matrix: Annotated[
-        str | None,
-        Option(metavar="MATRIX", help="The whole matrix instead.", rich_help_panel=VIEW),
+        str | None, in_view(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
     handed: HandedOption = None
     convention: ConventionOption = None
@@ -63,41 +50,24 @@ class ViewOptions(OptionGroup):
 class LensOptions(OptionGroup):
     """How the camera projects."""
 
-    fov: Annotated[
-        str | None,
-        Option(metavar="DEG", help="Vertical field of view (60).", rich_help_panel=LENS),
-    ] = None
-    aspect: Annotated[
-        str | None, Option(metavar="R", help="Width over height (1).", rich_help_panel=LENS)
-    ] = None
-    near: Annotated[
-        str | None, Option(metavar="N", help="Near distance (0.1).", rich_help_panel=LENS)
-    ] = None
-    far: Annotated[
-        str | None, Option(metavar="F", help="Far distance, or inf (100).", rich_help_panel=LENS)
-    ] = None
+    fov: Annotated[str | None, in_lens(metavar="DEG", help="Vertical field of view (60).")] = None
+    aspect: Annotated[str | None, in_lens(metavar="R", help="Width over height (1).")] = None
+    near: Annotated[str | None, in_lens(metavar="N", help="Near distance (0.1).")] = None
+    far: Annotated[str | None, in_lens(metavar="F", help="Far distance, or inf (100).")] = None
     ortho: Annotated[
-        str | None,
-        Option(metavar="L R B T", help="A parallel view of this box.", rich_help_panel=LENS),
+        str | None, in_lens(metavar="L R B T", help="A parallel view of this box.")
     ] = None
     frustum: Annotated[
-        str | None,
-        Option(metavar="L R B T", help="A view through this near rectangle.", rich_help_panel=LENS),
+        str | None, in_lens(metavar="L R B T", help="A view through this near rectangle.")
     ] = None
     depth: Annotated[
-        DepthRange | None,
-        Option(help="Depth at near and far (minus-one-to-one).", rich_help_panel=LENS),
+        DepthRange | None, in_lens(help="Depth at near and far (minus-one-to-one).")
     ] = None
     handed: HandedOption = None
-    clip_y: Annotated[
-        ClipY | None, Option(help="Direction of y in clip space (up).", rich_help_panel=LENS)
-    ] = None
-    api: Annotated[
-        Api | None, Option(help="Depth, hand and clip-y of an interface.", rich_help_panel=LENS)
-    ] = None
+    clip_y: Annotated[ClipY | None, in_lens(help="Direction of y in clip space (up).")] = None
+    api: Annotated[Api | None, in_lens(help="Depth, hand and clip-y of an interface.")] = None
     projection_matrix: Annotated[
-        str | None,
-        Option(metavar="MATRIX", help="The whole matrix instead.", rich_help_panel=LENS),
+        str | None, in_lens(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
 
     def override(self, setup: Setup, sources: Sources) -> Setup:

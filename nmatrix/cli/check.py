@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
-from nmatrix.cli.sources import Sources, table
-from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import Space
+from nmatrix.cli.sources import table
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import fraction, numbers
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from nmatrix.answers.grades import JudgeRecord
     from nmatrix.lessons.check.question import Question
 
 HELP = {
@@ -33,7 +33,6 @@ Exit 0 if it is right, 1 if not.""",
 }
 
 EXERCISE = "exercise"
-GRADING = "grading answers"
 EXERCISE_COLUMNS = ("student", "exercise", "answer")
 
 
@@ -66,12 +65,7 @@ class CheckOptions:
 
 def check(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     options: CheckOptions,
     common: CommonOptions,
     what: Annotated[
@@ -97,7 +91,6 @@ def check(
     ] = None,
 ) -> None:
     """Check an answer."""
-    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     if what == EXERCISE:
         _refuse_scene(groups, options)
         if batch is None:
@@ -109,17 +102,11 @@ def check(
     if exercise_answer is not None:
         typed, why = exercise_answer[:30], f"check {what} takes one ANSWER"
         raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
-    sources = Sources(common.input_layout)
-    question = _question(what, groups, options, sources)
-    _check_scene(question, sources, answer, batch, common)
+    _check_scene(_question(what, groups, options, common), answer, batch, common)
 
 
 def _check_scene(
-    question: Question,
-    sources: Sources,
-    answer: str | None,
-    batch: str | None,
-    common: CommonOptions,
+    question: Question, answer: str | None, batch: str | None, common: CommonOptions
 ) -> None:
     """Check one answer to a question about a scene, or a class's."""
     if (answer is None) is (batch is None):
@@ -129,15 +116,13 @@ def _check_scene(
             f'try nmatrix check {question.subject} "1 0 0; 0 1 0; 0 0 1"',
         )
     if batch is not None:
-        from nmatrix.answers.grades import NEEDED, answers_to, grades
+        from nmatrix.answers.grades import NEEDED, answers_to
 
-        judge = answers_to(question, common.input_layout)
-        rows = table(batch, NEEDED)
-        show(grades(progress(rows, len(rows), GRADING), judge), common)
+        _show_grades(batch, NEEDED, answers_to(question, common.input_layout), common)
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 
-        show(answer_of(question, sources.literal(answer)), common)
+        show(answer_of(question, common.sources.literal(answer)), common)
 
 
 def _check_exercise(
@@ -160,7 +145,6 @@ def _check_class(
 ) -> None:
     """Check the answers of a class, each with its student and exercise."""
     from nmatrix.answers.exercise import exercises_of
-    from nmatrix.answers.grades import grades
 
     if answer is not None:
         raise IllegalValueError(
@@ -168,12 +152,16 @@ def _check_class(
             "the answers stand in the file",
             "leave it out",
         )
-    if sheet.student is not None:
-        raise IllegalValueError(
-            "--student with --batch", "the students stand in the file", "leave it out"
-        )
-    rows, judge = table(batch, EXERCISE_COLUMNS), exercises_of(sheet.class_seed, sheet.salt_read)
-    show(grades(progress(rows, len(rows), GRADING), judge), common)
+    _show_grades(batch, EXERCISE_COLUMNS, exercises_of(*sheet.of_a_class("--batch")), common)
+
+
+def _show_grades(
+    batch: str, columns: Sequence[str], judge: JudgeRecord, common: CommonOptions
+) -> None:
+    from nmatrix.answers.grades import grades
+
+    rows = table(batch, columns)
+    show(grades(progress(rows, len(rows), "grading answers"), judge), common)
 
 
 def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:
@@ -193,7 +181,9 @@ def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:
             )
 
 
-def _question(what: str, groups: OptionGroups, options: CheckOptions, sources: Sources) -> Question:
+def _question(
+    what: str, groups: OptionGroups, options: CheckOptions, common: CommonOptions
+) -> Question:
     from nmatrix.lessons.check.question import Question, Subject
 
     if what not in list(Subject):
@@ -207,8 +197,8 @@ def _question(what: str, groups: OptionGroups, options: CheckOptions, sources: S
         )
     return Question(
         subject,
-        groups.setup_from(sources),
-        groups.space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
+        groups.setup(common),
+        groups.shading_space(),
         unit=options.unit,
         tolerance=options.limit,
         normal=None if options.normal is None else numbers(options.normal, 3, "--normal"),

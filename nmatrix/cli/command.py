@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import Field, dataclass, field, fields, is_dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Any, get_type_hints
 
@@ -24,7 +24,7 @@ from nmatrix.errors import IllegalValueError, did_you_mean
 if TYPE_CHECKING:
     from typer._click import Context, HelpFormatter
 
-Group = Any  # a frozen dataclass type; its fields are Typer's options
+Group = Any  # a frozen dataclass type; its fields are Typer's options, or groups again
 
 # A minus with a digit or a point behind it is a number; "-" and "-#KEY" are standard input.
 _VALUE = re.compile(r"-(?:[\d.].*|#.*)?\Z", re.DOTALL)
@@ -32,7 +32,7 @@ _SEPARATOR = re.compile(r"[\s,]")
 
 
 def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
-    """Replace every parameter of a command that is a dataclass by its fields.
+    """Replace every parameter of a command that is a dataclass by its fields, and theirs.
 
     A field that two groups share, such as `handed`, becomes one option and reaches both.
     """
@@ -50,10 +50,7 @@ def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
 
     @wraps(command)
     def flat(**given: object) -> None:
-        built = {
-            name: kind(**{one.name: given[one.name] for one in fields(kind)})
-            for name, kind in groups.items()
-        }
+        built = {name: _built(kind, given) for name, kind in groups.items()}
         plain = {name: given[name] for name in hints if name not in groups}
         command(**built, **plain)
 
@@ -64,16 +61,29 @@ def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def _field_parameters(group: Group) -> dict[str, inspect.Parameter]:
+    found: dict[str, inspect.Parameter] = {}
+    for one, kind in _typed_fields(group):
+        if is_dataclass(kind):
+            found |= _field_parameters(kind)
+        else:
+            found[one.name] = inspect.Parameter(
+                one.name, inspect.Parameter.KEYWORD_ONLY, default=one.default, annotation=kind
+            )
+    return found
+
+
+def _built(group: Group, given: Mapping[str, object]) -> object:
+    return group(
+        **{
+            one.name: _built(kind, given) if is_dataclass(kind) else given[one.name]
+            for one, kind in _typed_fields(group)
+        }
+    )
+
+
+def _typed_fields(group: Group) -> list[tuple[Field[object], Any]]:
     hints = get_type_hints(group, include_extras=True)
-    return {
-        one.name: inspect.Parameter(
-            one.name,
-            inspect.Parameter.KEYWORD_ONLY,
-            default=one.default,
-            annotation=hints[one.name],
-        )
-        for one in fields(group)
-    }
+    return [(one, hints[one.name]) for one in fields(group)]
 
 
 class GatheringCommand(TyperCommand):

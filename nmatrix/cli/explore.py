@@ -8,11 +8,9 @@ from typing import Annotated
 
 from typer import Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
-from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.output.files import refuse_existing, write_file
 from nmatrix.report import Report, Text, Verdict
 from nmatrix.scene.setup import Light
@@ -33,12 +31,7 @@ The page is one file and needs no network.""",
 
 def explore(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     common: CommonOptions,
     output: Annotated[
         str, Option("--output", "-o", metavar="FILE", help="Where the page goes.")
@@ -50,13 +43,14 @@ def explore(
 
     path = Path(output)
     refuse_existing([path], force=force)
-    setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
-    if not view.is_given and scene.scene is None:
-        setup = replace(setup, view=replace(setup.view, eye=FROM_ABOVE))
-    if not light.is_given and scene.scene is None:
-        setup = replace(setup, light=SHORT_LIGHT)
-    if not world.is_given and scene.scene is None:
-        setup = replace(setup, world=STRETCHED)
+    setup = groups.setup(common)
+    if groups.scene.scene is None:
+        setup = replace(
+            setup,
+            world=setup.world if groups.world.given else STRETCHED,
+            view=setup.view if groups.view.given else replace(setup.view, eye=FROM_ABOVE),
+            light=setup.light if groups.light.given else SHORT_LIGHT,
+        )
     write_file(path, page(setup), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), common)

@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
-from nmatrix.output.pages.document import PageFormat, Paper
+from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, PageFormat, Paper
 from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
 
@@ -95,12 +93,7 @@ class HandoutOptions:
 
 def handout(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     options: HandoutOptions,
     sheet: SheetOptions,
     workers: WorkerOptions,
@@ -118,17 +111,14 @@ def handout(
         from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
-    setup = OptionGroups(world, view, lens, light, space, scene=scene).setup(common)
+    setup = groups.setup(common)
     count = options.count() if has_exercises else 0
     plan = HandoutPlan(topics, setup, count, options.to, options.paper, options.key)
     if options.roster is None:
         files = _one(plan, options, sheet)
         made = len(files)
     else:
-        folder = Path(options.output or USUAL_FOLDER)
-        files, made = _write_class(
-            plan, options.roster, folder, sheet, workers, force=options.force
-        )
+        files, made = _write_class(plan, options.roster, options, sheet, workers)
     show(_report(files, made, options), common)
 
 
@@ -140,13 +130,10 @@ def _one(plan: HandoutPlan, options: HandoutOptions, sheet: SheetOptions) -> lis
         from nmatrix.output.pages.page_pdf import check_names
 
         check_names([sheet.student or ""])
-    from nmatrix.output.pages.document import WITH_PICTURES_BESIDE
-
     path = Path(options.output or f"{USUAL_NAME}.{plan.kind}")
     key = path.with_name(f"{path.stem}-key{path.suffix}")
     refuse_existing([path, key] if plan.with_key else [path], force=options.force)
-    has_pictures_beside = plan.kind in WITH_PICTURES_BESIDE
-    plan = replace(plan, prefix=f"{path.stem}-" if has_pictures_beside else "")
+    plan = replace(plan, prefix=f"{path.stem}-" if plan.kind in WITH_PICTURES_BESIDE else "")
     found = student_files(plan, sheet.identity)
     contents = [(path, found.sheet)]
     if found.key is not None:
@@ -167,11 +154,9 @@ def _is_there(path: Path, content: bytes) -> bool:
 def _write_class(
     plan: HandoutPlan,
     roster: str,
-    folder: Path,
+    options: HandoutOptions,
     sheet: SheetOptions,
     workers: WorkerOptions,
-    *,
-    force: bool,
 ) -> tuple[list[Path], int]:
     """Write the sheets of a class that a folder lacks; all its files, and how many were missing."""
     from nmatrix.classroom.handout import pictures_beside
@@ -179,18 +164,15 @@ def _write_class(
     from nmatrix.classroom.roster import COLUMN, students
     from nmatrix.classroom.run import Job, finished
 
-    if sheet.student is not None:
-        raise IllegalValueError(
-            "--student with --roster", "the students stand in the file", "leave it out"
-        )
+    seed, salt = sheet.of_a_class("--roster")
     everyone = students(records(roster, (COLUMN,)), roster)
-    salt = sheet.salt_read
-    wanted = manifest(plan, sheet.class_seed, salt, everyone)
-    jobs = [Job(plan, one, sheet.class_seed, salt) for one in everyone]
+    wanted = manifest(plan, seed, salt, everyone)
+    jobs = [Job(plan, one, seed, salt) for one in everyone]
+    folder = Path(options.output or USUAL_FOLDER)
     with workers.executor() as executor:  # refused before anything is written
         if plan.kind is PageFormat.PDF:
             _check_names([one.name for one in everyone], executor)
-        missing = _start_or_resume(folder, wanted, jobs, force=force)
+        missing = _start_or_resume(folder, wanted, jobs, force=options.force)
         for name, content in pictures_beside(plan).items():
             write_file(folder / name, content, force=True)
         for job, found in progress(finished(missing, executor), len(missing), "writing sheets"):
@@ -224,7 +206,12 @@ def _start_or_resume(
     """
     from nmatrix.classroom.manifest import NAME, check_same, files_of
 
-    _make_folder(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise IllegalValueError(
+            f"folder ({folder})", error.strerror or "it cannot be made", "choose another with -o"
+        ) from None
     path = folder / NAME
     before = path.read_bytes() if path.exists() else None
     if before is not None and not force:
@@ -243,17 +230,8 @@ def _is_complete(job: Job, folder: Path) -> bool:
     return all(path.is_file() and path.stat().st_size > 0 for path in paths)
 
 
-def _make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise IllegalValueError(
-            f"folder ({folder})", error.strerror or "it cannot be made", "choose another with -o"
-        ) from None
-
-
 def _report(files: Sequence[Path], made: int, options: HandoutOptions) -> Report:
-    names = [str(path) for path in files]
+    names = list(map(str, files))
     shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
     told = f"Written: {shown}"
     if made < len(names):

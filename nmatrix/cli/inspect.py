@@ -9,8 +9,8 @@ from typer import Argument, Option
 from nmatrix.cli.scene_options import ToleranceOption
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
-from nmatrix.cli.sources import Sources
 from nmatrix.errors import IllegalValueError
+from nmatrix.linear.classify import FROM_FILE
 from nmatrix.reading.files import existing_file, is_folder
 
 HELP = {
@@ -50,5 +50,4 @@ def inspect(
             "it is a folder" if is_folder(file) else "it does not exist",
             "give a .gltf, .glb, .obj, .ply or .stl file",
         )
-    sources = Sources(any_from_file=True)
-    show(report(inspect_file(path, tolerance.value(sources)), words), common)
+    show(report(inspect_file(path, tolerance.value(FROM_FILE)), words), common)

@@ -9,10 +9,10 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions, ToleranceOption
-from nmatrix.cli.shared_options import CommonOptions, refuse_together
+from nmatrix.cli.shared_options import CommonOptions, option_name
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import NORMAL_METHODS, NormalRule, Space, chosen
+from nmatrix.enums import NORMAL_METHODS, NormalRule, chosen
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers
 
@@ -44,8 +44,8 @@ def world(
     """Show the world matrix."""
     from nmatrix.answers.world import world as answer
 
-    groups = OptionGroups(world=world, tolerance=tolerance, scene=scene)
-    show(answer(groups.setup(common)), common)
+    groups = OptionGroups(world=world, scene=scene)
+    show(answer(groups.setup(common, tolerance=tolerance)), common)
 
 
 def view(view: ViewOptions, scene: SceneOptions, common: CommonOptions) -> None:
@@ -93,21 +93,25 @@ def normal(
 
     if matrix is not None or scene.scene is None:
         world = _with_matrix(world, matrix)
-    groups = OptionGroups(world, view, space=space, tolerance=tolerance, scene=scene)
+    groups = OptionGroups(world, view, space=space, scene=scene)
     request = NormalRequest(
         normals=tuple(numbers(text, 3, "--normal") for text in normals or ()),
-        space=space.chosen(None, groups.usual_space(Space.WORLD)) or Space.WORLD,
+        space=groups.shading_space(),
         method=chosen(NormalRule, method, "method", NORMAL_METHODS),
     )
-    show(answer(groups.setup(common), request), common)
+    show(answer(groups.setup(common, tolerance=tolerance), request), common)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:
     if matrix is None:
-        if world.is_given:
+        if world.given:
             return world
         raise IllegalValueError(
             "normal", "no matrix was given", 'try nmatrix normal "1 0 0; 0 2 0; 0 0 1"'
         )
-    refuse_together("MATRIX", world.given(), "the matrix is the whole world matrix")
+    if world.given:
+        beside = ", ".join(map(option_name, world.given))
+        raise IllegalValueError(
+            f"MATRIX with {beside}", "the matrix is the whole world matrix", "keep one of them"
+        )
     return replace(world, world_matrix=matrix)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,7 +18,8 @@ if TYPE_CHECKING:
     from nmatrix.answers.render import PictureChoices
     from nmatrix.enums import Space
 
-PICTURE, FRAMES = "Picture", "Frames"
+in_picture = partial(Option, rich_help_panel="Picture")
+in_frames = partial(Option, rich_help_panel="Frames")
 MOST_FRAMES = 10_000
 
 
@@ -26,28 +28,17 @@ class PictureOptions:
     """What a picture looks like; what is not given is the scene file's or the proof's."""
 
     size: Annotated[
-        str | None,
-        Option(
-            metavar="W H", help="Pixels of a picture, or of each panel.", rich_help_panel=PICTURE
-        ),
+        str | None, in_picture(metavar="W H", help="Pixels of a picture, or of each panel.")
     ] = None
-    shading: Annotated[
-        Shading | None, Option(help="Where light is evaluated.", rich_help_panel=PICTURE)
-    ] = None
-    reflection: Annotated[
-        Reflection | None, Option(help="How the surface reflects.", rich_help_panel=PICTURE)
-    ] = None
-    normals: Annotated[
-        NormalRule | None,
-        Option(help="The rule that carries normals.", rich_help_panel=PICTURE),
-    ] = None
+    shading: Annotated[Shading | None, in_picture(help="Where light is evaluated.")] = None
+    reflection: Annotated[Reflection | None, in_picture(help="How the surface reflects.")] = None
+    normals: Annotated[NormalRule | None, in_picture(help="The rule that carries normals.")] = None
     samples: Annotated[
-        str | None,
-        Option(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.", rich_help_panel=PICTURE),
+        str | None, in_picture(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
     ] = None
-    effects: Annotated[
-        Effort, Option(help="What the scene calls for, or everything.", rich_help_panel=PICTURE)
-    ] = Effort.PLANNED
+    effects: Annotated[Effort, in_picture(help="What the scene calls for, or everything.")] = (
+        Effort.PLANNED
+    )
 
     def choices(self, space: Space | None = None) -> PictureChoices:
         """Read what was chosen of a picture, its shading space beside it."""
@@ -80,14 +71,9 @@ class FrameOptions(WorkerOptions):
     """How many pictures, and who draws them."""
 
     frames: Annotated[
-        str | None,
-        Option(
-            metavar="N", help="So many pictures: a GIF, or numbered files.", rich_help_panel=FRAMES
-        ),
+        str | None, in_frames(metavar="N", help="So many pictures: a GIF, or numbered files.")
     ] = None
-    turn: Annotated[
-        bool, Option("--turn", help="Walk once around what is drawn.", rich_help_panel=FRAMES)
-    ] = False
+    turn: Annotated[bool, in_frames("--turn", help="Walk once around what is drawn.")] = False
 
     @property
     def count(self) -> int:
@@ -96,13 +82,16 @@ class FrameOptions(WorkerOptions):
         return whole_number(self.frames or default, "--frames", range(1, MOST_FRAMES + 1), 2)
 
 
-def frame_names(target: Path, count: int) -> list[Path]:
-    """Write numbers into the names of a sequence.
+def frame_names(target: str, count: int) -> list[Path]:
+    """Name the files of so many frames: one file, or numbered ones where a file holds one picture.
 
     Examples
     --------
-    >>> [str(one) for one in frame_names(Path("a.png"), 2)]
-    ['a-0.png', 'a-1.png']
+    >>> [str(one) for one in frame_names("a.png", 2)], frame_names("a.gif", 2)[0].name
+    (['a-0.png', 'a-1.png'], 'a.gif')
     """
+    path = Path(target)
+    if count == 1 or target == "-" or path.suffix.lower() == ".gif":
+        return [path]
     digits = len(str(count - 1))
-    return [target.with_stem(f"{target.stem}-{i:0{digits}}") for i in range(count)]
+    return [path.with_stem(f"{path.stem}-{i:0{digits}}") for i in range(count)]

@@ -9,7 +9,6 @@ from typer import Argument, Option
 
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import put, show
-from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.derive import lesson
@@ -48,9 +47,7 @@ def derive(
 ) -> None:
     """Show a derivation."""
     lesson.chosen(case)
-    own = None
-    if world.is_given:
-        own = world.over(World(), Sources(common.input_layout), fractions)
+    own = world.over(World(), common.sources, fractions) if world.given else None
     show(lesson.derive(case, own), common)
 
 

@@ -9,15 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
-from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions
+from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
-from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import refuse_existing, write_file
-from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
+from nmatrix.raster.proofs.catalogue import PROOFS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,12 +35,7 @@ Between wrong and right stands the number by which they differ.""",
 
 def render(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     picture: PictureOptions,
     frames: FrameOptions,
     file: FileOptions,
@@ -58,7 +50,6 @@ def render(
     if list_:
         put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
         return
-    groups = OptionGroups(world, view, lens, light, space, scene=scene)
     _write(_frame(subject, mesh, groups, picture, common), frames, file, common)
 
 
@@ -67,7 +58,7 @@ def _write(
 ) -> None:
     """Draw, write the files, and show the numbers."""
     target = file.output or f"{frame.name}.{'gif' if frames.count > 1 else 'png'}"
-    names = _names(target, frames.count)
+    names = frame_names(target, frames.count)
     refuse_existing(names, force=file.force)
     started = time.perf_counter()
     proofs = _draw(frame, frames)
@@ -91,16 +82,11 @@ def _frame(
     picture: PictureOptions,
     common: CommonOptions,
 ) -> PictureFrame:
-    """Make the picture frame that the command line asks for: a proof, or a scene."""
-    from nmatrix.answers.render import checked_subject
+    """Frame what the command line asks for: a proof, or a scene."""
+    from nmatrix.answers.render import is_proof
 
-    if catalogued(checked_subject(subject)) is not None:
+    if is_proof(subject, mesh=mesh, scene=groups.scene.scene_file):
         return _proof(subject, mesh, groups, picture, common)
-    for option, given in (("--mesh", mesh), ("--scene", groups.scene.scene_file)):
-        if given is not None:
-            raise IllegalValueError(
-                f"{subject[:60]} with {option}", "both say what to draw", "keep one of them"
-            )
     return _scene(Path(subject), groups, picture, common)
 
 
@@ -111,29 +97,32 @@ def _proof(
     picture: PictureOptions,
     common: CommonOptions,
 ) -> PictureFrame:
-    """Make the picture frame of a proof: a scene lends its object, its camera and its light."""
-    from nmatrix.answers.render import ProofSubject, proof_frame
+    """Frame a proof: a scene lends its object, its camera and its light."""
+    from nmatrix.answers.render import PANEL, proof_frame
+    from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.scene.meshes.file import read_mesh
 
-    choices = picture.choices(groups.space.chosen(None, None))
+    choices = picture.choices(groups.space.chosen())
     lent = groups.scene.scene
     loaded = None if mesh is None else read_mesh(Path(mesh))
     if loaded is None and groups.scene.chosen_object is not None:
         loaded = groups.scene.chosen_object.geometry.mesh()
-    subject = ProofSubject(
-        groups.setup(common, aspect=choices.panel_aspect),
-        loaded,
+    setup = groups.setup(common, aspect=choices.aspect(PANEL))
+    own_view = groups.view.given or (lent is not None and lent.has_camera)
+    own = ProofSettings(
         name if mesh is None else Path(mesh).stem,
-        has_world=groups.world.is_given or lent is not None,
-        has_view=groups.view.is_given or (lent is not None and lent.has_camera),
+        loaded,
+        setup.world if groups.world.given or lent is not None else None,
+        setup.view if own_view else None,
+        clock=time.perf_counter,
     )
-    return proof_frame(name, subject, choices, time.perf_counter)
+    return proof_frame(name, own, setup, choices)
 
 
 def _scene(
     path: Path, groups: OptionGroups, picture: PictureOptions, common: CommonOptions
 ) -> PictureFrame:
-    """Make the picture frame of a file's scene, changed as the command line says.
+    """Frame a file's scene, with what the command line says in place of its own.
 
     World options move the object that --object names, or the first.
     """
@@ -142,27 +131,23 @@ def _scene(
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
     read, one = groups.scene.scene, groups.scene.chosen_object
     assert read is not None and one is not None  # a file was named
-    choices = picture.choices(groups.space.chosen(None, read.settings.space))
-    frame = scene_frame(read, path.stem, choices)
-    assert frame.scene is not None  # it draws one
-    found = frame.scene
-    setup = groups.setup(common, aspect=found.lens.aspect)
-    objects = found.objects
-    if groups.world.is_given:
-        at = read.objects.index(one)
-        moved = replace(objects[at], world_from_object=setup.world.world_from_object)
-        objects = (*objects[:at], moved, *objects[at + 1 :])
-    own_light = groups.light.is_given or not found.lights
+    choices = picture.choices(groups.space.chosen())
+    setup = groups.setup(common, aspect=choices.aspect(read.settings))
+    moved = one
+    if groups.world.given:
+        moved = replace(one, world_from_object=setup.world.world_from_object)
+    own_lights = read.lights and not groups.light.given
     scene = replace(
-        found,
-        objects=objects,
-        lights=scene_lights(setup.light) if own_light else found.lights,
+        read,
+        objects=tuple(moved if other is one else other for other in read.objects),
+        lights=read.lights if own_lights else scene_lights(setup.light),
         view=setup.view,
         lens=setup.lens,
-        settings=replace(found.settings, space_matrix=setup.space_matrix),
-        has_camera=found.has_camera or groups.view.is_given,
+        settings=replace(read.settings, space_matrix=setup.space_matrix),
+        has_camera=read.has_camera or bool(groups.view.given),
+        has_aspect=True,  # the picture's own, where the file has none
     )
-    return replace(frame, scene=scene)
+    return scene_frame(scene, path.stem, choices)
 
 
 def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
@@ -173,13 +158,6 @@ def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
     )
     with frames.executor() as executor:
         return list(progress(drawn(pictures, executor), len(pictures), "frames"))
-
-
-def _names(target: str, count: int) -> list[Path]:
-    path = Path(target)
-    if count == 1 or target == "-" or path.suffix.lower() == ".gif":
-        return [path]
-    return frame_names(path, count)
 
 
 def _content(proofs: Sequence[Proof], target: str) -> list[bytes]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -21,7 +21,6 @@ from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
-from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.numbers import fractions, number
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
@@ -32,7 +31,8 @@ if TYPE_CHECKING:
     from nmatrix.report import Number
     from nmatrix.scene.scene import Scene, SceneObject
 
-SCENE, SPACE = "Scene", "Space"
+in_scene = partial(Option, rich_help_panel="Scene")
+in_space = partial(Option, rich_help_panel="Space")
 _NAMES = (*(space.value for space in Space), *SYNONYMS)
 _ANY_SPACE = f"{', '.join(list(Space)[:-1])} or {list(Space)[-1]}."
 
@@ -58,21 +58,14 @@ class SpaceOptions:
 
     space: Annotated[
         str | None,
-        Option(
-            "--space",
-            metavar="SPACE",
-            autocompletion=_complete_space,
-            help=_ANY_SPACE,
-            rich_help_panel=SPACE,
-        ),
+        in_space("--space", metavar="SPACE", autocompletion=_complete_space, help=_ANY_SPACE),
     ] = None
     space_matrix: Annotated[
-        str | None,
-        Option(metavar="MATRIX", help="Space from world, for custom.", rich_help_panel=SPACE),
+        str | None, in_space(metavar="MATRIX", help="Space from world, for custom.")
     ] = None
 
-    def chosen(self, positional: str | None, default: Space | None) -> Space | None:
-        """Choose the space that was typed, as an argument or as an option."""
+    def chosen(self, positional: str | None = None) -> Space | None:
+        """Choose the space that was typed, by name or as the matrix of custom space."""
         if positional is not None and self.space is not None:
             raise IllegalValueError(
                 f"{positional[:20]} with --space {self.space[:20]}",
@@ -80,8 +73,9 @@ class SpaceOptions:
                 "keep one of them",
             )
         name = self.space if positional is None else positional
-        unnamed = Space.CUSTOM if self.space_matrix is not None else default
-        found = unnamed if name is None else space_named(name)
+        if name is None:
+            return None if self.space_matrix is None else Space.CUSTOM
+        found = space_named(name)
         if self.space_matrix is not None and found is not Space.CUSTOM:
             raise IllegalValueError(
                 f"--space-matrix with space {found}",
@@ -90,11 +84,11 @@ class SpaceOptions:
             )
         return found
 
-    def matrix(self, sources: Sources) -> RationalMatrix | None:
-        """Read `space_from_world` for custom space."""
+    def override(self, setup: Setup, sources: Sources) -> Setup:
+        """Put the typed matrix of custom space in place of the setup's own."""
         if self.space_matrix is None:
-            return None
-        return sources.affine(self.space_matrix)
+            return setup
+        return replace(setup, space_matrix=sources.affine(self.space_matrix))
 
 
 @dataclass(frozen=True)
@@ -109,10 +103,10 @@ class ToleranceOption:
         ),
     ] = None
 
-    def value(self, sources: Sources) -> float:
-        """Read the tolerance, by default that of the numbers' origin: files often hold float32."""
+    def value(self, usual: float) -> float:
+        """Read the tolerance that was typed, if any."""
         if self.tolerance is None:
-            return FROM_FILE if sources.any_from_file else BUILT
+            return usual
         found = number(self.tolerance, "--tolerance")
         if not 0 <= found < 1:
             raise IllegalValueError(
@@ -121,26 +115,26 @@ class ToleranceOption:
         return found
 
 
+USUAL_TOLERANCE = ToleranceOption()
+
+
 @dataclass(frozen=True)
 class SceneOptions:
     """Which scene, and what in it."""
 
     scene_file: Annotated[
         str | None,
-        Option(
+        in_scene(
             "--scene",
             metavar="FILE",
             help="Take what no option says from a .toml, .gltf or .glb scene.",
-            rich_help_panel=SCENE,
         ),
     ] = None
     object_name: Annotated[
-        str | None,
-        Option("--object", metavar="NAME", help="Which object (the first).", rich_help_panel=SCENE),
+        str | None, in_scene("--object", metavar="NAME", help="Which object (the first).")
     ] = None
     light_name: Annotated[
-        str | None,
-        Option("--light", metavar="NAME", help="Which light (the first).", rich_help_panel=SCENE),
+        str | None, in_scene("--light", metavar="NAME", help="Which light (the first).")
     ] = None
 
     @cached_property
@@ -192,14 +186,13 @@ class SceneOptions:
 
 @dataclass(frozen=True)
 class OptionGroups:
-    """The groups that a command took; what it did not take has its defaults."""
+    """The groups that make a setup; what a command does not take has its defaults."""
 
     world: WorldOptions = field(default_factory=WorldOptions)
     view: ViewOptions = field(default_factory=ViewOptions)
     lens: LensOptions = field(default_factory=LensOptions)
     light: LightOptions = field(default_factory=LightOptions)
     space: SpaceOptions = field(default_factory=SpaceOptions)
-    tolerance: ToleranceOption = field(default_factory=ToleranceOption)
     scene: SceneOptions = field(default_factory=SceneOptions)
 
     @property
@@ -207,38 +200,36 @@ class OptionGroups:
         """Whether any option of any group was typed."""
         return self != OptionGroups()
 
-    def setup(self, common: CommonOptions, aspect: float | None = None) -> Setup:
+    def setup(
+        self,
+        common: CommonOptions,
+        *,
+        aspect: float | None = None,
+        tolerance: ToleranceOption = USUAL_TOLERANCE,
+    ) -> Setup:
         """Build what the command line describes; `aspect` is that of a picture, if it has one."""
-        return self.setup_from(Sources(common.input_layout), aspect)
-
-    def setup_from(self, sources: Sources, aspect: float | None = None) -> Setup:
-        """Build the setup with matrices from these sources."""
-        setup = self.scene.setup(sources, aspect)
+        setup = self.scene.setup(common.sources, aspect)
         for group in (self.world, self.view, self.lens):
-            if group != type(group)():
-                setup = group.override(setup, sources)
+            setup = group.override(setup, common.sources)
         setup = self.scene.in_the_scene(setup, under_parent=self.world.world_matrix is None)
-        if self.light.is_given:
-            setup = self.light.override(setup, sources)
-        space_matrix = self.space.matrix(sources)
-        return replace(
-            setup,
-            space_matrix=setup.space_matrix if space_matrix is None else space_matrix,
-            tolerance=self.tolerance.value(sources),
-        )
+        for later in (self.light, self.space):
+            setup = later.override(setup, common.sources)
+        usual = FROM_FILE if common.sources.any_from_file else BUILT  # files often hold float32
+        return replace(setup, tolerance=tolerance.value(usual))
 
-    def typed_world(self, sources: Sources, setup: Setup) -> World:
+    def typed_world(self, common: CommonOptions, setup: Setup) -> World:
         """Build the world of every number as it was typed, where it was typed in parts."""
         chosen = self.scene.chosen_object
         if chosen is None or self.world.world_matrix is not None:
-            return self.world.over(World(), sources, fractions)
+            return self.world.over(World(), common.sources, fractions)
         if chosen.world_from_parent is not None or chosen.place is None:
             return setup.world
-        return self.world.over(_as_typed(chosen.place), sources, fractions)
+        return self.world.over(_as_typed(chosen.place), common.sources, fractions)
 
-    def usual_space(self, default: Space) -> Space:
-        """Return the scene's shading space, or the default without a scene."""
-        return default if self.scene.scene is None else self.scene.scene.settings.space
+    def shading_space(self, positional: str | None = None) -> Space:
+        """Choose the space that was typed, else the scene's, else world space."""
+        usual = Space.WORLD if self.scene.scene is None else self.scene.scene.settings.space
+        return self.space.chosen(positional) or usual
 
 
 def _as_typed(place: World) -> World:

@@ -1,40 +1,35 @@
-"""What commands and option groups share: the Output panel, contradictions, and typed numbers."""
+"""What commands and option groups share: the Output panel, and how typed words are read."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from functools import cached_property, partial
 from typing import Annotated, Any
 
 from typer import Option
 
+from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention, Format, Handedness, Layout
 from nmatrix.errors import IllegalValueError
+from nmatrix.output.write import MOST_DIGITS
 from nmatrix.reading.numbers import number, numbers
 from nmatrix.report import Vector
 
-CONVENTIONS = "Conventions"  # options of two groups, of which a command may take only one
-OUTPUT = "Output"
-MOST_DIGITS = 17
+# Options of two groups, of which a command may take only one.
+in_conventions = partial(Option, rich_help_panel="Conventions")
+in_output = partial(Option, rich_help_panel="Output")
 
 ReadNumbers = Callable[[str, int, str], Vector]
 
 ConventionOption = Annotated[
     Convention | None,
-    Option(
-        "--convention",
-        help="How angles make a matrix (default: standard).",
-        rich_help_panel=CONVENTIONS,
-    ),
+    in_conventions("--convention", help="How angles make a matrix (default: standard)."),
 ]
 HandedOption = Annotated[
     Handedness | None,
-    Option(
-        "--handed",
-        help="The camera looks down −z (right, the default) or +z (left).",
-        rich_help_panel=CONVENTIONS,
-    ),
+    in_conventions("--handed", help="The camera looks down −z (right, the default) or +z (left)."),
 ]
 SHARED = ("convention", "handed")
 
@@ -51,22 +46,22 @@ class ColorWhen(StrEnum):
 class CommonOptions:
     """How to write the answer, and in which order matrices are read and written."""
 
-    format: Annotated[
-        Format, Option("--format", "-f", help="How to write the answer.", rich_help_panel=OUTPUT)
-    ] = Format.TEXT
+    format: Annotated[Format, in_output("--format", "-f", help="How to write the answer.")] = (
+        Format.TEXT
+    )
     digits: Annotated[
-        str,
-        Option(metavar="N", help="Significant digits for people, 1 to 17.", rich_help_panel=OUTPUT),
+        str, in_output(metavar="N", help="Significant digits for people, 1 to 17.")
     ] = "6"
-    layout: Annotated[Layout, Option(help="Order of written matrices.", rich_help_panel=OUTPUT)] = (
+    layout: Annotated[Layout, in_output(help="Order of written matrices.")] = Layout.ROW_MAJOR
+    input_layout: Annotated[Layout, in_output(help="Order of matrices that are read.")] = (
         Layout.ROW_MAJOR
     )
-    input_layout: Annotated[
-        Layout, Option(help="Order of matrices that are read.", rich_help_panel=OUTPUT)
-    ] = Layout.ROW_MAJOR
-    color: Annotated[ColorWhen, Option(help="Colours in text.", rich_help_panel=OUTPUT)] = (
-        ColorWhen.AUTO
-    )
+    color: Annotated[ColorWhen, in_output(help="Colours in text.")] = ColorWhen.AUTO
+
+    @cached_property
+    def sources(self) -> Sources:
+        """The matrices of the command line, read in their order."""
+        return Sources(self.input_layout)
 
     @property
     def digits_checked(self) -> int:
@@ -79,29 +74,20 @@ class CommonOptions:
 class OptionGroup:
     """A group whose options are None until somebody types them."""
 
-    def given(self, *names: str) -> dict[str, Any]:
-        """Collect the typed options by their spelling: the named ones, or all that only it has.
+    @property
+    def given(self) -> dict[str, Any]:
+        """The typed options that only this group has, by field.
 
         Examples
         --------
         >>> from nmatrix.cli.world_options import WorldOptions
-        >>> WorldOptions(scale="1 2 1", convention=Convention.POLIMI).given()
-        {'--scale': '1 2 1'}
+        >>> WorldOptions(scale="1 2 1", convention=Convention.POLIMI).given
+        {'scale': '1 2 1'}
         """
-        wanted = names or [one.name for one in fields(self) if one.name not in SHARED]
-        return {
-            option_name(name): getattr(self, name)
-            for name in wanted
-            if getattr(self, name) is not None
-        }
-
-    @property
-    def is_given(self) -> bool:
-        """Whether an option that only this group has was typed."""
-        return bool(self.given())
+        return self.typed(*(one.name for one in fields(self) if one.name not in SHARED))
 
     def typed(self, *names: str) -> dict[str, Any]:
-        """Collect the typed values that need no reading, by field."""
+        """Collect those of these options that were typed, by field."""
         return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
 
     def numbers(self, read: ReadNumbers = numbers, **counts: int) -> dict[str, Any]:
@@ -123,18 +109,6 @@ def option_name(field: str) -> str:
     '--world-matrix'
     """
     return f"--{field.replace('_', '-')}"
-
-
-def refuse_together(option: str, others: Mapping[str, object], because: str) -> None:
-    """Refuse an option beside any of the others that was given.
-
-    Raises
-    ------
-    IllegalValueError
-        If there is one.
-    """
-    if others:
-        raise IllegalValueError(f"{option} with {', '.join(others)}", because, "keep one of them")
 
 
 def whole_number(text: str, option: str, among: range, example: int, why: str = "") -> int:

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.shared_options import OptionGroup
+from nmatrix.cli.shared_options import OptionGroup, option_name
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.files import existing_file, file_bytes
 
 if TYPE_CHECKING:
     from nmatrix.lessons.exercises.scheme import Sheet
 
-PANEL = "Exercises"
+in_exercises = partial(Option, rich_help_panel="Exercises")
 USUAL_SEED = "1"
 
 
@@ -23,29 +24,28 @@ class SheetOptions(OptionGroup):
     """A seed for the class, a student, and the teacher's salt."""
 
     seed: Annotated[
-        str | None,
-        Option(metavar="SEED", help="Of the class's numbers (1).", rich_help_panel=PANEL),
+        str | None, in_exercises(metavar="SEED", help="Of the class's numbers (1).")
     ] = None
-    student: Annotated[
-        str | None, Option(metavar="NAME", help="Whose sheet it is.", rich_help_panel=PANEL)
-    ] = None
+    student: Annotated[str | None, in_exercises(metavar="NAME", help="Whose sheet it is.")] = None
     salt: Annotated[
         str | None,
-        Option(
-            metavar="FILE",
-            help="A secret of the teacher's, for graded tests.",
-            rich_help_panel=PANEL,
-        ),
+        in_exercises(metavar="FILE", help="A secret of the teacher's, for graded tests."),
     ] = None
 
+    def of_a_class(self, option: str) -> tuple[str, bytes]:
+        """Take the seed and the salt of a class, whose students stand in the file of an option."""
+        if self.student is not None:
+            raise IllegalValueError(
+                f"--student with {option}", "the students stand in the file", "leave it out"
+            )
+        return self._seed, self._salt
+
     @property
-    def class_seed(self) -> str:
-        """The seed of the class, any text."""
+    def _seed(self) -> str:
         return USUAL_SEED if self.seed is None else self.seed
 
     @property
-    def salt_read(self) -> bytes:
-        """The content of the salt's file."""
+    def _salt(self) -> bytes:
         if self.salt is None:
             return b""
         path = existing_file(self.salt)
@@ -67,11 +67,12 @@ class SheetOptions(OptionGroup):
         """The sheet that these options name."""
         from nmatrix.lessons.exercises.scheme import Sheet
 
-        return Sheet(self.class_seed, self.student or "", self.salt_read)
+        return Sheet(self._seed, self.student or "", self._salt)
 
     def refuse(self, what: str) -> None:
         """Refuse these options where there are no exercises."""
-        for name in self.given():
+        for name in self.given:
+            option = option_name(name)
             raise IllegalValueError(
-                f"{name} with check {what}", "it names a sheet", "use check exercise"
+                f"{option} with check {what}", "it names a sheet", "use check exercise"
             )

@@ -38,18 +38,15 @@ class Sources:
 
         With `exact` the numbers are kept as they were typed, else each is the nearest float64.
         """
-        found = as_affine(self._read(text))
+        found = as_affine(self.literal(text))
         return found.rows_exact if exact else rational_matrix(found.rows)
 
     def projection(self, text: str) -> RationalMatrix:
         """Read any 4×4."""
-        return rational_matrix(as_projection(self._read(text)).rows)
+        return rational_matrix(as_projection(self.literal(text)).rows)
 
     def literal(self, text: str) -> MatrixLiteral:
         """Read a matrix of any size, as it was typed."""
-        return self._read(text)
-
-    def _read(self, text: str) -> MatrixLiteral:
         if existing_file(text.rpartition("#")[0] or text) or existing_file(text):
             self.any_from_file = True
         try:

@@ -11,7 +11,7 @@ from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceArgument,
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
-from nmatrix.enums import Reflection, Shading, Space
+from nmatrix.enums import Reflection, Shading
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import numbers
 
@@ -58,7 +58,7 @@ def light(
     from nmatrix.answers.light import light as answer
 
     setup = OptionGroups(world, view, light=light, space=space, scene=scene).setup(common)
-    show(answer(setup, space.chosen(where, None)), common)
+    show(answer(setup, space.chosen(where)), common)
 
 
 def eye(
@@ -74,17 +74,12 @@ def eye(
     from nmatrix.answers.light import eye as answer
 
     setup = OptionGroups(world, view, space=space, scene=scene).setup(common)
-    show(answer(setup, space.chosen(where, None)), common)
+    show(answer(setup, space.chosen(where)), common)
 
 
 def space(
     *,
-    world: WorldOptions,
-    view: ViewOptions,
-    lens: LensOptions,
-    light: LightOptions,
-    space: SpaceOptions,
-    scene: SceneOptions,
+    groups: OptionGroups,
     common: CommonOptions,
     where: SpaceArgument = None,
     shading: Annotated[
@@ -104,10 +99,8 @@ def space(
             "the sheet's shaders light per vertex or per fragment",
             "use gouraud or phong",
         )
-    groups = OptionGroups(world, view, lens, light, space, scene=scene)
-    chosen = space.chosen(where, groups.usual_space(Space.WORLD)) or Space.WORLD
-    setup = groups.setup(common)
-    show(answer(setup, Request(chosen, shading, reflection)), common)
+    chosen = groups.shading_space(where)
+    show(answer(groups.setup(common), Request(chosen, shading, reflection)), common)
 
 
 def trace(
@@ -142,9 +135,4 @@ def _window(viewport: str | None, scene: SceneOptions) -> Viewport:
     if viewport is None:
         size = (512, 512) if scene.scene is None else scene.scene.settings.size
         return Viewport(*map(float, size))
-    width, height = numbers(viewport, 2, "--viewport")
-    if not all(side > 0 and side.is_integer() for side in (width, height)):
-        raise IllegalValueError(
-            f"--viewport ({viewport[:40]})", "both sides are whole pixels, 1 or more", "try 512 512"
-        )
-    return Viewport(width, height)
+    return Viewport(*numbers(viewport, 2, "--viewport"))

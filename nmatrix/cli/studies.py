@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import re
 import time
+from collections.abc import Mapping
+from importlib import import_module
+from itertools import chain
 from math import radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -19,7 +22,7 @@ from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
     from nmatrix.studies.harness import Harness
-    from nmatrix.studies.measurements import Measurement, Target, Task
+    from nmatrix.studies.measurements import Target, Task
 
 HELP = {
     "cost": """nmatrix cost normals --quick
@@ -40,19 +43,13 @@ Exit 1 if nmatrix itself fails one.""",
 
 MOST_RANDOM = 100_000
 QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
-QUANTITY = re.compile(r"(.+?)\s*(deg|rad|levels|ns|us|ms|s)?")
-SCALES = {
-    "rad": 1.0,
-    "levels": 1.0,
-    "deg": radians(1.0),
-    "ns": 1e-9,
-    "us": 1e-6,
-    "ms": 1e-3,
-    "s": 1.0,
+ERRORS = {
+    Study.NORMALS: {"deg": radians(1.0), "rad": 1.0},
+    Study.SHADING: {"levels": 1.0},
+    Study.SPACES: {},
 }
-
-
-UNITS = {Study.NORMALS: ("deg", "rad"), Study.SHADING: ("levels",), Study.SPACES: ()}
+TIMES = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+QUANTITY = re.compile(rf"(.+?)\s*({'|'.join(chain(*ERRORS.values(), TIMES))}|)")
 
 
 def cost(
@@ -76,12 +73,15 @@ def cost(
     target = _target(study, tolerance, budget)
     chart_file = None if chart is None else _chart_file(chart, force=force)
     from nmatrix.studies.harness import Harness
+    from nmatrix.studies.measurements import with_fronts
     from nmatrix.studies.report import WORDINGS, report
 
     trial = Harness(time.perf_counter, 0.002)
     check = trial.self_check(_work)
     trial.double_check(_work)
-    rows = _rows(_tasks(study, _harness(quick=quick), quick=quick), study)
+    tasks = _tasks(study, _harness(quick=quick), quick=quick)
+    done = (task() for task in tasks)
+    rows = with_fronts(list(progress(done, len(tasks), f"measuring {study}")))
     if chart_file is not None:
         from nmatrix.studies.chart import ChartFormat
         from nmatrix.studies.chart import chart as drawn
@@ -104,25 +104,10 @@ def _work() -> int:
     return sum(range(2000))
 
 
-def _rows(tasks: list[Task], study: Study) -> tuple[Measurement, ...]:
-    from nmatrix.studies.measurements import with_fronts
-
-    done = (task() for task in tasks)
-    return with_fronts(list(progress(done, len(tasks), f"measuring {study}")))
-
-
 def _tasks(study: Study, harness: Harness, *, quick: bool) -> list[Task]:
-    if study is Study.NORMALS:
-        from nmatrix.studies import normals
-
-        return normals.tasks(harness, normals.QUICK if quick else normals.Extent())
-    if study is Study.SHADING:
-        from nmatrix.studies import shading
-
-        return shading.tasks(harness, shading.QUICK if quick else shading.FULL)
-    from nmatrix.studies import spaces
-
-    return spaces.tasks(harness, spaces.QUICK if quick else spaces.VERTICES)
+    module = import_module(f"nmatrix.studies.{study}")
+    found: list[Task] = module.tasks(harness, module.QUICK if quick else module.FULL)
+    return found
 
 
 def _target(study: Study, tolerance: str | None, budget: str | None) -> Target:
@@ -133,16 +118,16 @@ def _target(study: Study, tolerance: str | None, budget: str | None) -> Target:
             "--tolerance with --budget", "each asks for the best of the other", "keep one of them"
         )
     if tolerance is not None:
-        return Target(tolerance=_quantity(tolerance, "--tolerance", UNITS[study], "1e-3deg"))
+        return Target(tolerance=_quantity(tolerance, "--tolerance", ERRORS[study], "1e-3deg"))
     if budget is not None:
-        return Target(seconds=_quantity(budget, "--budget", ("ns", "us", "ms", "s"), "5ms"))
+        return Target(seconds=_quantity(budget, "--budget", TIMES, "5ms"))
     return Target()
 
 
-def _quantity(text: str, option: str, units: tuple[str, ...], example: str) -> float:
+def _quantity(text: str, option: str, units: Mapping[str, float], example: str) -> float:
     """Read a number with its unit, in radians, levels or seconds."""
     found = QUANTITY.fullmatch(text.strip())
-    unit = found[2] if found else None
+    unit = found[2] if found else ""
     if found is None or unit not in units:
         known = ", ".join(units) or "none here"
         raise IllegalValueError(
@@ -151,7 +136,7 @@ def _quantity(text: str, option: str, units: tuple[str, ...], example: str) -> f
     value = number(found[1], option)
     if value <= 0:
         raise IllegalValueError(f"{option} ({text[:20]})", "it is positive", f"try {example}")
-    return value * SCALES[unit]
+    return value * units[unit]
 
 
 def _chart_file(name: str, *, force: bool) -> Path:

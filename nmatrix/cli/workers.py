@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
@@ -15,7 +16,7 @@ from nmatrix.errors import IllegalValueError, MissingPackageError
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
-WORKERS = "Workers"
+in_workers = partial(Option, rich_help_panel="Workers")
 MOST_WORKERS = 256
 PATIENCE = "10s"  # for the scheduler of a cluster to answer
 
@@ -24,12 +25,8 @@ PATIENCE = "10s"  # for the scheduler of a cluster to answer
 class WorkerOptions:
     """How many processes, or whose cluster."""
 
-    workers: Annotated[
-        str | None, Option(metavar="N", help="So many processes.", rich_help_panel=WORKERS)
-    ] = None
-    dask: Annotated[
-        str | None, Option(metavar="ADDRESS", help="A cluster.", rich_help_panel=WORKERS)
-    ] = None
+    workers: Annotated[str | None, in_workers(metavar="N", help="So many processes.")] = None
+    dask: Annotated[str | None, in_workers(metavar="ADDRESS", help="A cluster.")] = None
 
     @contextmanager
     def executor(self) -> Iterator[Executor | None]:

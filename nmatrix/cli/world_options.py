@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Annotated
 
 from typer import Option
@@ -18,45 +19,32 @@ from nmatrix.scene.given import light_of, world_of
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
-WORLD, LIGHT = "World", "Light"
+in_world = partial(Option, rich_help_panel="World")
+in_light = partial(Option, rich_help_panel="Light")
 
 
 @dataclass(frozen=True)
 class WorldOptions(OptionGroup):
     """Where the object stands."""
 
-    translate: Annotated[
-        str | None, Option(metavar="X Y Z", help="Move.", rich_help_panel=WORLD)
-    ] = None
+    translate: Annotated[str | None, in_world(metavar="X Y Z", help="Move.")] = None
     rotate: Annotated[
-        str | None,
-        Option(metavar="X Y Z", help="Turn about x, y, z, in degrees.", rich_help_panel=WORLD),
+        str | None, in_world(metavar="X Y Z", help="Turn about x, y, z, in degrees.")
     ] = None
     quaternion: Annotated[
-        str | None,
-        Option(metavar="X Y Z W", help="Turn by a quaternion instead.", rich_help_panel=WORLD),
+        str | None, in_world(metavar="X Y Z W", help="Turn by a quaternion instead.")
     ] = None
-    scale: Annotated[
-        str | None, Option(metavar="X Y Z", help="Stretch.", rich_help_panel=WORLD)
-    ] = None
+    scale: Annotated[str | None, in_world(metavar="X Y Z", help="Stretch.")] = None
     shear: Annotated[
-        str | None,
-        Option(
-            metavar="XY XZ YZ", help="Shear x along y, x along z, y along z.", rich_help_panel=WORLD
-        ),
+        str | None, in_world(metavar="XY XZ YZ", help="Shear x along y, x along z, y along z.")
     ] = None
     order: Annotated[
         str | None,
-        Option(
-            metavar="ORDER",
-            help="A permutation of XYZ (intrinsic) or xyz (extrinsic).",
-            rich_help_panel=WORLD,
-        ),
+        in_world(metavar="ORDER", help="A permutation of XYZ (intrinsic) or xyz (extrinsic)."),
     ] = None
     convention: ConventionOption = None
     world_matrix: Annotated[
-        str | None,
-        Option(metavar="MATRIX", help="The whole matrix instead.", rich_help_panel=WORLD),
+        str | None, in_world(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
 
     def override(self, setup: Setup, sources: Sources) -> Setup:
@@ -88,16 +76,12 @@ class LightOptions(OptionGroup):
     """The light."""
 
     light_direction: Annotated[
-        str | None,
-        Option(metavar="X Y Z", help="Where light travels (-1 -1 -1).", rich_help_panel=LIGHT),
+        str | None, in_light(metavar="X Y Z", help="Where light travels (-1 -1 -1).")
     ] = None
     light_angles: Annotated[
-        str | None,
-        Option(metavar="ALPHA BETA", help="The same by two angles.", rich_help_panel=LIGHT),
+        str | None, in_light(metavar="ALPHA BETA", help="The same by two angles.")
     ] = None
-    light_position: Annotated[
-        str | None, Option(metavar="X Y Z", help="Where a lamp is.", rich_help_panel=LIGHT)
-    ] = None
+    light_position: Annotated[str | None, in_light(metavar="X Y Z", help="Where a lamp is.")] = None
 
     def override(self, setup: Setup, _: Sources) -> Setup:
         """Put the typed options in place of the setup's own light."""

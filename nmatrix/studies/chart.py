@@ -48,18 +48,18 @@ class Numbered:
         return self.rows[0].unit is Unit.LEVELS
 
     def name(self, row: Measurement) -> tuple[str, str]:
-        """Return the setting (empty unless grouped) and the method, which share one number."""
+        """Join the setting (empty unless grouped) and the method, which share one number."""
         return (row.setting if self.is_grouped else "", row.method)
 
     @cached_property
     def numbers(self) -> dict[tuple[str, str], int]:
-        """Return the numbers, counted from 1."""
+        """The numbers, counted from 1."""
         names = dict.fromkeys(map(self.name, self.rows))
         return {name: i + 1 for i, name in enumerate(names)}
 
     @cached_property
     def key(self) -> list[str]:
-        """Return the lines of the key."""
+        """The lines of the key."""
         lines, heading = [], ""
         for (setting, method), number in self.numbers.items():
             if setting != heading:
@@ -72,7 +72,7 @@ class Numbered:
         return [*lines, "  black, joined: the front"]
 
     def label(self, rows: Sequence[Measurement]) -> str:
-        """Return the numbers of marks that lie close together: 3, 5–7."""
+        """Write the numbers of marks that lie close together: 3, 5–7."""
         numbers = sorted(self.numbers[self.name(row)] for row in rows)
         runs: list[list[int]] = []
         for number in numbers:
@@ -195,11 +195,7 @@ def _scales(axis: Axes, *, fine: bool) -> None:
 
 
 def _at(row: Measurement) -> tuple[float, float]:
-    return row.timing.ratio, _height(row)
-
-
-def _height(row: Measurement) -> float:
-    return max(row.error or SMALLEST, SMALLEST)
+    return row.timing.ratio, max(row.error or SMALLEST, SMALLEST)
 
 
 def _epsilon_lines(axis: Axes) -> None:

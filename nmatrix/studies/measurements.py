@@ -116,22 +116,11 @@ class Target:
     seconds: float | None = None
 
     def met_by(self, rows: Sequence[Measurement]) -> Measurement | None:
-        """Return the cheapest row within the tolerance, or the most accurate within the budget."""
+        """Find the fastest right row within the tolerance, or the most accurate in the budget."""
         if self.tolerance is not None:
-            return cheapest(rows, self.tolerance)
-        return None if self.seconds is None else most_accurate(rows, self.seconds)
-
-
-def cheapest(rows: Sequence[Measurement], tolerance: float) -> Measurement | None:
-    """Return the fastest row without failures whose error is within a tolerance."""
-    good = [r for r in rows if not r.failures and r.error is not None and r.error <= tolerance]
-    return min(good, key=lambda row: row.timing.ratio, default=None)
-
-
-def most_accurate(rows: Sequence[Measurement], seconds: float) -> Measurement | None:
-    """Return the most accurate row that takes no longer than so many seconds."""
-    return min(
-        (row for row in rows if row.timing.seconds <= seconds),
-        key=lambda row: row.rank,
-        default=None,
-    )
+            good = [row for row in rows if row.rank <= (0, self.tolerance)]
+            return min(good, key=lambda row: row.timing.ratio, default=None)
+        if self.seconds is None:
+            return None
+        quick = [row for row in rows if row.timing.seconds <= self.seconds]
+        return min(quick, key=lambda row: row.rank, default=None)

@@ -125,19 +125,9 @@ def matrix_itself(A: Array, n: Array) -> Array:
     return _unit(_times(A, n))
 
 
-def float32_inverse(A: Array, n: Array) -> Array:
-    """Use the inverse transpose in float32."""
-    return in_precision(np.float32, inverse, A, n)
-
-
-def float32_cofactor(A: Array, n: Array) -> Array:
-    """Use cofactors in float32."""
-    return in_precision(np.float32, signed_cofactor, A, n)
-
-
-def float16_cofactor(A: Array, n: Array) -> Array:
-    """Use cofactors in float16."""
-    return in_precision(np.float16, plain_cofactor, A, n)
+def in_precision(dtype: type, carry: Carry) -> Carry:
+    """Return a method whose inputs are rounded to a smaller float type first."""
+    return lambda A, n: carry(A.astype(dtype), n.astype(dtype)).astype(np.float64)
 
 
 METHODS: tuple[Method, ...] = (
@@ -161,9 +151,9 @@ METHODS: tuple[Method, ...] = (
     Method("identity", "inverse, identity where it raises", identity_matrix),
     Method("determinant-test", "A itself where det is 1", determinant_test),
     Method("matrix", "A itself", matrix_itself),
-    Method("float32-inverse", "inverse transpose in float32", float32_inverse),
-    Method("float32-cofactor", "cofactors in float32", float32_cofactor),
-    Method("float16-cofactor", "cofactors in float16", float16_cofactor),
+    Method("float32-inverse", "inverse transpose in float32", in_precision(np.float32, inverse)),
+    Method("float32-cofactor", "cofactors in float32", in_precision(np.float32, signed_cofactor)),
+    Method("float16-cofactor", "cofactors in float16", in_precision(np.float16, plain_cofactor)),
 )
 
 
@@ -210,8 +200,3 @@ def each_or_nan(function: Callable[[Array], Array], A: Array) -> Array:
         except np.linalg.LinAlgError:
             continue
     return found
-
-
-def in_precision(dtype: type, carry: Carry, A: Array, n: Array) -> Array:
-    """Carry normals with a method after rounding its inputs to a smaller float type."""
-    return carry(A.astype(dtype), n.astype(dtype)).astype(np.float64)

@@ -57,6 +57,7 @@ class Extent:
     slow_methods: bool = True
 
 
+FULL = Extent()
 QUICK = Extent(checked=20, batch=1_000, kappas=(1e0, 1e8, 1e16), slow_methods=False)
 
 

@@ -26,7 +26,7 @@ from nmatrix.studies.measurements import Measurement, Task, Unit
 
 Array = NDArray[Any]
 
-VERTICES, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
+FULL, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
 PLACE = World(rotate_degrees=(20, 30, 10), scale=(1, 2, 1))
 
 

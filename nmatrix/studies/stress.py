@@ -12,7 +12,6 @@ from nmatrix.studies.hardcases import (
     affine,
     coverage,
     depths,
-    mistakes,
     normals,
     samples,
     vectors,
@@ -20,7 +19,7 @@ from nmatrix.studies.hardcases import (
 )
 from nmatrix.studies.hardcases.case import IMPRECISE, Case, CaseVerdict, Result
 
-_PARTS = (normals, affine, vectors, views, depths, coverage, samples, mistakes)
+_PARTS = (normals, affine, vectors, views, depths, coverage, samples)
 FAMILIES = {
     "N": "normals",
     "V": "vectors and angles",

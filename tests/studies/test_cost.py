@@ -19,7 +19,6 @@ from nmatrix.studies.measurements import (
     Study,
     Target,
     Unit,
-    cheapest,
     with_fronts,
 )
 from nmatrix.studies.methods import METHODS, method
@@ -252,7 +251,7 @@ def test_the_front_is_that_of_the_ratios_whatever_the_seconds_drifted_to() -> No
         Measurement("slow", "s", 2.0, Unit.RADIANS, usual_clock),
     )
     assert [row.on_front for row in with_fronts([fast, slow])] == [True, False]
-    assert cheapest([slow, fast], 3.0) == fast
+    assert Target(tolerance=3.0).met_by([slow, fast]) == fast
 
 
 def test_marks_in_a_crowd_share_a_label() -> None:

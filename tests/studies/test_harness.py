@@ -9,7 +9,7 @@ import pytest
 
 from nmatrix.errors import CheckFailedError
 from nmatrix.studies.harness import Harness, Ratio
-from nmatrix.studies.measurements import Measurement, Unit, cheapest, most_accurate, with_fronts
+from nmatrix.studies.measurements import Measurement, Target, Unit, with_fronts
 
 
 class Clock:
@@ -120,8 +120,8 @@ def test_the_front_is_what_nobody_beats() -> None:
 
 def test_targets_are_met_by_the_cheapest_and_the_most_accurate() -> None:
     rows = [row("fast", 1e-3, 1), row("fine", 1e-9, 2), row("wrong", 0, 0.5, 4)]
-    assert cheapest(rows, 1e-2).method == "fast"
-    assert cheapest(rows, 1e-6).method == "fine"
-    assert cheapest(rows, 1e-12) is None
-    assert most_accurate(rows, 1.5).method == "fast"
-    assert most_accurate(rows, 0.1) is None
+    assert Target(tolerance=1e-2).met_by(rows).method == "fast"
+    assert Target(tolerance=1e-6).met_by(rows).method == "fine"
+    assert Target(tolerance=1e-12).met_by(rows) is None
+    assert Target(seconds=1.5).met_by(rows).method == "fast"
+    assert Target(seconds=0.1).met_by(rows) is None

@@ -156,4 +156,4 @@ def _drawn(view: LightView, casters: Sequence[Body], size: int) -> Array:
         tile.add(project(one.mesh, light, canvas, CLIP), 0)
     keys = tile.keys.reshape(size, size)
     depth = (keys >> TRIANGLE_BITS) / STEPS[DepthBuffer.FULL]
-    return view.distances(np.where(keys == EMPTY, np.inf, depth))
+    return np.where(keys == EMPTY, np.inf, view.distances(depth))

@@ -1,8 +1,7 @@
-"""Normals and what else stands in a matrix: a translation, a projection, no number at all."""
+"""Normals by the rules that people use, and maps that have no normal matrix at all."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -13,7 +12,7 @@ from nmatrix.enums import NormalRule
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.compensated import cofactors
 from nmatrix.linear.projection import perspective
-from nmatrix.linear.rational import rational_matrix
+from nmatrix.linear.rational import rational_matrix, to_floats
 from nmatrix.linear.rules import normal_transform
 from nmatrix.reading.literal import as_affine
 from nmatrix.reading.matrix import matrix_literal
@@ -25,33 +24,30 @@ Array = NDArray[Any]
 X: tuple[float, ...] = (1.0, 0.0, 0.0)
 
 
-def _moved(by: float) -> Array:
+def _moved(*by: float) -> Array:
     M = np.diag([2.0, 1, 1, 1])
-    M[0, 3] = by
+    M[: len(by), 3] = by
     return M
 
 
-def by_rule(rule: NormalRule, M: Array, n: Sequence[float]) -> list[float]:
-    """Carry a normal by one of the rules that people use, and normalise it."""
+def _by(rule: NormalRule, M: Array) -> tuple[Contestant, ...]:
+    """Carry the normal (1, 0, 0) in our ways and by a rule, and normalise it."""
     found = normal_transform(rule, rational_matrix(M.tolist()))
     assert found is not None  # the cases are invertible
-    matrix = np.array([[float(x) for x in row] for row in found.matrix])
-    carried = (matrix @ [*n, found.w])[: found.components]
-    unit: list[float] = (carried / np.linalg.norm(carried))[:3].tolist()
-    return unit
+    carried = (np.array(to_floats(found.matrix)) @ [*X, found.w])[: found.components]
+    unit = (carried / np.linalg.norm(carried))[:3]
+    return (*ours(M[:3, :3], X), Contestant(rule.value, unit.tolist))
 
 
 def _four_components(id_: str, by: float, reason: str) -> Case:
     """Make a case in which w is taken into the length."""
-    M = _moved(by)
-    four = Contestant("four-component-normalise", lambda: by_rule(NormalRule.FOUR_COMPONENT, M, X))
     return Case(
         id_,
         f"normalising four components, moved by {by:g}",
         f"scale 2 1 1, translate {by:g} 0 0, n = (1, 0, 0)",
         exactly(1, 0, 0),
         reason,
-        (*ours(M[:3, :3], X), four),
+        _by(NormalRule.FOUR_COMPONENT, _moved(by)),
     )
 
 
@@ -113,6 +109,24 @@ def _golden_minor() -> Case:
 
 
 CASES: tuple[Case, ...] = (
+    Case(
+        "M1",
+        "a normal with w = 1",
+        f"n = (1, 0, 0), rule “{NormalRule.TRANSLATED}”",
+        exactly(1, 0, 0),
+        "a normal has no place to be moved from",
+        _by(NormalRule.TRANSLATED, _moved(5.0, 5.0)),
+        is_direction=True,
+    ),
+    Case(
+        "M5",
+        "cofactors of a mirror, unsigned",
+        f"n = (1, 0, 0), rule “{NormalRule.COFACTOR}”",
+        exactly(-1, 0, 0),
+        "cofactor = det · inverse transpose, and det is negative",
+        _by(NormalRule.COFACTOR, np.diag([-1.0, 1, 1, 1])),
+        is_direction=True,
+    ),
     _four_components("N14", 5.0, "w carries −(A⁻¹t)·n, which is no part of a length"),
     _projective(),
     _not_finite(),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from math import cos, pi
 from typing import Any
@@ -20,7 +20,8 @@ from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 
 Array = NDArray[Any]
 Inside = Callable[[Array, float], Array]
-Corners = Sequence[tuple[float, float]]
+Cover = Callable[[Array], Array]
+Naive = tuple[tuple[str, Cover], ...]
 
 SIZE = 64
 FRAME = np.arange(SIZE, dtype=float)
@@ -130,11 +131,11 @@ def once_case(
     given: str,
     triangles: Array,
     reason: str,
-    naive: Sequence[tuple[str, Callable[[Array], Array]]],
+    naive: Naive,
 ) -> Case:
     """Make a case of triangles (N, 3, 2) that fill the picture: doubles and gaps must be 0."""
 
-    def counted(cover: Callable[[Array], Array]) -> Callable[[], list[float]]:
+    def counted(cover: Cover) -> Callable[[], list[float]]:
         def count() -> list[float]:
             hits = sum((cover(one) for one in triangles), np.zeros((SIZE, SIZE), int))
             return [float((hits > 1).sum()), float((hits == 0).sum())]
@@ -154,15 +155,14 @@ def once_case(
     )
 
 
-EDGES: tuple[tuple[str, Callable[[Array], Array]], ...] = (
-    ("edge functions with ≥ 0", lambda one: filled(one, np.greater_equal)),
-    ("edge functions with > 0", lambda one: filled(one, np.greater)),
-)
-FLOAT32_EDGES = (
-    ("float32 edges with ≥ 0", lambda one: filled(one, np.greater_equal, np.float32)),
-    ("float32 edges with > 0", lambda one: filled(one, np.greater, np.float32)),
-)
-FIXED_POINT = (("64-bit fixed point", _in_whole_numbers),)
+def _edge_functions(name: str, dtype: type = np.float64) -> Naive:
+    return (
+        (f"{name} with ≥ 0", lambda one: filled(one, np.greater_equal, dtype)),
+        (f"{name} with > 0", lambda one: filled(one, np.greater, dtype)),
+    )
+
+
+EDGES = _edge_functions("edge functions")
 
 
 def fan(radius: float, centre: tuple[float, float] = (32.0, 32.0)) -> Array:
@@ -231,7 +231,7 @@ CASES: tuple[Case, ...] = (
         "a fan around a sample, corners at 10⁶",
         fan(1e6),
         "float32 has no digits left for the samples themselves",
-        FLOAT32_EDGES,
+        _edge_functions("float32 edges", np.float32),
     ),
     once_case(
         "R5",
@@ -239,7 +239,7 @@ CASES: tuple[Case, ...] = (
         "two halves of a square, corners at ±10⁹",
         halves(1e9),
         "products of fixed-point numbers pass 2⁶³ and wrap; clip to a guard band first",
-        FIXED_POINT,
+        (("64-bit fixed point", _in_whole_numbers),),
     ),
     _floor(
         "R6",

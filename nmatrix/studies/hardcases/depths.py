@@ -10,15 +10,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import DepthRange, Frame
-from nmatrix.linear.affine import compose, rotation, translation_matrix
+from nmatrix.enums import DepthRange
+from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace, perspective
-from nmatrix.linear.rational import RationalMatrix, rational_matrix, rational_vector, to_floats
+from nmatrix.linear.rational import RationalMatrix, to_floats
 from nmatrix.raster.triangles.visibility import TRIANGLE_MASK
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.setup import Setup
 from nmatrix.scene.words import DepthBuffer
-from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
-from nmatrix.spaces.transform import Transform
+from nmatrix.scene.world import World
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
 from nmatrix.studies.hardcases.coverage import rasterized
 
@@ -119,32 +121,25 @@ def _told_apart(id_: str, distance: float, gap: float) -> Case:
 def _concatenated() -> Case:
     """P·V·M of an object and a camera that are both far away, in float32 and rounded once."""
     far = 2.0**20
-    turn = [Angle.degrees(d) for d in (20, 30, 40)]
-    M = rational_matrix(to_floats(compose(rotation(turn), (1, 1, 1), translate=(far, 1, -far))))
-    V = translation_matrix((-far, 0, far - 5))
-    P = rational_matrix(perspective(Angle.degrees(30), 1.0, NEAR, inf))
+    place = World((far, 1, -far), rotate_degrees=(20, 30, 40))
+    view = View(matrix=translation_matrix((-far, 0, far - 5)))
+    maps = Setup(place, view, Lens(near=NEAR, far=inf)).maps
+    matrices = (maps.world_from_object.exact, maps.camera_from_world.exact, maps.clip_from_camera)
     point = (0.25, 0.5, -0.125)
-    maps = ExactMaps(
-        Transform(Frame.WORLD, Frame.OBJECT, M),
-        Transform(Frame.CAMERA, Frame.WORLD, V),
-        P,
-        rational_vector((far, 0, 5 - far)),
-        WorldLight(rational_vector((0, -1, 0)), None),
-    )
 
     def by(matrix: Array) -> list[float]:
         clip = matrix @ np.array([*point, 1.0], matrix.dtype)
         return [float(x) for x in clip[:3] / clip[3]]
 
     def float32() -> list[float]:
-        P32, V32, M32 = (np.array(to_floats(one), np.float32) for one in (P, V, M))
-        return by(P32 @ V32 @ M32)
+        M, V, P = (np.array(to_floats(one), np.float32) for one in matrices)
+        return by(P @ V @ M)
 
     return Case(
         "D8",
         "one matrix for everything, far from the origin",
         f"object and eye at {far:g}, one vertex to normalised coordinates",
-        _one_after_the_other((M, V, P), point),
+        _one_after_the_other(matrices, point),
         "the two translations cancel, if they were not rounded before",
         (
             own("exact product", lambda: by(np.array(to_floats(maps.clip_from_object)))),

@@ -43,12 +43,11 @@ def _zero_vector(id_: str, title: str) -> Case:
 
 def _length_case(id_: str, scale: float) -> Case:
     v = tuple(x * scale for x in EASY)
-    true = exactly(*(Fraction(x) for x in v))
     return Case(
         id_,
         f"a vector of size {scale:.0e}",
         f"(3, 4, 12) · {scale!r}",
-        true,
+        exactly(*v),
         "its square leaves the floats, its direction does not",
         _normalising(v),
         is_direction=True,

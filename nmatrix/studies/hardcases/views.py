@@ -1,4 +1,4 @@
-"""Views along up, and eyes far away."""
+"""Views along up, eyes far away, and matrices in the wrong order."""
 
 from __future__ import annotations
 
@@ -7,24 +7,30 @@ from fractions import Fraction
 
 import numpy as np
 
-from nmatrix.enums import Convention, Frame, Handedness, Space
-from nmatrix.linear import rational
-from nmatrix.linear.affine import compose, rotation
+from nmatrix.enums import Convention, Handedness, Space
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import rational_vector, to_floats
+from nmatrix.linear.rational import linear_part, to_floats
 from nmatrix.linear.view import first_person, look_at
-from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
-from nmatrix.spaces.transform import Transform
+from nmatrix.scene.camera import View
+from nmatrix.scene.setup import Setup
+from nmatrix.scene.world import World
 from nmatrix.studies.hardcases.case import Case, Contestant, exactly, own
-from nmatrix.studies.hardcases.oracle import solve
+from nmatrix.studies.hardcases.oracle import exact_rows, solve
 
 Vector = tuple[float, float, float]
+Rows = Sequence[Sequence[float]]
 
+ORIGIN: Vector = (0.0, 0.0, 0.0)
 UPRIGHT: Vector = (0.0, 1.0, 0.0)
 
 
-def _frame_error(camera_from_world: Sequence[Sequence[float]]) -> list[float]:
-    R = [[Fraction(x) for x in row[:3]] for row in camera_from_world[:3]]
+def _looking(eye: Vector, target: Vector, up: Vector = UPRIGHT) -> Rows:
+    return look_at(eye, target, up, Handedness.RIGHT).camera_from_world
+
+
+def _frame_error(camera_from_world: Rows) -> list[float]:
+    """Find the largest entry of R Rᵀ − 1, which is 0 for a rotation."""
+    R = exact_rows(row[:3] for row in camera_from_world[:3])
     return [
         max(
             abs(float(sum(a * b for a, b in zip(R[i], R[j], strict=True)) - (i == j)))
@@ -49,7 +55,7 @@ def _crossed(eye: Vector, target: Vector, up: Vector) -> list[list[float]]:
 
 
 def _view_case(id_: str, title: str, target: Vector, up: Vector, reason: str) -> Case:
-    eye = (0.0, 0.0, 0.0)
+    eye = ORIGIN
     return Case(
         id_,
         title,
@@ -57,10 +63,7 @@ def _view_case(id_: str, title: str, target: Vector, up: Vector, reason: str) ->
         exactly(0),
         reason,
         (
-            own(
-                "look_at",
-                lambda: _frame_error(look_at(eye, target, up, Handedness.RIGHT).camera_from_world),
-            ),
+            own("look_at", lambda: _frame_error(_looking(eye, target, up))),
             Contestant("two cross products", lambda: _frame_error(_crossed(eye, target, up))),
         ),
     )
@@ -75,44 +78,25 @@ def _no_view() -> Case:
         None,
         "there is no direction to look in",
         (
-            own(
-                "look_at",
-                lambda: look_at(here, here, UPRIGHT, Handedness.RIGHT).camera_from_world[0],
-            ),
+            own("look_at", lambda: _looking(here, here)[0]),
             Contestant("two cross products", lambda: _crossed(here, here, UPRIGHT)[0]),
         ),
     )
 
 
 def _eye_case(id_: str, far: float) -> Case:
-    turn = rational.linear_part(
-        rational.rational_matrix(
-            to_floats(compose(rotation([Angle.degrees(d) for d in (20, 30, 40)]), (1, 1, 1)))
-        )
-    )
-    M = rational.affine_matrix(turn, rational_vector((far, far, far)))
-    eye = tuple(far + x for x in (3.0, -2.0, 1.0))
-    place = Transform(Frame.WORLD, Frame.OBJECT, M)
-    V = rational.rational_matrix(
-        look_at(eye, (far, far, far), UPRIGHT, Handedness.RIGHT).camera_from_world
-    )
-    camera = Transform(Frame.CAMERA, Frame.WORLD, V)
-    maps = ExactMaps(
-        place,
-        camera,
-        rational.identity(4),
-        rational_vector(eye),
-        WorldLight(rational_vector((0, -1, 0)), None),
-    )
+    eye = (far + 3.0, far - 2.0, far + 1.0)
+    place = World((far, far, far), rotate_degrees=(20, 30, 40))
+    maps = Setup(place, View(eye, target=(far, far, far))).maps
     away = [Fraction(e) - Fraction(far) for e in eye]
-    true = solve(turn, away)
+    true = solve(linear_part(maps.world_from_object.exact), away)
 
     def by_inverse() -> list[float]:
         return list(map(float, maps.eye_in(Space.OBJECT)))
 
     def course() -> list[float]:
-        product = np.array(camera.matrix) @ np.array(place.matrix)
-        found: list[float] = np.linalg.inv(product)[:3, 3].tolist()
+        V, M = maps.camera_from_world.matrix, maps.world_from_object.matrix
+        found: list[float] = np.linalg.inv(np.array(V) @ np.array(M))[:3, 3].tolist()
         return found
 
     return Case(
@@ -130,16 +114,11 @@ def _orbit() -> Case:
     turn = Angle.degrees(30)
 
     def ours() -> list[float]:
-        return list(
-            to_floats(
-                first_person(
-                    (0, 0, 0), Angle.degrees(90), turn, Angle.degrees(0), Convention.STANDARD
-                )
-            )[0][:3]
-        )
+        up, level = Angle.degrees(90), Angle.degrees(0)
+        return list(to_floats(first_person(ORIGIN, up, turn, level, Convention.STANDARD))[0][:3])
 
     def crossed() -> list[float]:
-        return _crossed((0, 0, 0), (0.0, 1.0, 0.0), UPRIGHT)[0]
+        return _crossed(ORIGIN, UPRIGHT, UPRIGHT)[0]
 
     true = exactly(turn.cosine, 0, -turn.sine)
     return Case(
@@ -149,6 +128,45 @@ def _orbit() -> Case:
         true,
         "the azimuth knows what a cross product has lost",
         (own("first_person", ours), Contestant("two cross products", crossed)),
+    )
+
+
+def _lamp() -> Case:
+    eye: Vector = (0.0, 0.0, 5.0)
+    V = np.array(_looking(eye, ORIGIN))
+    M = np.array([[1.0, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    maps = Setup(view=View(eye)).maps
+    return Case(
+        "M4",
+        "a lamp in the world, moved by V·M",
+        "eye 0 0 5, lamp 1 2 3, object at 3 0 0",
+        exactly(1, 2, -2),
+        "M moves the object, not a lamp that stands in the world",
+        (
+            own("V p", lambda: maps.camera_from_world.point((1, 2, 3))),
+            Contestant("V M p", (V @ M @ [1, 2, 3, 1])[:3].tolist),
+        ),
+    )
+
+
+def _tilted() -> Case:
+    eye: Vector = (3.0, 3.0, 3.0)
+    V = _looking(eye, ORIGIN)
+    R = np.array(V)[:3, :3]
+
+    def eye_seen() -> list[float]:
+        return [sum(a * b for a, b in zip(row, (*eye, 1), strict=True)) for row in V[:3]]
+
+    return Case(
+        "M6",
+        "a view that turns before it moves",
+        "eye 3 3 3, target 0 0 0: the eye in camera space",
+        exactly(0, 0, 0),
+        "V = R · T(−eye): the eye must come out as the origin",
+        (
+            own("look_at", eye_seen),
+            Contestant("T(−eye) · R", (R @ np.array(eye) - np.array(eye)).tolist),
+        ),
     )
 
 
@@ -165,4 +183,6 @@ CASES: tuple[Case, ...] = (
     _orbit(),
     _eye_case("E5", 1e8),
     _eye_case("E6", 1e15),
+    _lamp(),
+    _tilted(),
 )
