@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from enum import StrEnum
 from typing import TypeVar
 
-from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity
 
 Words = TypeVar("Words", bound=StrEnum)
 
@@ -31,7 +31,7 @@ def chosen(
         return words(word)
     shown = word if isinstance(word, str) else type(word).__name__
     raise IllegalValueError(
-        f"{quantity(parameter)} ({shown[:40]})",
+        f"{quantity(parameter)} ({printable(shown[:40])})",
         f"it is one of {', '.join(right)}",
         did_you_mean(str(shown), right, f"try {right[0]}"),
     )

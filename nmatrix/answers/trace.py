@@ -22,8 +22,8 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
     """
     found = follow(
         setup.maps,
-        [float(component) for component in point],
-        None if normal is None else [float(component) for component in normal],
+        point,
+        normal,
         setup.lens.clip,
         viewport,
     )

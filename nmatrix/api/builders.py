@@ -21,7 +21,7 @@ from nmatrix.enums import API_PRESETS, Api, ClipY, Convention, DepthRange, Hande
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear import affine, projection, rational, view
 from nmatrix.linear.angle import Angle, as_angle
-from nmatrix.linear.projection import ClipSpace, Window
+from nmatrix.linear.projection import ClipSpace, Window, clip_space
 from nmatrix.linear.rational import Rows
 from nmatrix.scene.given import refuse_together
 
@@ -241,7 +241,7 @@ def perspective(
     >>> perspective(Angle.degrees(90), 2.0, 1.0)[0].tolist()
     [0.5, 0.0, 0.0, 0.0]
     """
-    space = _clip(clip)
+    space = clip_space(clip, "clip")
     return places.each(
         lambda fov, ratio, n, f: projection.perspective(_half(fov), ratio, n, f, space),
         (
@@ -343,7 +343,7 @@ def _through(
     clip: ClipSpace | str,
 ) -> Array:
     """Build projections through a window."""
-    space = _clip(clip)
+    space = clip_space(clip, "clip")
     sides: Any = astuple(window) if isinstance(window, Window) else window
     return places.each(
         lambda four, n, f: build(Window(*four), n, f, space),
@@ -352,12 +352,6 @@ def _through(
             places.real("near", near, ()),
             places.distance("far", far),
         ),
-    )
-
-
-def _clip(clip: ClipSpace | str) -> ClipSpace:
-    return (
-        clip if isinstance(clip, ClipSpace) else ClipSpace(*API_PRESETS[chosen(Api, clip, "clip")])
     )
 
 

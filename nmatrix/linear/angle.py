@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import cos, isqrt, sin
 
+from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rounding import direction, nearest
 from nmatrix.linear.values import listed, number, real
 from nmatrix.report import Number, Vector
@@ -55,7 +56,17 @@ class Angle:
         return cls(Fraction(sin(size)), Fraction(cos(size)))
 
     def half(self) -> Angle:
-        """Halve an angle between 0 and 180°, from tan(θ/2) = sin θ / (1 + cos θ)."""
+        """Halve an angle between 0 and 180°, from tan(θ/2) = sin θ / (1 + cos θ).
+
+        Raises
+        ------
+        IllegalValueError
+            For an angle below 0.
+        """
+        if self.sine < 0:
+            raise IllegalValueError(
+                f"half of {self!r}", "it is for angles from 0 to 180°", "halve −a and negate that"
+            )
         bits = BITS * 2
         squared = (1 + self.cosine) / 2
         cosine = Fraction(
@@ -84,8 +95,8 @@ class Angle:
         return rounded if Angle.degrees(rounded) == self else exact
 
     def __repr__(self) -> str:
-        """Return the call that makes this angle, or one within rounding of it."""
-        return f"Angle.degrees({float(self.in_degrees):.15g})"
+        """Return the call that makes this angle, or the nearest one that a float makes."""
+        return f"Angle.degrees({str(float(self.in_degrees)).removesuffix('.0')})"
 
     def __neg__(self) -> Angle:
         return Angle(-self.sine, self.cosine)

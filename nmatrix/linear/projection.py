@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import partial
 from math import inf
 
-from nmatrix.enums import ClipY, DepthRange, Handedness, chosen
+from nmatrix.enums import API_PRESETS, Api, ClipY, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
@@ -45,6 +45,19 @@ class ClipSpace:
     def y_sign(self) -> int:
         """Return 1 where y in clip space points up, −1 where it points down."""
         return 1 if self.clip_y is ClipY.UP else -1
+
+
+def clip_space(given: object, name: str) -> ClipSpace:
+    """Return a clip space, or that of an interface: opengl, vulkan, direct3d, metal, webgpu.
+
+    Examples
+    --------
+    >>> clip_space("vulkan", "clip").clip_y
+    <ClipY.DOWN: 'down'>
+    """
+    return (
+        given if isinstance(given, ClipSpace) else ClipSpace(*API_PRESETS[chosen(Api, given, name)])
+    )
 
 
 @dataclass(frozen=True)

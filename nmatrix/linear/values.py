@@ -5,7 +5,7 @@ Anything array-like will do: its `tolist` makes Python numbers of it, so NumPy n
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from math import isfinite
@@ -16,6 +16,8 @@ from typing import Any
 
 from nmatrix.errors import LONGEST_QUOTE, IllegalValueError, quantity
 from nmatrix.report import Number, Vector
+
+WHOLE = "the matrix is the whole answer"
 
 Reader = Callable[[Any, str], object]  # of a value, under the name that an error speaks of
 
@@ -145,6 +147,27 @@ def read_fields(value: object, **readers: Reader) -> None:
 def named(name: str, read: Reader) -> Reader:
     """Make a reader whose errors speak of another name than the field's."""
     return lambda given, _: read(given, name)
+
+
+def refuse_beside(
+    value: object, field: str, name: str, parts: Mapping[str, str], because: str = WHOLE
+) -> None:
+    """Refuse a field of a frozen value beside parts that it takes the place of.
+
+    `parts` are fields and what an error calls them; a part at its default was not given.
+    """
+    if getattr(value, field) is None:
+        return
+    usual = type(value)
+    beside = [parts[part] for part in parts if getattr(value, part) != getattr(usual, part)]
+    if beside:
+        raise contradiction(quantity(name), beside, because)
+
+
+def contradiction(what: str, beside: Iterable[str], because: str) -> IllegalValueError:
+    """Make the error for two things of which only one can be said."""
+    together = f"{what} with {', '.join(map(quantity, beside))}"
+    return IllegalValueError(together, because, "keep one of them")
 
 
 def refused(value: object, name: str, why: str, next_step: str) -> IllegalValueError:

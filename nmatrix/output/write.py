@@ -8,7 +8,7 @@ from typing import Protocol, assert_never
 
 from nmatrix.enums import Format, Layout
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.values import number
+from nmatrix.linear.values import whole
 from nmatrix.report import Report
 
 MOST_DIGITS = 17
@@ -50,10 +50,10 @@ class OutputOptions:
     colour: Colour = Colour.PLAIN
 
     def __post_init__(self) -> None:
-        digits = number(self.digits, "digits")
-        if not (isinstance(digits, int) and 1 <= digits <= MOST_DIGITS):
+        object.__setattr__(self, "digits", whole(self.digits, "digits"))
+        if not 1 <= self.digits <= MOST_DIGITS:
             raise IllegalValueError(
-                f"{quantity('digits')} ({digits})",
+                f"{quantity('digits')} ({self.digits})",
                 f"a float64 has 1 to {MOST_DIGITS} significant digits",
                 f"try {quantity('digits')} 6",
             )

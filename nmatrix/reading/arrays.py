@@ -4,9 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nmatrix.linear.rational import RationalMatrix
+from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.rational import RationalMatrix, is_affine, transpose
 from nmatrix.linear.values import listed, number, plain_value, refused
-from nmatrix.reading.literal import MatrixLiteral, as_affine, as_projection
+from nmatrix.reading.literal import (
+    SQUARES,
+    MatrixLiteral,
+    as_affine,
+    as_projection,
+    typed_decimals,
+)
 from nmatrix.reading.matrix import matrix_literal
 
 SIZES = (1, 2, 3, 4)
@@ -25,7 +32,13 @@ def read_affine(values: object, name: str) -> RationalMatrix:
     >>> read_affine([[2, 0, 0], [0, 2, 0], [0, 0, 2]], "world_matrix")[0]
     (Fraction(2, 1), Fraction(0, 1), Fraction(0, 1), Fraction(0, 1))
     """
-    return as_affine(read_matrix(values, name)).rows_exact
+    found = read_matrix(values, name)
+    if not isinstance(values, str) and found.shape == (4, 4):
+        rows = found.rows_exact
+        if not is_affine(rows) and is_affine(transpose(rows)):
+            why = "its last column is 0 0 0 1 and its last row is not: it is for row vectors"
+            raise IllegalValueError(f"{quantity(name)}, a matrix", why, "transpose it")
+    return as_affine(found).rows_exact
 
 
 def read_projection(values: object, name: str) -> RationalMatrix:
@@ -47,16 +60,26 @@ def read_matrix(values: object, name: str) -> MatrixLiteral:
         return matrix_literal(values, source=name)
     if isinstance(values, MatrixLiteral):
         return values
-    rows = [plain_value(row, name) for row in listed(values, name, (*SIZES, 9, 16))]
+    rows = _rows(values, name)
+    # An array's numbers as their own type writes them: 0.333 claims three decimals in float32, too.
+    written = _rows(values.astype(str), name) if hasattr(values, "astype") else rows
+    return MatrixLiteral(
+        tuple(
+            tuple(Fraction(number(one, f"{name}[{i}, {j}]")) for j, one in enumerate(row))
+            for i, row in enumerate(rows)
+        ),
+        name,
+        tuple(tuple(typed_decimals(str(one)) for one in row) for row in written),
+    )
+
+
+def _rows(values: object, name: str) -> list[list[object]]:
+    """Return rows of equal lengths; nine or sixteen numbers are a square."""
+    rows = [plain_value(row, name) for row in listed(values, name, (*SIZES, *SQUARES))]
     if not any(isinstance(row, list | tuple) for row in rows):
-        rows = [rows]
+        side = SQUARES.get(len(rows), len(rows))
+        rows = [rows[start : start + side] for start in range(0, len(rows), side)]
     if len(rows) not in SIZES:
         raise refused(values, name, f"it has {len(rows)} rows", "give 1 to 4")
     width = len(listed(rows[0], name, SIZES))
-    entries = tuple(_row(row, i, width, name) for i, row in enumerate(rows))
-    return MatrixLiteral(entries, name, ((None,) * width,) * len(rows))
-
-
-def _row(row: object, i: int, width: int, name: str) -> tuple[Fraction, ...]:
-    entries = listed(row, f"{name}[{i}]", (width,))
-    return tuple(Fraction(number(one, f"{name}[{i}, {j}]")) for j, one in enumerate(entries))
+    return [listed(row, f"{name}[{i}]", (width,)) for i, row in enumerate(rows)]

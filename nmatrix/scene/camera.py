@@ -10,7 +10,7 @@ from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.angle import Angle, float_turn
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
-from nmatrix.linear.values import named, read_fields, vector
+from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
 from nmatrix.linear.view import first_person, look_at
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
@@ -23,6 +23,8 @@ _POLIMI = (
     "convention polimi: a positive angle looks to the right: V = Rx(−elevation) · Ry(+angle) · "
     "T(−eye)"
 )
+
+AIM = ("target", "up")  # where to look, unless angles say so
 
 
 @dataclass(frozen=True)
@@ -64,10 +66,13 @@ class View:
             eye=vector,
             target=vector,
             up=vector,
+            angles=_read_angles,
             matrix=named("view_matrix", read_affine),
             handed=partial(chosen, Handedness),
             convention=partial(chosen, Convention),
         )
+        refuse_beside(self, "matrix", "view_matrix", {one: one for one in ("eye", *AIM, "angles")})
+        refuse_beside(self, "angles", "angles", {one: one for one in AIM}, "both say where to look")
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
                 f"{quantity('elevation')}/{quantity('angle')} with {quantity('handed')} left",
@@ -111,6 +116,12 @@ class View:
         return PlacedCamera(
             rational.rational_matrix(to_floats(exact)), rational_vector(self.eye), remarks
         )
+
+
+def _read_angles(given: object, name: str) -> FirstPerson:
+    if isinstance(given, FirstPerson):
+        return given
+    return FirstPerson(*listed(given, name, (2, 3)))  # type: ignore[arg-type]  # all read there
 
 
 def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:

@@ -14,8 +14,9 @@ from typing import Any
 
 from nmatrix.enums import API_PRESETS, Api, Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
-from nmatrix.linear.projection import ClipSpace, check_aspect
-from nmatrix.scene.camera import FirstPerson, View
+from nmatrix.linear.projection import ClipSpace, check_aspect, clip_space
+from nmatrix.linear.values import WHOLE, contradiction
+from nmatrix.scene.camera import AIM, FirstPerson, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
@@ -23,12 +24,10 @@ from nmatrix.scene.world import World
 Given = Mapping[str, Any]
 
 PLACE = ("translate", "rotate", "quaternion", "scale", "shear", "order")
-AIM, ANGLES = ("target", "up"), ("elevation", "angle", "roll")
+ANGLES = ("elevation", "angle", "roll")
 SHAPE = ("fov", "aspect", "near", "far", "ortho", "frustum")
 CLIP = ("depth", "handed", "clip_y")
 LIGHT = ("light_direction", "light_angles", "light_position")
-
-WHOLE = "the matrix is the whole answer"
 
 
 def world_of(given: Given, base: World | None = None) -> World:
@@ -54,7 +53,7 @@ def world_of(given: Given, base: World | None = None) -> World:
     convention = chosen(Convention, found.get("convention", Convention.STANDARD), "convention")
     if convention is not Convention.STANDARD and "order" in found:
         course = f"{quantity('convention')} {convention}"
-        raise _contradiction(course, ["order"], "the course fixes the order")
+        raise contradiction(course, ["order"], "the course fixes the order")
     if "world_matrix" in found:
         return World(matrix=found["world_matrix"], convention=convention)
     base = base or World()
@@ -90,13 +89,14 @@ def view_of(given: Given, base: View | None = None) -> View:
     angles = {name: found.pop(name) for name in ANGLES if name in found}
     aimed = [name for name in AIM if name in found]
     if angles and aimed:
-        raise _contradiction(quantity(next(iter(angles))), aimed, "both say where to look")
+        raise contradiction(quantity(next(iter(angles))), aimed, "both say where to look")
     if aimed or angles or "eye" in found:
         found["matrix"] = None
     if aimed:
         found["angles"] = None
     elif angles:
         found["angles"] = replace(base.angles or FirstPerson(), **angles)
+        base = replace(base, target=View.target, up=View.up)
     return replace(base, **found)
 
 
@@ -154,13 +154,13 @@ def refuse_together(name: str, others: Iterable[str], given: Given, because: str
     """Refuse a name beside any of the others, if both were given."""
     beside = [one for one in others if one in given]
     if name in given and beside:
-        raise _contradiction(quantity(name), beside, because)
+        raise contradiction(quantity(name), beside, because)
 
 
 def _clip_space(given: Given, base: ClipSpace) -> ClipSpace:
     """Take an interface's clip space, or the base's, and put what was given by itself over it."""
     if "api" in given:
-        base = ClipSpace(*API_PRESETS[chosen(Api, given["api"], "api")])
+        base = clip_space(given["api"], "api")
     return replace(base, **{name: given[name] for name in CLIP if name in given})
 
 
@@ -180,8 +180,3 @@ def _known(given: Given, names: tuple[str, ...], what: str) -> dict[str, Any]:
                 did_you_mean(str(name), names, f"the parts are {', '.join(names)}"),
             )
     return {name: value for name, value in given.items() if value is not None}
-
-
-def _contradiction(what: str, beside: Iterable[str], because: str) -> IllegalValueError:
-    together = f"{what} with {', '.join(map(quantity, beside))}"
-    return IllegalValueError(together, because, "keep one of them")

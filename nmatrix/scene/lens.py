@@ -12,6 +12,7 @@ from nmatrix.linear.projection import (
     DEFAULT_CLIP_SPACE,
     ClipSpace,
     Window,
+    clip_space,
     frustum,
     orthographic,
     perspective,
@@ -44,6 +45,7 @@ class Lens:
             ortho=_read_window,
             frustum=_read_window,
             matrix=named("projection_matrix", read_projection),
+            clip=clip_space,
         )
 
     @property

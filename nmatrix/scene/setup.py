@@ -11,7 +11,7 @@ from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle, direction_from_angles, turns
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
-from nmatrix.linear.values import named, number, read_fields, vector
+from nmatrix.linear.values import named, number, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
@@ -37,6 +37,8 @@ class Light:
             angles_degrees=named("light_angles", partial(turns, size=2)),
             position=named("light_position", vector),
         )
+        both = {"direction": "light_direction"}
+        refuse_beside(self, "angles_degrees", "light_angles", both, "both are the direction")
 
     def placed(self) -> WorldLight:
         """Return the light in world space; nothing given means daylight.

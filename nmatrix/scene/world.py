@@ -11,7 +11,7 @@ from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle, turns
 from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
-from nmatrix.linear.values import named, read_fields, vector
+from nmatrix.linear.values import named, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
@@ -23,6 +23,10 @@ _ASSIGNMENTS_REMARK = (
     "convention polimi-assignments: the first angle turns about y and the second about x: "
     "M = T · Rx(ry) · Ry(rx) · Rz(rz) · S"
 )
+
+
+_PARTS = {name: name for name in ("translate", "quaternion", "scale", "shear", "order")}
+_PARTS["rotate_degrees"] = "rotate"
 
 
 @dataclass(frozen=True)
@@ -68,6 +72,7 @@ class World:
             matrix=named("world_matrix", read_affine),
         )
         affine.checked_order(self.order)
+        refuse_beside(self, "matrix", "world_matrix", _PARTS)
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
                 raise IllegalValueError(

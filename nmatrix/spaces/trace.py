@@ -5,7 +5,6 @@ Every number stays exact until a writer rounds it; nothing is divided by w ≤ 0
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -14,6 +13,7 @@ from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.exact import Normal
 from nmatrix.linear.projection import NDC_DEPTH, ClipSpace
 from nmatrix.linear.rational import RationalVector, apply, rational_vector
+from nmatrix.report import Vector
 from nmatrix.spaces.exact_maps import ExactMaps
 
 
@@ -64,8 +64,8 @@ class Trace:
 
 def trace(
     maps: ExactMaps,
-    point: Sequence[float],
-    normal: Sequence[float] | None,
+    point: Vector,
+    normal: Vector | None,
     clip: ClipSpace,
     viewport: Viewport,
 ) -> Trace:
@@ -129,7 +129,7 @@ def _window(ndc: RationalVector, clip: ClipSpace, viewport: Viewport) -> Rationa
     return (x + 1) / 2 * width, (y + 1) / 2 * height, depth
 
 
-def _traced_normal(maps: ExactMaps, normal: Sequence[float]) -> TracedNormal:
+def _traced_normal(maps: ExactMaps, normal: Vector) -> TracedNormal:
     world = maps.world_from_object
     return TracedNormal(
         object=rational_vector(normal),

@@ -50,6 +50,8 @@ class Transform:
     source: Frame
     exact: RationalMatrix
 
+    __array_ufunc__ = None  # NumPy asks here what an array @ a transform is, and not each entry
+
     def __post_init__(self) -> None:
         read_fields(
             self,
@@ -96,6 +98,8 @@ class Transform:
 
     def __matmul__(self, other: Transform) -> Transform:
         """Compose two maps, the right one first; the inner frames must be the same."""
+        if not isinstance(other, Transform):
+            raise self._frameless(other)
         if self.source is not other.to:
             raise FrameError(
                 f"{self.name} @ {other.name}",
@@ -103,6 +107,17 @@ class Transform:
                 f"put a map {self.source}_from_{other.to} between them, or swap the two",
             )
         return Transform(self.to, other.source, rational.product(self.exact, other.exact))
+
+    def __rmatmul__(self, other: object) -> Transform:
+        """Refuse what knows no frames on the left, too."""
+        raise self._frameless(other)
+
+    def _frameless(self, other: object) -> FrameError:
+        return FrameError(
+            f"{self.name} and a {type(other).__name__}",
+            "only two transforms compose: an array knows no frames",
+            "ask point, vector or normal for an image, or multiply with .matrix",
+        )
 
     def inverse(self) -> Transform:
         """Invert the map.

@@ -431,7 +431,7 @@ def nice_shot(seed: int) -> Setup:
     )
     view = View(eye=tuple(draw.randint(-5, 5) for _ in range(3)), target=(0, 0.5, -7))
     if seed % 2:
-        view = replace(view, angles=FirstPerson(draw.choice(angles), draw.choice(angles), 0))
+        view = View(view.eye, angles=FirstPerson(draw.choice(angles), draw.choice(angles), 0))
     handed = draw.choice(list(Handedness)) if not seed % 2 else Handedness.RIGHT
     clip = ClipSpace(draw.choice(list(DepthRange)), handed, draw.choice(list(ClipY)))
     lens = Lens(draw.choice([45, 60, 90]), draw.choice([1.5, 2, 0.75]), 0.5, 20, clip=clip)

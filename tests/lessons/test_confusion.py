@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -40,7 +39,7 @@ def scene(seed: int) -> Setup:
     )
     view = View(eye=three(range(-5, 6)), target=(0, 0.5, -7))
     if seed % 2:
-        view = replace(view, angles=FirstPerson(*three((0, 30, -45, 60))))
+        view = View(view.eye, angles=FirstPerson(*three((0, 30, -45, 60))))
     clip = ClipSpace(draw.choice(list(DepthRange)), draw.choice(list(Handedness)))
     lens = Lens(draw.choice((45, 60, 90)), draw.choice((1.5, 2, 0.75)), 0.5, 20, clip=clip)
     light = Light(three((1, -2, 3, 4)), position=three(range(-5, 6)))

@@ -78,6 +78,12 @@ class Question:
     light: LightPart = LightPart.DIRECTION
 
     def __post_init__(self) -> None:
+        if self.tolerance is not None and self.tolerance < 0:
+            raise IllegalValueError(
+                f"{quantity('tolerance')} ({float(self.tolerance):g})",
+                "it is a number from 0 up",
+                "try 1e-3",
+            )
         if self.unit and not self.is_direction and self.subject is not Subject.NORMAL:
             raise IllegalValueError(
                 f"{quantity('unit')} with {self.subject}",

@@ -120,4 +120,4 @@ def _reordered_views(view: View, angles: FirstPerson) -> Iterator[View]:
     for order in permutations("ZXY"):
         turned = exact.product(*(about[axis] for axis in order))
         moved = apply(turned, eye)
-        yield replace(view, angles=None, matrix=affine_matrix(turned, tuple(-x for x in moved)))
+        yield View(matrix=affine_matrix(turned, tuple(-x for x in moved)))

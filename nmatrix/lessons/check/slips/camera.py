@@ -49,7 +49,7 @@ def view_of_the_other_hand(setup: Setup) -> Iterator[Setup]:
     if view.matrix is None and view.angles is None:
         yield replace(setup, view=replace(view, handed=OTHER_HAND[view.handed]))
     mirrored = product(OTHER_Z, view.placed().camera_from_world)
-    yield replace(setup, view=View(eye=view.eye, matrix=mirrored))
+    yield replace(setup, view=View(matrix=mirrored))
 
 
 def angle_in_radians(setup: Setup) -> Iterator[Setup]:
