@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterable
 from typing import ClassVar
 
 _OPEN, _CLOSE = "\ufdd0", "\ufdd1"  # noncharacters: no text from outside holds them
+_UNPRINTABLE = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")  # what would leave the line
 _NAME = re.compile(f"{_OPEN}(\\w+){_CLOSE}")
 
 
@@ -87,10 +88,13 @@ class NMatrixError(Exception):
         return _restored, (type(self), self.args, self.__dict__)
 
     def spelled(self, spell: Callable[[str], str]) -> str:
-        """Return the line with the name of every quantity as `spell` types it."""
+        """Return one line, with the name of every quantity as `spell` types it."""
         what, *others = (_NAME.sub(lambda one: spell(one[1]), part) for part in self.parts)
         reason = "; ".join(part for part in others if part)
-        return ": ".join(part for part in (what, reason) if part)
+        line = ": ".join(part for part in (what, reason) if part)
+        return (
+            line if line.isprintable() else _UNPRINTABLE.sub(lambda one: repr(one[0])[1:-1], line)
+        )
 
 
 def _restored(kind: type[NMatrixError], args: tuple[object, ...], state: object) -> NMatrixError:

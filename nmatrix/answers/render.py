@@ -6,8 +6,8 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space
-from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.raster.proofs.catalogue import catalogued
+from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
@@ -87,7 +87,7 @@ def is_proof(subject: str, **beside: object) -> bool:
             f"render ({subject[:60]})",
             f"it is no proof; scenes end in {', '.join(SCENES)}, "
             f"meshes in {', '.join(MESH_SUFFIXES)}",
-            "see nmatrix render --list",
+            did_you_mean(subject, [one.name for one in PROOFS], "see nmatrix render --list"),
         )
     for name, given in beside.items():
         if given is not None:

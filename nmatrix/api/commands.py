@@ -9,7 +9,7 @@ from pathlib import Path
 from nmatrix.api.report import Report
 from nmatrix.api.setup import Part, Setup, setup_values, world_part
 from nmatrix.enums import Space
-from nmatrix.linear.values import named_file, number, refused, text, vector, whole
+from nmatrix.linear.values import flag, named_file, number, refused, text, vector, whole
 from nmatrix.reading.arrays import read_matrix
 from nmatrix.spaces.shading_spaces import space_named
 
@@ -63,8 +63,8 @@ def calc(
             else read_matrix(value, name).rows_exact
         )
         names = with_name(names, text(name, "let"), rows)
-    arithmetic = Arithmetic.FLOAT if rounded else Arithmetic.EXACT
-    return Report(report(calculate(typed, names, arithmetic), with_steps=steps))
+    arithmetic = Arithmetic.FLOAT if flag(rounded, "rounded") else Arithmetic.EXACT
+    return Report(report(calculate(typed, names, arithmetic), with_steps=flag(steps, "steps")))
 
 
 def derive(case: str = "rule", world: Part = None) -> Report:
@@ -130,7 +130,7 @@ def check(
         chosen(Subject, what, "what"),
         setup_values(setup),
         space_named(space),
-        unit=bool(unit),
+        unit=flag(unit, "unit"),
         tolerance=None if tolerance is None else Fraction(number(tolerance, "tolerance")),
         normal=None if normal is None else vector(normal, "normal"),
     )

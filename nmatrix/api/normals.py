@@ -20,7 +20,7 @@ from nmatrix.linear.certified import STATUSES, UNDEFINED
 from nmatrix.linear.classify import BUILT, Classification
 from nmatrix.linear.classify import classify as _classify
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.values import real
+from nmatrix.linear.values import flag, real
 
 Array = NDArray[Any]
 
@@ -235,7 +235,7 @@ def transform_normals(
     >>> found.normals.tolist(), found.status.tolist()
     ([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]], ['two-sided', 'undefined'])
     """
-    how = chosen(Level, level, "level")
+    how, status = chosen(Level, level, "level"), flag(status, "status")
     maps, normals = arrays.matrices(A, "A")[..., :3, :3], arrays.vectors(n, "n")
     shape = _broadcast("A", maps.shape[:-2], "n", normals.shape[:-1])
     found = arrays.room(out, (*shape, 3), arrays.native(normals))
@@ -252,14 +252,14 @@ def transform_normals(
             for part, carried in batched.transform_normals(A[:1] if is_one else A, n, how):
                 if codes is not None and bounds is not None:
                     codes[line][part], bounds[line][part] = carried.status, carried.bound_rad
+                    if carried.directions.dtype.itemsize > found.dtype.itemsize:
+                        bounds[line][part] += batched.rounding_bound(found.dtype)
                 elif carried.status.max() == UNDEFINED:
                     first = part.start + int(carried.status.argmax())
                     raise _no_normal(A[first], n[first], arrays.place(line, first)[: len(shape)])
                 target[line][part] = carried.directions.T
     if codes is None or bounds is None:
         return found
-    if found.dtype.itemsize < 8:  # a component is off by half a unit of a narrower type
-        bounds += 1.01 * float(np.finfo(found.dtype).eps) / 2
     bounds[codes == UNDEFINED] = 0.0
     words = np.array([str(one) for one in STATUSES])
     return TransformedNormals(found, words[codes].reshape(shape), bounds.reshape(shape))

@@ -12,7 +12,7 @@ from typing import Any
 from nmatrix import report
 from nmatrix.enums import Format, Layout, chosen
 from nmatrix.errors import IllegalValueError, NMatrixError
-from nmatrix.linear.values import named_file
+from nmatrix.linear.values import flag, named_file
 
 BESIDE = ("command", "version", "layout", "remarks")  # in the JSON, beside the answer's own keys
 
@@ -139,7 +139,7 @@ class Picture(Report):
         target = named_file(path, "path")
         if target.suffix.lower() != ".png":
             raise IllegalValueError(f"path ({target})", "a picture is a .png file", "end it so")
-        if target.exists() and not force:
+        if target.exists() and not flag(force, "force"):
             next_step = "give force=True, or another path"
             raise IllegalValueError(f"path ({target})", "the file exists", next_step)
         if not target.parent.is_dir():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -237,6 +238,9 @@ def _part(given: Part, kind: type[Any], read: Any, matrix: str | None) -> Any:  
         return given
     if given is None or isinstance(given, Mapping) or matrix is None:
         return read({} if given is None else given)
+    if isinstance(given, Real):
+        words = f"give a dict of them, a {kind.__name__} or a matrix"
+        raise refused(given, kind.__name__.lower(), "it is described by names and values", words)
     return read({matrix: given})
 
 

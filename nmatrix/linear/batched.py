@@ -232,6 +232,11 @@ def _powers(found: Scaled, limits: np.finfo[Any]) -> Array:
     return np.asarray(np.where(fits | (largest == NEVER), 0, shift))
 
 
+def rounding_bound(dtype: DTypeLike) -> float:
+    """Bound the angle, in radians, by which a unit vector turns when it is rounded to a type."""
+    return 1.01 * float(_limits(dtype).eps) / 2
+
+
 def _limits(dtype: DTypeLike) -> np.finfo[Any]:
     """Return the range of a type, or that of float64 for one that is wider."""
     return np.finfo(np.promote_types(dtype, np.float16) if np.can_cast(dtype, "f8") else "f8")
@@ -354,7 +359,7 @@ def _settled(
         found = certified_normals(_of(A, some), _float64(n[some].T))
         directions[:, some], status[some], bounds[some] = found
     if directions.dtype.itemsize < 8:  # what was certified is rounded to the type, too
-        bounds[places] += 1.01 * float(np.finfo(directions.dtype).eps) / 2
+        bounds[places] += rounding_bound(directions.dtype)
     return Normals(directions, status, bounds)
 
 

@@ -111,6 +111,14 @@ def plain_value(value: object, name: str) -> object:
     return value.tolist() if hasattr(value, "tolist") else value
 
 
+def flag(value: object, name: str) -> bool:
+    """Return True or False."""
+    plain = plain_value(value, name)
+    if isinstance(plain, bool):
+        return plain
+    raise refused(value, name, "it is neither True nor False", "give one of them")
+
+
 def text(value: object, name: str) -> str:
     """Return a text."""
     if isinstance(value, str):

@@ -125,7 +125,7 @@ class World:
         """
         return rounded_for_display(self.exact)
 
-    def under(self, world_from_parent: RationalMatrix | None) -> World:
+    def under(self, world_from_parent: object) -> World:
         """Return the place in the world of an object that stands here under its parent, exactly.
 
         Examples
@@ -136,7 +136,8 @@ class World:
         """
         if world_from_parent is None:
             return self
-        return World(convention=self.convention, matrix=product(world_from_parent, self.exact))
+        parent = read_affine(world_from_parent, "world_from_parent")
+        return World(convention=self.convention, matrix=product(parent, self.exact))
 
     @property
     def remarks(self) -> tuple[str, ...]:

@@ -153,9 +153,10 @@ class Transform:
         """
         found = self.linear_map.normal(_exact(normal, "normal"))
         if found.direction is None:
-            raise NoAnswerError(
-                f"a normal through {self.name}", found.reason, "give every axis a scale"
+            next_step = (
+                "give every axis a scale" if any(vector(normal, "normal")) else "give another"
             )
+            raise NoAnswerError(f"a normal through {self.name}", found.reason, next_step)
         return found.direction
 
     def exact_point(self, point: object) -> RationalVector:

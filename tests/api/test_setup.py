@@ -252,3 +252,97 @@ def test_batches_of_angles_may_mix_radians_and_angles() -> None:
     found = nmatrix.world(rotate=[[quarter, 0, 0], [0, 0.5, quarter]])
     for i, turns in enumerate([(quarter, 0, 0), (0, 0.5, quarter)]):
         assert (found[i] == nmatrix.world(rotate=turns)).all()
+
+
+WORLD = nmatrix.World(rotate_degrees=(10, 20, 30), scale=(1, 2, 3))
+EYE4 = np.eye(4)
+CONTRADICTIONS: dict[str, tuple[str, Any]] = {
+    "world": ("scale", lambda: nmatrix.World(matrix=EYE4, scale=2)),
+    "order": ("order", lambda: nmatrix.World(matrix=EYE4, order="ZYX")),
+    "eye": ("eye", lambda: nmatrix.View(matrix=EYE4, eye=(1, 2, 3))),
+    "angles": ("angles", lambda: nmatrix.View(matrix=EYE4, angles=(10, 20))),
+    "target": ("target", lambda: nmatrix.View(target=(1, 2, 3), angles=(10, 20))),
+    "light": ("light_direction", lambda: nmatrix.Light((1, 0, 0), angles_degrees=(10, 20))),
+}
+
+
+@pytest.mark.parametrize("case", CONTRADICTIONS)
+def test_a_frozen_value_never_ignores_a_part_in_silence(case: str) -> None:
+    named, make = CONTRADICTIONS[case]
+    with pytest.raises(nmatrix.IllegalValueError, match=f"with {named}: .*; keep one of them"):
+        make()
+
+
+def test_angles_over_a_view_with_a_target_take_its_place(tmp_path: Path, nmatrix) -> None:
+    """A scene's camera has a target; two angles on the command line are no contradiction."""
+    scene = tmp_path / "s.toml"
+    scene.write_text("[camera]\neye = [1, 2, 3]\ntarget = [4, 5, 7]\n[[object]]\nshape = 'box'\n")
+    turned = nmatrix(f"view --scene {scene} --angle 30 -f json")
+    plain = nmatrix("view --eye 1 2 3 --angle 30 -f json")
+    assert turned.code == plain.code == 0
+    keys = "camera_from_world"
+    assert json.loads(turned.stdout)[keys] == json.loads(plain.stdout)[keys]
+
+
+@pytest.mark.parametrize("dtype", (np.float32, np.float64, list))
+@pytest.mark.parametrize("places", (2, 3, 4))
+def test_a_rounded_array_claims_the_decimals_that_it_has(dtype: type, places: int) -> None:
+    """As text does: the answer is right to its digits, and a digit off is wrong."""
+    setup = nmatrix.Setup(world=WORLD)
+    exact = np.array(setup.world().data["world_from_object"])
+    given = np.round(exact, places)
+    assert (given != exact).any()
+    off = given.copy()
+    off[1, 1] += 20 * 10.0**-places
+    kept = [one.tolist() if dtype is list else one.astype(dtype) for one in (given, off)]
+    verdicts = [nmatrix.check("world", one, setup).data["verdict"] for one in kept]
+    assert verdicts == ["correct", "unknown"]
+
+
+def test_nine_or_sixteen_numbers_are_a_square_and_row_vectors_are_told_so() -> None:
+    moved = np.array(nmatrix.World(translate=(1, 2, 3)).world_from_object, float)
+    assert (
+        nmatrix.Setup(world=moved.ravel()).world().data == nmatrix.Setup(world=moved).world().data
+    )
+    with pytest.raises(nmatrix.IllegalValueError, match=r"row vectors; transpose it$"):
+        nmatrix.Setup(world=moved.T)
+
+
+def test_what_knows_no_frames_does_not_compose() -> None:
+    world_from_object = nmatrix.Transform.of("world", "object", EYE4)
+    for other in (EYE4, 5, [1, 2, 3], None):
+        for product in (lambda a, b: a @ b, lambda a, b: b @ a):
+            with pytest.raises(nmatrix.FrameError, match="only two transforms compose"):
+                product(world_from_object, other)
+
+
+def test_a_lens_and_a_view_take_words_and_numbers_for_their_values() -> None:
+    assert nmatrix.Setup(lens={"api": "vulkan"}).values.lens == nmatrix.Lens(clip="vulkan")
+    assert nmatrix.View(angles=(10, 20)).angles.angle == 20
+    assert nmatrix.Lens(ortho=(-2, 2, -1, 1)).ortho.left == -2
+
+
+def test_python_numbers_leave_the_type_to_the_arrays_beside_them() -> None:
+    near = np.float32(0.5)
+    angle = nmatrix.Angle.degrees(60)
+    assert nmatrix.perspective(angle, 1.5, near, float("inf")).dtype == np.float32
+    assert nmatrix.perspective(angle, 1.5, near, np.float64("inf")).dtype == np.float64
+    moved = np.ones(3, np.float32)
+    assert nmatrix.world(translate=moved, scale=2.0).dtype == np.float32
+    assert nmatrix.world(translate=moved, scale=np.float64(2)).dtype == np.float64
+
+
+def test_an_angle_is_shown_as_the_float_that_makes_it() -> None:
+    for degrees in (30, 0.1, 1 / 3, -90, 57.29577951308232):
+        angle = nmatrix.Angle.degrees(degrees)
+        assert eval(repr(angle), {"Angle": nmatrix.Angle}) == angle
+    with pytest.raises(nmatrix.IllegalValueError, match="from 0 to 180°"):
+        nmatrix.Angle.degrees(-30).half()
+
+
+def test_an_error_is_one_line_whatever_was_given() -> None:
+    for name in ("a\nb", "a\r\x1b[31mb", "a\u2028b"):
+        with pytest.raises(nmatrix.IllegalValueError) as caught:
+            nmatrix.plan(name)
+        assert len(str(caught.value).splitlines()) == 1
+        assert "\x1b" not in str(caught.value)
