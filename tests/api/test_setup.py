@@ -281,7 +281,7 @@ def test_angles_over_a_view_with_a_target_take_its_place(tmp_path: Path, nmatrix
     plain = nmatrix("view --eye 1 2 3 --angle 30 -f json")
     assert turned.code == plain.code == 0
     keys = "camera_from_world"
-    assert json.loads(turned.stdout)[keys] == json.loads(plain.stdout)[keys]
+    assert json.loads(turned.out)[keys] == json.loads(plain.out)[keys]
 
 
 @pytest.mark.parametrize("dtype", (np.float32, np.float64, list))
