@@ -19,7 +19,6 @@ from nmatrix.cli.command import (
     examples_and_notes,
     with_flat_options,
 )
-from nmatrix.cli.shared_options import option_name
 from nmatrix.cli.show import fail, put
 from nmatrix.errors import IllegalValueError, NMatrixError, did_you_mean
 from nmatrix.version import __version__
@@ -152,6 +151,8 @@ def run(arguments: Sequence[str]) -> int:
             list(arguments), prog_name="nmatrix", standalone_mode=False
         )
     except NMatrixError as error:
+        from nmatrix.cli.shared_options import option_name
+
         return fail(error.spelled(option_name), error.exit_code)
     except TyperException as error:
         return _usage(error)

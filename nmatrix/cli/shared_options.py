@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from enum import StrEnum
 from functools import cached_property, partial
 from typing import Annotated, Any
 
 from typer import Option
 
+from nmatrix.cli.show import ColorWhen
 from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention, Format, Handedness, Layout
 from nmatrix.errors import IllegalValueError
@@ -32,14 +32,6 @@ HandedOption = Annotated[
     in_conventions("--handed", help="The camera looks down −z (right, the default) or +z (left)."),
 ]
 SHARED = ("convention", "handed")
-
-
-class ColorWhen(StrEnum):
-    """When text carries terminal colours."""
-
-    AUTO = "auto"
-    ALWAYS = "always"
-    NEVER = "never"
 
 
 @dataclass(frozen=True)

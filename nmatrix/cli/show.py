@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Iterator
+from enum import StrEnum
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from nmatrix.cli.shared_options import ColorWhen, CommonOptions
 from nmatrix.enums import Format
 from nmatrix.output.write import Charset, Colour, OutputOptions, write
 from nmatrix.report import Report
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from nmatrix.cli.shared_options import CommonOptions
 
     Array = NDArray[Any]
 
@@ -22,6 +24,14 @@ Item = TypeVar("Item")
 LONGEST_LINE = 600
 WIDTH = 80
 BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
+
+
+class ColorWhen(StrEnum):
+    """When text carries terminal colours."""
+
+    AUTO = "auto"
+    ALWAYS = "always"
+    NEVER = "never"
 
 
 def show(report: Report, common: CommonOptions) -> None:
