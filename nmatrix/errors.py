@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable
 from typing import ClassVar
 
 _OPEN, _CLOSE = "\ufdd0", "\ufdd1"  # noncharacters: no text from outside holds them
-_UNPRINTABLE = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")  # what would leave the line
+_UNPRINTABLE = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
 _NAME = re.compile(f"{_OPEN}(\\w+){_CLOSE}")
 
 

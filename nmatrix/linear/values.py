@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from math import isfinite
-from numbers import Rational
+from numbers import Rational, Real
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
@@ -44,6 +44,8 @@ def number(value: object, name: str) -> Number:
         return Fraction(plain)
     if isinstance(plain, Decimal) and plain.is_finite():
         return Fraction(plain)
+    if isinstance(plain, Real) and not isinstance(plain, bool) and isfinite(plain):
+        return Fraction(*plain.as_integer_ratio())  # type: ignore[attr-defined]  # a longer float
     raise refused(value, name, "it is not a finite real number", "give a number")
 
 
@@ -108,6 +110,8 @@ def plain_value(value: object, name: str) -> object:
     """Return an array as lists, a scalar of an array as a number, everything else as it is."""
     if hasattr(value, "mask"):
         raise refused(value, name, "a masked entry has no value", "fill it: .filled(0.0)")
+    if getattr(getattr(value, "dtype", None), "names", None):
+        raise refused(value, name, "a structured array has fields, no rows", "give one field of it")
     return value.tolist() if hasattr(value, "tolist") else value
 
 
@@ -136,7 +140,9 @@ def named_file(value: object, name: str) -> Path:
 
 
 def read_fields(value: object, **readers: Reader) -> None:
-    """Read fields of a frozen value while it is made, each by its reader; None stays None.
+    """Read fields of a frozen value while it is made, each by its reader.
+
+    None stays None where that is the default.
 
     Examples
     --------
@@ -148,7 +154,7 @@ def read_fields(value: object, **readers: Reader) -> None:
     """
     for field, read in readers.items():
         given = getattr(value, field)
-        if given is not None:
+        if given is not None or getattr(type(value), field, None) is not None:
             object.__setattr__(value, field, read(given, field))
 
 
@@ -180,7 +186,10 @@ def contradiction(what: str, beside: Iterable[str], because: str) -> IllegalValu
 
 def refused(value: object, name: str, why: str, next_step: str) -> IllegalValueError:
     """Make the error for a value that a parameter cannot take; `name` may end in an index."""
-    shown = " ".join(repr(value).split())
+    try:
+        shown = " ".join(repr(value).split())
+    except Exception:  # too many digits, too deep, or a class's own fault
+        shown = type(value).__name__
     short = shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
     head, bracket, place = name.partition("[")
     return IllegalValueError(f"{quantity(head)}{bracket}{place} ({short})", why, next_step)

@@ -61,16 +61,14 @@ def read_matrix(values: object, name: str) -> MatrixLiteral:
     if isinstance(values, MatrixLiteral):
         return values
     rows = _rows(values, name)
+    entries = tuple(
+        tuple(Fraction(number(one, f"{name}[{i}, {j}]")) for j, one in enumerate(row))
+        for i, row in enumerate(rows)
+    )
     # An array's numbers as their own type writes them: 0.333 claims three decimals in float32, too.
     written = _rows(values.astype(str), name) if hasattr(values, "astype") else rows
-    return MatrixLiteral(
-        tuple(
-            tuple(Fraction(number(one, f"{name}[{i}, {j}]")) for j, one in enumerate(row))
-            for i, row in enumerate(rows)
-        ),
-        name,
-        tuple(tuple(typed_decimals(str(one)) for one in row) for row in written),
-    )
+    decimals = tuple(tuple(typed_decimals(str(one)) for one in row) for row in written)
+    return MatrixLiteral(entries, name, decimals)
 
 
 def _rows(values: object, name: str) -> list[list[object]]:

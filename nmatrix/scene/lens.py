@@ -18,7 +18,7 @@ from nmatrix.linear.projection import (
     perspective,
 )
 from nmatrix.linear.rational import RationalMatrix, rational_matrix
-from nmatrix.linear.values import named, read_fields, real, vector
+from nmatrix.linear.values import named, read_fields, real, refuse_beside, vector
 from nmatrix.reading.arrays import read_projection
 
 
@@ -47,6 +47,9 @@ class Lens:
             matrix=named("projection_matrix", read_projection),
             clip=clip_space,
         )
+        windows = {"ortho": "ortho", "frustum": "frustum"}
+        refuse_beside(self, "matrix", "projection_matrix", windows)
+        refuse_beside(self, "ortho", "ortho", {"frustum": "frustum"}, "both shape the view")
 
     @property
     def clip_from_camera(self) -> RationalMatrix:

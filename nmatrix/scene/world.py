@@ -73,6 +73,8 @@ class World:
         )
         affine.checked_order(self.order)
         refuse_beside(self, "matrix", "world_matrix", _PARTS)
+        turned = {"rotate_degrees": "rotate", "order": "order"}
+        refuse_beside(self, "quaternion", "quaternion", turned, "it is the rotation")
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
                 raise IllegalValueError(

@@ -262,6 +262,10 @@ CONTRADICTIONS: dict[str, tuple[str, Any]] = {
     "eye": ("eye", lambda: nmatrix.View(matrix=EYE4, eye=(1, 2, 3))),
     "angles": ("angles", lambda: nmatrix.View(matrix=EYE4, angles=(10, 20))),
     "target": ("target", lambda: nmatrix.View(target=(1, 2, 3), angles=(10, 20))),
+    "turns": ("rotate", lambda: nmatrix.World(quaternion=(0, 0, 0, 1), rotate_degrees=(1, 2, 3))),
+    "quaternion": ("order", lambda: nmatrix.World(quaternion=(0, 0, 0, 1), order="ZYX")),
+    "windows": ("frustum", lambda: nmatrix.Lens(ortho=(-1, 1, -1, 1), frustum=(-1, 1, -1, 1))),
+    "window": ("ortho", lambda: nmatrix.Lens(matrix=EYE4, ortho=(-1, 1, -1, 1))),
     "light": ("light_direction", lambda: nmatrix.Light((1, 0, 0), angles_degrees=(10, 20))),
 }
 
@@ -346,3 +350,38 @@ def test_an_error_is_one_line_whatever_was_given() -> None:
             nmatrix.plan(name)
         assert len(str(caught.value).splitlines()) == 1
         assert "\x1b" not in str(caught.value)
+
+
+def test_none_is_no_value_where_a_value_is_needed() -> None:
+    for kind, field in (
+        (nmatrix.World, "scale"),
+        (nmatrix.View, "eye"),
+        (nmatrix.View, "handed"),
+        (nmatrix.Lens, "near"),
+        (nmatrix.Lens, "clip"),
+    ):
+        with pytest.raises(nmatrix.IllegalValueError, match=f"^{field}"):
+            kind(**{field: None})
+
+
+def test_what_cannot_be_shown_is_named_by_its_type() -> None:
+    deep: list[Any] = [1]
+    for _ in range(3000):
+        deep = [deep]
+    for given in (10**5000, Decimal("1E+5000")):
+        with pytest.raises(nmatrix.IllegalValueError, match="no float64 is as large"):
+            nmatrix.Lens(near=given)
+    for given in (deep, np.zeros(3, [("a", "f8")])):
+        with pytest.raises(nmatrix.IllegalValueError, match=r"^scale"):
+            nmatrix.World(scale=given)
+    with pytest.raises(nmatrix.IllegalValueError, match="answer"):
+        nmatrix.check("eye", np.zeros(3, [("a", "f8"), ("b", "f8")]))
+    with pytest.raises(nmatrix.IllegalValueError) as caught:
+        nmatrix.plan("\ud800.toml")
+    str(caught.value).encode()
+
+
+def test_longer_floats_are_what_they_are() -> None:
+    A = np.array([0, 0, 5], np.longdouble)
+    assert nmatrix.check("eye", A).data["verdict"] == "correct"
+    assert nmatrix.World(translate=A).translate == (0, 0, 5)

@@ -109,7 +109,8 @@ def _near_far_exchanged(setup: Setup) -> Iterator[Setup]:
     else:
         lens = _with_clip(setup, SWAPPED_DEPTH[lens.clip.depth], lens.clip.handed).lens
     third_row = diagonal((ONE, ONE, sign, ONE))
-    yield replace(setup, lens=replace(lens, matrix=product(third_row, lens.clip_from_camera)))
+    matrix = product(third_row, lens.clip_from_camera)
+    yield replace(setup, lens=replace(lens, ortho=None, frustum=None, matrix=matrix))
 
 
 def _near_far_exchanged_in_frustum(setup: Setup) -> Iterator[Setup]:
