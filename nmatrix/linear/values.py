@@ -10,7 +10,7 @@ from decimal import Decimal
 from fractions import Fraction
 from math import isfinite
 from numbers import Rational, Real
-from os import PathLike, fspath
+from os import PathLike, fsencode, fspath
 from pathlib import Path
 from typing import Any
 
@@ -134,9 +134,16 @@ def named_file(value: object, name: str) -> Path:
     """Return the path that a text or a path names."""
     if isinstance(value, str | PathLike):
         named = fspath(value)
-        if isinstance(named, str) and "\0" not in named:
+        if isinstance(named, str) and "\0" not in named and _is_encodable(named):
             return Path(named)
     raise refused(value, name, "it is not the name of a file", "give text or a path")
+
+
+def _is_encodable(name: str) -> bool:
+    try:
+        return fsencode(name) is not None
+    except UnicodeError:  # half of a surrogate pair
+        return False
 
 
 def read_fields(value: object, **readers: Reader) -> None:
