@@ -141,9 +141,10 @@ def named_file(value: object, name: str) -> Path:
 
 def _is_encodable(name: str) -> bool:
     try:
-        return fsencode(name) is not None
+        fsencode(name)
     except UnicodeError:  # half of a surrogate pair
         return False
+    return True
 
 
 def read_fields(value: object, **readers: Reader) -> None:
