@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf
+from typing import TYPE_CHECKING
 
 from nmatrix.linear.rounding import normalize
 from nmatrix.report import Vector
-from nmatrix.scene.material import Colour
 from nmatrix.scene.words import LightKind
+
+if TYPE_CHECKING:
+    from nmatrix.scene.material import Colour
 
 WORLD, EYE = "world", "eye"
 
