@@ -56,9 +56,10 @@ def normal_matrix(
 
     A tangent t of a surface becomes A t, and A⁻ᵀ n stays perpendicular to it:
     (A⁻ᵀ n)·(A t) = n·t = 0. The oriented kind is |det A| times that, and exists where an inverse
-    does not. Only its direction matters: where the type of the result would not hold every entry
-    as a normal number, a matrix comes times a power of two. An entry is lost only if no power of
-    two holds it beside the largest one.
+    does not. Of that kind only the direction matters: where the type of the result would not hold
+    every entry as a normal number, a matrix comes times a power of two, and an entry is lost only
+    if no power of two holds it beside the largest one. An inverse transpose comes as it is: what
+    its type holds no number small enough for is 0.
 
     Parameters
     ----------
