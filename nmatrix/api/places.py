@@ -59,12 +59,17 @@ def _float_type(values: object) -> np.dtype[Any] | None:
     return arrays.native(np.asarray(values)) if is_typed else None
 
 
+def _looked_at(values: object) -> Array:
+    """Return values as an array of any type; ragged ones, which `real` refuses, as an empty one."""
+    try:
+        return np.asarray(values)
+    except ValueError:
+        return np.empty(0)
+
+
 def distance(name: str, values: ArrayLike) -> Parameter:
     """Read distances, which may be infinite."""
-    try:
-        far = np.asarray(values)
-    except ValueError:  # ragged: to be refused below
-        far = np.empty(0)
+    far = _looked_at(values)
     if far.dtype.kind != "f" or not np.isposinf(far).any():
         return real(name, values, ())
     finite = real(name, np.where(np.isposinf(far), 1.0, far), ())
@@ -73,10 +78,7 @@ def distance(name: str, values: ArrayLike) -> Parameter:
 
 def turns(name: str, values: Turns, own: tuple[int, ...]) -> Parameter:
     """Read angles: radians, an `Angle`, or lists of either."""
-    try:
-        shown = np.asarray(values)
-    except ValueError:  # ragged: to be refused below
-        shown = np.empty(0)
+    shown = _looked_at(values)
     if shown.dtype.kind in "US":
         next_step = "write Angle.degrees(60), or radians"
         raise IllegalValueError(f"{name} of text", "an angle is no text", next_step)

@@ -10,7 +10,7 @@ A is (N, 3, 3), n is (N, 3). Nothing is written before the same places of the in
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -136,12 +136,12 @@ def _certified(A: Array, kind: NormalMatrixKind) -> Scaled:
 
 def _exact(A: Array, kind: NormalMatrixKind, dtype: DTypeLike = np.float64) -> Scaled:
     """Compute sign(det A)·C or C/det A from whole numbers, every entry correctly rounded."""
+    maps = [LinearMap.of(matrix) for matrix in A.transpose(2, 0, 1).tolist()]
     found = Scaled(np.empty(A.shape), np.zeros(A.shape, np.int32))
     if kind is NormalMatrixKind.ORIENTED:
-        _write_oriented(A, found)
-        return _with_subnormals(A, found, _limits(dtype))
-    for i, matrix in enumerate(A.transpose(2, 0, 1).tolist()):
-        one = LinearMap.of(matrix)
+        _write_oriented(maps, found)
+        return _with_subnormals(maps, found, _limits(dtype))
+    for i, one in enumerate(maps):
         for j, row in enumerate(one.cofactors):
             for k, cofactor in enumerate(row):
                 top = cofactor * one.denominator
@@ -149,29 +149,30 @@ def _exact(A: Array, kind: NormalMatrixKind, dtype: DTypeLike = np.float64) -> S
     return found
 
 
-def _write_oriented(A: Array, out: Scaled) -> None:
-    for i, matrix in enumerate(A.transpose(2, 0, 1).tolist()):
-        one = LinearMap.of(matrix)
-        sign = -1 if one.integer_determinant < 0 else 1
-        below = 2 * (one.denominator.bit_length() - 1)
+def _sign_and_power(one: LinearMap) -> tuple[int, int]:
+    """Return s and e for which s·2ᵉ times a whole cofactor is the oriented entry."""
+    return -1 if one.integer_determinant < 0 else 1, -2 * (one.denominator.bit_length() - 1)
+
+
+def _write_oriented(maps: Sequence[LinearMap], out: Scaled) -> None:
+    for i, one in enumerate(maps):
+        sign, power = _sign_and_power(one)
         for j, row in enumerate(one.cofactors):
             for k, cofactor in enumerate(row):
                 bits = cofactor.bit_length()
                 out.mantissa[j, k, i] = sign * cofactor / (1 << bits)
-                out.exponent[j, k, i] = bits - below
+                out.exponent[j, k, i] = bits + power
 
 
-def _with_subnormals(A: Array, found: Scaled, limits: np.finfo[Any]) -> Scaled:
+def _with_subnormals(maps: Sequence[LinearMap], found: Scaled, limits: np.finfo[Any]) -> Scaled:
     """Round entries that come out subnormal once, to the bits that they have left there."""
     if limits.dtype != np.float64:
         return found  # a narrower type rounds from float64, which holds them as normal numbers
     powers = _powers(found, limits)
     size = np.abs(np.ldexp(found.mantissa, found.exponent + powers))
     for j, k, i in np.argwhere((size < limits.tiny) & (found.mantissa != 0)).tolist():
-        one = LinearMap.of(A[:, :, i].tolist())
-        sign = -1 if one.integer_determinant < 0 else 1
-        shift = int(powers[i]) - 2 * (one.denominator.bit_length() - 1)
-        exact = Fraction(sign * one.cofactors[j][k]) * Fraction(2) ** shift
+        sign, power = _sign_and_power(maps[i])
+        exact = sign * maps[i].cofactors[j][k] * Fraction(2) ** (power + int(powers[i]))
         found.mantissa[j, k, i] = np.ldexp(float(exact), -int(limits.minexp))
         found.exponent[j, k, i] = int(limits.minexp) - powers[i]
     return found

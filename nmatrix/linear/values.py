@@ -12,12 +12,14 @@ from math import isfinite
 from numbers import Rational, Real
 from os import PathLike, fsencode, fspath
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from nmatrix.errors import LONGEST_QUOTE, IllegalValueError, quantity
 from nmatrix.report import Number, Vector
 
 WHOLE = "the matrix is the whole answer"
+NO_NAMES: Mapping[str, str] = MappingProxyType({})
 
 Reader = Callable[[Any, str], object]  # of a value, under the name that an error speaks of
 
@@ -172,18 +174,24 @@ def named(name: str, read: Reader) -> Reader:
 
 
 def refuse_beside(
-    value: object, field: str, name: str, parts: Mapping[str, str], because: str = WHOLE
+    value: object,
+    field: str,
+    parts: Iterable[str],
+    because: str = WHOLE,
+    *,
+    names: Mapping[str, str] = NO_NAMES,
 ) -> None:
     """Refuse a field of a frozen value beside parts that it takes the place of.
 
-    `parts` are fields and what an error calls them; a part at its default was not given.
+    A part at its default was not given. `names` are what errors call fields, where that differs.
     """
     if getattr(value, field) is None:
         return
     usual = type(value)
-    beside = [parts[part] for part in parts if getattr(value, part) != getattr(usual, part)]
+    beside = [part for part in parts if getattr(value, part) != getattr(usual, part)]
     if beside:
-        raise contradiction(quantity(name), beside, because)
+        called = [names.get(one, one) for one in (field, *beside)]
+        raise contradiction(quantity(called[0]), called[1:], because)
 
 
 def contradiction(what: str, beside: Iterable[str], because: str) -> IllegalValueError:

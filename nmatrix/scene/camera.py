@@ -71,8 +71,8 @@ class View:
             handed=partial(chosen, Handedness),
             convention=partial(chosen, Convention),
         )
-        refuse_beside(self, "matrix", "view_matrix", {one: one for one in ("eye", *AIM, "angles")})
-        refuse_beside(self, "angles", "angles", {one: one for one in AIM}, "both say where to look")
+        refuse_beside(self, "matrix", ("eye", *AIM, "angles"), names={"matrix": "view_matrix"})
+        refuse_beside(self, "angles", AIM, "both say where to look")
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
                 f"{quantity('elevation')}/{quantity('angle')} with {quantity('handed')} left",

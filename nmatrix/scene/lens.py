@@ -47,9 +47,9 @@ class Lens:
             matrix=named("projection_matrix", read_projection),
             clip=clip_space,
         )
-        windows = {"ortho": "ortho", "frustum": "frustum"}
-        refuse_beside(self, "matrix", "projection_matrix", windows)
-        refuse_beside(self, "ortho", "ortho", {"frustum": "frustum"}, "both shape the view")
+        names = {"matrix": "projection_matrix"}
+        refuse_beside(self, "matrix", ("ortho", "frustum"), names=names)
+        refuse_beside(self, "ortho", ("frustum",), "both shape the view")
 
     @property
     def clip_from_camera(self) -> RationalMatrix:

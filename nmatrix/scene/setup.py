@@ -37,8 +37,9 @@ class Light:
             angles_degrees=named("light_angles", partial(turns, size=2)),
             position=named("light_position", vector),
         )
-        both = {"direction": "light_direction"}
-        refuse_beside(self, "angles_degrees", "light_angles", both, "both are the direction")
+        names = {"angles_degrees": "light_angles", "direction": "light_direction"}
+        both = "both are the direction"
+        refuse_beside(self, "angles_degrees", ("direction",), both, names=names)
 
     def placed(self) -> WorldLight:
         """Return the light in world space; nothing given means daylight.

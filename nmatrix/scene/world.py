@@ -24,9 +24,8 @@ _ASSIGNMENTS_REMARK = (
     "M = T · Rx(ry) · Ry(rx) · Rz(rz) · S"
 )
 
-
-_PARTS = {name: name for name in ("translate", "quaternion", "scale", "shear", "order")}
-_PARTS["rotate_degrees"] = "rotate"
+_PARTS = ("translate", "quaternion", "scale", "shear", "order", "rotate_degrees")
+_NAMES = {"matrix": "world_matrix", "rotate_degrees": "rotate"}
 
 
 @dataclass(frozen=True)
@@ -72,9 +71,9 @@ class World:
             matrix=named("world_matrix", read_affine),
         )
         affine.checked_order(self.order)
-        refuse_beside(self, "matrix", "world_matrix", _PARTS)
-        turned = {"rotate_degrees": "rotate", "order": "order"}
-        refuse_beside(self, "quaternion", "quaternion", turned, "it is the rotation")
+        refuse_beside(self, "matrix", _PARTS, names=_NAMES)
+        turned = ("rotate_degrees", "order")
+        refuse_beside(self, "quaternion", turned, "it is the rotation", names=_NAMES)
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
                 raise IllegalValueError(

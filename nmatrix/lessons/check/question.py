@@ -81,8 +81,8 @@ class Question:
         if self.tolerance is not None and self.tolerance < 0:
             raise IllegalValueError(
                 f"{quantity('tolerance')} ({float(self.tolerance):g})",
-                "it is a number from 0 up",
-                "try 1e-3",
+                "it is not negative",
+                "try 0.001",
             )
         if self.unit and not self.is_direction and self.subject is not Subject.NORMAL:
             raise IllegalValueError(
