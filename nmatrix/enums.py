@@ -124,6 +124,17 @@ class Kind(StrEnum):
     SINGULAR = "singular"
 
 
+class MatrixKind(StrEnum):
+    """What sixteen or nine numbers may be, when nobody says what they are."""
+
+    PROJECTION = "projection"
+    ORTHOGRAPHIC = "orthographic"
+    RIGID = "rigid"
+    AFFINE = "affine"
+    SINGULAR = "singular"
+    GENERAL = "general"
+
+
 class NormalStatus(StrEnum):
     """What became of one normal."""
 

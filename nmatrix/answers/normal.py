@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from nmatrix.enums import NormalRule, NormalStatus, Space
 from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
-from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.classify import Classification
 from nmatrix.linear.exact import Normal
 from nmatrix.linear.rational import linear_part, rational_vector
 from nmatrix.linear.rounding import integers, unit
@@ -37,7 +37,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
     (['two-sided', 'undefined'], 3)
     """
     S = setup.maps.space_from_object(request.space).exact
-    found = classify(S, setup.tolerance)
+    found = setup.maps.classified(request.space)
     linear_map = found.linear_map
     if request.method is NormalRule.EXACT:
         matrix = linear_map.normal_matrix

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError
-from nmatrix.lessons.map_sentences import transform_remarks
+from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.classify import Classification, classify
@@ -66,7 +66,7 @@ def _blocks(data: Mapping[str, Vector | Matrix], found: Classification) -> tuple
         if key in _HEADINGS:
             blocks.append(Heading(_HEADINGS[key]))
         blocks.append(Quantity(key, value, _TITLES.get(key, key)))
-    return (*blocks, Verdict(_verdict(needs=found.needs_inverse_transpose)))
+    return (*blocks, Verdict(_verdict(found)))
 
 
 def _camera_axes(
@@ -83,7 +83,7 @@ def _camera_axes(
     return named if found.is_rigid else tuple(unit(integers(axis)[0]) for axis in named)
 
 
-def _verdict(*, needs: bool) -> str:
-    if needs:
-        return "This view matrix is not rigid: directions move by V, normals by V⁻ᵀ."
-    return "The 3×3 block is a rotation, so V⁻ᵀ = V: one block carries directions and normals."
+def _verdict(found: Classification) -> str:
+    if found.is_rigid and not found.mirrored and found.kind is found.kind_as_typed:
+        return "The 3×3 block is a rotation, so V⁻ᵀ = V: one block carries directions and normals."
+    return f"Of the 3×3 block A of V: {verdict(found)[0].lower()}{verdict(found)[1:]}"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.rational import RationalMatrix, rational_matrix
+from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.files import LARGEST, decoded, existing_file
 from nmatrix.reading.literal import MatrixLiteral, as_affine, as_projection
 from nmatrix.reading.source import matrix_source
@@ -39,11 +39,11 @@ class Sources:
         With `exact` the numbers are kept as they were typed, else each is the nearest float64.
         """
         found = as_affine(self.literal(text))
-        return found.rows_exact if exact else rational_matrix(found.rows)
+        return found.as_typed if exact else found.as_floats
 
     def projection(self, text: str) -> RationalMatrix:
         """Read any 4×4."""
-        return rational_matrix(as_projection(self.literal(text)).rows)
+        return as_projection(self.literal(text)).as_floats
 
     def literal(self, text: str) -> MatrixLiteral:
         """Read a matrix of any size, as it was typed."""

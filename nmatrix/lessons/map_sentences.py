@@ -52,16 +52,26 @@ def transform_blocks(found: Classification) -> tuple[Block, ...]:
 
 
 def verdict(found: Classification) -> str:
-    """Conclude in one sentence: kind, mirror, exact or to rounding."""
-    meaning = _MIRRORED[found.kind] if found.mirrored else _MEANING[found.kind]
-    sentence = f"This is {meaning}"
+    """Conclude in one sentence: kind, mirror, exact or to rounding, or to the digits given."""
+    meaning = (_MIRRORED if found.mirrored else _MEANING)[found.kind]
+    by_digits = found.kind is not found.kind_as_typed
+    sentence = f"To the digits given this is {meaning}" if by_digits else f"This is {meaning}"
     if found.kind is Kind.SINGULAR:
         return f"{sentence} (rank {found.rank})."
     if found.mirrored:
         sentence += "; triangle winding flips, outward normals stay outward"
-    if not found.kind_exact:
-        sentence += " (to rounding: the printed digits miss it by about 1e-16)"
+    if by_digits:
+        sentence += f"; exactly as typed it is {_as_typed(found)}"
+    elif not found.kind_exact:
+        sentence += " (to rounding, not exactly on these floats)"
     return f"{sentence}."
+
+
+def _as_typed(found: Classification) -> str:
+    named = f"a {found.kind_as_typed.replace('-scale', ' scale')}"
+    if found.needs_inverse_transpose or not found.worst_angle_deg:
+        return named
+    return f"{named}, and A bends a normal by up to {found.worst_angle_deg:.2g}°"
 
 
 def transform_remarks(found: Classification) -> tuple[str, ...]:

@@ -19,7 +19,15 @@ from functools import cached_property
 from nmatrix.enums import Kind
 from nmatrix.linear.angle import DEGREES, arctangent
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.rational import RationalVector, linear_part, rational_matrix, translation
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    RationalVector,
+    RoundedMatrix,
+    linear_part,
+    rational_matrix,
+    translation,
+)
+from nmatrix.linear.rounded import meant
 from nmatrix.linear.rounding import nearest, short_text
 
 BUILT = 1e-12  # columns of a matrix built from angles agree to a few 1e-16; room for products
@@ -31,14 +39,20 @@ SETTLED = Decimal(10) ** -90
 CONTEXT = Context(prec=DIGITS, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 RIGID_KINDS = {Kind.IDENTITY, Kind.TRANSLATION, Kind.ROTATION, Kind.RIGID}
+SETTLED_KINDS = RIGID_KINDS | {Kind.SINGULAR}  # no digits make more of them, and rank is exact
 _NEEDS_INVERSE_TRANSPOSE = {Kind.NON_UNIFORM_SCALE, Kind.SHEAR, Kind.SINGULAR}
 
 
 @dataclass(frozen=True)
 class Classification:
-    """The kind of one map, with the numbers that belong to it."""
+    """The kind of one map, with the numbers that belong to it.
+
+    `kind` is to the digits given, `kind_as_typed` that of the very floats to rounding, and
+    `kind_exact` says whether `kind` holds on them without any tolerance.
+    """
 
     kind: Kind
+    kind_as_typed: Kind
     kind_exact: bool
     linear_map: LinearMap
 
@@ -75,11 +89,15 @@ class Classification:
 
     @property
     def condition_text(self) -> str:
-        """Return κ in four digits, also where it is beyond every float; ∞ for a singular map."""
+        """Return κ in four digits, also where it is beyond every float; ∞ for a singular map.
+
+        Where these would be 1 and κ is not, what is above 1 is written by itself.
+        """
         kappa = self.condition
         if kappa is None:
             return "∞"
-        return short_text(kappa, 4)
+        short = short_text(kappa, 4)
+        return f"1 + {short_text(kappa - 1, 3)}" if short == "1" != str(kappa) else short
 
     @cached_property
     def worst_angle_deg(self) -> float | None:
@@ -88,12 +106,15 @@ class Classification:
 
 
 def classify(
-    rows: Sequence[Sequence[float | Fraction]], tolerance: float | Fraction = BUILT
+    rows: Sequence[Sequence[float | Fraction]],
+    tolerance: float | Fraction = BUILT,
+    stands_for: RationalMatrix | None = None,
 ) -> Classification:
     """Classify a 3×3 or an affine 4×4 matrix by the kind of map that it is.
 
     Rank and mirroring are exact. Lengths and angles of the columns may be off by `tolerance`
-    (relative); `kind_exact` says whether the kind holds without it.
+    (relative); `kind_exact` says whether the kind holds without it. Rows that were rounded have the
+    kind of what they stand for: `stands_for`, or else the most special map that rounds to them.
 
     Examples
     --------
@@ -104,9 +125,15 @@ def classify(
     A = rational_matrix(rows)
     offset = translation(A) if len(A) == 4 else (Fraction(0),) * 3
     linear_map = LinearMap.of(linear_part(A))
-    kind = _kind(linear_map, offset, Fraction(tolerance))
-    exact = kind if tolerance == 0 else _kind(linear_map, offset, Fraction(0))
-    return Classification(kind, kind is exact, linear_map)
+    as_typed = _kind(linear_map, offset, Fraction(tolerance))
+    exact = as_typed if tolerance == 0 else _kind(linear_map, offset, Fraction(0))
+    kind = as_typed
+    if as_typed not in SETTLED_KINDS:
+        if isinstance(rows, RoundedMatrix) and stands_for is None:
+            stands_for = meant(rows)
+        if stands_for is not None:
+            kind = _kind(LinearMap.of(linear_part(stands_for)), offset, Fraction(tolerance))
+    return Classification(kind, as_typed, kind is exact, linear_map)
 
 
 def _kind(linear_map: LinearMap, offset: RationalVector, tau: Fraction) -> Kind:

@@ -7,7 +7,7 @@ of a perspective matrix is [0 0 g·a c], of an orthographic one too.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
@@ -216,6 +216,22 @@ def orthographic(
             (ZERO, ZERO, ZERO, ONE),
         )
     )
+
+
+def is_lens(rows: Sequence[Sequence[float | Fraction]]) -> bool:
+    """Recognise a projection by its zeros: x and y are scaled, and w is ±z or 1.
+
+    Examples
+    --------
+    >>> is_lens(perspective(Angle.degrees(45), 1, 1, inf)), is_lens([[1, 0, 0, 0]] * 4)
+    (True, False)
+    """
+    x, y, z, w = rows
+    if not (x[0] and y[1]) or x[1] or y[0] or z[0] or z[1] or w[0] or w[1]:
+        return False
+    if (abs(w[2]), w[3]) == (1, 0):
+        return bool(z[3]) and not (x[3] or y[3])
+    return (w[2], w[3]) == (0, 1) and bool(z[2]) and not (x[2] or y[2])
 
 
 def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:

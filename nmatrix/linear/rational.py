@@ -18,10 +18,24 @@ RationalMatrix = tuple[RationalVector, ...]
 Rows = tuple[tuple[float, ...], ...]
 
 Entry = TypeVar("Entry")
+Real = TypeVar("Real", float, Fraction)
 
 ZERO = Fraction(0)
 ONE = Fraction(1)
 AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
+
+
+class RoundedMatrix(tuple[RationalVector, ...]):
+    """Rows of fractions that know how far each entry may lie from what was rounded."""
+
+    half_units: RationalMatrix
+
+    @classmethod
+    def of(cls, rows: RationalMatrix, half_units: RationalMatrix) -> RoundedMatrix:
+        """Return the rows together with half the last unit of each entry, 0 where it is exact."""
+        found = cls(rows)
+        found.half_units = half_units
+        return found
 
 
 def rational_matrix(rows: Iterable[Iterable[float | Fraction]]) -> RationalMatrix:
@@ -56,7 +70,8 @@ def rounded_for_display(A: RationalMatrix) -> RationalMatrix:
     >>> rounded_for_display(((Fraction(1, 3), Fraction(10) ** 309),))[0][1] == 10**309
     True
     """
-    return tuple(tuple(_shown(entry) for entry in row) for row in A)
+    rows = tuple(tuple(_shown(entry) for entry in row) for row in A)
+    return RoundedMatrix.of(rows, A.half_units) if isinstance(A, RoundedMatrix) else rows
 
 
 def _shown(entry: Fraction) -> Fraction:
@@ -96,8 +111,8 @@ def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
     return Fraction(sum(top * (common // bottom) for top, bottom in terms), common)
 
 
-def cross(a: Sequence[Fraction], b: Sequence[Fraction]) -> RationalVector:
-    """Compute a × b."""
+def cross(a: Sequence[Real], b: Sequence[Real]) -> tuple[Real, ...]:
+    """Compute a × b, of fractions or of floats."""
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -229,6 +244,30 @@ def affine_matrix(
     return (*rows, AFFINE_ROW)
 
 
+def solve(A: RationalMatrix, b: RationalVector) -> RationalVector:
+    """Solve A x = b of any size, by elimination without rounding.
+
+    Raises
+    ------
+    NoAnswerError
+        If A is singular.
+
+    Examples
+    --------
+    >>> solve(rational_matrix([[0, 2], [1, 1]]), rational_vector((4, 5)))
+    (Fraction(3, 1), Fraction(2, 1))
+    """
+    n = len(A)
+    rows, found = _eliminated([(*row, entry) for row, entry in zip(A, b, strict=True)], n)
+    if found < n:
+        raise NoAnswerError("a singular system", "no one vector solves it", "check its rows")
+    x: list[Fraction] = []
+    for i in reversed(range(n)):
+        known = dot(rows[i][i + 1 : n], x[::-1])
+        x.append((rows[i][n] - known) / rows[i][i])
+    return tuple(reversed(x))
+
+
 def rank(A: RationalMatrix) -> int:
     """Count the independent rows, by elimination without rounding.
 
@@ -237,9 +276,14 @@ def rank(A: RationalMatrix) -> int:
     >>> rank(rational_matrix([[1, 2, 3], [2, 4, 6], [0, 0, 1]]))
     2
     """
+    return _eliminated(A, len(A[0]))[1]
+
+
+def _eliminated(A: Sequence[RationalVector], columns: int) -> tuple[list[list[Fraction]], int]:
+    """Bring the first columns to echelon form; return the rows and how many have a pivot."""
     rows = [list(row) for row in A]
     found = 0
-    for column in range(len(rows[0])):
+    for column in range(columns):
         pivot = next((i for i in range(found, len(rows)) if rows[i][column]), None)
         if pivot is None:
             continue
@@ -249,4 +293,4 @@ def rank(A: RationalMatrix) -> int:
             factor = rows[i][column] / head[column]
             rows[i] = [a - factor * b for a, b in zip(rows[i], head, strict=True)]
         found += 1
-    return found
+    return rows, found

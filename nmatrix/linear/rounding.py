@@ -41,6 +41,23 @@ def nearest(value: Fraction) -> float:
         ) from None
 
 
+def spacing(value: Fraction, bits: int = 53) -> Fraction:
+    """Return the gap between a value and the next larger float of so many bits; 0 for 0.
+
+    Examples
+    --------
+    >>> spacing(Fraction(1), 24) == Fraction(1, 2**23), spacing(Fraction(3, 4)) == 2**-53
+    (True, True)
+    """
+    if not value:
+        return Fraction(0)
+    size = abs(value)
+    exponent = size.numerator.bit_length() - size.denominator.bit_length()
+    if size < Fraction(2) ** exponent:
+        exponent -= 1
+    return Fraction(2) ** (exponent + 1 - bits)
+
+
 def _decimal_exponent(value: Fraction) -> int:
     bits = abs(value.numerator).bit_length() - value.denominator.bit_length()
     return round(bits * DECIMALS_PER_BIT)

@@ -5,14 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.rational import RationalMatrix, is_affine, transpose
+from nmatrix.linear.rational import RationalMatrix, RoundedMatrix, is_affine, transpose
 from nmatrix.linear.values import listed, number, plain_value, refused
+from nmatrix.reading.digits import digits_of
 from nmatrix.reading.literal import (
     SQUARES,
     MatrixLiteral,
     as_affine,
     as_projection,
-    typed_decimals,
 )
 from nmatrix.reading.matrix import matrix_literal
 
@@ -32,18 +32,22 @@ def read_affine(values: object, name: str) -> RationalMatrix:
     >>> read_affine([[2, 0, 0], [0, 2, 0], [0, 0, 2]], "world_matrix")[0]
     (Fraction(2, 1), Fraction(0, 1), Fraction(0, 1), Fraction(0, 1))
     """
+    if isinstance(values, RoundedMatrix) and is_affine(values):
+        return values
     found = read_matrix(values, name)
     if not isinstance(values, str) and found.shape == (4, 4):
         rows = found.rows_exact
         if not is_affine(rows) and is_affine(transpose(rows)):
             why = "its last column is 0 0 0 1 and its last row is not: it is for row vectors"
             raise IllegalValueError(f"{quantity(name)}, a matrix", why, "transpose it")
-    return as_affine(found).rows_exact
+    return as_affine(found).as_typed
 
 
 def read_projection(values: object, name: str) -> RationalMatrix:
-    """Return a 4×4 of any sixteen numbers."""
-    return as_projection(read_matrix(values, name)).rows_exact
+    """Return a 4×4 of any sixteen numbers, unless only their transpose is a projection."""
+    if isinstance(values, RoundedMatrix) and len(values) == len(values[0]) == 4:
+        return values
+    return as_projection(read_matrix(values, name)).as_typed
 
 
 def read_matrix(values: object, name: str) -> MatrixLiteral:
@@ -67,8 +71,11 @@ def read_matrix(values: object, name: str) -> MatrixLiteral:
     )
     # An array's numbers as their own type writes them: 0.333 claims three decimals in float32, too.
     written = _rows(values.astype(str), name) if hasattr(values, "astype") else rows
-    decimals = tuple(tuple(typed_decimals(str(one)) for one in row) for row in written)
-    return MatrixLiteral(entries, name, decimals)
+    digits = tuple(
+        tuple(None if isinstance(one, Fraction) else digits_of(str(one)) for one in row)
+        for row in written
+    )
+    return MatrixLiteral(entries, name, digits)
 
 
 def _rows(values: object, name: str) -> list[list[object]]:

@@ -39,7 +39,7 @@ def csv_notation(text: str, source: str) -> Notation:
     except csv.Error as error:
         raise _unreadable(source, f"not CSV: {error}") from None
     quantities = {key: _rows(places, key, source) for key, places in found.items()}
-    return Notation(quantities, Layout.ROW_MAJOR)
+    return Notation(quantities, Layout.ROW_MAJOR, exact=True)
 
 
 def _keep(record: list[str], found: dict[str, Places], source: str) -> None:

@@ -43,7 +43,8 @@ def json_notation(text: str, source: str) -> Notation:
         raise _unreadable(source, f"not JSON at {place}: {error.msg}") from None
     if not isinstance(found, dict):
         raise _unreadable(source, "it is not a JSON object")
-    return Notation(dict(_matrices(found, "", 0)), _layout(found.get("layout"), source))
+    ours = "command" in found and "version" in found
+    return Notation(dict(_matrices(found, "", 0)), _layout(found.get("layout"), source), ours)
 
 
 def _layout(stated: object, source: str) -> Layout | None:

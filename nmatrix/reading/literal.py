@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.linear.projection import is_lens
 from nmatrix.linear.rational import (
     RationalMatrix,
+    RoundedMatrix,
     Rows,
     affine_matrix,
     is_affine,
+    rational_matrix,
     to_floats,
     transpose,
 )
+from nmatrix.reading.digits import TypedDigits, digits_of, half_units, shared_half_units
 from nmatrix.reading.numbers import fraction
 
 LARGEST = 4  # rows and columns
@@ -38,24 +42,27 @@ def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValue
 class Notation:
     """The quantities of a text, in its order; `layout` is None where the text does not say it.
 
-    A text that is one nameless matrix has the single name "".
+    A text that is one nameless matrix has the single name "". `exact` is a text of nmatrix itself,
+    whose floats are the very floats.
     """
 
     quantities: Mapping[str, Tokens]
     layout: Layout | None = None
+    exact: bool = False
 
 
 @dataclass(frozen=True)
 class MatrixLiteral:
     """A matrix of at most 4×4 entries and where it came from.
 
-    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `decimals` are
-    the digits behind the point that were typed, None for p/q.
+    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `digits` are
+    those that were typed; `exact` numbers are known as they are, however many digits they have.
     """
 
     rows_exact: RationalMatrix
     source: str
-    decimals: tuple[tuple[int | None, ...], ...] = ()
+    digits: TypedDigits
+    exact: bool = False
 
     @cached_property
     def rows(self) -> Rows:
@@ -67,8 +74,45 @@ class MatrixLiteral:
         """Return the number of rows and columns."""
         return len(self.rows_exact), len(self.rows_exact[0])
 
+    @property
+    def decimals(self) -> tuple[tuple[int | None, ...], ...]:
+        """The digits behind the point of each entry, None for p/q."""
+        return tuple(
+            tuple(None if one is None else one.decimals for one in row) for row in self.digits
+        )
 
-def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLiteral:
+    @property
+    def half_units(self) -> RationalMatrix:
+        """Half the last unit of each entry: how far what was rounded may lie from it."""
+        return half_units(self.rows_exact, self._digits_that_round)
+
+    @property
+    def shared_half_units(self) -> RationalMatrix:
+        """Half units if all entries were written in one precision."""
+        return shared_half_units(self.rows_exact, self._digits_that_round)
+
+    @property
+    def as_floats(self) -> RationalMatrix:
+        """The nearest floats, as exact numbers that know their half units if any was rounded."""
+        return self._knowing(rational_matrix(self.rows))
+
+    @property
+    def as_typed(self) -> RationalMatrix:
+        """The typed fractions, which know their half units if any was rounded."""
+        return self._knowing(self.rows_exact)
+
+    def _knowing(self, rows: RationalMatrix) -> RationalMatrix:
+        known = self.half_units
+        return RoundedMatrix.of(rows, known) if any(map(any, known)) else rows
+
+    @property
+    def _digits_that_round(self) -> TypedDigits:
+        return tuple((None,) * len(row) for row in self.digits) if self.exact else self.digits
+
+
+def literal_from_tokens(
+    tokens: Tokens, layout: Layout, source: str, *, exact: bool = False
+) -> MatrixLiteral:
     """Read rows of number texts as a matrix.
 
     Nine or sixteen numbers in one row or column are a square matrix. In column-major layout each
@@ -89,25 +133,10 @@ def literal_from_tokens(tokens: Tokens, layout: Layout, source: str) -> MatrixLi
         tuple(_entry(text, (r, c), source) for c, text in enumerate(row))
         for r, row in enumerate(shaped)
     )
-    decimals = tuple(tuple(map(typed_decimals, row)) for row in shaped)
+    digits = tuple(tuple(map(digits_of, row)) for row in shaped)
     if layout is Layout.COLUMN_MAJOR and min(len(rows), len(rows[0])) > 1:
-        rows, decimals = transpose(rows), transpose(decimals)
-    return MatrixLiteral(rows, source, decimals)
-
-
-def typed_decimals(text: str) -> int | None:
-    """Count the digits behind the point that a number was typed with; p/q has no point.
-
-    Examples
-    --------
-    >>> typed_decimals("0.50"), typed_decimals("2"), typed_decimals("1.5e-3"), typed_decimals("1/3")
-    (2, 0, 4, None)
-    """
-    if "/" in text:
-        return None
-    mantissa, _, exponent = text.replace("−", "-").strip().lower().partition("e")
-    behind = len(mantissa.partition(".")[2])
-    return max(0, behind - int(exponent[:6] or "0"))
+        rows, digits = transpose(rows), transpose(digits)
+    return MatrixLiteral(rows, source, digits, exact)
 
 
 def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
@@ -125,7 +154,8 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     (2.0, 0.0, 0.0, 0.0)
     """
     if matrix.shape == (3, 3):
-        return MatrixLiteral(affine_matrix(matrix.rows_exact), matrix.source)
+        digits = (*((*row, None) for row in matrix.digits), (None,) * 4)
+        return replace(matrix, rows_exact=affine_matrix(matrix.rows_exact), digits=digits)
     _require_4x4(matrix, "9 or 16 numbers")
     if not is_affine(matrix.rows_exact):
         raise _not_affine(matrix)
@@ -133,14 +163,17 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
 
 
 def as_projection(matrix: MatrixLiteral) -> MatrixLiteral:
-    """Take a matrix for a projection: any sixteen numbers.
+    """Take a matrix for a projection: any sixteen numbers, unless only their transpose is one.
 
     Raises
     ------
     IllegalValueError
-        If it is not 4×4.
+        If it is not 4×4, or a projection for row vectors or stored by columns.
     """
     _require_4x4(matrix, "16 numbers")
+    rows = matrix.rows_exact
+    if not is_lens(rows) and is_lens(transpose(rows)):
+        raise _looks_transposed(matrix)
     return matrix
 
 
@@ -175,8 +208,12 @@ def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:
 
 def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:
     if is_affine(transpose(matrix.rows_exact)):
-        why = f"this looks column-major or row-vector: {quantity('input_layout')} column-major"
-        return unreadable(matrix.source, why, "")
+        return _looks_transposed(matrix)
     last = " ".join(f"{entry:g}" for entry in matrix.rows[3])
     why = f"its last row is {last}, that of an affine matrix is 0 0 0 1"
     return unreadable(matrix.source, why, f"give a projection as {quantity('projection_matrix')}")
+
+
+def _looks_transposed(matrix: MatrixLiteral) -> IllegalValueError:
+    why = f"this looks column-major or row-vector: {quantity('input_layout')} column-major"
+    return unreadable(matrix.source, why, "")

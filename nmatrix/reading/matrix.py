@@ -64,7 +64,7 @@ def matrix_literal(
         raise _unreadable(origin, f"it holds the control character {found[0]!r}, so it is not text")
     notation = _notation(text.replace("\r\n", "\n").removeprefix("\ufeff").strip(), origin)
     tokens = _chosen(notation, key, origin)
-    return literal_from_tokens(tokens, notation.layout or layout, origin)
+    return literal_from_tokens(tokens, notation.layout or layout, origin, exact=notation.exact)
 
 
 def _notation(text: str, source: str) -> Notation:

@@ -35,7 +35,7 @@ def npy_literal(content: bytes, layout: Layout, source: str) -> MatrixLiteral:
         raise _unreadable(source, f"its shape is {array.shape}")
     rows = array.reshape(1, -1) if array.ndim == 1 else array
     return literal_from_tokens(
-        [[repr(entry) for entry in row] for row in rows.tolist()], layout, source
+        [[repr(entry) for entry in row] for row in rows.tolist()], layout, source, exact=True
     )
 
 

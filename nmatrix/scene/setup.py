@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property, partial
 
@@ -10,7 +10,13 @@ from nmatrix.enums import Frame
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle, direction_from_angles, turns
 from nmatrix.linear.classify import BUILT
-from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    RationalVector,
+    RoundedMatrix,
+    rational_vector,
+)
+from nmatrix.linear.rounded import meant
 from nmatrix.linear.values import named, number, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
@@ -112,7 +118,22 @@ class Setup:
             if self.space_matrix is None
             else Transform(Frame.CUSTOM, Frame.WORLD, self.space_matrix),
             tolerance=float(self.tolerance),
+            to_digits=None if self.to_digits is self else self.to_digits.maps,
         )
+
+    @cached_property
+    def to_digits(self) -> Setup:
+        """This setup with every matrix that was rounded replaced by what it stands for."""
+        world, view, space = self.world, self.view, self.space_matrix
+        if isinstance(world.matrix, RoundedMatrix):
+            world = replace(world, matrix=meant(world.matrix))
+        if isinstance(view.matrix, RoundedMatrix):
+            view = replace(view, matrix=meant(view.matrix))
+        if isinstance(space, RoundedMatrix):
+            space = meant(space)
+        if (world, view, space) == (self.world, self.view, self.space_matrix):
+            return self
+        return replace(self, world=world, view=view, space_matrix=space)
 
     @property
     def placed_world(self) -> Transform:

@@ -13,7 +13,7 @@ from functools import cached_property
 from nmatrix.enums import Frame, Handedness, Space
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
-from nmatrix.linear.classify import BUILT, classify
+from nmatrix.linear.classify import BUILT, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.view import looking_along
 from nmatrix.spaces.shading_spaces import PROFILES
@@ -36,6 +36,7 @@ class ExactMaps:
     """What all shading spaces are derived from, in world units.
 
     `target` and `up` are the camera's; the light's own view uses them where it has no direction.
+    `to_digits` are the maps that these stand for, if a matrix of them was rounded.
     """
 
     world_from_object: Transform
@@ -47,6 +48,7 @@ class ExactMaps:
     up: RationalVector = UPWARDS
     custom_from_world: Transform | None = None
     tolerance: float = BUILT
+    to_digits: ExactMaps | None = None
 
     @cached_property
     def clip_from_object(self) -> RationalMatrix:
@@ -79,7 +81,14 @@ class ExactMaps:
 
     def is_rigid(self, space: Space) -> bool:
         """Recognise a space whose coordinates keep the lengths and angles of the world."""
-        return classify(self.space_from_world(space).exact, self.tolerance).is_rigid
+        maps = self.to_digits or self
+        return classify(maps.space_from_world(space).exact, self.tolerance).is_rigid
+
+    def classified(self, space: Space) -> Classification:
+        """Classify the map from the object to a space, to the digits that were given."""
+        maps = self.to_digits or self
+        stands_for = maps.space_from_object(space).exact
+        return classify(self.space_from_object(space).exact, self.tolerance, stands_for)
 
     def vector_world_from_space(self, space: Space) -> RationalMatrix:
         """Return B⁻¹, which takes vectors of the space back to world lengths and angles."""

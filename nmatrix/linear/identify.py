@@ -1,0 +1,270 @@
+"""What a matrix is, told from its entries alone: every reading that they allow, likeliest first.
+
+A projection, a parallel projection, a place in the world or a view, stored by rows or by columns.
+What its numbers came from is unknown, but people choose round ones: the reading whose numbers take
+the fewest digits comes first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain
+from typing import Any
+
+from nmatrix.enums import Layout, MatrixKind
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.affine import compose, rotation
+from nmatrix.linear.angle import DEGREES, Angle
+from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.decompose import Parts, angles_of, parts
+from nmatrix.linear.interval import Interval, digit_cost
+from nmatrix.linear.lens_readings import LensReading, lens_readings
+from nmatrix.linear.rational import (
+    AFFINE_ROW,
+    RationalMatrix,
+    RationalVector,
+    RoundedMatrix,
+    affine_matrix,
+    determinant,
+    inverse,
+    linear_part,
+    rank,
+    rational_matrix,
+    to_floats,
+    translation,
+    transpose,
+)
+from nmatrix.linear.rounded import meant
+from nmatrix.linear.view import first_person, look_at
+
+ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
+# How far from what the digits say a round number is looked for, in parts of what they leave open.
+NOISE = Fraction(1, 2**51)  # two roundings to float64
+REACHES = (Fraction(4), Fraction(1), Fraction(1, 4), Fraction(0))
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One thing that a matrix may be, stored in one layout; `lens` or `place` has the numbers."""
+
+    kind: MatrixKind
+    layout: Layout
+    rows: RationalMatrix
+    half_units: RationalMatrix
+    lens: LensReading | None = None
+    place: Place | None = None
+
+    @property
+    def cost(self) -> float:
+        """How many digits its numbers take."""
+        told = self.lens or self.place
+        return 0.0 if told is None else told.cost
+
+    @property
+    def residual(self) -> Fraction | None:
+        """The largest difference between an entry and the rebuilt matrix, in half units."""
+        told = self.lens or self.place
+        rebuilt = None if told is None else told.rebuilt
+        if rebuilt is None:
+            return None
+        return largest_difference(rational_matrix(rebuilt), self.rows, self.half_units)
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where an object stands, or what a camera sees: an affine matrix apart, in round numbers."""
+
+    found: Classification
+    parts: Parts | None
+    order: str
+    as_object: RationalMatrix | None
+    camera: Camera | None
+
+    @property
+    def cost(self) -> float:
+        """How many digits it takes, as an object's place or as a camera's."""
+        if self.is_view and self.camera is not None:
+            return self.camera.cost
+        return 0.0 if self.parts is None else parts_cost(self.parts)
+
+    @property
+    def is_view(self) -> bool:
+        """Whether it takes fewer digits as a view than as an object's place."""
+        if self.camera is None or self.camera.rebuilt is None:
+            return False
+        return self.parts is None or self.camera.cost < parts_cost(self.parts)
+
+    @property
+    def rebuilt(self) -> RationalMatrix | None:
+        """The matrix that the simpler numbers make."""
+        return self.camera.rebuilt if self.is_view and self.camera else self.as_object
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A camera whose view matrix it may be.
+
+    `turn` is its elevation, its angle and its roll, in degrees.
+    """
+
+    eye: RationalVector
+    turn: RationalVector
+    mirrored: bool
+    looks_at_origin: bool = False
+
+    @cached_property
+    def rebuilt(self) -> RationalMatrix | None:
+        """The view matrix that these numbers make; a mirror makes none."""
+        if self.mirrored:
+            return None
+        if self.looks_at_origin:
+            try:
+                return rational_matrix(look_at(self.eye, (0, 0, 0)).camera_from_world)
+            except NoAnswerError:
+                return None
+        elevation, angle, roll = map(Angle.degrees, self.turn)
+        return first_person(self.eye, elevation, angle, roll)
+
+    @property
+    def cost(self) -> float:
+        """How many digits it takes."""
+        return sum(map(digit_cost, self.eye if self.looks_at_origin else (*self.eye, *self.turn)))
+
+
+def identify(rows: RationalMatrix, half_units: RationalMatrix) -> tuple[Reading, ...]:
+    """Read a 3×3 or a 4×4 matrix in every way that its entries allow, the likeliest first.
+
+    Parameters
+    ----------
+    rows, half_units
+        The entries, and how far each may lie from what was rounded.
+
+    Examples
+    --------
+    >>> turned = rational_matrix(rotation((0, 0, Angle.degrees(90))))
+    >>> [(str(one.kind), str(one.layout)) for one in identify(turned, ((Fraction(0),) * 3,) * 3)]
+    [('rigid', 'row-major'), ('rigid', 'column-major')]
+    """
+    found = list(_readings(rows, half_units, Layout.ROW_MAJOR))
+    if transpose(rows) != rows:
+        found += _readings(transpose(rows), transpose(half_units), Layout.COLUMN_MAJOR)
+    if not found:
+        kind = MatrixKind.GENERAL if rank(rows) == len(rows) else MatrixKind.SINGULAR
+        return (Reading(kind, Layout.ROW_MAJOR, rows, half_units),)
+    return tuple(sorted(found, key=lambda one: one.cost))  # equals stay by rows
+
+
+def largest_difference(
+    rebuilt: RationalMatrix, rows: RationalMatrix, half_units: RationalMatrix
+) -> Fraction:
+    """Return the largest difference of two matrices, entry by entry, in half units of the second.
+
+    Where that has none, in roundings of its largest entry. Of a 4×4 that stands beside a 3×3 only
+    the block counts.
+    """
+    size = len(rows)
+    noise = NOISE * max(abs(entry) for entry in chain(*rows))
+    built = chain.from_iterable(row[:size] for row in rebuilt[:size])
+    return max(
+        abs(entry - other) / max(half, noise)
+        for entry, other, half in zip(chain(*rows), built, chain(*half_units), strict=True)
+    )
+
+
+def _readings(
+    rows: RationalMatrix, half_units: RationalMatrix, layout: Layout
+) -> Iterator[Reading]:
+    if len(rows) == 4:
+        for lens in lens_readings(rows, half_units):
+            yield Reading(lens.kind, layout, rows, half_units, lens)
+    if len(rows) == 3 or rows[3] == AFFINE_ROW:
+        place = _place(rows, half_units)
+        if place.found.rank < 3:
+            kind = MatrixKind.SINGULAR
+        else:
+            kind = MatrixKind.RIGID if place.found.is_rigid else MatrixKind.AFFINE
+        yield Reading(kind, layout, rows, half_units, place=place)
+
+
+def _place(rows: RationalMatrix, half_units: RationalMatrix) -> Place:
+    rounded = RoundedMatrix.of(rows, half_units)
+    found = classify(rounded)
+    known = half_units if len(rows) == 4 else affine_matrix(half_units)
+    typed = RoundedMatrix.of(rows if len(rows) == 4 else affine_matrix(rows), known)
+    sharp = meant(typed)
+    told = [one for one in (_round_parts(sharp, typed, order) for order in ORDERS) if one]
+    best = min(told, key=lambda one: parts_cost(one[0]), default=None)
+    taken, order, rebuilt = best or (None, ORDERS[0], None)
+    camera = _camera(sharp, typed) if found.is_rigid else None
+    return Place(found, taken, order, rebuilt, camera)
+
+
+def _round_parts(
+    sharp: RationalMatrix, typed: RoundedMatrix, order: str
+) -> tuple[Parts, str, RationalMatrix] | None:
+    """Take a matrix apart in an order, in the roundest numbers that still make the digits typed."""
+    taken = parts(sharp, order)
+    if taken is None:
+        return None
+    known = max(map(max, linear_part(typed.half_units)))
+    least = min(map(abs, taken.scale))
+    spread = {
+        "translate": translation(typed.half_units),
+        "rotate": (known / least * Fraction(DEGREES),) * 3,
+        "scale": (known,) * 3,
+        "shear": (known / least,) * 3,
+    }
+    for reach in REACHES:
+        round_ones: dict[str, Any] = {
+            name: tuple(
+                _round(value, reach * one)
+                for value, one in zip(getattr(taken, name), spread[name], strict=True)
+            )
+            for name in spread
+        }
+        rounder = replace(taken, **round_ones)
+        turned = rotation([Angle.degrees(one) for one in rounder.rotate], order)
+        rebuilt = compose(turned, rounder.scale, rounder.shear, rounder.translate)
+        if largest_difference(rebuilt, typed, typed.half_units) <= 1:
+            return rounder, order, rebuilt
+    return rounder, order, rebuilt
+
+
+def _camera(sharp: RationalMatrix, typed: RoundedMatrix) -> Camera:
+    """Read a rigid matrix as a view: V = Rz(−roll) · Rx(−elevation) · Ry(−angle) · T(−eye)."""
+    block = linear_part(sharp)
+    mirrored = determinant(block) < 0
+    if mirrored:
+        block = (*block[:2], tuple(-entry for entry in block[2]))
+    moved = max(translation(typed.half_units)) + max(map(max, linear_part(typed.half_units))) * sum(
+        map(abs, translation(typed))
+    )
+    eye = translation(inverse(sharp))
+    x, y, z = angles_of(to_floats(block), "ZXY")
+    spread = max(map(max, linear_part(typed.half_units))) * Fraction(DEGREES)
+    for reach in REACHES:
+        camera = Camera(
+            tuple(_round(one, reach * moved) for one in eye),
+            tuple(_round(-one, reach * spread) for one in (x, y, z)),
+            mirrored,
+        )
+        for looks_at_origin in (True, False):
+            told = replace(camera, looks_at_origin=looks_at_origin)
+            built = told.rebuilt
+            if built is not None and largest_difference(built, typed, typed.half_units) <= 1:
+                return told
+    return camera
+
+
+def _round(value: float | Fraction, reach: Fraction) -> Fraction:
+    return Fraction(Interval.around(Fraction(value), reach).roundest())
+
+
+def parts_cost(taken: Parts) -> float:
+    """Return how many digits the parts take; one scale for all three axes is one number."""
+    scale = set(taken.scale) - {Fraction(1)}
+    numbers: tuple[float | Fraction, ...] = (*taken.translate, *taken.rotate, *scale, *taken.shear)
+    return sum(digit_cost(Fraction(one)) for one in numbers)
