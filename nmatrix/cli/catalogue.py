@@ -40,6 +40,9 @@ COMMANDS = {
         Panel.MATRICES, "matrices", "The normal matrix of any map, and what becomes of normals"
     ),
     "calc": CatalogueEntry(Panel.MATRICES, "calc", "The matrix calculator, in exact fractions"),
+    "identify": CatalogueEntry(
+        Panel.MATRICES, "matrices", "What is this matrix? Every reading, with its evidence"
+    ),
     "light": CatalogueEntry(
         Panel.SPACES, "spaces", "Light direction and position in one space, or in four"
     ),

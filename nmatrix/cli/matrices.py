@@ -1,4 +1,4 @@
-"""The panel Matrices: world, view, projection, normal."""
+"""The panel Matrices: world, view, projection, normal, identify."""
 
 from __future__ import annotations
 
@@ -30,6 +30,11 @@ nmatrix view --eye 3 3 2.5 --elevation -45 --angle -40 --convention polimi""",
 nmatrix projection --api vulkan --far inf --depth reversed
 
 nmatrix projection --ortho -2 2 -1 1 --near 0 --far 10""",
+    "identify": """nmatrix identify "1.7321 0 0 0; 0 1.7321 0 0; 0 0 1.0101 -1.0101; 0 0 1 0"
+
+nmatrix identify "0.70711 -0.70711 0; 0.70711 0.70711 0; 0 0 1"
+
+nmatrix view --eye 3 3 2.5 -f json | nmatrix identify -""",
     "normal": """nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0
 
 nmatrix normal --scale 1 2 1 --rotate 0 30 0 --space camera
@@ -100,6 +105,19 @@ def normal(
         method=chosen(NormalRule, method, "method", NORMAL_METHODS),
     )
     show(answer(groups.setup(common, tolerance=tolerance), request), common)
+
+
+def identify(
+    *,
+    matrix: Annotated[
+        str, Argument(metavar="MATRIX", help="Any 3×3, 3×4 or 4×4 matrix; - reads stdin.")
+    ],
+    common: CommonOptions,
+) -> None:
+    """Show what a matrix may be."""
+    from nmatrix.answers.identify import identify_matrix
+
+    show(identify_matrix(common.sources.literal(matrix).as_floats), common)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
+from math import prod
 from typing import Any
 
 from nmatrix.enums import Layout, MatrixKind
@@ -38,10 +39,12 @@ from nmatrix.linear.rational import (
     transpose,
 )
 from nmatrix.linear.rounded import meant
+from nmatrix.linear.rounding import spacing
 from nmatrix.linear.view import first_person, look_at
 
 ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
 # How far from what the digits say a round number is looked for, in parts of what they leave open.
+MIRRORED = 1.0  # digits' worth of doubt: few objects are
 NOISE = Fraction(1, 2**51)  # two roundings to float64
 REACHES = (Fraction(4), Fraction(1), Fraction(1, 4), Fraction(0))
 
@@ -134,27 +137,32 @@ class Camera:
         return sum(map(digit_cost, self.eye if self.looks_at_origin else (*self.eye, *self.turn)))
 
 
-def identify(rows: RationalMatrix, half_units: RationalMatrix) -> tuple[Reading, ...]:
+def identify(rows: RationalMatrix) -> tuple[Reading, ...]:
     """Read a 3×3 or a 4×4 matrix in every way that its entries allow, the likeliest first.
 
-    Parameters
-    ----------
-    rows, half_units
-        The entries, and how far each may lie from what was rounded.
+    Rows that were rounded are known to their shared half units, all others to a float64.
 
     Examples
     --------
     >>> turned = rational_matrix(rotation((0, 0, Angle.degrees(90))))
-    >>> [(str(one.kind), str(one.layout)) for one in identify(turned, ((Fraction(0),) * 3,) * 3)]
+    >>> [(str(one.kind), str(one.layout)) for one in identify(turned)]
     [('rigid', 'row-major'), ('rigid', 'column-major')]
     """
-    found = list(_readings(rows, half_units, Layout.ROW_MAJOR))
+    known = known_half_units(rows)
+    found = list(_readings(rows, known, Layout.ROW_MAJOR))
     if transpose(rows) != rows:
-        found += _readings(transpose(rows), transpose(half_units), Layout.COLUMN_MAJOR)
+        found += _readings(transpose(rows), transpose(known), Layout.COLUMN_MAJOR)
     if not found:
         kind = MatrixKind.GENERAL if rank(rows) == len(rows) else MatrixKind.SINGULAR
-        return (Reading(kind, Layout.ROW_MAJOR, rows, half_units),)
+        return (Reading(kind, Layout.ROW_MAJOR, rows, known),)
     return tuple(sorted(found, key=lambda one: one.cost))  # equals stay by rows
+
+
+def known_half_units(rows: RationalMatrix) -> RationalMatrix:
+    """Return how far each entry may lie from what was rounded, else to a float64."""
+    if isinstance(rows, RoundedMatrix):
+        return rows.shared_half_units
+    return tuple(tuple(spacing(entry) for entry in row) for row in rows)
 
 
 def largest_difference(
@@ -267,4 +275,5 @@ def parts_cost(taken: Parts) -> float:
     """Return how many digits the parts take; one scale for all three axes is one number."""
     scale = set(taken.scale) - {Fraction(1)}
     numbers: tuple[float | Fraction, ...] = (*taken.translate, *taken.rotate, *scale, *taken.shear)
-    return sum(digit_cost(Fraction(one)) for one in numbers)
+    mirrored = MIRRORED if prod(taken.scale) < 0 else 0.0
+    return mirrored + sum(digit_cost(Fraction(one)) for one in numbers)

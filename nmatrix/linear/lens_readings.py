@@ -19,6 +19,7 @@ from nmatrix.enums import API_PRESETS, Api, ClipY, DepthRange, Handedness, Matri
 from nmatrix.errors import NMatrixError
 from nmatrix.linear.angle import DEGREES, Angle, arctangent
 from nmatrix.linear.interval import (
+    NO_NUMBER,
     Bound,
     Interval,
     digit_cost,
@@ -42,10 +43,12 @@ SIDES = ("left", "right", "bottom", "top")
 LARGEST = Fraction(float_info.max)
 
 # What makes a reading less likely, in digits (see `interval.digit_cost`).
-NO_INTERFACE = 0.6  # a clip space that no interface has
+NO_INTERFACE = 1.2  # a clip space that no interface has
 NOT_OPENGL = 0.1  # among equals, the interface that most matrices are written for
 BEHIND = 0.5  # a near plane behind the eye
+MOSTLY_BEHIND = 1.5  # and farther behind it than the far plane is ahead
 ALL_BEHIND = 2.0  # a far plane there
+NO_RANGE = 2 * NO_NUMBER  # a z row that is of no depth range
 
 
 @dataclass(frozen=True)
@@ -89,9 +92,11 @@ class LensReading:
     def cost(self) -> float:
         """How many digits its numbers take, and what makes it unlikely besides."""
         near, far = self.values.get("near", inf), self.values.get("far", inf)
-        cost = _pair_cost(near, far)
+        cost = NO_RANGE if self.depth is None else _pair_cost(near, far)
         if near < 0:
             cost += 0 if (near, far) == (-1, 1) else BEHIND
+        if -near > far:
+            cost += MOSTLY_BEHIND
         if far <= 0:
             cost += ALL_BEHIND
         if Api.OPENGL not in self.apis:
@@ -101,7 +106,8 @@ class LensReading:
         sides = [self.values[side] for side in SIDES if side in self.values]
         if len(sides) < len(SIDES):
             return cost
-        return cost + _pair_cost(*sides[:2]) + _pair_cost(*sides[2:])
+        window = _pair_cost(*sides[:2]) + _pair_cost(*sides[2:])
+        return cost + (window / 2 if self.is_perspective else window)
 
     @cached_property
     def rebuilt(self) -> Rows | None:

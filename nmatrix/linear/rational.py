@@ -26,15 +26,26 @@ AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
 
 
 class RoundedMatrix(tuple[RationalVector, ...]):
-    """Rows of fractions that know how far each entry may lie from what was rounded."""
+    """Rows of fractions that know how far each entry may lie from what was rounded.
+
+    `half_units` are half the last unit of each entry, 0 where it is exact; `shared_half_units` are
+    those if all entries were written in one precision by a program that computes in floats.
+    """
 
     half_units: RationalMatrix
+    shared_half_units: RationalMatrix
 
     @classmethod
-    def of(cls, rows: RationalMatrix, half_units: RationalMatrix) -> RoundedMatrix:
-        """Return the rows together with half the last unit of each entry, 0 where it is exact."""
+    def of(
+        cls,
+        rows: RationalMatrix,
+        half_units: RationalMatrix,
+        shared_half_units: RationalMatrix | None = None,
+    ) -> RoundedMatrix:
+        """Return the rows together with their half units."""
         found = cls(rows)
         found.half_units = half_units
+        found.shared_half_units = half_units if shared_half_units is None else shared_half_units
         return found
 
 
@@ -71,7 +82,9 @@ def rounded_for_display(A: RationalMatrix) -> RationalMatrix:
     True
     """
     rows = tuple(tuple(_shown(entry) for entry in row) for row in A)
-    return RoundedMatrix.of(rows, A.half_units) if isinstance(A, RoundedMatrix) else rows
+    if isinstance(A, RoundedMatrix):
+        return RoundedMatrix.of(rows, A.half_units, A.shared_half_units)
+    return rows
 
 
 def _shown(entry: Fraction) -> Fraction:

@@ -103,7 +103,9 @@ class MatrixLiteral:
 
     def _knowing(self, rows: RationalMatrix) -> RationalMatrix:
         known = self.half_units
-        return RoundedMatrix.of(rows, known) if any(map(any, known)) else rows
+        if not any(map(any, known)):
+            return rows
+        return RoundedMatrix.of(rows, known, self.shared_half_units)
 
     @property
     def _digits_that_round(self) -> TypedDigits:

@@ -123,7 +123,7 @@ class Setup:
 
     @cached_property
     def to_digits(self) -> Setup:
-        """This setup with every matrix that was rounded replaced by what it stands for."""
+        """The same setup with what each rounded matrix of it stands for in that one's place."""
         world, view, space = self.world, self.view, self.space_matrix
         if isinstance(world.matrix, RoundedMatrix):
             world = replace(world, matrix=meant(world.matrix))
