@@ -177,7 +177,7 @@ def largest_difference(
     noise = NOISE * max(abs(entry) for entry in chain(*rows))
     built = chain.from_iterable(row[:size] for row in rebuilt[:size])
     return max(
-        abs(entry - other) / max(half, noise)
+        abs(entry - other) / (half or noise)
         for entry, other, half in zip(chain(*rows), built, chain(*half_units), strict=True)
     )
 
@@ -222,7 +222,7 @@ def _round_parts(
     spread = {
         "translate": translation(typed.half_units),
         "rotate": (known / least * Fraction(DEGREES),) * 3,
-        "scale": (known,) * 3,
+        "scale": tuple(map(max, transpose(linear_part(typed.half_units)))),
         "shear": (known / least,) * 3,
     }
     for reach in REACHES:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
-from math import sqrt
+from math import hypot, sqrt
 
 from nmatrix.linear.affine import rotation_from_quaternion
 from nmatrix.linear.decompose import quaternion_of
@@ -170,7 +170,7 @@ class _Box:
 
 def _nearest_orthogonal(X: Rows) -> Rows | None:
     """Return the orthogonal matrix nearest to X with its columns at length one, if X has rank 3."""
-    sizes = [sqrt(sum(row[j] ** 2 for row in X)) for j in range(3)]
+    sizes = [hypot(*(row[j] for row in X)) for j in range(3)]
     if min(sizes) == 0:
         return None
     Q = tuple(tuple(row[j] / sizes[j] for j in range(3)) for row in X)
