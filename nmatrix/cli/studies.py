@@ -21,7 +21,7 @@ from nmatrix.reading.numbers import number
 from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
-    from nmatrix.studies.harness import Harness
+    from nmatrix.studies.harness import Harness, Timed
     from nmatrix.studies.measurements import Target, Task
 
 HELP = {
@@ -42,7 +42,7 @@ Exit 1 if nmatrix itself fails one.""",
 }
 
 MOST_RANDOM = 100_000
-QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
+QUICK = (0.0005, 0.04)  # seconds of a turn and of a ratio
 ERRORS = {
     Study.NORMALS: {"deg": radians(1.0), "rad": 1.0},
     Study.SHADING: {"levels": 1.0},
@@ -72,41 +72,39 @@ def cost(
     """Measure what accuracy costs."""
     target = _target(study, tolerance, budget)
     chart_file = None if chart is None else _chart_file(chart, force=force)
-    from nmatrix.studies.harness import Harness
-    from nmatrix.studies.measurements import with_fronts
+    from nmatrix.studies.harness import Harness, untimed
+    from nmatrix.studies.measurements import with_fronts, without_times
     from nmatrix.studies.report import WORDINGS, report
 
-    trial = Harness(time.perf_counter, 0.002)
-    check = trial.self_check(_work)
-    trial.double_check(_work)
-    tasks = _tasks(study, _harness(quick=quick), quick=quick)
+    test = Harness(time.perf_counter, 0.002).self_test(_work)
+    timed = untimed if test.objection else _harness(quick=quick).ratio
+    tasks = _tasks(study, timed, quick=quick)
     done = (task() for task in tasks)
-    rows = with_fronts(list(progress(done, len(tasks), f"measuring {study}")))
+    rows = list(progress(done, len(tasks), f"measuring {study}"))
+    test = test.with_rows([row.timing for row in rows if row.is_reference and row.timing])
+    rows = with_fronts(without_times(rows) if test.objection else rows)
     if chart_file is not None:
         from nmatrix.studies.chart import ChartFormat
         from nmatrix.studies.chart import chart as drawn
 
         kind = ChartFormat(chart_file.suffix.lower().removeprefix("."))
         write_file(chart_file, drawn(rows, WORDINGS[study].title, kind), force=force)
-    show(report(study, rows, check, target), common)
+    show(report(study, rows, test, target), common)
 
 
 def _harness(*, quick: bool) -> Harness:
     from nmatrix.studies.harness import Harness
 
-    if not quick:
-        return Harness(time.perf_counter)
-    deadline = time.perf_counter() + QUICK_SECONDS
-    return Harness(time.perf_counter, 0.0005, max_rounds=7, min_rounds=3, deadline=deadline)
+    return Harness(time.perf_counter, *QUICK) if quick else Harness(time.perf_counter)
 
 
 def _work() -> int:
     return sum(range(2000))
 
 
-def _tasks(study: Study, harness: Harness, *, quick: bool) -> list[Task]:
+def _tasks(study: Study, timed: Timed, *, quick: bool) -> list[Task]:
     module = import_module(f"nmatrix.studies.{study}")
-    found: list[Task] = module.tasks(harness, module.QUICK if quick else module.FULL)
+    found: list[Task] = module.tasks(timed, module.QUICK if quick else module.FULL)
     return found
 
 
