@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from itertools import chain
 from math import radians
@@ -21,6 +21,7 @@ from nmatrix.reading.numbers import number
 from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
+    from nmatrix.studies.hardcases.case import Case
     from nmatrix.studies.harness import Harness, Timed
     from nmatrix.studies.measurements import Target, Task
 
@@ -80,9 +81,9 @@ def cost(
     timed = untimed if test.objection else _harness(quick=quick).ratio
     tasks = _tasks(study, timed, quick=quick)
     done = (task() for task in tasks)
-    rows = list(progress(done, len(tasks), f"measuring {study}"))
-    test = test.with_rows([row.timing for row in rows if row.is_reference and row.timing])
-    rows = with_fronts(without_times(rows) if test.objection else rows)
+    measured = list(progress(done, len(tasks), f"measuring {study}"))
+    test = test.with_rows([row.timing for row in measured if row.is_reference and row.timing])
+    rows = with_fronts(without_times(measured) if test.objection else measured)
     if chart_file is not None:
         from nmatrix.studies.chart import ChartFormat
         from nmatrix.studies.chart import chart as drawn
@@ -165,10 +166,14 @@ def stress(
     from nmatrix.studies.stress import CATALOGUE, case_named
     from nmatrix.studies.stress import stress as answer
 
-    cases = CATALOGUE
+    cases: Iterable[Case] = CATALOGUE
+    ids = [one.id for one in CATALOGUE]
     if random is not None:
-        from nmatrix.studies.hardcases.families import random_cases
+        from nmatrix.studies.hardcases.families import random_cases, random_ids
 
         count = whole_number(random, "--random", range(1, MOST_RANDOM + 1), 7)
         cases = random_cases(count, whole_number(seed, "--seed", range(MOST_RANDOM + 1), 7))
-    show(answer(cases if case is None else (case_named(case, cases),)), common)
+        ids = random_ids(count)
+    if case is not None:
+        cases, ids = (case_named(case, cases, ids),), [case]
+    show(answer(progress(cases, len(ids), "judging cases")), common)

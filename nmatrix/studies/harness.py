@@ -160,9 +160,9 @@ def _heads(*, fewer_than: int, throws: int, probability: float = 0.5) -> float:
 
 @dataclass(frozen=True)
 class SelfTest:
-    """What the clock made of what is known: a function against itself, twice its work, itself again.
+    """What the clock makes of ratios that are known: a function against itself, and twice its work.
 
-    `rows` are the rows of a study whose method is the reference itself.
+    `rows` are those of a study whose method is the reference itself.
     """
 
     same: Ratio
@@ -189,9 +189,9 @@ class SelfTest:
         --------
         >>> sound, off = Ratio(1, 1, 0.9, 1.1), Ratio(1, 1.2, 1.1, 1.3)
         >>> twice = Ratio(1, 2, 1.9, 2.1)
-        >>> SelfTest(sound, twice, (sound,) * 7 + (off,) * 3).objection is None
+        >>> SelfTest(sound, twice, (sound,) * 6 + (off,) * 4).objection is None
         False
-        >>> SelfTest(sound, twice, (sound,) * 8 + (off,) * 2).objection is None
+        >>> SelfTest(sound, twice, (sound,) * 7 + (off,) * 3).objection is None
         True
         """
         same, twice, count = self.same, self.twice, len(self.rows)
@@ -199,9 +199,7 @@ class SelfTest:
             return f"a function against itself took between {same.low:.2f} and {same.high:.2f}"
         if not twice.contains(2.0, DOUBLING_ERROR):
             return f"twice the work took between {twice.low:.2f} and {twice.high:.2f}"
-        as_few = _heads(
-            fewer_than=self.containing_one + 1, throws=count, probability=CONFIDENCE
-        )
+        as_few = _heads(fewer_than=self.containing_one + 1, throws=count, probability=CONFIDENCE)
         if count and as_few < SIGNIFICANCE:
             return f"only {self.containing_one} of {count} rows against themselves contain 1"
         if count and (wide := median(row.half_width for row in self.rows)) > NOISIEST:

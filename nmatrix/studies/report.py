@@ -208,11 +208,7 @@ def in_time(seconds: float) -> str:
 def _without_target(study: Study, rows: Rows) -> str:
     """Sum a study up where no tolerance and no budget was given."""
     if study is Study.NORMALS:
-        sound = [
-            row
-            for row in _candidates(study, rows)
-            if not row.failures and row.error <= SOUND
-        ]
+        sound = [row for row in _candidates(study, rows) if not row.failures and row.error <= SOUND]
         names = ", ".join(row.method for row in sound)
         return f"Right to {SOUND:g} rad in every family, and never without an answer: {names}."
     if study is Study.SHADING:
