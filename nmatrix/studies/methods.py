@@ -28,9 +28,9 @@ class Method:
 
     `multiplications` are those of its formula, divisions included, for one normal through a map of
     its own and before it is normalised; one of longer numbers counts as the products of its 64-bit
-    words, and LAPACK's are those of the textbooks. `is_ours` marks those of which nmatrix promises the right
-    answer on every input. The guarded one is nmatrix's too and promises less: 2⁻³⁶ rad. Those that
-    are not batched work on one matrix after the other, and take long.
+    words, and LAPACK's are those of the textbooks. `is_ours` marks those of which nmatrix promises
+    the right answer on every input. The guarded one is nmatrix's too and promises less: 2⁻³⁶ rad.
+    Those that are not batched work on one matrix after the other, and take long.
     """
 
     name: str
