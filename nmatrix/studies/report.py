@@ -41,22 +41,22 @@ def report(study: Study, rows: Rows, test: SelfTest, target: Target) -> Report:
         Verdict(_verdict(study, rows, target, met_by)),
         *tables,
     ]
-    remarks = (*_checked(rows), wording.reading, *_trust(study, test))
+    remarks = (*_checked(rows), wording.reading, _trust(study, test))
     return Report("cost", data, tuple(blocks), remarks)
 
 
-def _trust(study: Study, test: SelfTest) -> tuple[str, ...]:
+def _trust(study: Study, test: SelfTest) -> str:
     """Remark on how far the clock could be trusted, and on what stands in the place of times."""
     if test.objection is not None:
         return (
             f"No time is told: the machine is too busy ({test.objection}). The cheapest and the "
-            f"front are those of the counted work: {WORDINGS[study].work}.",
+            f"front are those of the counted work: {WORDINGS[study].work}."
         )
-    same, count = test.same, len(test.rows)
+    same = test.same
     return (
         f"A function against itself took {same.ratio:.3f} of its own time, between {same.low:.3f} "
-        f"and {same.high:.3f}. Of the {count} rows that are the reference itself, "
-        f"{test.containing_one} have an interval that contains 1.",
+        f"and {same.high:.3f}. Of the {len(test.rows)} rows that are the reference itself, "
+        f"{test.containing_one} have an interval that contains 1."
     )
 
 
@@ -129,7 +129,7 @@ WORDINGS = {
         "for 10⁵ normals",
         "multiplications of the formula and calls of functions, for one normal",
         "Errors are in radians, ratios are times over np.linalg.inv(A).T's; rows marked front have "
-        "no wrong answer, and no other beats them in both error and time.",
+        "no wrong answer, and no other is as good and cheaper.",
         _normals_table,
     ),
     Study.SHADING: Wording(

@@ -85,10 +85,11 @@ class Tally:
         failed = [r for r in ours if r.verdict is not CaseVerdict.RIGHT]
         self.own += len(ours)
         self.failed += len(failed)
-        is_new = failed and len(self.failures) < KEPT
-        if is_new:
+        is_kept = self.count <= KEPT
+        if failed and len(self.failures) < KEPT:
+            is_kept = True
             self.failures += [(case, r) for r in failed]
-        if is_new or self.count <= KEPT:
+        if is_kept:
             self.kept.append((case, results))
 
 
@@ -107,8 +108,8 @@ def stress(cases: Iterable[Case]) -> Report:
     }
     blocks = _explained(*tally.kept[0]) if tally.count == 1 else _overview(tally)
     left_out = tally.count - len(tally.kept)
-    rest = f"{left_out} cases in which nmatrix is right are counted and not listed."
-    remarks = (*_replays(tally.failures), *((rest,) if left_out else ()))
+    counted = (f"{left_out} more cases are counted and not listed.",) if left_out else ()
+    remarks = (*_replays(tally.failures), *counted)
     return Report("stress", data, blocks, remarks, _failure(tally))
 
 

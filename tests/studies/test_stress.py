@@ -234,7 +234,7 @@ def test_cases_that_failed_are_kept_whatever_their_place() -> None:
     assert found.data["failed"] == 3
     assert found.data["passed"] == KEPT + 47
     assert found.failure is not None
-    assert found.remarks[-1].startswith("47 cases")
+    assert found.remarks[-1].startswith("47 more cases")
     assert not stress(tiny_cases(KEPT)).remarks
 
 
