@@ -74,7 +74,7 @@ class Harness:
 
     clock: Clock
     min_turn: float = 0.02
-    max_seconds: float = 1.5
+    max_seconds: float = 1.1
 
     def ratio(self, run: Run, reference: Run) -> Ratio:
         """Measure the time of `run` over that of `reference`, the first round discarded."""
