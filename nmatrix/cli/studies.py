@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from itertools import chain
 from math import radians
@@ -21,7 +21,8 @@ from nmatrix.reading.numbers import number
 from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
-    from nmatrix.studies.harness import Harness
+    from nmatrix.studies.hardcases.case import Case
+    from nmatrix.studies.harness import Harness, Timed
     from nmatrix.studies.measurements import Target, Task
 
 HELP = {
@@ -42,7 +43,7 @@ Exit 1 if nmatrix itself fails one.""",
 }
 
 MOST_RANDOM = 100_000
-QUICK_SECONDS = 4.5  # after which each row takes the fewest rounds
+QUICK = (0.0005, 0.04)  # seconds of a turn and of a ratio
 ERRORS = {
     Study.NORMALS: {"deg": radians(1.0), "rad": 1.0},
     Study.SHADING: {"levels": 1.0},
@@ -72,41 +73,39 @@ def cost(
     """Measure what accuracy costs."""
     target = _target(study, tolerance, budget)
     chart_file = None if chart is None else _chart_file(chart, force=force)
-    from nmatrix.studies.harness import Harness
-    from nmatrix.studies.measurements import with_fronts
+    from nmatrix.studies.harness import Harness, untimed
+    from nmatrix.studies.measurements import with_fronts, without_times
     from nmatrix.studies.report import WORDINGS, report
 
-    trial = Harness(time.perf_counter, 0.002)
-    check = trial.self_check(_work)
-    trial.double_check(_work)
-    tasks = _tasks(study, _harness(quick=quick), quick=quick)
+    test = Harness(time.perf_counter, 0.002).self_test(_work)
+    timed = untimed if test.objection else _harness(quick=quick).ratio
+    tasks = _tasks(study, timed, quick=quick)
     done = (task() for task in tasks)
-    rows = with_fronts(list(progress(done, len(tasks), f"measuring {study}")))
+    measured = list(progress(done, len(tasks), f"measuring {study}"))
+    test = test.with_rows([row.timing for row in measured if row.is_reference and row.timing])
+    rows = with_fronts(without_times(measured) if test.objection else measured)
     if chart_file is not None:
         from nmatrix.studies.chart import ChartFormat
         from nmatrix.studies.chart import chart as drawn
 
         kind = ChartFormat(chart_file.suffix.lower().removeprefix("."))
         write_file(chart_file, drawn(rows, WORDINGS[study].title, kind), force=force)
-    show(report(study, rows, check, target), common)
+    show(report(study, rows, test, target), common)
 
 
 def _harness(*, quick: bool) -> Harness:
     from nmatrix.studies.harness import Harness
 
-    if not quick:
-        return Harness(time.perf_counter)
-    deadline = time.perf_counter() + QUICK_SECONDS
-    return Harness(time.perf_counter, 0.0005, max_rounds=7, min_rounds=3, deadline=deadline)
+    return Harness(time.perf_counter, *QUICK) if quick else Harness(time.perf_counter)
 
 
 def _work() -> int:
     return sum(range(2000))
 
 
-def _tasks(study: Study, harness: Harness, *, quick: bool) -> list[Task]:
+def _tasks(study: Study, timed: Timed, *, quick: bool) -> list[Task]:
     module = import_module(f"nmatrix.studies.{study}")
-    found: list[Task] = module.tasks(harness, module.QUICK if quick else module.FULL)
+    found: list[Task] = module.tasks(timed, module.QUICK if quick else module.FULL)
     return found
 
 
@@ -167,10 +166,14 @@ def stress(
     from nmatrix.studies.stress import CATALOGUE, case_named
     from nmatrix.studies.stress import stress as answer
 
-    cases = CATALOGUE
+    cases: Iterable[Case] = CATALOGUE
+    ids = [one.id for one in CATALOGUE]
     if random is not None:
-        from nmatrix.studies.hardcases.families import random_cases
+        from nmatrix.studies.hardcases.families import random_cases, random_ids
 
         count = whole_number(random, "--random", range(1, MOST_RANDOM + 1), 7)
         cases = random_cases(count, whole_number(seed, "--seed", range(MOST_RANDOM + 1), 7))
-    show(answer(cases if case is None else (case_named(case, cases),)), common)
+        ids = random_ids(count)
+    if case is not None:
+        cases, ids = (case_named(case, cases, ids),), [case]
+    show(answer(progress(cases, len(ids), "judging cases")), common)

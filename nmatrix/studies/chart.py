@@ -108,7 +108,7 @@ def chart(rows: Sequence[Measurement], title: str, kind: ChartFormat) -> bytes:
         for axis in axes[len(settings) :]:
             axis.axis("off")
         panels.suptitle(title, fontsize=11)
-        panels.supxlabel("time ratio")
+        panels.supxlabel("counted work" if rows[0].timing is None else "time ratio")
         panels.supylabel(rows[0].unit)
         side.text(0.0, 0.97, "\n".join(numbered.key), va="top", family="monospace", fontsize=7.5)
         out = io.BytesIO()
@@ -195,7 +195,7 @@ def _scales(axis: Axes, *, fine: bool) -> None:
 
 
 def _at(row: Measurement) -> tuple[float, float]:
-    return row.timing.ratio, max(row.error or SMALLEST, SMALLEST)
+    return row.price, max(row.error, SMALLEST)
 
 
 def _epsilon_lines(axis: Axes) -> None:

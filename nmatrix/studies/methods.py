@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from nmatrix.enums import Level
 from nmatrix.linear.batched import transform_normals
@@ -25,14 +26,17 @@ Carry = Callable[[Array, Array], Array]
 class Method:
     """One way to carry normals: its name in tables, a phrase about it, and the function itself.
 
-    `is_ours` marks those of which nmatrix promises the right answer on every input. The guarded
-    one is nmatrix's too and promises less: 2⁻³⁶ rad. Those that are not batched work on one matrix
-    after the other, and take long.
+    `multiplications` are those of its formula, divisions included, for one normal through a map of
+    its own and before it is normalised; one of longer numbers counts as the products of its 64-bit
+    words, and LAPACK's are those of the textbooks. `is_ours` marks those of which nmatrix promises
+    the right answer on every input. The guarded one is nmatrix's too and promises less: 2⁻³⁶ rad.
+    Those that are not batched work on one matrix after the other, and take long.
     """
 
     name: str
     title: str
     carry: Carry
+    multiplications: int
     is_ours: bool = False
     is_batched: bool = True
 
@@ -125,36 +129,96 @@ def matrix_itself(A: Array, n: Array) -> Array:
     return _unit(_times(A, n))
 
 
-def in_precision(dtype: type, carry: Carry) -> Carry:
-    """Return a method whose inputs are rounded to a smaller float type first."""
+def oriented_cofactor(A: Array, n: Array) -> Array:
+    """Use the cofactors times the sign of their determinant, all in the type of the numbers."""
+    C = _cofactors(A)
+    determinant = (A[:, 0] * C[:, 0]).sum(axis=1)[:, None]
+    carried = (C * n[:, None]).sum(axis=2)  # numpy-quaddtype 1.0 has no products of stacks
+    return _unit(np.where(determinant < 0, -carried, carried))
+
+
+def in_precision(dtype: DTypeLike, carry: Carry) -> Carry:
+    """Make a method that works in another type of floats, to which its inputs are rounded first."""
     return lambda A, n: carry(A.astype(dtype), n.astype(dtype)).astype(np.float64)
 
+
+def in_quad_precision(A: Array, n: Array) -> Array:
+    """Use cofactors in floats of 113 bits, by numpy-quaddtype."""
+    from numpy_quaddtype import QuadPrecDType
+
+    return in_precision(QuadPrecDType(), oriented_cofactor)(A, n)
+
+
+def in_balls(A: Array, n: Array) -> Array:
+    """Solve Aᵀx = n in FLINT's balls, which hold the true x; no answer where A may be singular."""
+    import flint
+
+    found = np.full(n.shape, np.nan)
+    with flint.ctx.workprec(BALL_BITS):
+        for i, (matrix, normal) in enumerate(zip(A.tolist(), n.tolist(), strict=True)):
+            try:
+                transposed = flint.arb_mat(matrix).transpose()
+                x = transposed.solve(flint.arb_mat([[entry] for entry in normal])).entries()
+            except (ValueError, ZeroDivisionError):
+                continue
+            largest = max((abs(component) for component in x), key=lambda size: size.mid())
+            if largest > 0:
+                found[i] = [float((component / largest).mid()) for component in x]
+    return _unit(found)
+
+
+BALL_BITS = 200
 
 METHODS: tuple[Method, ...] = (
     Method(
         "exact",
         "whole numbers, correctly rounded",
         _ours(Level.EXACT),
+        42,
         is_ours=True,
         is_batched=False,
     ),
-    Method("certified", "compensated cofactors with a bound", _ours(Level.CERTIFIED), is_ours=True),
-    Method("guarded", "plain cofactors under a guard", _ours(Level.GUARDED)),
-    Method("inverse", "np.linalg.inv(A).T", inverse),
-    Method("solve", "np.linalg.solve(A.T, n)", solve, is_batched=False),
-    Method("qr", "QR and back substitution", by_qr, is_batched=False),
-    Method("svd", "singular values", by_svd),
-    Method("inverse-4x4", "inverse transpose of the 4×4", inverse_4x4),
-    Method("cofactor", "plain cofactors, no sign", plain_cofactor),
-    Method("signed-cofactor", "plain cofactors, sign of np.linalg.det", signed_cofactor),
-    Method("zero-matrix", "C/det, zeros where det is 0", zero_matrix),
-    Method("identity", "inverse, identity where it raises", identity_matrix),
-    Method("determinant-test", "A itself where det is 1", determinant_test),
-    Method("matrix", "A itself", matrix_itself),
-    Method("float32-inverse", "inverse transpose in float32", in_precision(np.float32, inverse)),
-    Method("float32-cofactor", "cofactors in float32", in_precision(np.float32, signed_cofactor)),
-    Method("float16-cofactor", "cofactors in float16", in_precision(np.float16, plain_cofactor)),
+    Method(
+        "certified",
+        "compensated cofactors with a bound",
+        _ours(Level.CERTIFIED),
+        130,
+        is_ours=True,
+    ),
+    Method("guarded", "plain cofactors under a guard", _ours(Level.GUARDED), 39),
+    Method("inverse", "np.linalg.inv(A).T", inverse, 44),
+    Method("solve", "np.linalg.solve(A.T, n)", solve, 17, is_batched=False),
+    Method("qr", "QR and back substitution", by_qr, 62, is_batched=False),
+    Method("svd", "singular values", by_svd, 305),
+    Method("inverse-4x4", "inverse transpose of the 4×4", inverse_4x4, 93),
+    Method("cofactor", "plain cofactors, no sign", plain_cofactor, 27),
+    Method("signed-cofactor", "plain cofactors, sign of np.linalg.det", signed_cofactor, 38),
+    Method("zero-matrix", "C/det, zeros where det is 0", zero_matrix, 33),
+    Method("identity", "inverse, identity where it raises", identity_matrix, 44),
+    Method("determinant-test", "A itself where det is 1", determinant_test, 64),
+    Method("matrix", "A itself", matrix_itself, 9),
+    Method("float32-inverse", "the inverse in float32", in_precision(np.float32, inverse), 44),
+    Method(
+        "float32-cofactor", "cofactors in float32", in_precision(np.float32, signed_cofactor), 38
+    ),
+    Method(
+        "float16-cofactor", "cofactors in float16", in_precision(np.float16, plain_cofactor), 27
+    ),
 )
+# Contestants of other packages, where these are installed.
+VISITORS = {
+    "numpy_quaddtype": Method(
+        "quad-cofactor", "cofactors in floats of 113 bits", in_quad_precision, 120
+    ),
+    "flint": Method(
+        "flint-balls",
+        f"arb_mat.solve in balls of {BALL_BITS} bits",
+        in_balls,
+        272,
+        is_batched=False,
+    ),
+}
+METHODS += tuple(one for package, one in VISITORS.items() if find_spec(package))
 
 
 def method(name: str) -> Method:

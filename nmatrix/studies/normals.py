@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
+from math import pi
 from statistics import median
 from typing import Any
 
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from nmatrix.studies.hardcases.case import CaseVerdict, judge
 from nmatrix.studies.hardcases.oracle import exact_rows, true_normal
-from nmatrix.studies.harness import SEED, Harness
+from nmatrix.studies.harness import SEED, Timed, calls
 from nmatrix.studies.measurements import Measurement, Task, Unit
 from nmatrix.studies.methods import METHODS, Method, method
 
@@ -24,6 +25,7 @@ Array = NDArray[Any]
 KAPPAS = (1e0, 1e4, 1e8, 1e12, 1e16)
 BATCH = 100_000
 ONE = "one matrix"
+REFERENCE = "inverse"
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +107,10 @@ class Errors:
 
 
 def errors(carried: Array, family: Family) -> Errors:
-    """Compare carried normals with the exact ones; (0, 0, 0) says that there is no normal."""
+    """Compare carried normals with the exact ones; (0, 0, 0) says that there is no normal.
+
+    A wrong answer without a direction is off by π, as much as one can be.
+    """
     angles, verdicts = [], Counter[CaseVerdict]()
     for found, true in zip(carried.tolist(), family.true_normals, strict=True):
         says_none = true is None and not any(found)
@@ -113,30 +118,33 @@ def errors(carried: Array, family: Family) -> Errors:
         verdicts[verdict] += 1
         if error is not None:
             angles.append(error)
+        elif verdict is not CaseVerdict.RIGHT:
+            angles.append(pi)
     return Errors(max(angles, default=0.0), median(angles) if angles else 0.0, verdicts)
 
 
-def tasks(harness: Harness, extent: Extent) -> list[Task]:
+def tasks(timed: Timed, extent: Extent) -> list[Task]:
     """List the measurements: every method on every family, in a batch and on one matrix."""
     found: list[Task] = []
     for family in families(extent.batch, extent.kappas):
         checked = family.first(extent.checked)
         methods = [one for one in METHODS if extent.slow_methods or one.is_batched]
-        found += [partial(_row, harness, one, family, checked) for one in methods]
+        found += [partial(_row, timed, one, family, checked) for one in methods]
     for family in families(1, extent.kappas):
         if family.name.endswith("random"):
             alone = replace(family, name=f"{ONE}, {family.name.partition(',')[0]}")
-            found += [partial(_row, harness, one, alone, alone) for one in METHODS]
+            found += [partial(_row, timed, one, alone, alone) for one in METHODS]
     return found
 
 
-def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Measurement:
+def _row(timed: Timed, one: Method, family: Family, checked: Family) -> Measurement:
     found = errors(one.normals(checked.matrices, checked.normals), checked)
     is_long = not one.is_batched and len(family.matrices) > len(checked.matrices)
     A, n = (checked if is_long else family).matrices, (checked if is_long else family).normals
-    reference = method("inverse")
-    timing = harness.ratio(lambda: one.normals(A, n), lambda: reference.normals(A, n))
-    if len(family.matrices) > 1:  # times of batches are those of 10⁵ normals
+    reference = method(REFERENCE)
+    work = one.multiplications + calls(lambda: one.normals(A, n)) / len(A)
+    timing = timed(lambda: one.normals(A, n), lambda: reference.normals(A, n))
+    if timing is not None and len(family.matrices) > 1:  # as long as 10⁵ normals take
         timing = replace(timing, seconds=timing.seconds * BATCH / len(A))
     more = {
         "matrices": len(checked.matrices),
@@ -144,5 +152,13 @@ def _row(harness: Harness, one: Method, family: Family, checked: Family) -> Meas
         **{name: found.verdicts[verdict] for name, verdict in WRONG.items()},
     }
     return Measurement(
-        one.name, checked.name, found.worst, Unit.RADIANS, timing, found.failures, more=more
+        one.name,
+        checked.name,
+        found.worst,
+        Unit.RADIANS,
+        timing,
+        work,
+        found.failures,
+        is_reference=one is reference,
+        more=more,
     )

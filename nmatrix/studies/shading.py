@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, Effort, Reflection, Shading
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import Plan, plan_for
-from nmatrix.raster.render import Change, render
+from nmatrix.raster.render import Change, Rendered, render
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lens import Lens
@@ -27,7 +27,7 @@ from nmatrix.scene.material import CHECKER, Material, grey
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
-from nmatrix.studies.harness import Harness
+from nmatrix.studies.harness import Timed
 from nmatrix.studies.measurements import Measurement, Task, Unit
 from nmatrix.studies.surfaces import as_it_is, in_float32, normal_angles, normals_seen, with_effect
 
@@ -67,9 +67,14 @@ class Dial:
         """The plan that draws the scene."""
         return plan_for(loaded(self.scene))
 
-    def image(self) -> Array:
-        """Render the picture, in levels of 0 to 255 before they are rounded."""
-        return np.asarray(render(self.plan, change=self.change).rgb) * 255.0
+    def rendered(self) -> Rendered:
+        """Render the picture."""
+        return render(self.plan, change=self.change)
+
+
+def levels(drawn: Rendered) -> Array:
+    """Convert a picture to levels of 0 to 255, not rounded."""
+    return np.asarray(drawn.rgb) * 255.0
 
 
 def scene(resolution: Resolution, tessellation: tuple[int, int] | None = None) -> Scene:
@@ -124,15 +129,15 @@ def reference(resolution: Resolution) -> Dial:
 class Comparison:
     """Compares settings with the reference picture and the usual frame, each made once."""
 
-    def __init__(self, harness: Harness, resolution: Resolution) -> None:
-        self.harness = harness
+    def __init__(self, timed: Timed, resolution: Resolution) -> None:
+        self.timed = timed
         self.reference = reference(resolution)
         self.usual = Dial("usual", "", scene(resolution))
 
     @cached_property
     def image(self) -> Array:
         """The reference picture."""
-        return self.reference.image()
+        return levels(self.reference.rendered())
 
     @cached_property
     def normals(self) -> Array:
@@ -141,7 +146,8 @@ class Comparison:
 
     def row(self, one: Dial) -> Measurement:
         """Measure the errors of a setting, and the time of its frame over that of the usual one."""
-        off = np.abs(one.image() - self.image)
+        drawn = one.rendered()
+        off = np.abs(levels(drawn) - self.image)
         rms = float(np.sqrt((off * off).mean()))
         angles = normal_angles(one.plan, one.change, self.normals)
         more = {
@@ -151,12 +157,22 @@ class Comparison:
             "max_normal_deg": None if angles is None else float(angles.max()),
             "mean_normal_deg": None if angles is None else float(angles.mean()),
         }
+        texels = (drawn.work.passes - 1) * one.scene.settings.shadow_map**2
         plan, usual = one.plan, self.usual.plan
-        timing = self.harness.ratio(lambda: render(plan, change=one.change), lambda: render(usual))
-        return Measurement(one.value, one.dial, rms, Unit.LEVELS, timing, more=more)
+        timing = self.timed(lambda: render(plan, change=one.change), lambda: render(usual))
+        return Measurement(
+            one.value,
+            one.dial,
+            rms,
+            Unit.LEVELS,
+            timing,
+            drawn.work.multiplications + texels,
+            is_reference=one.scene == self.usual.scene and one.change is as_it_is,
+            more=more,
+        )
 
 
-def tasks(harness: Harness, resolution: Resolution) -> list[Task]:
+def tasks(timed: Timed, resolution: Resolution) -> list[Task]:
     """List the measurements: every setting of every dial."""
-    comparison = Comparison(harness, resolution)
+    comparison = Comparison(timed, resolution)
     return [partial(comparison.row, one) for one in dials(resolution)]

@@ -21,28 +21,35 @@ from nmatrix.scene.world import World
 from nmatrix.spaces.cost import cost
 from nmatrix.spaces.shading_spaces import PROFILES, USUAL_SPACES
 from nmatrix.spaces.uniforms import Request
-from nmatrix.studies.harness import Harness, Run
+from nmatrix.studies.harness import Run, Timed
 from nmatrix.studies.measurements import Measurement, Task, Unit
 
 Array = NDArray[Any]
 
 FULL, QUICK = (100, 10_000, 1_000_000), (100, 10_000)
+REFERENCE = Space.WORLD
 PLACE = World(rotate_degrees=(20, 30, 10), scale=(1, 2, 1))
 
 
-def tasks(harness: Harness, counts: tuple[int, ...]) -> list[Task]:
+def tasks(timed: Timed, counts: tuple[int, ...]) -> list[Task]:
     """List the measurements: every space with every number of vertices."""
-    return [partial(_row, harness, count, space) for count in counts for space in USUAL_SPACES]
+    return [partial(_row, timed, count, space) for count in counts for space in USUAL_SPACES]
 
 
-def _row(harness: Harness, count: int, space: Space) -> Measurement:
+def _row(timed: Timed, count: int, space: Space) -> Measurement:
     """Measure a space; its counted cost stands in the place of the error."""
     many = _scene_of(count)
     (body,) = many.bodies
-    counted = cost(many.maps(body), Request(space)).per_vertex_multiplications
-    timing = harness.ratio(_vertex_stage(many, body, space), _vertex_stage(many, body, Space.WORLD))
+    counted = float(cost(many.maps(body), Request(space)).per_vertex_multiplications)
+    timing = timed(_vertex_stage(many, body, space), _vertex_stage(many, body, REFERENCE))
     return Measurement(
-        space.value, f"{count} vertices", float(counted), Unit.MULTIPLICATIONS, timing
+        space.value,
+        f"{count} vertices",
+        counted,
+        Unit.MULTIPLICATIONS,
+        timing,
+        counted,
+        is_reference=space is REFERENCE,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from nmatrix.errors import CheckFailedError, IllegalValueError, did_you_mean, quantity
 from nmatrix.linear.rounding import short_text
@@ -30,6 +30,8 @@ FAMILIES = {
 }
 REPLAYED = 3  # failing cases that are printed
 SHOWN = 80  # rows of the table for people
+KEPT = 1_000  # cases whose results are kept, and as many of those that failed
+PEERS = ("inverse", "cofactor")  # what most people write
 Judged = tuple[Case, tuple[Result, ...]]
 
 
@@ -44,38 +46,71 @@ CATALOGUE: tuple[Case, ...] = tuple(
 )
 
 
-def case_named(name: str, cases: Sequence[Case] = ()) -> Case:
-    """Find a case of the catalogue, or of other cases, by its name.
+def case_named(name: str, cases: Iterable[Case], ids: Sequence[str]) -> Case:
+    """Find a case by its name among cases, whose ids are known before the cases are made.
 
     Raises
     ------
     IllegalValueError
         If there is none of this name.
     """
-    among = cases or CATALOGUE
-    found = next((one for one in among if one.id.lower() == name.lower()), None)
-    if found is None:
-        ids = [one.id for one in among]
-        raise IllegalValueError(
-            f"{quantity('case')} ({name[:20]})",
-            f"there are {len(ids)}, {ids[0]} to {ids[-1]}",
-            did_you_mean(name.upper(), ids, f"try {ids[0]}"),
-        )
-    return found
+    if name.lower() in (one.lower() for one in ids):
+        return next(one for one in cases if one.id.lower() == name.lower())
+    raise IllegalValueError(
+        f"{quantity('case')} ({name[:20]})",
+        f"there are {len(ids)}, {ids[0]} to {ids[-1]}",
+        did_you_mean(name.upper(), ids, f"try {ids[0]}"),
+    )
 
 
-def stress(cases: Sequence[Case]) -> Report:
-    """Report how every method does; it ends in a failure if one of ours is not right."""
-    judged: list[Judged] = [(one, one.results()) for one in cases]
-    ours = [(case, r) for case, results in judged for r in results if r.is_ours]
-    failed = [(case, r) for case, r in ours if r.verdict is not CaseVerdict.RIGHT]
+class Tally:
+    """What is remembered of any number of judged cases: counts, the first of them, and failures."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self.own = 0  # results of nmatrix's own methods
+        self.failed = 0
+        self.tried: Counter[str] = Counter()
+        self.right: Counter[str] = Counter()
+        self.kept: list[Judged] = []
+        self.failures: list[tuple[Case, Result]] = []
+
+    def add(self, case: Case) -> None:
+        """Judge a case, count it, and let go of it unless it is one of the first or failed."""
+        results = case.results()
+        self.count += 1
+        self.tried.update(r.method for r in results)
+        self.right.update(r.method for r in results if r.verdict is CaseVerdict.RIGHT)
+        ours = [r for r in results if r.is_ours]
+        failed = [r for r in ours if r.verdict is not CaseVerdict.RIGHT]
+        self.own += len(ours)
+        self.failed += len(failed)
+        is_kept = self.count <= KEPT
+        if failed and len(self.failures) < KEPT:
+            is_kept = True
+            self.failures += [(case, r) for r in failed]
+        if is_kept:
+            self.kept.append((case, results))
+
+
+def stress(cases: Iterable[Case]) -> Report:
+    """Report how every method does; it ends in a failure if one of ours is not right.
+
+    Of more cases than `KEPT` the report has the first ones and those that failed.
+    """
+    tally = Tally()
+    for one in cases:
+        tally.add(one)
     data: dict[str, Value] = {
-        "cases": [_data(case, results) for case, results in judged],
-        "passed": len(ours) - len(failed),
-        "failed": len(failed),
+        "cases": [_data(case, results) for case, results in tally.kept],
+        "passed": tally.own - tally.failed,
+        "failed": tally.failed,
     }
-    blocks = _explained(*judged[0]) if len(judged) == 1 else _overview(judged, len(failed))
-    return Report("stress", data, blocks, _replays(failed), _failure(failed))
+    blocks = _explained(*tally.kept[0]) if tally.count == 1 else _overview(tally)
+    left_out = tally.count - len(tally.kept)
+    counted = (f"{left_out} more cases are counted and not listed.",) if left_out else ()
+    remarks = (*_replays(tally.failures), *counted)
+    return Report("stress", data, blocks, remarks, _failure(tally))
 
 
 def _data(case: Case, results: Sequence[Result]) -> dict[str, Value]:
@@ -90,24 +125,21 @@ def _data(case: Case, results: Sequence[Result]) -> dict[str, Value]:
     }
 
 
-def _overview(judged: Sequence[Judged], failed: int) -> tuple[Block, ...]:
-    tried = Counter(r.method for _, results in judged for r in results)
-    right = Counter(
-        r.method for _, results in judged for r in results if r.verdict is CaseVerdict.RIGHT
-    )
-    is_right = "is right on all of them" if not failed else f"is wrong {failed} times"
-    summary = [f"{len(judged)} cases. nmatrix {is_right}."]
+def _overview(tally: Tally) -> tuple[Block, ...]:
+    is_right = "is right on all of them" if not tally.failed else f"is wrong {tally.failed} times"
+    summary = [f"{tally.count} cases. nmatrix {is_right}."]
     summary += [
-        f"{name}: right on {right[name]} of {tried[name]}." for name in PEERS if tried[name]
+        f"{name}: right on {tally.right[name]} of {tally.tried[name]}."
+        for name in PEERS
+        if tally.tried[name]
     ]
-    rows = tuple((case.id, case.title, _own(results), _losers(results)) for case, results in judged)
+    rows = tuple(
+        (case.id, case.title, _own(results), _losers(results)) for case, results in tally.kept
+    )
     table = Table(("case", "what is hard", "nmatrix", "who fails"), rows[:SHOWN])
     rest = len(rows) - SHOWN
-    more = (Text(f"… and {rest} more; -f json has them all."),) if rest > 0 else ()
+    more = (Text(f"… and {rest} more; -f json has them."),) if rest > 0 else ()
     return Heading("Hard cases"), Verdict(" ".join(summary)), table, *more
-
-
-PEERS = ("inverse", "cofactor")  # what most people write
 
 
 def _own(results: Sequence[Result]) -> str:
@@ -167,12 +199,12 @@ def _replays(failed: Sequence[tuple[Case, Result]]) -> tuple[str, ...]:
     )
 
 
-def _failure(failed: Sequence[tuple[Case, Result]]) -> CheckFailedError | None:
-    if not failed:
+def _failure(tally: Tally) -> CheckFailedError | None:
+    if not tally.failures:
         return None
-    case, result = failed[0]
+    case, result = tally.failures[0]
     return CheckFailedError(
         f"case {case.id} ({result.method}: {result.verdict})",
-        f"{len(failed)} of nmatrix's own answers are not right",
+        f"{tally.failed} of nmatrix's own answers are not right",
         f"see {case.replay}",
     )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable
 from math import prod
 from typing import Any
 
@@ -14,6 +12,7 @@ from nmatrix.enums import Level, NormalMatrixKind
 from nmatrix.linear.batched import normal_matrices
 from nmatrix.linear.compensated import cofactors
 from nmatrix.linear.exact import LinearMap
+from nmatrix.studies.harness import calls
 
 COUNT = 20_000
 
@@ -38,22 +37,6 @@ def operations(matrices: np.ndarray) -> float:
     Counted.work = 0
     cofactors(np.ascontiguousarray(matrices.transpose(1, 2, 0)).view(Counted))
     return Counted.work / len(matrices)
-
-
-def calls(run: Callable[[], object]) -> int:
-    """Count the calls of Python functions."""
-    count = 0
-
-    def watch(_frame: object, event: str, _argument: object) -> None:
-        nonlocal count
-        count += event == "call"
-
-    sys.setprofile(watch)
-    try:
-        run()
-    finally:
-        sys.setprofile(None)
-    return count
 
 
 ORDINARY = np.random.default_rng(1).normal(size=(COUNT, 3, 3))

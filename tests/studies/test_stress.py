@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import json
+import tracemalloc
+from collections.abc import Iterator
 from fractions import Fraction
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from nmatrix.cli import studies as command
 from nmatrix.studies import methods
-from nmatrix.studies.hardcases import normals
+from nmatrix.studies import stress as report
+from nmatrix.studies.hardcases import families, normals
 from nmatrix.studies.hardcases.case import Case, CaseVerdict, Contestant, exactly, judge, spelled
-from nmatrix.studies.hardcases.families import NAMES, random_cases
+from nmatrix.studies.hardcases.families import NAMES, random_cases, random_ids
 from nmatrix.studies.hardcases.oracle import determinant, true_normal
 from nmatrix.studies.methods import Method
-from nmatrix.studies.stress import CATALOGUE, FAMILIES, case_named, stress
+from nmatrix.studies.stress import CATALOGUE, FAMILIES, KEPT, case_named, stress
 
 ROWS = {"N": 19, "V": 4, "E": 7, "D": 8, "R": 10, "M": 6}  # the cases of each family
 
@@ -67,7 +72,7 @@ def dropped_sign(A: np.ndarray, n: np.ndarray) -> np.ndarray:
 
 
 def test_a_mutant_of_ours_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    mutant = Method("exact", "the sign dropped", dropped_sign, is_ours=True)
+    mutant = Method("exact", "the sign dropped", dropped_sign, 27, is_ours=True)
     monkeypatch.setattr(normals, "METHODS", (mutant,))
     caught = [
         one.id
@@ -81,7 +86,7 @@ def test_a_mutant_of_ours_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_random_cases_are_directed_and_the_same_again() -> None:
-    first, again = random_cases(60, 3), random_cases(60, 3)
+    first, again = list(random_cases(60, 3)), list(random_cases(60, 3))
     assert [one.given for one in first] == [one.given for one in again]
     assert {one.title for one in first} == set(NAMES)
     assert stress(first).failure is None
@@ -92,9 +97,8 @@ def test_random_cases_are_directed_and_the_same_again() -> None:
 
 
 def test_the_first_cases_do_not_depend_on_the_count() -> None:
-    assert [one.given for one in random_cases(8, 5)] == [
-        one.given for one in random_cases(20, 5)[:8]
-    ]
+    few, many = random_cases(8, 5), islice(random_cases(20, 5), 8)
+    assert [one.given for one in few] == [one.given for one in many]
 
 
 @pytest.mark.slow
@@ -105,7 +109,7 @@ def test_two_thousand_random_cases_are_right() -> None:
 def test_a_failing_random_input_is_printed_to_the_last_bit_and_can_be_replayed(
     monkeypatch, nmatrix
 ) -> None:
-    mutant = Method("exact", "the sign dropped", dropped_sign, is_ours=True)
+    mutant = Method("exact", "the sign dropped", dropped_sign, 27, is_ours=True)
     monkeypatch.setattr(normals, "METHODS", (mutant,))
     code, out, _ = nmatrix("stress --random 12 --seed 9 -f json")
     assert code == 1
@@ -186,4 +190,63 @@ def test_misuse_is_one_line(nmatrix, line: str, says: str) -> None:
 
 
 def test_a_case_can_be_named() -> None:
-    assert case_named("r1").title.startswith("a floor")
+    ids = [one.id for one in CATALOGUE]
+    assert case_named("r1", CATALOGUE, ids).title.startswith("a floor")
+    assert case_named("n8B", CATALOGUE, ids).id == "N8b"
+
+
+def test_a_random_case_is_named_without_making_those_behind_it(monkeypatch) -> None:
+    made = []
+    make = families._case
+    monkeypatch.setattr(families, "_case", lambda *args: made.append(args[0]) or make(*args))
+    assert case_named("s3", random_cases(100_000, 1), random_ids(100_000)).id == "S3"
+    assert made == ["S0", "S1", "S2", "S3"]
+
+
+def tiny_cases(count: int, wrong: int = 0) -> Iterator[Case]:
+    """Make cases that hold a kilobyte each; ours fails the last ones."""
+    for i in range(count):
+        answer = (2.0 if i >= count - wrong else 1.0,)
+        own = Contestant("exact", lambda answer=answer: answer, is_ours=True)
+        naive = Contestant("inverse", lambda: (3.0,))
+        yield Case(f"S{i}", "tiny", f"{i:01000}", exactly(1), "none", (own, naive))
+
+
+def peak(count: int) -> int:
+    stress(tiny_cases(9))  # what is imported or compiled once is no case's
+    tracemalloc.start()
+    try:
+        stress(tiny_cases(count, wrong=count // 2))
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+def test_any_number_of_cases_takes_the_memory_of_the_first_ones(monkeypatch) -> None:
+    monkeypatch.setattr(report, "KEPT", 50)
+    assert peak(2_000) < 2 * peak(200)
+
+
+def test_cases_that_failed_are_kept_whatever_their_place() -> None:
+    found = stress(tiny_cases(KEPT + 50, wrong=3))
+    ids = [one["id"] for one in found.data["cases"]]
+    assert ids == [f"S{i}" for i in (*range(KEPT), KEPT + 47, KEPT + 48, KEPT + 49)]
+    assert found.data["failed"] == 3
+    assert found.data["passed"] == KEPT + 47
+    assert found.failure is not None
+    assert found.remarks[-1].startswith("47 more cases")
+    assert not stress(tiny_cases(KEPT)).remarks
+
+
+@pytest.mark.parametrize("line", ["stress --random 4", "cost spaces --quick"])
+def test_a_bar_shows_on_a_terminal_that_work_goes_on(nmatrix, monkeypatch, line: str) -> None:
+    seen = []
+
+    def progress(items, total: int, what: str):
+        for one in items:
+            seen.append((total, what))
+            yield one
+
+    monkeypatch.setattr(command, "progress", progress)
+    assert nmatrix(line)[0] == 0
+    assert len(seen) == seen[0][0]

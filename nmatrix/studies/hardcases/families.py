@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -63,7 +64,7 @@ GRID = "half-pixel grid"
 NAMES = (*NORMAL_FAMILIES, GRID)
 
 
-def random_cases(count: int, seed: int) -> tuple[Case, ...]:
+def random_cases(count: int, seed: int) -> Iterator[Case]:
     """Generate so many cases, the families in turn; the first ones do not depend on the count.
 
     Examples
@@ -73,15 +74,21 @@ def random_cases(count: int, seed: int) -> tuple[Case, ...]:
     """
     rng = np.random.default_rng(seed)
     made_by = f"--random {count} --seed {seed} "
-    return tuple(_case(i, NAMES[i % len(NAMES)], rng, made_by) for i in range(count))
+    for id_, family in zip(random_ids(count), cycle(NAMES), strict=False):
+        yield _case(id_, family, rng, made_by)
 
 
-def _case(i: int, family: str, rng: np.random.Generator, made_by: str) -> Case:
+def random_ids(count: int) -> list[str]:
+    """Name so many random cases."""
+    return [f"S{i}" for i in range(count)]
+
+
+def _case(id_: str, family: str, rng: np.random.Generator, made_by: str) -> Case:
     if family == GRID:
         triangles = half_pixel_grid(rng)
         given = f"{len(triangles)} triangles with corners on halves of pixels"
         reason = "every edge may run through samples"
-        return replace(once_case(f"S{i}", family, given, triangles, reason, EDGES), made_by=made_by)
+        return replace(once_case(id_, family, given, triangles, reason, EDGES), made_by=made_by)
     A = NORMAL_FAMILIES[family](rng)
     n = tuple(rng.normal(size=3).tolist())
-    return replace(normal_case(f"S{i}", family, A, n, "made to be hard"), made_by=made_by)
+    return replace(normal_case(id_, family, A, n, "made to be hard"), made_by=made_by)
