@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from nmatrix.api.commands import check as check
     from nmatrix.api.commands import check_exercise as check_exercise
     from nmatrix.api.commands import derive as derive
+    from nmatrix.api.commands import identify as identify
     from nmatrix.api.commands import inspect as inspect
     from nmatrix.api.commands import plan as plan
     from nmatrix.api.normals import TransformedNormals as TransformedNormals
@@ -91,7 +92,7 @@ _NAMES = {
         "transform_normals"
     ),
     "api.setup": "Setup",
-    "api.commands": "calc check check_exercise derive inspect plan",
+    "api.commands": "calc check check_exercise derive identify inspect plan",
     "api.pictures": "render",
     "api.report": "Picture Report",
     "scene.world": "World",

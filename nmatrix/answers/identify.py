@@ -28,6 +28,7 @@ from nmatrix.linear.rounding import nearest, short_text
 from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
 
 NUMBERS = ("near", "far", "fov_y_deg", "aspect", "left", "right", "bottom", "top")
+LINE = 78  # columns of a command
 MOST_TOLD = 4  # other readings in the text; every format but text has all
 
 _KINDS = {
@@ -65,8 +66,8 @@ def identify_matrix(rows: RationalMatrix) -> Report:
     >>> from nmatrix.linear.rational import rational_matrix
     >>> P = rational_matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -1], [0, 0, 1, 0]])
     >>> found = identify_matrix(P).data["readings"][0]
-    >>> found["kind"], found["handed"], found["depth_range"], found["near"]
-    ('projection', 'left', 'zero-to-one', (0.9999999999999998, 1.0000000000000002))
+    >>> found["kind"], found["handed"], found["depth_range"]
+    ('projection', 'left', 'zero-to-one')
     >>> found["command"]
     'nmatrix projection --fov 90 --near 1 --far inf --api direct3d'
     """
@@ -84,7 +85,7 @@ def identify_matrix(rows: RationalMatrix) -> Report:
     ]
     command = command_of(first)
     if command is not None:
-        blocks.append(Code("sh", command, "Built again by"))
+        blocks.append(Code("sh", _folded(command), "Built again by"))
     if others:
         told = "\n".join(f"{i + 2}. {described(one)}" for i, one in enumerate(others[:MOST_TOLD]))
         blocks += [Heading("The entries allow as well"), Text(told)]
@@ -180,7 +181,18 @@ def _lens_numbers(lens: LensReading) -> str:
     return f"; {', '.join(told)}" if told else ""
 
 
+def camera_numbers(camera: Camera) -> str:
+    """Describe a camera in round numbers: its eye, and where it looks if it looks down −z."""
+    eye = f"eye {' '.join(map(_short, camera.eye))}"
+    if camera.looks_at_origin:
+        return f"{eye}, looking at the origin"
+    named = zip(("elevation", "angle", "roll"), camera.turn, strict=True)
+    return f"{eye}, " + ", ".join(f"{name} {_short(one)}°" for name, one in named)
+
+
 def _place_numbers(place: Place | None) -> str:
+    if place is not None and place.is_view and place.camera is not None:
+        return f", a view: {camera_numbers(place.camera)}"
     if place is None or place.parts is None:
         return ""
     parts = place.parts
@@ -341,6 +353,11 @@ def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
     if readings[0].kind is MatrixKind.RIGID and "layout" in ambiguous(readings):
         told.append("Without a translation a matrix and its transpose look alike: both are rigid.")
     return tuple(told)
+
+
+def _folded(command: str) -> str:
+    """Break a command that is longer than a line before its options, as a shell reads it on."""
+    return command if len(command) <= LINE else " \\\n  --".join(command.split(" --"))
 
 
 def _short(value: Bound | float) -> str:

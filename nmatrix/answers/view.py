@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
+from nmatrix.answers.identify import camera_numbers, reading_data
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
 from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.identify import Reading, identify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.report import Block, Heading, Matrix, Quantity, Report, Vector, Verdict
+from nmatrix.report import Block, Heading, Matrix, Quantity, Report, Text, Value, Vector, Verdict
 from nmatrix.scene.setup import Setup
 
 
@@ -33,7 +35,9 @@ def view(setup: Setup) -> Report:
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
     normal_matrix = found.linear_map.inverse_transpose
-    data: dict[str, Vector | Matrix] = {
+    given = setup.view.matrix is not None
+    readings = identify(V) if given else ()
+    shown: dict[str, Vector | Matrix] = {
         "camera_from_world": V,
         "rotation": R,
         "translation": T,
@@ -43,7 +47,32 @@ def view(setup: Setup) -> Report:
         "forward": forward,
         "normal_matrix": normal_matrix,
     }
-    return Report("view", data, _blocks(data, found), (*placed.remarks, *transform_remarks(found)))
+    undecided = given and setup.view.handed is Handedness.RIGHT  # nobody said so
+    back = rational.inverse(V)
+    data: dict[str, Value] = {
+        **shown,
+        "handed": None if undecided else setup.view.handed.value,
+        "mirrored": found.mirrored,
+        "readings": [reading_data(one) for one in readings] if given else None,
+        "world_from_camera": back,
+        "extrinsics": _extrinsics(V, setup.view.handed),
+    }
+    remarks = (*placed.remarks, *transform_remarks(found), *((_NO_HAND,) if undecided else ()))
+    return Report("view", data, _blocks(shown, found, readings), remarks)
+
+
+_NO_HAND = (
+    "A view matrix does not say whether the camera looks down −z, as taken here, or down +z: with "
+    "--handed left forward is the other way."
+)
+
+
+def _extrinsics(V: RationalMatrix, handed: Handedness) -> RationalMatrix | None:
+    """Return [R t] for a camera of computer vision: x right, y down, z ahead; pixels of OpenCV."""
+    if handed is Handedness.LEFT:
+        return None
+    right, up, backward = V[:3]
+    return right, tuple(-x for x in up), tuple(-x for x in backward)
 
 
 _HEADINGS = {
@@ -59,14 +88,21 @@ _TITLES = {
 }
 
 
-def _blocks(data: Mapping[str, Vector | Matrix], found: Classification) -> tuple[Block, ...]:
+def _blocks(
+    data: Mapping[str, Vector | Matrix], found: Classification, readings: Sequence[Reading]
+) -> tuple[Block, ...]:
     """List every quantity in the order of the data, under three headings."""
     blocks: list[Block] = []
     for key, value in data.items():
         if key in _HEADINGS:
             blocks.append(Heading(_HEADINGS[key]))
         blocks.append(Quantity(key, value, _TITLES.get(key, key)))
-    return (*blocks, Verdict(_verdict(found)))
+    blocks.append(Verdict(_verdict(found)))
+    cameras = (one.place.camera for one in readings if one.place is not None)
+    camera = next((one for one in cameras if one is not None and not one.mirrored), None)
+    if camera is not None:
+        blocks.append(Text(f"Read back from the entries: {camera_numbers(camera)}."))
+    return tuple(blocks)
 
 
 def _camera_axes(

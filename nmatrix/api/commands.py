@@ -168,6 +168,26 @@ def check_exercise(
     return Report(checked(whole(exercise, "exercise"), sheet, text(answer, "answer")))
 
 
+def identify(matrix: object) -> Report:
+    """Tell what a matrix is from its entries: every reading that they allow, likeliest first.
+
+    Parameters
+    ----------
+    matrix
+        3×3, 3×4 or 4×4: any array-like, or text in any notation. A float32 array is known to
+        float32, a decimal of three digits and more to half a unit of its last one.
+
+    Examples
+    --------
+    >>> likeliest = identify("1 0 0 0; 0 1 0 0; 0 0 1.001 -0.1001; 0 0 1 0").data["readings"][0]
+    >>> likeliest["apis"], likeliest["command"]
+    (['direct3d'], 'nmatrix projection --fov 90 --near 0.1 --far 100 --api direct3d')
+    """
+    from nmatrix.answers.identify import identify_matrix
+
+    return Report(identify_matrix(read_matrix(matrix, "matrix").as_floats))
+
+
 def plan(scene: str | Path) -> Report:
     """List the effects that a scene file calls for, why, and how safely the others are left out."""
     from nmatrix.answers.plan import plan_of_file

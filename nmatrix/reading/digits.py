@@ -110,8 +110,8 @@ def shared_half_units(entries: RationalMatrix, digits: TypedDigits) -> RationalM
     Examples
     --------
     >>> entries = ((Fraction("-1.00200"), Fraction(-1)),)
-    >>> float(shared_half_units(entries, ((digits_of("-1.00200"), digits_of("-1")),))[0][1])
-    5.0000000000022204e-06
+    >>> round(float(shared_half_units(entries, ((digits_of("-1.00200"), None),))[0][1]), 12)
+    5e-06
     """
     rounded = [one for one in chain(*digits) if one is not None and one.is_rounded]
     behind = max((one.decimals for one in rounded), default=None)

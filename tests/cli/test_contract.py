@@ -19,7 +19,9 @@ KEYS = {
     "world": "world_from_object normal_matrix cofactor_matrix determinant determinant_sign rank "
     "condition transform transform_exact mirrored needs_inverse_transpose worst_angle_without_deg "
     "parts",
-    "view": "camera_from_world rotation translation eye right up forward normal_matrix",
+    "view": "camera_from_world rotation translation eye right up forward normal_matrix handed "
+    "mirrored readings world_from_camera extrinsics",
+    "identify '1 2 3; 4 5 6; 7 8 10'": "readings ambiguous",
     "projection": "clip_from_camera depth_range depth_step",
     "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "
     "determinant_sign rank condition transform transform_exact mirrored normals",

@@ -18,7 +18,6 @@ from nmatrix.linear.rational import to_floats
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.world import World
 
 FORMS = {
     "float64 as JSON": lambda A: json.dumps(A.tolist()),

@@ -35,9 +35,7 @@ from nmatrix.scene.world import World
         ("-0.000", "1/2000"),
     ],
 )
-def test_a_number_is_known_to_half_a_unit_of_its_last_digit_or_exactly(
-    text: str, half: str
-) -> None:
+def test_a_number_is_known_to_half_a_unit_of_its_last_digit(text: str, half: str) -> None:
     found = matrix_literal(f"{text} 0 0; 0 1 0; 0 0 1").half_units
     assert found[0][0] == Fraction(half)
     assert not any(chain(*found[1:]))
