@@ -84,6 +84,13 @@ class ClipY(StrEnum):
     DOWN = "down"
 
 
+class Projected(StrEnum):
+    """Whether lines of sight meet in the eye, so that depth is divided by distance, or never."""
+
+    PERSPECTIVE = "perspective"
+    PARALLEL = "parallel"
+
+
 class WindowOrigin(StrEnum):
     """The corner that window y counts from: OpenGL's, or that of all other interfaces."""
 

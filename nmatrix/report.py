@@ -150,7 +150,8 @@ class Report:
 
     `failure` is the error that the answer still ends in (an undefined normal, a failed check):
     the whole report is shown first, then its one line. `records` is for an answer that is a list
-    of rows by nature, such as the grades of a class: as CSV it is written as that table.
+    of rows by nature, such as the grades of a class: as CSV it is written as that table. `glsl` is
+    code that a shader needs beside the numbers.
     """
 
     command: str
@@ -159,6 +160,7 @@ class Report:
     remarks: tuple[str, ...] = ()
     failure: NMatrixError | None = field(default=None, compare=False)
     records: Table | None = None
+    glsl: str = ""
 
     def spelled(self, spell: Callable[[str], str]) -> Report:
         """Spell the names of quantities in the remarks as the caller types them."""

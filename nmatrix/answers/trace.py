@@ -80,13 +80,12 @@ def _verdict(found: Trace) -> str:
 
 
 def _remarks(found: Trace) -> tuple[str, ...]:
-    remarks = []
-    for size in map(abs, found.ndc or ()):
-        if size > 1 and short_text(size, 6) == "1":
-            remarks.append(
-                f"What reads 1 in NDC is 1 + {short_text(size - 1, 3)}: the vertex lies beyond its "
-                "plane by so little."
-            )
+    remarks = [
+        f"What reads 1 in NDC is 1 + {short_text(size - 1, 3)}: the vertex lies beyond its plane by "
+        "so little."
+        for size in map(abs, found.ndc or ())
+        if size > 1 and short_text(size, 6) == "1"
+    ]
     if found.clip[3] <= 0:
         remarks.append(
             "Where w ≤ 0, dividing by it would mirror the vertex into view, so it is clipped first "

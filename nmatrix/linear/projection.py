@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from math import inf
+from typing import Any
 
 from nmatrix.enums import (
     API_PRESETS,
@@ -27,7 +28,6 @@ from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix
 from nmatrix.linear.values import read_fields, real
-
 
 CLIP_PARTS = ("depth", "handed", "clip_y")  # what may be given beside an interface
 
@@ -83,7 +83,7 @@ def clip_space(given: object, name: str) -> ClipSpace:
     )
 
 
-def clip_space_over(base: ClipSpace, given: Mapping[str, object]) -> ClipSpace:
+def clip_space_over(base: ClipSpace, given: Mapping[str, Any]) -> ClipSpace:
     """Lay what was given over a clip space: an interface (`api`) first, then each part by itself.
 
     Examples

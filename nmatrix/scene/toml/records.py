@@ -70,13 +70,11 @@ class CameraRecord(Record, frozen=True):
     frustum: Annotated[
         Four | None, Meta(description="Left, right, bottom, top of the near rectangle.")
     ] = None
-    api: Annotated[
-        Api | None, Meta(description="Depth, hand and clip y of an interface.")
-    ] = None
+    api: Annotated[Api | None, Meta(description="Depth, hand and clip y of an interface.")] = None
     depth: Annotated[DepthRange | None, Meta(description="Depth at near and far.")] = None
-    handed: Annotated[
-        Handedness | None, Meta(description="Right looks down −z, left down +z.")
-    ] = None
+    handed: Annotated[Handedness | None, Meta(description="Right looks down −z, left down +z.")] = (
+        None
+    )
     clip_y: Annotated[ClipY | None, Meta(description="Direction of y in clip space.")] = None
 
 
