@@ -34,6 +34,9 @@ class DepthRequest:
                 )
 
 
+NOTHING = DepthRequest()
+
+
 @dataclass(frozen=True)
 class DepthTable:
     """The part of an answer that is about depth; without an axis there is none."""
@@ -54,7 +57,7 @@ class DepthTable:
     def pairs(self) -> tuple[tuple[Number | None, Number], ...] | None:
         """Each distance with its window depth: those asked by distance, then those by depth."""
         axis, asked = self.axis, self.request
-        if axis is None or asked == DepthRequest():
+        if axis is None or asked == NOTHING:
             return None
         return (
             *((distance, axis.depth_at(Fraction(distance))) for distance in asked.distances),

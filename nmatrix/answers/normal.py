@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nmatrix.enums import NormalRule, NormalStatus, Space
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import LinearMap, Normal
@@ -160,6 +160,8 @@ def _failure(found: Classification, answered: Sequence[_Answered]) -> NoAnswerEr
         if one.image.status is NormalStatus.UNDEFINED:
             shown = " ".join(f"{float(component):g}" for component in one.given)
             next_step = "choose another normal" if found.rank >= 2 else TWO_AXES
+            if one.method is not NormalRule.EXACT:
+                next_step = f"try {quantity('method')} {NormalRule.EXACT}"
             return NoAnswerError(f"normal ({shown})", one.image.reason, next_step)
     if not answered and found.rank <= 1:
         return NoAnswerError(

@@ -81,8 +81,8 @@ def _verdict(found: Trace) -> str:
 
 def _remarks(found: Trace) -> tuple[str, ...]:
     remarks = [
-        f"What reads 1 in NDC is 1 + {short_text(size - 1, 3)}: the vertex lies beyond its plane by "
-        "so little."
+        f"What reads 1 in NDC is 1 + {short_text(size - 1, 3)}: the vertex lies beyond its plane "
+        "by so little."
         for size in map(abs, found.ndc or ())
         if size > 1 and short_text(size, 6) == "1"
     ]

@@ -4,7 +4,8 @@ A command takes option groups, frozen dataclasses; Typer sees their fields as fl
 not be given more than it can read, so the words are gathered first: an option of N values takes N
 words and becomes one `--option=values` token, −3 is a value, and whatever else is a value stands
 behind `--`. How many values an option takes is read off its metavar: `X Y Z` takes three, `Z...`
-all up to the next option. What Typer would refuse in its own words is refused here: WHAT (value): why; next step.
+all up to the next option. What Typer would refuse in its own words is refused here: WHAT (value):
+why; next step.
 """
 
 from __future__ import annotations

@@ -172,5 +172,6 @@ def _float32_spacing(depth: Fraction, within: DepthRange) -> Fraction | None:
 
 def _power_of_two(value: Fraction) -> Fraction:
     """Find the largest power of two that is not above a positive value."""
-    found = Fraction(2) ** (value.numerator.bit_length() - value.denominator.bit_length())
+    exponent = value.numerator.bit_length() - value.denominator.bit_length()
+    found = Fraction(1 << exponent) if exponent >= 0 else Fraction(1, 1 << -exponent)
     return found if found <= value else found / 2

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Convention, Handedness
-from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.rational import (
@@ -26,7 +26,7 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
 )
-from nmatrix.linear.rounding import integers, inverse_root, over_root
+from nmatrix.linear.rounding import integers, over_root, over_root_of_any_size
 
 
 @dataclass(frozen=True)
@@ -111,10 +111,7 @@ def _row(axis: RationalVector, eye: RationalVector) -> RationalVector:
     direction, _ = integers(axis)
     square = sum(component * component for component in direction)
     along = -dot([Fraction(c) for c in direction], eye)
-    try:
-        offset = Fraction(over_root(along.numerator, square * along.denominator**2))
-    except IllegalValueError:
-        offset = along * inverse_root(Fraction(square))
+    offset = over_root_of_any_size(along.numerator, square * along.denominator**2)
     return (*(Fraction(over_root(component, square)) for component in direction), offset)
 
 
