@@ -1,4 +1,4 @@
-"""What `projection` tells of depth: gaps that a buffer tells apart, depths of distances and back."""
+"""What `projection` tells of depth: gaps that a buffer tells apart, depths and distances."""
 
 from __future__ import annotations
 
@@ -123,6 +123,6 @@ class DepthTable:
             for step in self.steps
         ):
             yield (
-                "Near a stored depth of 0 a float32 buffer is finer than the positions of float32 "
-                "vertices, which move by 6e-8 of their distance or more: there the vertices decide."
+                "Near a stored depth of 0 a float32 buffer is finer than float32 vertices, which "
+                "move by 6e-8 of their distance or more."
             )

@@ -121,6 +121,8 @@ def _told(method: NormalRule, error_deg: float | None) -> str:
         return f"{SAID_OF[method]} gives a direction where the right rule gives none."
     if error_deg == 0:
         return f"{SAID_OF[method]} gives the right direction."
+    if error_deg < SAME_DIRECTION_DEG:
+        return f"{SAID_OF[method]} gives the right direction to {error_deg:.2g}°."
     return f"{SAID_OF[method]} is {error_deg:.6g}° off the right direction."
 
 
@@ -160,7 +162,7 @@ def _failure(found: Classification, answered: Sequence[_Answered]) -> NoAnswerEr
         if one.image.status is NormalStatus.UNDEFINED:
             shown = " ".join(f"{float(component):g}" for component in one.given)
             next_step = "choose another normal" if found.rank >= 2 else TWO_AXES
-            if one.method is not NormalRule.EXACT:
+            if found.linear_map.normal(one.given).direction is not None:
                 next_step = f"try {quantity('method')} {NormalRule.EXACT}"
             return NoAnswerError(f"normal ({shown})", one.image.reason, next_step)
     if not answered and found.rank <= 1:

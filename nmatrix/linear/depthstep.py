@@ -95,10 +95,9 @@ class DepthAxis:
     def distance_at(self, depth: Fraction) -> Fraction | None:
         """Compute the distance of a window depth; None where it lies at infinity."""
         slope, offset = self.coefficients
-        over = (depth - offset) / slope
         if self.projected is Projected.PARALLEL:
-            return over
-        return 1 / over if over else None
+            return (depth - offset) / slope
+        return None if depth == offset else slope / (depth - offset)
 
     def step_at(self, distance: float) -> DepthStep:
         """Compute the gaps in front of a distance between near and far."""
@@ -163,11 +162,11 @@ def _float32_spacing(depth: Fraction, within: DepthRange) -> Fraction | None:
         return SUBNORMAL if within is DepthRange.REVERSED else None
     power = _power_of_two(depth)
     if within is DepthRange.ZERO_TO_ONE:
-        return max((power / 2 if depth == power else power) / 2**MANTISSA, SUBNORMAL)
-    spacing = power / 2**MANTISSA
+        return max((power / 2 if depth == power else power) / (1 << MANTISSA), SUBNORMAL)
+    spacing = power / (1 << MANTISSA)
     if depth + spacing / 2 >= 2 * power:
         spacing *= 2
-    return min(max(spacing, SUBNORMAL), Fraction(1, 2 ** (MANTISSA + 1)))
+    return min(max(spacing, SUBNORMAL), Fraction(1, 2 << MANTISSA))
 
 
 def _power_of_two(value: Fraction) -> Fraction:

@@ -76,6 +76,8 @@ def test_a_method_tells_its_own_error_and_that_of_the_plain_matrix(
     if found["status"] == "ok" and method is not NormalRule.EXACT:
         error = found["method_error_deg"]
         off = f"is {error:.6g}° off the right direction" if error else "gives the right direction"
+        if error and error < 1e-9:
+            off = f"gives the right direction to {error:.2g}°"
         assert ("where the right rule gives none" if error is None else off) in said.split(". ")[0]
 
 
