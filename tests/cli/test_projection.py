@@ -1,4 +1,4 @@
-"""Depths and distances of `projection`: options that take any number of values, and what is said."""
+"""Depths and distances of `projection`, options of any number of values, and what is said."""
 
 from __future__ import annotations
 

@@ -132,6 +132,19 @@ def test_the_surface_at_the_gap_has_the_next_stored_depth(
         assert axis.depth_at(z - gap) == Fraction(float(next_depth))
 
 
+@pytest.mark.parametrize("bits", [1, 2, 7])
+def test_a_reversed_depth_rounded_to_a_power_of_two_has_the_coarser_step_in_front(
+    bits: int,
+) -> None:
+    axis = DepthAxis(1.0, inf, DepthRange.REVERSED, Projected.PERSPECTIVE)
+    power = Fraction(1, 2**bits)
+    z = axis.distance_at(power * (1 - Fraction(1, 2**26)))
+    gap = axis.step_at(z).float32
+    assert float32(axis.depth_at(z)) == power
+    assert float32(axis.depth_at(z - gap)) != power
+    assert float32(axis.depth_at(z - gap / 2)) == power
+
+
 def test_a_float32_depth_of_zero_at_near_has_none_in_front() -> None:
     for tabulate in (perspective_steps, orthographic_steps):
         steps = tabulate(0.5, 10.0, DepthRange.ZERO_TO_ONE)
