@@ -34,7 +34,7 @@ class DepthRequest:
                 )
 
 
-NOTHING = DepthRequest()
+NOTHING_ASKED = DepthRequest()
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class DepthTable:
     def pairs(self) -> tuple[tuple[Number | None, Number], ...] | None:
         """Each distance with its window depth: those asked by distance, then those by depth."""
         axis, asked = self.axis, self.request
-        if axis is None or asked == NOTHING:
+        if axis is None or asked == NOTHING_ASKED:
             return None
         return (
             *((distance, axis.depth_at(Fraction(distance))) for distance in asked.distances),

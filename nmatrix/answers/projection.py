@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from nmatrix.answers.depth import NOTHING, DepthRequest, DepthTable
+from nmatrix.answers.depth import NOTHING_ASKED, DepthRequest, DepthTable
 from nmatrix.enums import ClipY, DepthRange, Projected
 from nmatrix.linear.depthstep import DepthAxis
 from nmatrix.report import Heading, Quantity, Report, Value, Verdict
@@ -18,7 +18,7 @@ _WHERE = {
 }
 
 
-def projection(setup: Setup, asked: DepthRequest = NOTHING) -> Report:
+def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
     """Answer with the projection matrix of a scene.
 
     Examples

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import inf, nextafter
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from nmatrix.answers.trace import trace
+from nmatrix.api import setup as api_setup
 from nmatrix.enums import Api, ClipY, DepthRange, Handedness
 from nmatrix.linear.projection import NDC_DEPTH, ClipSpace, Window
 from nmatrix.output.jsontext import write
@@ -128,6 +130,21 @@ def test_window_y_is_counted_as_the_interface_does_and_pixels_from_the_top(api: 
     found = traced(lens, (0, 0.5, lens.clip.forward_z))
     assert found["pixel"] == [32, 12]  # half of the way up: a quarter from the top
     assert found["window"][:2] == ([32, 36] if api is Api.OPENGL else [32, 12])
+
+
+@pytest.mark.parametrize("api", list(Api))
+def test_python_and_scene_files_count_window_y_as_the_command_line_does(
+    nmatrix, tmp_path: Path, api: Api
+) -> None:
+    place = "--point 0.5 0.25 1 --viewport 640 480"
+    found = nmatrix(f"trace {place} --api {api} -f json").data
+    in_python = api_setup.Setup(lens={"api": api, "aspect": 640 / 480})
+    report = in_python.trace((0.5, 0.25, 1), viewport=(640, 480))
+    assert (report.data["window"], report.data["pixel"]) == (found["window"], found["pixel"])
+    file = tmp_path / "scene.toml"
+    file.write_text(f'[[object]]\nname = "ball"\nshape = "sphere"\n[camera]\napi = "{api}"\n')
+    in_scene = nmatrix(f"trace {place} --scene {file} -f json").data
+    assert (in_scene["window"], in_scene["pixel"]) == (found["window"], found["pixel"])
 
 
 @pytest.mark.parametrize(
