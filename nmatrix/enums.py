@@ -84,6 +84,20 @@ class ClipY(StrEnum):
     DOWN = "down"
 
 
+class Projected(StrEnum):
+    """Whether lines of sight meet in the eye, so that depth is divided by distance, or never."""
+
+    PERSPECTIVE = "perspective"
+    PARALLEL = "parallel"
+
+
+class WindowOrigin(StrEnum):
+    """The corner that window y counts from: OpenGL's, or that of all other interfaces."""
+
+    LOWER_LEFT = "lower-left"
+    UPPER_LEFT = "upper-left"
+
+
 class Convention(StrEnum):
     """How angles become a world or a view matrix."""
 
@@ -93,7 +107,7 @@ class Convention(StrEnum):
 
 
 class Api(StrEnum):
-    """A graphics interface: short for depth range, handedness and clip-y together."""
+    """A graphics interface: short for depth range, handedness, clip-y and the window's origin."""
 
     OPENGL = "opengl"
     VULKAN = "vulkan"
@@ -102,12 +116,14 @@ class Api(StrEnum):
     WEBGPU = "webgpu"
 
 
-API_PRESETS: dict[Api, tuple[DepthRange, Handedness, ClipY]] = {
-    Api.OPENGL: (DepthRange.MINUS_ONE_TO_ONE, Handedness.RIGHT, ClipY.UP),
-    Api.VULKAN: (DepthRange.ZERO_TO_ONE, Handedness.RIGHT, ClipY.DOWN),
-    Api.DIRECT3D: (DepthRange.ZERO_TO_ONE, Handedness.LEFT, ClipY.UP),
-    Api.METAL: (DepthRange.ZERO_TO_ONE, Handedness.RIGHT, ClipY.UP),
-    Api.WEBGPU: (DepthRange.ZERO_TO_ONE, Handedness.RIGHT, ClipY.UP),
+_GL, _ZERO_TO_ONE = DepthRange.MINUS_ONE_TO_ONE, DepthRange.ZERO_TO_ONE
+_LOWER, _UPPER = WindowOrigin.LOWER_LEFT, WindowOrigin.UPPER_LEFT
+API_PRESETS: dict[Api, tuple[DepthRange, Handedness, ClipY, WindowOrigin]] = {
+    Api.OPENGL: (_GL, Handedness.RIGHT, ClipY.UP, _LOWER),
+    Api.VULKAN: (_ZERO_TO_ONE, Handedness.RIGHT, ClipY.DOWN, _UPPER),
+    Api.DIRECT3D: (_ZERO_TO_ONE, Handedness.LEFT, ClipY.UP, _UPPER),
+    Api.METAL: (_ZERO_TO_ONE, Handedness.RIGHT, ClipY.UP, _UPPER),
+    Api.WEBGPU: (_ZERO_TO_ONE, Handedness.RIGHT, ClipY.UP, _UPPER),
 }
 
 

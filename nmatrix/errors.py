@@ -22,8 +22,19 @@ _NAME = re.compile(f"{_OPEN}(\\w+){_CLOSE}")
 
 
 def quantity(name: str) -> str:
-    """Mark the name of a quantity in an error's text, so that its caller can spell it."""
+    """Mark the name of a quantity in an error or a remark, so that its caller can spell it."""
     return f"{_OPEN}{name}{_CLOSE}"
+
+
+def spelled(text: str, spell: Callable[[str], str]) -> str:
+    """Spell the names of quantities that are marked in a text.
+
+    Examples
+    --------
+    >>> spelled(f"try {quantity('near')} 0.1", lambda name: f"--{name}")
+    'try --near 0.1'
+    """
+    return _NAME.sub(lambda one: spell(one[1]), text)
 
 
 def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
@@ -89,7 +100,7 @@ class NMatrixError(Exception):
 
     def spelled(self, spell: Callable[[str], str]) -> str:
         """Return one line, with the name of every quantity as `spell` types it."""
-        what, *others = (_NAME.sub(lambda one: spell(one[1]), part) for part in self.parts)
+        what, *others = (spelled(part, spell) for part in self.parts)
         reason = "; ".join(part for part in others if part)
         line = ": ".join(part for part in (what, reason) if part)
         return (

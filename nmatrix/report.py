@@ -7,13 +7,13 @@ A `Quantity` names its place in `data` by its `key`, so that every format speaks
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from nmatrix.errors import NMatrixError
+from nmatrix.errors import NMatrixError, spelled
 
 if TYPE_CHECKING:
     from nmatrix.formula import Row, TypedRows
@@ -150,7 +150,8 @@ class Report:
 
     `failure` is the error that the answer still ends in (an undefined normal, a failed check):
     the whole report is shown first, then its one line. `records` is for an answer that is a list
-    of rows by nature, such as the grades of a class: as CSV it is written as that table.
+    of rows by nature, such as the grades of a class: as CSV it is written as that table. `glsl` is
+    code that a shader needs beside the numbers.
     """
 
     command: str
@@ -159,3 +160,8 @@ class Report:
     remarks: tuple[str, ...] = ()
     failure: NMatrixError | None = field(default=None, compare=False)
     records: Table | None = None
+    glsl: str = ""
+
+    def spelled(self, spell: Callable[[str], str]) -> Report:
+        """Spell the names of quantities in the remarks as the caller types them."""
+        return replace(self, remarks=tuple(spelled(one, spell) for one in self.remarks))

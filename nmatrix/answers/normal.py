@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nmatrix.enums import NormalRule, NormalStatus, Space
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import Classification
-from nmatrix.linear.exact import Normal
+from nmatrix.linear.exact import LinearMap, Normal
 from nmatrix.linear.rational import linear_part, rational_vector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.linear.rules import RULES, NormalTransform, normal_transform
@@ -39,17 +39,11 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
     S = setup.maps.space_from_object(request.space).exact
     found = setup.maps.classified(request.space)
     linear_map = found.linear_map
-    if request.method is NormalRule.EXACT:
-        matrix = linear_map.normal_matrix
-        images = [linear_map.normal(n) for n in request.normals]
-    else:
-        by_rule = normal_transform(request.method, S)
+    by_rule = normal_transform(request.method, S)
+    matrix = linear_map.normal_matrix
+    if request.method is not NormalRule.EXACT:
         matrix = None if by_rule is None else linear_part(by_rule.matrix)
-        images = [_transformed(by_rule, n) for n in request.normals]
-    answered = [
-        _Answered(n, image, linear_map.angle_without_deg(n) if image.direction else None)
-        for n, image in zip(request.normals, images, strict=True)
-    ]
+    answered = [_answered(n, request.method, by_rule, linear_map) for n in request.normals]
     data: dict[str, Value] = {
         "normal_matrix": matrix,
         "cofactor_matrix": linear_map.cofactor_matrix,
@@ -73,15 +67,22 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
 
 
 SAME_DIRECTION_DEG = 1e-9  # what a matrix built from angles misses by rounding
+SAID_OF = {
+    NormalRule.INVERSE: "np.linalg.inv(A).T",
+    NormalRule.COFACTOR: "The unsigned cofactor",
+    NormalRule.NONE: "A itself",
+}
 TWO_AXES = "give at least two axes a scale other than 0"
 
 
 @dataclass(frozen=True)
 class _Answered:
-    """A normal that was asked for, what became of it, and how far off A itself would be."""
+    """A normal that was asked for, what a method made of it, and how far it and A are off."""
 
     given: Vector
     image: Normal
+    method: NormalRule
+    method_error_deg: float | None
     without_deg: float | None
 
     @property
@@ -91,33 +92,59 @@ class _Answered:
             "transformed": self.image.direction,
             "status": self.image.status.value,
             "without_deg": self.without_deg,
+            "method_error_deg": self.method_error_deg,
         }
 
     def blocks(self, place: int) -> tuple[Block, ...]:
         return (
             Quantity(f"normals.{place}.object", self.given, f"normal {place + 1}"),
             Quantity(f"normals.{place}.transformed", self.image.direction, "  becomes (unit)"),
-            Text(self._sentence()),
+            Text(" ".join(self._sentences())),
         )
 
-    def _sentence(self) -> str:
+    def _sentences(self) -> Iterator[str]:
+        """Tell how far the method is off the right rule, and beside it A itself."""
         if self.image.status is not NormalStatus.OK:
-            return f"{self.image.status}: {self.image.reason}."
-        if self.without_deg is None:
-            return "ok."
-        if self.without_deg < SAME_DIRECTION_DEG:
-            return "A itself gives the same direction."
-        return f"With A itself it would be {self.without_deg:.6g}° off."
+            yield f"{self.image.status}: {self.image.reason}."
+        elif self.method is not NormalRule.EXACT:
+            yield _told(self.method, self.method_error_deg)
+            if self.method is not NormalRule.NONE and self.without_deg is not None:
+                yield _told(NormalRule.NONE, self.without_deg)
+        elif self.without_deg is not None and self.without_deg >= SAME_DIRECTION_DEG:
+            yield f"With A itself it would be {self.without_deg:.6g}° off."
+        else:
+            yield "A itself gives the same direction."
 
 
-def _transformed(by_rule: NormalTransform | None, n: Vector) -> Normal:
-    """Carry one normal by a rule, and normalise it."""
+def _told(method: NormalRule, error_deg: float | None) -> str:
+    if error_deg is None:
+        return f"{SAID_OF[method]} gives a direction where the right rule gives none."
+    if error_deg == 0:
+        return f"{SAID_OF[method]} gives the right direction."
+    if error_deg < SAME_DIRECTION_DEG:
+        return f"{SAID_OF[method]} gives the right direction to {error_deg:.2g}°."
+    return f"{SAID_OF[method]} is {error_deg:.6g}° off the right direction."
+
+
+def _answered(
+    n: Vector, method: NormalRule, by_rule: NormalTransform | None, linear_map: LinearMap
+) -> _Answered:
+    """Carry one normal by a method, and measure what comes out against the right rule."""
+    without = linear_map.angle_without_deg(n)
     if by_rule is None:
-        return Normal(None, NormalStatus.UNDEFINED, "this rule has no answer here")
-    direction, _ = integers(by_rule.applied_to(rational_vector(n))[:3])
-    if not any(direction):
-        return Normal(None, NormalStatus.UNDEFINED, "this rule gives length 0")
-    return Normal(unit(direction), NormalStatus.OK, "")
+        return _Answered(n, _undefined("this rule has no answer here"), method, None, without)
+    moved, _ = integers(by_rule.applied_to(rational_vector(n))[:3])
+    if method is NormalRule.EXACT:
+        image = linear_map.normal(n)
+    elif any(moved):
+        image = Normal(unit(moved), NormalStatus.OK, "")
+    else:
+        image = _undefined("this rule gives length 0")
+    return _Answered(n, image, method, linear_map.angle_off_deg(n, moved), without)
+
+
+def _undefined(reason: str) -> Normal:
+    return Normal(None, NormalStatus.UNDEFINED, reason)
 
 
 def _method_remarks(method: NormalRule, found: Classification) -> tuple[str, ...]:
@@ -135,6 +162,8 @@ def _failure(found: Classification, answered: Sequence[_Answered]) -> NoAnswerEr
         if one.image.status is NormalStatus.UNDEFINED:
             shown = " ".join(f"{float(component):g}" for component in one.given)
             next_step = "choose another normal" if found.rank >= 2 else TWO_AXES
+            if found.linear_map.normal(one.given).direction is not None:
+                next_step = f"try {quantity('method')} {NormalRule.EXACT}"
             return NoAnswerError(f"normal ({shown})", one.image.reason, next_step)
     if not answered and found.rank <= 1:
         return NoAnswerError(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
+from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.setup import Setup
@@ -20,24 +22,23 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
     >>> found.data["inside"], float(found.data["window"][0])
     (True, 256.0)
     """
-    found = follow(
-        setup.maps,
-        point,
-        normal,
-        setup.lens.clip,
-        viewport,
-    )
-    frames: dict[str, Vector | Number | None] = {key: getattr(found, key) for key in _TITLES}
+    # The lens before its rounding has near, far and the sides exactly where they were put.
+    maps = replace(setup.maps, clip_from_camera=setup.lens.exact)
+    found = follow(maps, point, normal, setup.lens.clip, viewport)
+    titles = _TITLES | {"window": _window_title(setup.lens.clip)}
+    frames: dict[str, Vector | Number | None] = {key: getattr(found, key) for key in titles}
     carried = None if found.normal is None else _directions(found.normal)
     data: dict[str, Value] = {
         **frames,
         "inside": found.inside,
         "outside_planes": list(found.outside_planes),
+        "pixel": found.pixel,
         "normal": None if carried is None else {**carried},
     }
     blocks: tuple[Block, ...] = (
         Heading("One vertex through the pipeline"),
-        *(Quantity(key, value, _TITLES[key]) for key, value in frames.items()),
+        *(Quantity(key, value, titles[key]) for key, value in frames.items()),
+        Quantity("pixel", found.pixel, "pixel   (x, y down)"),
         *(Quantity(f"normal.{key}", v, f"normal, {key}") for key, v in (carried or {}).items()),
         Verdict(_verdict(found)),
     )
@@ -50,9 +51,13 @@ _TITLES = {
     "camera": "camera  = V · world",
     "clip": "clip    = P · camera",
     "ndc": "NDC     = clip / w",
-    "window": "window  (x, y, depth)",
+    "window": "window",
     "reciprocal_w": "1/w",
 }
+
+
+def _window_title(clip: ClipSpace) -> str:
+    return f"window  (x, y {'up' if clip.window_y_sign > 0 else 'down'}, depth)"
 
 
 def _directions(normal: TracedNormal) -> dict[str, Vector | None]:
@@ -75,7 +80,12 @@ def _verdict(found: Trace) -> str:
 
 
 def _remarks(found: Trace) -> tuple[str, ...]:
-    remarks = []
+    remarks = [
+        f"What reads 1 in NDC is 1 + {short_text(size - 1, 3)}: the vertex lies beyond its plane "
+        "by so little."
+        for size in map(abs, found.ndc or ())
+        if size > 1 and short_text(size, 6) == "1"
+    ]
     if found.clip[3] <= 0:
         remarks.append(
             "Where w ≤ 0, dividing by it would mirror the vertex into view, so it is clipped first "

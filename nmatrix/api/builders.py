@@ -17,12 +17,11 @@ from numpy.typing import ArrayLike
 
 from nmatrix.api import arrays, places
 from nmatrix.api.places import Array, Turns
-from nmatrix.enums import API_PRESETS, Api, ClipY, Convention, DepthRange, Handedness, chosen
+from nmatrix.enums import Api, Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear import affine, projection, rational, view
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.projection import ClipSpace, Window, clip_space
-from nmatrix.linear.rational import Rows
 from nmatrix.scene.given import refuse_together
 
 XYZ, SIDES = (3,), (4,)
@@ -154,8 +153,8 @@ def look_at(
 ) -> Array:
     """Build `camera_from_world` for cameras at `eye` that look at `target`, all (..., 3).
 
-    The view direction is never altered. Where `up` is exactly parallel to it, the world axis that
-    is least aligned with it takes its place.
+    The view direction is never altered. Where `up` is exactly parallel to it, the world's z or y
+    takes its place, so that straight down and straight up have +x on the right.
 
     Raises
     ------
@@ -288,24 +287,19 @@ def orthographic(
 def viewport(width: ArrayLike, height: ArrayLike, api: str | Api = Api.OPENGL) -> Array:
     """Build `window_from_ndc` as an interface has it: x, y in pixels, z the depth 0 to 1.
 
-    x counts from the left. y counts from the bottom for OpenGL and from the top for all others,
-    which for Vulkan is also where y in clip space points down.
+    x counts from the left, y from the bottom for OpenGL and from the top for all others.
 
     Examples
     --------
     >>> (viewport(640, 480, "direct3d") @ [0, 1, 0.25, 1]).tolist()
     [320.0, 0.0, 0.25, 1.0]
     """
-    depth, _, clip_y = API_PRESETS[chosen(Api, api, "api")]
-    is_opengl = depth is DepthRange.MINUS_ONE_TO_ONE
-    upward = 1 if is_opengl or clip_y is ClipY.DOWN else -1
+    clip = clip_space(chosen(Api, api, "api"), "api")
 
-    def build(w: float, h: float) -> Rows:
+    def build(w: float, h: float) -> rational.RationalMatrix:
         if not (w > 0 and h > 0):
             raise IllegalValueError(f"viewport ({w:g} × {h:g})", "both sides are positive", "")
-        near = (0.0, 0.0, 0.5, 0.5) if is_opengl else (0.0, 0.0, 1.0, 0.0)
-        across, down = (w / 2, 0.0, 0.0, w / 2), (0.0, upward * h / 2, 0.0, h / 2)
-        return (across, down, near, (0.0, 0.0, 0.0, 1.0))
+        return projection.window_from_ndc(w, h, clip)
 
     return places.each(build, (places.real("width", width, ()), places.real("height", height, ())))
 
@@ -336,7 +330,7 @@ def _rotation(given: dict[str, Any], order: str, convention: Convention) -> tupl
 
 
 def _through(
-    build: Callable[..., Rows],
+    build: Callable[..., rational.RationalMatrix],
     window: Window | ArrayLike,
     near: ArrayLike,
     far: ArrayLike,

@@ -122,11 +122,21 @@ class Setup:
 
         return Report(view(self.values))
 
-    def projection(self) -> Report:
-        """Return the projection matrix and the smallest gaps that its depth can tell."""
+    def projection(self, *, at: object = (), depth_value: object = ()) -> Report:
+        """Return the projection matrix and the gaps between surfaces that its depth can tell.
+
+        Parameters
+        ----------
+        at
+            Distances whose window depth is asked for.
+        depth_value
+            Stored depths, from 0 to 1, whose distance is asked for.
+        """
+        from nmatrix.answers.depth import DepthRequest
         from nmatrix.answers.projection import projection
 
-        return Report(projection(self.values))
+        asked = DepthRequest(_numbers(at, "at"), _numbers(depth_value, "depth_value"))
+        return Report(projection(self.values, asked))
 
     def normal(
         self,
@@ -242,6 +252,14 @@ def _part(given: Part, kind: type[Any], read: Any, matrix: str | None) -> Any:  
         words = f"give a dict of them, a {kind.__name__} or a matrix"
         raise refused(given, kind.__name__.lower(), "it is described by names and values", words)
     return read({matrix: given})
+
+
+def _numbers(given: object, name: str) -> tuple[Any, ...]:
+    """Return numbers, from one or from several."""
+    listed = plain_value(given, name)
+    if not isinstance(listed, tuple | list):
+        return (real(given, name),)
+    return tuple(real(one, f"{name}[{i}]") for i, one in enumerate(listed))
 
 
 def _vectors(given: object, name: str) -> tuple[Any, ...]:

@@ -3,8 +3,9 @@
 A command takes option groups, frozen dataclasses; Typer sees their fields as flat options. It must
 not be given more than it can read, so the words are gathered first: an option of N values takes N
 words and becomes one `--option=values` token, −3 is a value, and whatever else is a value stands
-behind `--`. How many values an option takes is read off its metavar: `X Y Z` takes three. What
-Typer would refuse in its own words is refused here: WHAT (value): why; next step.
+behind `--`. How many values an option takes is read off its metavar: `X Y Z` takes three, `Z...`
+all up to the next option. What Typer would refuse in its own words is refused here: WHAT (value):
+why; next step.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ Group = Any  # a frozen dataclass type; its fields are Typer's options, or group
 
 # A minus with a digit or a point behind it is a number; "-" and "-#KEY" are standard input.
 _VALUE = re.compile(r"-(?:[\d.].*|#.*)?\Z", re.DOTALL)
+AND_MORE = "..."  # ends the metavar of an option that takes any number of values
 _SEPARATOR = re.compile(r"[\s,]")
 
 
@@ -148,6 +150,13 @@ class _Reader:
     at: int = 0
     given: set[str] = field(default_factory=set)
 
+    def all_values(self, option: str) -> str:
+        """Take all values up to the next option, one at the least."""
+        taken = [self.values(option, 1)]
+        while self.at < len(self.words) and is_value(self.words[self.at]):
+            taken.append(self.values(option, 1))
+        return " ".join(taken)
+
     def values(self, option: str, count: int) -> str:
         """Take so many values, or one word that holds several."""
         taken: list[str] = []
@@ -222,8 +231,13 @@ def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
         if joined is not None:
             raise IllegalValueError(f"{name} ({joined[:20]})", "it takes no value", f"use {name}")
         return full
-    count = len((option.metavar or "VALUE").split())
-    value = reader.values(full, count) if joined is None else joined
+    metavar = option.metavar or "VALUE"
+    if joined is not None:
+        value = joined
+    elif metavar.endswith(AND_MORE):
+        value = reader.all_values(full)
+    else:
+        value = reader.values(full, len(metavar.split()))
     choices = [str(one) for one in getattr(option.type, "choices", ())]
     if choices and value not in choices:
         raise IllegalValueError(

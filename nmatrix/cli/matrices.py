@@ -14,7 +14,7 @@ from nmatrix.cli.show import show
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import NORMAL_METHODS, NormalRule, chosen
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.numbers import numbers
+from nmatrix.reading.numbers import number_list, numbers
 
 HELP = {
     "world": """nmatrix world --scale 1 2 1
@@ -27,7 +27,7 @@ nmatrix world --scene arm.toml --object hand -f json""",
 nmatrix view --eye 3 3 2.5 --elevation -45 --angle -40 --convention polimi""",
     "projection": """nmatrix projection --fov 90 --aspect 16/9 --near 0.1 --far 100
 
-nmatrix projection --api vulkan --far inf --depth reversed
+nmatrix projection --api vulkan --far inf --depth reversed --at 1 10 100
 
 nmatrix projection --ortho -2 2 -1 1 --near 0 --far 10""",
     "identify": """nmatrix identify "1.7321 0 0 0; 0 1.7321 0 0; 0 0 1.0101 -1.0101; 0 0 1 0"
@@ -60,11 +60,28 @@ def view(view: ViewOptions, scene: SceneOptions, common: CommonOptions) -> None:
     show(answer(OptionGroups(view=view, scene=scene).setup(common)), common)
 
 
-def projection(lens: LensOptions, scene: SceneOptions, common: CommonOptions) -> None:
+def projection(
+    *,
+    lens: LensOptions,
+    scene: SceneOptions,
+    common: CommonOptions,
+    at: Annotated[
+        str | None, Option("--at", metavar="DISTANCE...", help="Distances to tell the depth of.")
+    ] = None,
+    depth_value: Annotated[
+        str | None,
+        Option("--depth-value", metavar="DEPTH...", help="Stored depths to tell the distance of."),
+    ] = None,
+) -> None:
     """Show the projection matrix."""
+    from nmatrix.answers.depth import DepthRequest
     from nmatrix.answers.projection import projection as answer
 
-    show(answer(OptionGroups(lens=lens, scene=scene).setup(common)), common)
+    asked = DepthRequest(
+        () if at is None else number_list(at, "--at"),
+        () if depth_value is None else number_list(depth_value, "--depth-value"),
+    )
+    show(answer(OptionGroups(lens=lens, scene=scene).setup(common), asked), common)
 
 
 def normal(

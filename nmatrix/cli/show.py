@@ -36,6 +36,8 @@ class ColorWhen(StrEnum):
 
 def show(report: Report, common: CommonOptions) -> None:
     """Write a report in the format asked for, then raise what it ends in, if anything."""
+    from nmatrix.cli.shared_options import option_name  # it imports this module
+
     options = OutputOptions(
         format=common.format,
         digits=common.digits_checked,
@@ -44,7 +46,7 @@ def show(report: Report, common: CommonOptions) -> None:
         width=_width(),
         colour=_colour(common),
     )
-    put(write(report, options))
+    put(write(report.spelled(option_name), options))
     if report.failure is not None:
         raise report.failure
 

@@ -154,20 +154,34 @@ class LinearMap:
     def angle_without_deg(self, normal_object: Sequence[float | Fraction]) -> float | None:
         """Measure how far A n is off the right normal, in degrees, correctly rounded.
 
-        None where one of them has no direction; a plane with two sides is off by 90° at most.
-
         Examples
         --------
         >>> LinearMap.of([[1, 0, 0], [0, -1, 0], [0, 0, 1]]).angle_without_deg((1, 1, 0))
         0.0
         """
         n, _ = integers(normal_object)
-        moved, transformed = _apply(self.entries, n), _apply(self.cofactors, n)
-        if not any(moved) or not any(transformed):
+        return self.angle_off_deg(n, _apply(self.entries, n))
+
+    def angle_off_deg(
+        self, normal_object: Sequence[float | Fraction], image: Sequence[Fraction | int]
+    ) -> float | None:
+        """Measure how far an image of a normal is off the right one, in degrees.
+
+        It is correctly rounded. None where one of them has no direction; a plane with two sides is
+        off by 90° at most.
+
+        Examples
+        --------
+        >>> LinearMap.of([[-1, 0, 0], [0, 1, 0], [0, 0, 1]]).angle_off_deg((1, 0, 0), (1, 0, 0))
+        180.0
+        """
+        n, _ = integers(normal_object)
+        given, transformed = integers(image)[0], _apply(self.cofactors, n)
+        if not any(given) or not any(transformed):
             return None
         if self.integer_determinant < 0:
             transformed = [-component for component in transformed]
-        error = exact_angle_between(moved, transformed)
+        error = exact_angle_between(given, transformed)
         return nearest((error if self.integer_determinant else min(error, PI - error)) * DEGREES)
 
     def _why_no_normal(self) -> str:

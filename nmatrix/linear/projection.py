@@ -2,31 +2,44 @@
 
 n is near, f far (which may be infinite: the limit is taken in the formula, exactly); g is −1
 where the camera looks down −z (right-handed) and +1 where it looks down +z, so w = g·z. The z row
-of a perspective matrix is [0 0 g·a c], of an orthographic one too.
+of a perspective matrix is [0 0 g·a c], of an orthographic one too. Nothing is rounded here, so that
+near, far and the sides lie exactly where they were put; who shows a matrix rounds it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from math import inf
+from typing import Any
 
-from nmatrix.enums import API_PRESETS, Api, ClipY, DepthRange, Handedness, chosen
+from nmatrix.enums import (
+    API_PRESETS,
+    Api,
+    ClipY,
+    DepthRange,
+    Handedness,
+    WindowOrigin,
+    chosen,
+)
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import ONE, ZERO, Rows, to_floats
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix
 from nmatrix.linear.values import read_fields, real
+
+CLIP_PARTS = ("depth", "handed", "clip_y")  # what may be given beside an interface
 
 
 @dataclass(frozen=True)
 class ClipSpace:
-    """What the receiving interface expects: depth range, handedness, direction of y."""
+    """What the receiving interface expects: depth range, handedness, direction of y, origin."""
 
     depth: DepthRange = DepthRange.MINUS_ONE_TO_ONE
     handed: Handedness = Handedness.RIGHT
     clip_y: ClipY = ClipY.UP
+    origin: WindowOrigin = WindowOrigin.LOWER_LEFT
 
     def __post_init__(self) -> None:
         read_fields(
@@ -34,6 +47,7 @@ class ClipSpace:
             depth=partial(chosen, DepthRange),
             handed=partial(chosen, Handedness),
             clip_y=partial(chosen, ClipY),
+            origin=partial(chosen, WindowOrigin),
         )
 
     @property
@@ -45,6 +59,15 @@ class ClipSpace:
     def y_sign(self) -> int:
         """Return 1 where y in clip space points up, −1 where it points down."""
         return 1 if self.clip_y is ClipY.UP else -1
+
+    @property
+    def window_y_sign(self) -> int:
+        """Return 1 where window y counts upwards from the bottom, −1 where down from the top.
+
+        Where y in clip space points down, the interface counts from the top.
+        """
+        counts_up = self.origin is WindowOrigin.LOWER_LEFT and self.clip_y is ClipY.UP
+        return 1 if counts_up else -1
 
 
 def clip_space(given: object, name: str) -> ClipSpace:
@@ -58,6 +81,19 @@ def clip_space(given: object, name: str) -> ClipSpace:
     return (
         given if isinstance(given, ClipSpace) else ClipSpace(*API_PRESETS[chosen(Api, given, name)])
     )
+
+
+def clip_space_over(base: ClipSpace, given: Mapping[str, Any]) -> ClipSpace:
+    """Lay what was given over a clip space: an interface (`api`) first, then each part by itself.
+
+    Examples
+    --------
+    >>> clip_space_over(ClipSpace(), {"api": "vulkan", "depth": "reversed"}).depth
+    <DepthRange.REVERSED: 'reversed'>
+    """
+    if given.get("api") is not None:
+        base = clip_space(given["api"], "api")
+    return replace(base, **{name: given[name] for name in CLIP_PARTS if given.get(name)})
 
 
 @dataclass(frozen=True)
@@ -100,6 +136,12 @@ NDC_DEPTH: Mapping[DepthRange, tuple[int, int]] = {  # at the near plane, at the
     DepthRange.ZERO_TO_ONE: (0, 1),
     DepthRange.REVERSED: (1, 0),
 }
+HALF = Fraction(1, 2)
+WINDOW_DEPTH: Mapping[DepthRange, tuple[Fraction, Fraction]] = {  # of NDC z: slope and offset
+    DepthRange.MINUS_ONE_TO_ONE: (HALF, HALF),
+    DepthRange.ZERO_TO_ONE: (ONE, ZERO),
+    DepthRange.REVERSED: (ONE, ZERO),
+}
 CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 
 
@@ -109,7 +151,7 @@ def perspective(
     near: float,
     far: float,
     clip: ClipSpace = DEFAULT_CLIP_SPACE,
-) -> Rows:
+) -> RationalMatrix:
     """Build the projection of a symmetric perspective view.
 
     The height of the view at distance 1 is 2·tan(fov/2); its width is `aspect` times that.
@@ -135,11 +177,11 @@ def perspective(
     Examples
     --------
     >>> for row in perspective(Angle.degrees(45), 2.0, 1.0, inf):
-    ...     print(row)
-    (0.5, 0.0, 0.0, 0.0)
-    (0.0, 1.0, 0.0, 0.0)
-    (0.0, 0.0, -1.0, -2.0)
-    (0.0, 0.0, -1.0, 0.0)
+    ...     print(*row)
+    1/2 0 0 0
+    0 1 0 0
+    0 0 -1 -2
+    0 0 -1 0
     """
     focal = _focal_lengths(half_fov_y, aspect)
     return _perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
@@ -163,27 +205,27 @@ def _perspective_rows(
     centre: tuple[Fraction, Fraction],
     depth_row: tuple[Fraction, Fraction],
     clip: ClipSpace,
-) -> Rows:
+) -> RationalMatrix:
     """Build a perspective matrix of its focal lengths, off-centre terms and z row; w = g·z."""
     g, y = clip.forward_z, clip.y_sign
     slope, offset = depth_row
-    return to_floats(
-        (
-            (focal[0], ZERO, -g * centre[0], ZERO),
-            (ZERO, y * focal[1], -g * y * centre[1], ZERO),
-            (ZERO, ZERO, g * slope, offset),
-            (ZERO, ZERO, Fraction(g), ZERO),
-        )
+    return (
+        (focal[0], ZERO, -g * centre[0], ZERO),
+        (ZERO, y * focal[1], -g * y * centre[1], ZERO),
+        (ZERO, ZERO, g * slope, offset),
+        (ZERO, ZERO, Fraction(g), ZERO),
     )
 
 
-def frustum(window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE) -> Rows:
+def frustum(
+    window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+) -> RationalMatrix:
     """Build the projection of a perspective view through any rectangle of the near plane.
 
     Examples
     --------
-    >>> frustum(Window(0, 2, -1, 1), 1.0, inf)[0]
-    (1.0, 0.0, 1.0, 0.0)
+    >>> print(*frustum(Window(0, 2, -1, 1), 1.0, inf)[0])
+    1 0 1 0
     """
     left, right, bottom, top = window.checked()
     width, height, n = right - left, top - bottom, Fraction(near)
@@ -197,24 +239,47 @@ def frustum(window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_C
 
 def orthographic(
     window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
-) -> Rows:
+) -> RationalMatrix:
     """Build the projection of a parallel view; near may be zero or behind the camera.
 
     Examples
     --------
-    >>> orthographic(Window(-2, 2, -1, 1), -1.0, 1.0)[2]
-    (0.0, 0.0, -1.0, 0.0)
+    >>> print(*orthographic(Window(-2, 2, -1, 1), -1.0, 1.0)[2])
+    0 0 -1 0
     """
     left, right, bottom, top = window.checked()
     slope, offset = orthographic_depth(near, far, clip.depth)
     y = clip.y_sign
-    return to_floats(
-        (
-            (2 / (right - left), ZERO, ZERO, -(right + left) / (right - left)),
-            (ZERO, 2 * y / (top - bottom), ZERO, -y * (top + bottom) / (top - bottom)),
-            (ZERO, ZERO, clip.forward_z * slope, offset),
-            (ZERO, ZERO, ZERO, ONE),
-        )
+    return (
+        (2 / (right - left), ZERO, ZERO, -(right + left) / (right - left)),
+        (ZERO, 2 * y / (top - bottom), ZERO, -y * (top + bottom) / (top - bottom)),
+        (ZERO, ZERO, clip.forward_z * slope, offset),
+        (ZERO, ZERO, ZERO, ONE),
+    )
+
+
+def window_from_ndc(width: float, height: float, clip: ClipSpace) -> RationalMatrix:
+    """Build the last map of the pipeline: x and y in pixels, z the window depth from 0 to 1.
+
+    x counts from the left, y from where the interface's window begins. Pixels begin at whole
+    numbers, so the middle of the first one is at (0.5, 0.5).
+
+    Examples
+    --------
+    >>> for row in window_from_ndc(640, 480, clip_space("direct3d", "clip"))[:3]:
+    ...     print(*row)
+    320 0 0 320
+    0 -240 0 240
+    0 0 1 0
+    """
+    half_width, half_height = Fraction(width) / 2, Fraction(height) / 2
+    flip = clip.window_y_sign * clip.y_sign
+    slope, offset = WINDOW_DEPTH[clip.depth]
+    return (
+        (half_width, ZERO, ZERO, half_width),
+        (ZERO, flip * half_height, ZERO, half_height),
+        (ZERO, ZERO, slope, offset),
+        (ZERO, ZERO, ZERO, ONE),
     )
 
 

@@ -88,6 +88,20 @@ def over_root(numerator: int, square: int) -> float:
     return size if numerator > 0 else -size
 
 
+def over_root_of_any_size(numerator: int, square: int) -> Fraction:
+    """Compute `numerator / √square` as `over_root`; beyond all float64s it is known to 160 bits.
+
+    Examples
+    --------
+    >>> over_root_of_any_size(10**400, 4) == 5 * 10**399
+    True
+    """
+    try:
+        return Fraction(over_root(numerator, square))
+    except IllegalValueError:
+        return numerator * inverse_root(Fraction(square))
+
+
 def root(value: Fraction) -> float:
     """Compute √value correctly rounded.
 

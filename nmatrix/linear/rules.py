@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import NormalRule
+from nmatrix.errors import IllegalValueError
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     RationalMatrix,
@@ -79,9 +80,13 @@ def _signed_cofactors(M: RationalMatrix) -> NormalTransform:
 def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:
     import numpy as np
 
+    try:
+        A = to_floats(linear_part(M))
+    except IllegalValueError:  # an entry beyond float64
+        return None
     with np.errstate(all="ignore"):
         try:
-            found = np.linalg.inv(np.array(to_floats(linear_part(M)))).T
+            found = np.linalg.inv(np.array(A)).T
         except np.linalg.LinAlgError:
             return None
     if not np.isfinite(found).all():

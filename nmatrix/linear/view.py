@@ -16,9 +16,9 @@ from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.affine import rotation_about
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.rational import (
+    AFFINE_ROW,
     RationalMatrix,
     RationalVector,
-    Rows,
     affine_matrix,
     apply,
     cross,
@@ -26,15 +26,18 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
 )
-from nmatrix.linear.rounding import integers, over_root
+from nmatrix.linear.rounding import integers, over_root, over_root_of_any_size
 
 
 @dataclass(frozen=True)
 class LookAt:
-    """A view matrix made from a target, and whether `up` had to be replaced."""
+    """A view matrix made from a target; `stand_in` is the axis that took the place of `up`.
 
-    camera_from_world: Rows
-    up_was_parallel: bool
+    The matrix holds floats, except an offset that is beyond all of them: it is known to 160 bits.
+    """
+
+    camera_from_world: RationalMatrix
+    stand_in: RationalVector | None
 
 
 def look_at(
@@ -45,8 +48,9 @@ def look_at(
 ) -> LookAt:
     """Build the view matrix of a camera at `eye` that looks at `target`, in world units.
 
-    The view direction is never altered. If `up` is exactly parallel to it, the world axis that is
-    least aligned with it takes its place.
+    The view direction is never altered. If `up` is exactly parallel to it, the world's z or y takes
+    its place, in the sense that puts +x on the right: what a camera sees that looks along −z and is
+    then tilted straight down or up.
 
     Raises
     ------
@@ -56,11 +60,13 @@ def look_at(
     Examples
     --------
     >>> for row in look_at((0, 0, 5), (0, 0, 0)).camera_from_world:
-    ...     print(row)
-    (1.0, 0.0, 0.0, 0.0)
-    (0.0, 1.0, 0.0, 0.0)
-    (0.0, 0.0, 1.0, -5.0)
-    (0.0, 0.0, 0.0, 1.0)
+    ...     print(*row)
+    1 0 0 0
+    0 1 0 0
+    0 0 1 -5
+    0 0 0 1
+    >>> print(*look_at((0, 5, 0), (0, 0, 0)).stand_in)
+    0 0 -1
     """
     eye_world, target_world = rational_vector(eye), rational_vector(target)
     forward = tuple(t - e for e, t in zip(eye_world, target_world, strict=True))
@@ -79,32 +85,34 @@ def looking_along(
     """Build the view matrix of a camera at `eye` that looks along `forward`."""
     if not any(up):
         raise NoAnswerError("up (0 0 0)", "it has no direction", f"try {quantity('up')} 0 1 0")
-    right = cross(forward, up)
-    parallel = not any(right)
-    if parallel:
-        right = cross(forward, _least_aligned_axis(forward))
+    right, stand_in = cross(forward, up), None
+    if not any(right):
+        stand_in = _stand_in(forward)
+        right = cross(forward, stand_in)
     upward = cross(right, forward)
     if handed is Handedness.LEFT:
         right, third = tuple(-x for x in right), forward
     else:
         third = tuple(-x for x in forward)
     rows = [_row(axis, eye) for axis in (right, upward, third)]
-    return LookAt((*rows, (0.0, 0.0, 0.0, 1.0)), parallel)
+    return LookAt((*rows, AFFINE_ROW), stand_in)
 
 
-def _least_aligned_axis(forward: RationalVector) -> RationalVector:
-    sizes = [abs(component) for component in forward]
-    axis = sizes.index(min(sizes))
-    return tuple(Fraction(int(i == axis)) for i in range(3))
+def _stand_in(forward: RationalVector) -> RationalVector:
+    """Choose z or y, whichever is less aligned with the view, in the sense that puts +x right."""
+    axis = min((2, 1), key=lambda i: abs(forward[i]))
+    upright = tuple(Fraction(int(i == axis)) for i in range(3))
+    sense = next(component for component in cross(forward, upright) if component)
+    return upright if sense > 0 else tuple(-component for component in upright)
 
 
-def _row(axis: RationalVector, eye: RationalVector) -> tuple[float, ...]:
+def _row(axis: RationalVector, eye: RationalVector) -> RationalVector:
     """Return the unit axis and minus the eye's coordinate along it, each rounded once."""
     direction, _ = integers(axis)
     square = sum(component * component for component in direction)
     along = -dot([Fraction(c) for c in direction], eye)
-    offset = over_root(along.numerator, square * along.denominator**2)
-    return (*(over_root(component, square) for component in direction), offset)
+    offset = over_root_of_any_size(along.numerator, square * along.denominator**2)
+    return (*(Fraction(over_root(component, square)) for component in direction), offset)
 
 
 def first_person(

@@ -40,7 +40,7 @@ def write(report: Report, options: OutputOptions) -> str:
     ]
     if shaders:
         return "\n".join([f"\n{SHADER_BREAK}\n".join(shaders), *_uniforms(report)]) + "\n"
-    return program(report, _glsl("const"))
+    return program(report, _glsl("const")) + (report.glsl and f"{report.glsl}\n")
 
 
 def _glsl(qualifier: str) -> Language:

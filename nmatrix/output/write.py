@@ -81,7 +81,7 @@ def write(report: Report, options: OutputOptions) -> str:
     >>> print(write(answer, OutputOptions(Format.CSV)).splitlines()[-1])
     value,,,2.0
     """
-    return _writer(options.format)(report, options)
+    return _writer(options.format)(report.spelled(str), options)
 
 
 def _writer(chosen: Format) -> Writer:  # noqa: C901  # one branch for each format

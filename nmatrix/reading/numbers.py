@@ -115,6 +115,17 @@ def numbers(text: str, count: int, name: str) -> tuple[float, ...]:
     return tuple(map(nearest, fractions(text, count, name)))
 
 
+def number_list(text: str, name: str) -> tuple[float, ...]:
+    """Read any number of numbers, at least one, separated by blanks or commas.
+
+    Examples
+    --------
+    >>> number_list("0.5, 2 100", "--at")
+    (0.5, 2.0, 100.0)
+    """
+    return tuple(number(part, name) for part in _SEPARATOR.split(text.strip(" \t\r\n")))
+
+
 def _decimal(found: re.Match[str], text: str, name: str) -> Fraction:
     if not found["mantissa"].strip("0."):
         return Fraction(0)

@@ -9,16 +9,17 @@ from nmatrix.enums import Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.angle import Angle, float_turn
-from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    RationalVector,
+    rational_vector,
+    rounded_for_display,
+)
 from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
 from nmatrix.linear.view import first_person, look_at
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 
-_PARALLEL = (
-    "up is exactly parallel to the view direction, so it says nothing about roll; the world axis "
-    "least aligned with the view took its place"
-)
 _POLIMI = (
     "convention polimi: a positive angle looks to the right: V = Rx(−elevation) · Ry(+angle) · "
     "T(−eye)"
@@ -98,11 +99,8 @@ class View:
         if self.angles is not None:
             return self._by_angles(self.angles)
         found = look_at(self.eye, self.target, self.up, self.handed)
-        return PlacedCamera(
-            rational.rational_matrix(found.camera_from_world),
-            rational_vector(self.eye),
-            (_PARALLEL,) if found.up_was_parallel else (),
-        )
+        remarks = () if found.stand_in is None else (_instead_of_up(found.stand_in),)
+        return PlacedCamera(found.camera_from_world, rational_vector(self.eye), remarks)
 
     def _by_angles(self, angles: FirstPerson) -> PlacedCamera:
         exact = first_person(
@@ -113,15 +111,25 @@ class View:
             self.convention,
         )
         remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
-        return PlacedCamera(
-            rational.rational_matrix(to_floats(exact)), rational_vector(self.eye), remarks
-        )
+        return PlacedCamera(rounded_for_display(exact), rational_vector(self.eye), remarks)
 
 
 def _read_angles(given: object, name: str) -> FirstPerson:
     if isinstance(given, FirstPerson):
         return given
     return FirstPerson(*listed(given, name, (2, 3)))  # type: ignore[arg-type]  # all read there
+
+
+def _instead_of_up(stand_in: RationalVector) -> str:
+    """Tell which axis took the place of up, and how the other picture is asked for."""
+    taken, other = (" ".join(str(sign * x) for x in stand_in) for sign in (1, -1))
+    place = next(i for i, x in enumerate(stand_in) if x)
+    axis = f"{'+' if stand_in[place] > 0 else '−'}{'xyz'[place]}"
+    return (
+        f"up is exactly parallel to the view direction, so it says nothing about roll; {axis} took "
+        f"its place, as {quantity('up')} {taken} does; {quantity('up')} {other} gives the picture "
+        "upside down"
+    )
 
 
 def _eye_of(camera_from_world: RationalMatrix) -> RationalVector:

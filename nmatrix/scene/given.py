@@ -12,9 +12,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from nmatrix.enums import API_PRESETS, Api, Convention, Handedness, chosen
+from nmatrix.enums import Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
-from nmatrix.linear.projection import ClipSpace, check_aspect, clip_space
+from nmatrix.linear.projection import CLIP_PARTS, check_aspect, clip_space, clip_space_over
 from nmatrix.linear.values import WHOLE, contradiction
 from nmatrix.scene.camera import AIM, FirstPerson, View
 from nmatrix.scene.lens import Lens
@@ -26,7 +26,6 @@ Given = Mapping[str, Any]
 PLACE = ("translate", "rotate", "quaternion", "scale", "shear", "order")
 ANGLES = ("elevation", "angle", "roll")
 SHAPE = ("fov", "aspect", "near", "far", "ortho", "frustum")
-CLIP = ("depth", "handed", "clip_y")
 LIGHT = ("light_direction", "light_angles", "light_position")
 
 
@@ -108,12 +107,12 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     >>> lens_of({"api": "vulkan"}).clip.depth
     <DepthRange.ZERO_TO_ONE: 'zero-to-one'>
     """
-    found = _known(given, (*SHAPE, *CLIP, "api", "projection_matrix"), "lens")
+    found = _known(given, (*SHAPE, *CLIP_PARTS, "api", "projection_matrix"), "lens")
     base = base or Lens()
     refuse_together("projection_matrix", SHAPE, found, WHOLE)
     refuse_together("ortho", ("fov", "aspect", "frustum"), found, "both shape the view")
     refuse_together("frustum", ("fov", "aspect"), found, "both shape the view")
-    clip = _clip_space(found, base.clip)
+    clip = clip_space_over(base.clip, found)
     if "projection_matrix" in found:
         return Lens(matrix=found["projection_matrix"], clip=clip)
     shape = {name: found[name] for name in SHAPE if name in found}
@@ -131,7 +130,7 @@ def hand_of(lens: Given) -> Handedness | None:
     """Find the hand that a lens asks for, by itself or by its interface: it is the view's too."""
     if lens.get("handed") is not None:
         return chosen(Handedness, lens["handed"], "handed")
-    return None if lens.get("api") is None else API_PRESETS[chosen(Api, lens["api"], "api")][1]
+    return None if lens.get("api") is None else clip_space(lens["api"], "api").handed
 
 
 def light_of(given: Given, base: Light | None = None) -> Light:
@@ -155,13 +154,6 @@ def refuse_together(name: str, others: Iterable[str], given: Given, because: str
     beside = [one for one in others if one in given]
     if name in given and beside:
         raise contradiction(quantity(name), beside, because)
-
-
-def _clip_space(given: Given, base: ClipSpace) -> ClipSpace:
-    """Take an interface's clip space, or the base's, and put what was given by itself over it."""
-    if "api" in given:
-        base = clip_space(given["api"], "api")
-    return replace(base, **{name: given[name] for name in CLIP if name in given})
 
 
 def _known(given: Given, names: tuple[str, ...], what: str) -> dict[str, Any]:

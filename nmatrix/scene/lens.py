@@ -17,7 +17,7 @@ from nmatrix.linear.projection import (
     orthographic,
     perspective,
 )
-from nmatrix.linear.rational import RationalMatrix, rational_matrix
+from nmatrix.linear.rational import RationalMatrix, rounded_for_display
 from nmatrix.linear.values import named, read_fields, real, refuse_beside, vector
 from nmatrix.reading.arrays import read_projection
 
@@ -52,8 +52,10 @@ class Lens:
         refuse_beside(self, "ortho", ("frustum",), "both shape the view")
 
     @property
-    def clip_from_camera(self) -> RationalMatrix:
-        """Return the projection matrix of floats.
+    def exact(self) -> RationalMatrix:
+        """The projection before it is rounded, which has every plane exactly where it was put.
+
+        A field of view's cotangent is irrational mostly; it is known to some 160 bits.
 
         Raises
         ------
@@ -64,18 +66,29 @@ class Lens:
 
         Examples
         --------
-        >>> float(Lens(fov_degrees=90).clip_from_camera[1][1])
-        1.0
+        >>> print(*Lens(near=1, far=7).exact[2])
+        0 0 -4/3 -7/3
         """
         if self.matrix is not None:
             return self.matrix
         if self.ortho is not None:
-            return rational_matrix(orthographic(self.ortho, self.near, self.far, self.clip))
+            return orthographic(self.ortho, self.near, self.far, self.clip)
         if self.frustum is not None:
-            return rational_matrix(frustum(self.frustum, self.near, self.far, self.clip))
+            return frustum(self.frustum, self.near, self.far, self.clip)
         check_fov(self.fov_degrees)
         half = Angle.degrees(Fraction(self.fov_degrees) / 2)
-        return rational_matrix(perspective(half, self.aspect, self.near, self.far, self.clip))
+        return perspective(half, self.aspect, self.near, self.far, self.clip)
+
+    @property
+    def clip_from_camera(self) -> RationalMatrix:
+        """The projection matrix as it is shown, every entry rounded once to a float64.
+
+        Examples
+        --------
+        >>> float(Lens(fov_degrees=90).clip_from_camera[1][1])
+        1.0
+        """
+        return rounded_for_display(self.exact)
 
 
 def _real_or_infinity(value: object, name: str) -> float:

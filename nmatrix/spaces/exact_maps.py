@@ -141,7 +141,7 @@ def _light_from_world(maps: ExactMaps) -> Transform:
             f"give {quantity('light_direction')}",
         )
     seen = looking_along(position, towards, maps.up, Handedness.RIGHT)
-    return Transform(Frame.LIGHT, Frame.WORLD, rational.rational_matrix(seen.camera_from_world))
+    return Transform(Frame.LIGHT, Frame.WORLD, seen.camera_from_world)
 
 
 def _custom_from_world(maps: ExactMaps) -> Transform:

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Space
+from nmatrix.errors import IllegalValueError
 from nmatrix.linear import rational
 from nmatrix.linear.angle import DEGREES, exact_angle_between
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.linear.rounding import integers, nearest, root, unit
+from nmatrix.linear.rounding import integers, nearest, over_root_of_any_size, unit
 from nmatrix.spaces.exact_maps import ExactMaps
 
 Three = tuple[float, ...]
@@ -40,7 +41,7 @@ class EyeInSpace:
     space: Space
     eye: RationalVector
     eye_by_inverse_mv: Three | None
-    relative_difference: float | None
+    relative_difference: Fraction | None
 
 
 def light_in(maps: ExactMaps, space: Space) -> LightInSpace:
@@ -95,8 +96,11 @@ def _course_rule(B: RationalMatrix, direction: RationalVector) -> RationalVector
 def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
     import numpy as np
 
-    V = np.array(maps.camera_from_world.matrix)
-    world_from_space = np.array(maps.space_from_world(space).inverse().matrix)
+    try:
+        V = np.array(maps.camera_from_world.matrix)
+        world_from_space = np.array(maps.space_from_world(space).inverse().matrix)
+    except IllegalValueError:  # an entry beyond float64, which such a program cannot hold
+        return None
     with np.errstate(all="ignore"):
         try:
             found = np.linalg.inv(V @ world_from_space)[:3, 3]
@@ -105,12 +109,15 @@ def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
     return tuple(found.tolist()) if np.isfinite(found).all() else None
 
 
-def _relative(exact: RationalVector, course: Three) -> float | None:
-    error = sum((Fraction(c) - e) ** 2 for c, e in zip(course, exact, strict=True))
-    size = sum(e * e for e in exact)
+def _relative(exact: RationalVector, course: Three) -> Fraction | None:
+    difference = [Fraction(c) - e for c, e in zip(course, exact, strict=True)]
+    error, size = rational.dot(difference, difference), rational.dot(exact, exact)
     if error == 0:
-        return 0.0
-    return root(error / size) if size else None
+        return error
+    if size == 0:
+        return None
+    square = error / size
+    return over_root_of_any_size(square.numerator, square.numerator * square.denominator)
 
 
 def _unit(v: RationalVector | None) -> Three | None:

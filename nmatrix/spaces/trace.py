@@ -1,6 +1,7 @@
 """One vertex on its way: object → world → camera → clip → NDC → window, and which planes cut it.
 
-Every number stays exact until a writer rounds it; nothing is divided by w ≤ 0.
+Every number stays exact until a writer rounds it, so numbers and verdict agree; nothing is divided
+by w ≤ 0.
 """
 
 from __future__ import annotations
@@ -8,10 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.enums import ClipY, DepthRange
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.exact import Normal
-from nmatrix.linear.projection import NDC_DEPTH, ClipSpace
+from nmatrix.linear.projection import NDC_DEPTH, ClipSpace, window_from_ndc
 from nmatrix.linear.rational import RationalVector, apply, rational_vector
 from nmatrix.report import Vector
 from nmatrix.spaces.exact_maps import ExactMaps
@@ -44,7 +44,10 @@ class TracedNormal:
 
 @dataclass(frozen=True)
 class Trace:
-    """Where one vertex is in every frame of the pipeline."""
+    """Where one vertex is in every frame of the pipeline.
+
+    Window y is counted as the interface does, `pixel` always from the top.
+    """
 
     object: RationalVector
     world: RationalVector
@@ -52,6 +55,7 @@ class Trace:
     clip: RationalVector
     ndc: RationalVector | None
     window: RationalVector | None
+    pixel: RationalVector | None
     reciprocal_w: Fraction | None
     outside_planes: tuple[str, ...]
     normal: TracedNormal | None
@@ -71,8 +75,8 @@ def trace(
 ) -> Trace:
     """Follow a vertex given in object space, in object units, to window pixels.
 
-    Window x runs from the left; y upwards from the bottom, and downwards from the top where y in
-    clip space points down: the same pixel. Pixel centres lie at halves.
+    The planes of the view volume are those of the projection in `maps`: a caller who knows it
+    exactly, not as its rounded matrix, finds a plane's own points inside.
 
     Examples
     --------
@@ -90,13 +94,15 @@ def trace(
     clip_point = apply(maps.clip_from_camera, (*point_camera, Fraction(1)))
     w = clip_point[3]
     ndc = tuple(component / w for component in clip_point[:3]) if w > 0 else None
+    window = None if ndc is None else _window(ndc, clip, viewport)
     return Trace(
         object=point_object,
         world=point_world,
         camera=point_camera,
         clip=clip_point,
         ndc=ndc,
-        window=None if ndc is None else _window(ndc, clip, viewport),
+        window=window,
+        pixel=None if window is None else _pixel(window, clip, viewport),
         reciprocal_w=1 / w if w else None,
         outside_planes=outside_planes(clip_point, clip),
         normal=None if normal is None else _traced_normal(maps, normal),
@@ -106,8 +112,7 @@ def trace(
 def outside_planes(point: RationalVector, clip: ClipSpace) -> tuple[str, ...]:
     """List the planes of the view volume that a clip-space point lies beyond, decided exactly."""
     x, y, z, w = point
-    if clip.clip_y is ClipY.DOWN:
-        y = -y
+    y *= clip.y_sign
     at_near, at_far = NDC_DEPTH[clip.depth]
     if at_near > at_far:
         z, at_near, at_far = -z, -at_near, -at_far  # so that depth grows away from the eye
@@ -123,10 +128,13 @@ def outside_planes(point: RationalVector, clip: ClipSpace) -> tuple[str, ...]:
 
 
 def _window(ndc: RationalVector, clip: ClipSpace, viewport: Viewport) -> RationalVector:
-    x, y, z = ndc
-    depth = (z + 1) / 2 if clip.depth is DepthRange.MINUS_ONE_TO_ONE else z
-    width, height = Fraction(viewport.width), Fraction(viewport.height)
-    return (x + 1) / 2 * width, (y + 1) / 2 * height, depth
+    matrix = window_from_ndc(viewport.width, viewport.height, clip)
+    return apply(matrix, (*ndc, Fraction(1)))[:3]
+
+
+def _pixel(window: RationalVector, clip: ClipSpace, viewport: Viewport) -> RationalVector:
+    x, y, _ = window
+    return x, y if clip.window_y_sign < 0 else Fraction(viewport.height) - y
 
 
 def _traced_normal(maps: ExactMaps, normal: Vector) -> TracedNormal:

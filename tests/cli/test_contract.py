@@ -22,7 +22,7 @@ KEYS = {
     "view": "camera_from_world rotation translation eye right up forward normal_matrix handed "
     "mirrored readings world_from_camera extrinsics",
     "identify '1 2 3; 4 5 6; 7 8 10'": "readings ambiguous",
-    "projection": "clip_from_camera depth_range depth_step",
+    "projection": "clip_from_camera depth_range depth_step depths",
     "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "
     "determinant_sign rank condition transform transform_exact mirrored normals",
     "calc 1+1": "expression value kind exact steps",
@@ -33,7 +33,7 @@ KEYS = {
     "space object": "space space_from_world space_from_object normal_matrix clip_from_object "
     "light_direction light_position eye metric table uniforms cost pros cons vertex_shader "
     "fragment_shader",
-    "trace": "object world camera clip ndc window reciprocal_w inside outside_planes normal",
+    "trace": "object world camera clip ndc window reciprocal_w inside outside_planes pixel normal",
     "derive mirror": "cases",
     "check eye '0 0 5'": "verdict mistake also explanation max_difference wrong_entries",
     f"inspect {DOCS / 'samples' / 'gate.gltf'}": "nodes summary",

@@ -17,6 +17,8 @@ SENTENCES = [
     ("trace --point 0 0 5", "Outside: beside the eye, w = 0."),
     ("trace --point 5 0 0", "Outside: beyond the right plane."),
     ("trace --point 5 5 0", "Outside: beyond the right and top planes."),
+    ("trace --point 0 0 -95.00000000000001", "What reads 1 in NDC is 1 + 2.85e-19"),
+    ("view --eye 0 5 0", "−z took its place, as --up 0 0 -1 does; --up 0 0 1 gives the picture"),
 ]
 
 
@@ -37,3 +39,11 @@ def test_how_far_a_itself_is_off_does_not_depend_on_the_method(nmatrix, method: 
         line = f"normal --scale {scale} --normal 1 1 0 --method {method} -f json"
         found = nmatrix(line).data["normals"][0]
         assert found["without_deg"] == pytest.approx(off, abs=1e-12)
+
+
+def test_a_remark_names_a_quantity_as_its_caller_types_it(nmatrix) -> None:
+    from nmatrix.api.setup import Setup
+
+    (told,) = Setup(view={"eye": (0, 5, 0)}).view().remarks
+    assert "as up 0 0 -1 does" in told
+    assert "as --up 0 0 -1 does" in nmatrix("view --eye 0 5 0 -f json").data["remarks"][0]

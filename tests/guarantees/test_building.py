@@ -89,7 +89,8 @@ def test_ninety_degrees_and_sixty_are_exact() -> None:
 
 
 def worst_step(depth: DepthRange) -> float:
-    return max(step.float32 / step.distance for step in perspective_steps(0.1, inf, depth))
+    steps = perspective_steps(0.1, inf, depth)
+    return max(step.float32 / step.distance for step in steps if step.float32 is not None)
 
 
 def test_reversed_depth_resolves_every_distance_alike() -> None:

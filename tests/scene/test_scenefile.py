@@ -304,6 +304,7 @@ FAULTS = [
     ("[camera]\nup = [0, 0, 0]", "the camera: up (0 0 0): it has no direction"),
     ("[camera]\nangle = 3\ntarget = [0, 0, 0]", "angle with target: both say where to look"),
     ('[camera]\nangle = 3\nhanded = "left"', "angle with handed: the angles are for"),
+    ('[camera]\nangle = 3\napi = "direct3d"', "angle with api: the angles are for"),
     ('[camera]\nconvention = "polimi"', 'convention ("polimi"): it is about elevation'),
     ("[camera]\northo = [1, 1, 0, 2]", "left and right (1 and 1): they coincide"),
     ("[camera]\northo = [0, 1, 0, 2]\nfov = 50", "ortho with fov: both shape the view"),

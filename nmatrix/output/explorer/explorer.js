@@ -40,8 +40,9 @@ function worldMatrix(s) {
 function lookingAlong(eye, forward) {
   let right = cross(forward, data.up);
   if (!right.some((x) => x)) {
-    const sizes = forward.map(Math.abs), least = sizes.indexOf(Math.min(...sizes));
-    right = cross(forward, [0, 1, 2].map((i) => Number(i === least)));
+    const axis = Math.abs(forward[2]) <= Math.abs(forward[1]) ? 2 : 1;
+    right = cross(forward, [0, 1, 2].map((i) => Number(i === axis)));
+    if (right.find((x) => x) < 0) right = right.map((x) => -x);
   }
   const rows = [right, cross(right, forward), forward.map((x) => -x)].map(unit);
   return affine(rows, rows.map((row) => -dot(row, eye)));

@@ -18,7 +18,7 @@ from nmatrix.enums import DepthRange, Handedness
 from nmatrix.linear import rational
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import ClipSpace, Window, orthographic, perspective
-from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, rational_vector
+from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.view import looking_along
 from nmatrix.raster.loaded_scene import Body, PlacedLight
 from nmatrix.raster.shading.space import ShadingSpace, as_array, column
@@ -141,10 +141,10 @@ def _parallel(direction: RationalVector, balls: Sequence[Ball], size: int) -> Li
 
 
 def _light_from_world(
-    projection: Rows, place: RationalVector, direction: RationalVector
+    projection: RationalMatrix, place: RationalVector, direction: RationalVector
 ) -> RationalMatrix:
     view = looking_along(place, direction, UP, Handedness.RIGHT)
-    return rational.product(*map(rational.rational_matrix, (projection, view.camera_from_world)))
+    return rational.product(projection, view.camera_from_world)
 
 
 def _drawn(view: LightView, casters: Sequence[Body], size: int) -> Array:

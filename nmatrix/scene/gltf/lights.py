@@ -18,7 +18,7 @@ import msgspec
 from nmatrix.enums import Handedness
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.linear.projection import Window
-from nmatrix.linear.rational import ONE, RationalMatrix, apply, rational_matrix, translation
+from nmatrix.linear.rational import ONE, RationalMatrix, apply, translation
 from nmatrix.linear.rounding import nearest
 from nmatrix.linear.view import looking_along
 from nmatrix.report import Vector
@@ -160,7 +160,7 @@ def camera(file: GltfFile, node: Node, index: int) -> tuple[View, Lens]:
         _ = lens.clip_from_camera
     except NMatrixError as error:
         raise _bad(file, node, f"its camera: {error}") from None
-    return View(matrix=rational_matrix(found.camera_from_world)), lens
+    return View(matrix=found.camera_from_world), lens
 
 
 def _lens(record: CameraRecord) -> Lens | None:

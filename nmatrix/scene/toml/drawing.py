@@ -5,9 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from msgspec.structs import asdict
+
 from nmatrix.enums import Convention, Handedness, Space
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.projection import ClipSpace, Window
+from nmatrix.linear.projection import (
+    DEFAULT_CLIP_SPACE,
+    ClipSpace,
+    Window,
+    clip_space_over,
+)
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import AMBIENT_SHARE, CHECKER, Colour, Material, colour
@@ -28,7 +35,8 @@ def camera(table: SceneTable, aspect: float) -> tuple[View, Lens]:
         For contradictions, an eye that is its target, distances out of order.
     """
     record = table.checked(CameraRecord)
-    view, lens = _view(table, record), _lens(table, record, aspect)
+    clip = clip_space_over(DEFAULT_CLIP_SPACE, asdict(record))
+    view, lens = _view(table, record, clip.handed), _lens(table, record, clip, aspect)
     _check_distances(table, record)
     try:
         view.placed()
@@ -38,14 +46,13 @@ def camera(table: SceneTable, aspect: float) -> tuple[View, Lens]:
     return view, lens
 
 
-def _view(table: SceneTable, record: CameraRecord) -> View:
+def _view(table: SceneTable, record: CameraRecord, handed: Handedness) -> View:
     angles = [key for key in ("elevation", "angle", "roll") if key in table.raw]
     if angles:
         table.refuse_beside(angles[0], ("target", "up"), "both say where to look")
-        if record.handed is Handedness.LEFT:
-            table.refuse_beside(
-                angles[0], ("handed",), "the angles are for a camera that looks down −z"
-            )
+        if handed is Handedness.LEFT:
+            because = "the angles are for a camera that looks down −z"
+            table.refuse_beside(angles[0], ("handed", "api"), because)
     elif record.convention is not Convention.STANDARD:
         raise table.fault("convention", "it is about elevation and angle", "add them")
     turned = FirstPerson(record.elevation or 0.0, record.angle or 0.0, record.roll or 0.0)
@@ -54,12 +61,12 @@ def _view(table: SceneTable, record: CameraRecord) -> View:
         target=record.target or View.target,
         up=record.up or View.up,
         angles=turned if angles else None,
-        handed=record.handed,
+        handed=handed,
         convention=record.convention,
     )
 
 
-def _lens(table: SceneTable, record: CameraRecord, aspect: float) -> Lens:
+def _lens(table: SceneTable, record: CameraRecord, clip: ClipSpace, aspect: float) -> Lens:
     if record.ortho is not None:
         table.refuse_beside("ortho", ("fov", "aspect", "frustum"), "both shape the view")
     if record.frustum is not None:
@@ -71,7 +78,7 @@ def _lens(table: SceneTable, record: CameraRecord, aspect: float) -> Lens:
         far=record.far,
         ortho=None if record.ortho is None else Window(*record.ortho),
         frustum=None if record.frustum is None else Window(*record.frustum),
-        clip=ClipSpace(record.depth, record.handed),
+        clip=clip,
     )
 
 

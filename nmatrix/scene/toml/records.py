@@ -9,7 +9,16 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from nmatrix.enums import Convention, DepthRange, Handedness, Reflection, Shading, Space
+from nmatrix.enums import (
+    Api,
+    ClipY,
+    Convention,
+    DepthRange,
+    Handedness,
+    Reflection,
+    Shading,
+    Space,
+)
 from nmatrix.scene.words import LightKind, Shape
 
 MOST_PIXELS = 8192  # on a side
@@ -61,12 +70,12 @@ class CameraRecord(Record, frozen=True):
     frustum: Annotated[
         Four | None, Meta(description="Left, right, bottom, top of the near rectangle.")
     ] = None
-    depth: Annotated[DepthRange, Meta(description="Depth at near and far.")] = (
-        DepthRange.MINUS_ONE_TO_ONE
+    api: Annotated[Api | None, Meta(description="Depth, hand and clip y of an interface.")] = None
+    depth: Annotated[DepthRange | None, Meta(description="Depth at near and far.")] = None
+    handed: Annotated[Handedness | None, Meta(description="Right looks down −z, left down +z.")] = (
+        None
     )
-    handed: Annotated[Handedness, Meta(description="Right looks down −z, left down +z.")] = (
-        Handedness.RIGHT
-    )
+    clip_y: Annotated[ClipY | None, Meta(description="Direction of y in clip space.")] = None
 
 
 class LightRecord(Record, frozen=True):

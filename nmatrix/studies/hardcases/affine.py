@@ -53,7 +53,7 @@ def _four_components(id_: str, by: float, reason: str) -> Case:
 
 def _projective() -> Case:
     """P·V·M is not affine: it has no normal matrix, and must be refused as a world matrix."""
-    P = np.array(perspective(Angle.degrees(30), 1.0, 0.1, 100.0))
+    P = np.array(to_floats(perspective(Angle.degrees(30), 1.0, 0.1, 100.0)))
     PVM = P @ _moved(1.0)
 
     def ours_reads() -> tuple[float, ...]:

@@ -39,7 +39,7 @@ def _no_field(id_: str, fov: float, reason: str) -> Case:
         None,
         reason,
         (
-            own("perspective", lambda: perspective(half, 1.0, NEAR, 100.0, DEFAULT_CLIP_SPACE)[0]),
+            own("perspective", lambda: to_floats(perspective(half, 1.0, NEAR, 100.0))[0]),
             Contestant("1 / tan(fov/2)", lambda: [1 / tan(radians(fov) / 2)]),
         ),
     )
@@ -58,7 +58,7 @@ def _wide_field() -> Case:
         (true,),
         "π/2 − x is rounded before its tangent is taken, and x is what counts",
         (
-            own("perspective", lambda: [perspective(half, 1.0, NEAR, 100.0)[1][1]]),
+            own("perspective", lambda: to_floats(perspective(half, 1.0, NEAR, 100.0))[1][1:2]),
             Contestant("1 / tan(fov/2)", lambda: [1 / tan(radians(fov) / 2)]),
         ),
     )
@@ -74,6 +74,9 @@ def _depth_row(
 ) -> Case:
     near, far = planes
 
+    def ours() -> tuple[float, ...]:
+        return to_floats(perspective(Angle.degrees(30), 1.0, near, far))[2][2:]
+
     def naive() -> list[float]:
         n, f = kind(near), kind(far)
         return [float((f + n) / (n - f)), float(2 * f * n / (n - f))]
@@ -85,7 +88,7 @@ def _depth_row(
         true,
         reason,
         (
-            own("perspective", lambda: perspective(Angle.degrees(30), 1.0, near, far)[2][2:]),
+            own("perspective", ours),
             Contestant(f"(f+n)/(n−f), {kind.__name__}", naive),
         ),
     )
@@ -95,7 +98,7 @@ def _nearer_wins(distance: float, gap: float, clip: ClipSpace, buffer: DepthBuff
     """Draw a far and then a near wall; 1 if the near one is seen everywhere, else 0."""
     walls = [distance * (1 + gap), distance]
     corners = [[x * z, y * z, -z] for z in walls for x, y in ((-3, -3), (3, -3), (0, 4))]
-    matrix = np.array(perspective(Angle.degrees(45), 1.0, NEAR, 1e5, clip))
+    matrix = np.array(to_floats(perspective(Angle.degrees(45), 1.0, NEAR, 1e5, clip)))
     keys = rasterized(np.array(corners), matrix, 8, clip, buffer)
     return [float((keys & TRIANGLE_MASK == 1).all())]
 

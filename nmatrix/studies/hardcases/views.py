@@ -25,7 +25,7 @@ UPRIGHT: Vector = (0.0, 1.0, 0.0)
 
 
 def _looking(eye: Vector, target: Vector, up: Vector = UPRIGHT) -> Rows:
-    return look_at(eye, target, up, Handedness.RIGHT).camera_from_world
+    return to_floats(look_at(eye, target, up, Handedness.RIGHT).camera_from_world)
 
 
 def _frame_error(camera_from_world: Rows) -> list[float]:
