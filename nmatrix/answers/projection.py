@@ -1,15 +1,23 @@
-"""`nmatrix projection`: the projection matrix, and the smallest gaps that depth resolves."""
+"""`nmatrix projection`: the projection matrix, what it is, and what its depth resolves."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
+from fractions import Fraction
 from math import inf
 
 from nmatrix.answers.depth import NOTHING_ASKED, DepthRequest, DepthTable
+from nmatrix.answers.identify import because, described, reading_data
 from nmatrix.enums import ClipY, DepthRange, Projected
+from nmatrix.linear.angle import DEGREES, arctangent
 from nmatrix.linear.depthstep import DepthAxis
-from nmatrix.report import Heading, Quantity, Report, Value, Verdict
+from nmatrix.linear.identify import Reading, identify
+from nmatrix.linear.interval import Bound
+from nmatrix.report import Block, Heading, Number, Quantity, Report, Text, Value, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
+
+NUMBERS = ("near", "far", "left", "right", "bottom", "top", "fov_y_deg", "fov_x_deg", "aspect")
 
 _WHERE = {
     DepthRange.MINUS_ONE_TO_ONE: "depth −1 at near, 1 at far (OpenGL)",
@@ -19,37 +27,111 @@ _WHERE = {
 
 
 def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
-    """Answer with the projection matrix of a scene.
+    """Answer with the projection matrix of a scene; of a given one, with what its entries say.
 
     Examples
     --------
-    >>> projection(Setup()).data["depth_range"]
-    'minus-one-to-one'
+    >>> found = projection(Setup()).data
+    >>> found["depth_range"], found["near"], float(found["fov_y_deg"])
+    ('minus-one-to-one', 0.1, 60.0)
     """
     lens = setup.lens
     P = lens.clip_from_camera
+    readings = _readings(lens)
     table = DepthTable(_axis(lens), asked)
+    numbers = _numbers(lens) if readings is None else _numbers_read(lens)
     data: dict[str, Value] = {
         "clip_from_camera": P,
-        "depth_range": lens.clip.depth.value,
+        **_clip_data(lens),
+        **{name: _finite(numbers.get(name)) for name in NUMBERS},
+        "intrinsics": None,
+        "readings": None if readings is None else [reading_data(one) for one in readings],
         **table.data,
     }
     blocks = (
         Heading("Projection matrix: clip from camera"),
         Quantity("clip_from_camera", P, "P"),
-        Verdict(_verdict(lens)),
+        *((Verdict(_verdict(lens)),) if readings is None else _told(readings)),
         *table.blocks,
     )
     remarks = (*_remarks(lens), *table.remarks)
     return Report("projection", data, blocks, remarks, glsl=table.glsl)
 
 
-def _axis(lens: Lens) -> DepthAxis | None:
-    """Lay depth along the view direction, which a matrix that was given does not determine."""
-    if lens.matrix is not None:
+def _readings(lens: Lens) -> tuple[Reading, ...] | None:
+    """Read a matrix that was given in every way that its entries, and what is said of it, allow."""
+    if lens.matrix is None:
         return None
-    projected = Projected.PERSPECTIVE if lens.ortho is None else Projected.PARALLEL
-    return DepthAxis(lens.near, lens.far, lens.clip.depth, projected)
+    said = {part: lens.clip.parts[part] for part in lens.said}
+    found = identify(lens.matrix)
+    return tuple(one for one in found if one.lens is None or one.lens.fits(said))
+
+
+def _clip_data(lens: Lens) -> dict[str, Value]:
+    """Describe the clip space; of a given matrix what is not decided is None."""
+    if lens.matrix is None:
+        hand, y, depth = lens.clip.handed, lens.clip.clip_y, lens.clip.depth
+        return {"handed": hand.value, "clip_y": y.value, "depth_range": depth.value}
+    return {
+        "handed": _only({one.handed for one in lens.readings}),
+        "clip_y": _only({one.clip_y for one in lens.readings}),
+        "depth_range": _only({one.depth for one in lens.readings}),
+    }
+
+
+def _only(words: Collection[object]) -> str | None:
+    """Return the one word that all readings agree on."""
+    (word,) = words if len(words) == 1 else (None,)
+    return None if word is None else str(word)
+
+
+def _numbers_read(lens: Lens) -> Mapping[str, Bound]:
+    """Return the round numbers of the likeliest reading, without those that others deny."""
+    if not lens.readings:
+        return {}
+    first, *others = lens.readings
+    return {
+        name: value
+        for name, value in first.values.items()
+        if all(one.bounds.get(name) == first.bounds.get(name) for one in others)
+    }
+
+
+def _numbers(lens: Lens) -> Mapping[str, Number]:
+    """Compute the sides at near, the field of view and the aspect of a lens that was built."""
+    x, y = lens.exact[0], lens.exact[1]
+    y = tuple(entry * lens.clip.y_sign for entry in y)
+    forward, near = lens.clip.forward_z, Fraction(lens.near)
+    parallel = lens.ortho is not None
+    reach, across, upwards = (1, x[3], y[3]) if parallel else (near, forward * x[2], forward * y[2])
+    sides = {
+        "left": (-1 - across) * reach / x[0],
+        "right": (1 - across) * reach / x[0],
+        "bottom": (-1 - upwards) * reach / y[1],
+        "top": (1 - upwards) * reach / y[1],
+    }
+    found: dict[str, Number] = {"near": lens.near, "far": lens.far, **sides}
+    found["aspect"] = (sides["right"] - sides["left"]) / (sides["top"] - sides["bottom"])
+    if not parallel and not across and not upwards and min(x[0], y[1]) > 0:
+        found["fov_x_deg"] = 2 * arctangent(1 / x[0]) * DEGREES
+        found["fov_y_deg"] = 2 * arctangent(1 / y[1]) * DEGREES
+    return found
+
+
+def _finite(value: Number | None) -> Number | None:
+    return None if value == inf else value
+
+
+def _axis(lens: Lens) -> DepthAxis | None:
+    """Lay depth along the view direction; of a given matrix, by its likeliest near and far."""
+    if lens.matrix is None:
+        projected = Projected.PERSPECTIVE if lens.ortho is None else Projected.PARALLEL
+        return DepthAxis(lens.near, lens.far, lens.clip.depth, projected)
+    read = lens.readings[0] if lens.readings else None
+    if read is None or read.depth is None:
+        return None
+    projected = Projected.PERSPECTIVE if read.is_perspective else Projected.PARALLEL
+    return DepthAxis(float(read.values["near"]), float(read.values["far"]), read.depth, projected)
 
 
 def _verdict(lens: Lens) -> str:
@@ -58,10 +140,23 @@ def _verdict(lens: Lens) -> str:
     return f"The camera looks down {hand}, y in clip space points {y}, {_WHERE[lens.clip.depth]}."
 
 
+def _told(readings: tuple[Reading, ...]) -> tuple[Block, ...]:
+    """Say what a given matrix is, and list all that it may be."""
+    first, *others = readings
+    if first.lens is None:
+        return (Verdict(f"This is no projection: {described(first)}."), Text(because(first)))
+    verdict = f"{'Most likely' if others else 'This is'} {described(first)}."
+    lines = [f"{i + 2}. {described(one)}" for i, one in enumerate(others)]
+    also = (Text("\n".join(("The entries allow as well:", *lines))),) if lines else ()
+    return (Verdict(verdict), Text(because(first)), *also)
+
+
 def _remarks(lens: Lens) -> tuple[str, ...]:
     remarks = []
     if lens.far == inf:
         remarks.append("far is infinite: the entries are the limits of the finite formulas.")
-    if lens.matrix is not None:
-        remarks.append("The matrix was given, so near and far are unknown: no table of steps.")
+    if len({one.depth for one in lens.readings}) > 1:
+        remarks.append(
+            "A depth range is not in the entries: the table takes the likeliest; --depth says it."
+        )
     return tuple(remarks)

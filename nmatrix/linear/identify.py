@@ -22,7 +22,7 @@ from nmatrix.linear.angle import DEGREES, Angle
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.decompose import Parts, angles_of, parts
 from nmatrix.linear.interval import Interval, digit_cost
-from nmatrix.linear.lens_readings import LensReading, lens_readings
+from nmatrix.linear.lens_readings import LensReading, known_half_units, lens_readings
 from nmatrix.linear.rational import (
     AFFINE_ROW,
     RationalMatrix,
@@ -39,7 +39,6 @@ from nmatrix.linear.rational import (
     transpose,
 )
 from nmatrix.linear.rounded import meant
-from nmatrix.linear.rounding import spacing
 from nmatrix.linear.view import first_person, look_at
 
 ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
@@ -73,7 +72,7 @@ class Reading:
         rebuilt = None if told is None else told.rebuilt
         if rebuilt is None:
             return None
-        return largest_difference(rational_matrix(rebuilt), self.rows, self.half_units)
+        return largest_difference(rebuilt, self.rows, self.half_units)
 
 
 @dataclass(frozen=True)
@@ -158,13 +157,6 @@ def identify(rows: RationalMatrix) -> tuple[Reading, ...]:
     return tuple(sorted(found, key=lambda one: one.cost))  # equals stay by rows
 
 
-def known_half_units(rows: RationalMatrix) -> RationalMatrix:
-    """Return how far each entry may lie from what was rounded, else to a float64."""
-    if isinstance(rows, RoundedMatrix):
-        return rows.shared_half_units
-    return tuple(tuple(spacing(entry) for entry in row) for row in rows)
-
-
 def largest_difference(
     rebuilt: RationalMatrix, rows: RationalMatrix, half_units: RationalMatrix
 ) -> Fraction:
@@ -186,7 +178,7 @@ def _readings(
     rows: RationalMatrix, half_units: RationalMatrix, layout: Layout
 ) -> Iterator[Reading]:
     if len(rows) == 4:
-        for lens in lens_readings(rows, half_units):
+        for lens in lens_readings(RoundedMatrix.of(rows, half_units)):
             yield Reading(lens.kind, layout, rows, half_units, lens)
     if len(rows) == 3 or rows[3] == AFFINE_ROW:
         place = _place(rows, half_units)

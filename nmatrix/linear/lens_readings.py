@@ -36,8 +36,8 @@ from nmatrix.linear.projection import (
     orthographic,
     perspective,
 )
-from nmatrix.linear.rational import ZERO, RationalMatrix, Rows
-from nmatrix.linear.rounding import nearest
+from nmatrix.linear.rational import ZERO, RationalMatrix, RoundedMatrix
+from nmatrix.linear.rounding import nearest, spacing
 
 SIDES = ("left", "right", "bottom", "top")
 LARGEST = Fraction(float_info.max)
@@ -71,12 +71,17 @@ class LensReading:
         """The clip space, with the usual depth range where none fits."""
         return ClipSpace(self.depth or DepthRange.MINUS_ONE_TO_ONE, self.handed, self.clip_y)
 
+    def fits(self, said: Mapping[str, object]) -> bool:
+        """Decide if it has all parts of a clip space that are said; any depth range fits none."""
+        mine = {"depth": self.depth, "handed": self.handed, "clip_y": self.clip_y}
+        return all(mine[part] in (word, None) for part, word in said.items())
+
     @property
     def apis(self) -> tuple[Api, ...]:
         """The interfaces with this clip space; reversed depth is for those from 0 to 1."""
         depth = DepthRange.ZERO_TO_ONE if self.depth is DepthRange.REVERSED else self.depth
         mine = (depth, self.handed, self.clip_y)
-        return tuple(api for api, preset in API_PRESETS.items() if preset == mine)
+        return tuple(api for api, preset in API_PRESETS.items() if preset[:3] == mine)
 
     @property
     def is_perspective(self) -> bool:
@@ -110,7 +115,7 @@ class LensReading:
         return cost + (window / 2 if self.is_perspective else window)
 
     @cached_property
-    def rebuilt(self) -> Rows | None:
+    def rebuilt(self) -> RationalMatrix | None:
         """The matrix that the values make, if they can be built."""
         if self.depth is None:
             return None
@@ -126,23 +131,25 @@ class LensReading:
             return None
 
 
-def lens_readings(rows: RationalMatrix, half_units: RationalMatrix) -> tuple[LensReading, ...]:
+def known_half_units(rows: RationalMatrix) -> RationalMatrix:
+    """Return how far each entry may lie from what was rounded, a float64 where nothing is said."""
+    if isinstance(rows, RoundedMatrix):
+        return rows.shared_half_units
+    return tuple(tuple(spacing(entry) for entry in row) for row in rows)
+
+
+def lens_readings(rows: RationalMatrix) -> tuple[LensReading, ...]:
     """Read a 4×4 matrix as a projection in every way that its entries allow, the roundest first.
 
-    Parameters
-    ----------
-    rows, half_units
-        The entries, and how far each may lie from what was rounded.
+    Rows that were rounded are known to their shared half units, all others to a float64.
 
     Examples
     --------
-    >>> from nmatrix.linear.rational import rational_matrix
-    >>> P = rational_matrix(perspective(Angle.degrees(45), 2, 1, 3))
-    >>> exact = ((ZERO,) * 4,) * 4
-    >>> [(one.depth.value, str(one.values["near"])) for one in lens_readings(P, exact)]
+    >>> P = perspective(Angle.degrees(45), 2, 1, 3)
+    >>> [(one.depth.value, str(one.values["near"])) for one in lens_readings(P)]
     [('minus-one-to-one', '1'), ('zero-to-one', '3/2')]
     """
-    entries = _Entries(rows, half_units)
+    entries = _Entries(rows, known_half_units(rows))
     found = chain(_perspectives(entries), _parallels(entries))
     return tuple(sorted(found, key=lambda one: one.cost))
 

@@ -51,6 +51,11 @@ class ClipSpace:
         )
 
     @property
+    def parts(self) -> dict[str, DepthRange | Handedness | ClipY]:
+        """What a matrix decides of it; the origin of the window is not in it."""
+        return {"depth": self.depth, "handed": self.handed, "clip_y": self.clip_y}
+
+    @property
     def forward_z(self) -> int:
         """Return g, the sign of z in front of the camera."""
         return -1 if self.handed is Handedness.RIGHT else 1

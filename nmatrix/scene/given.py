@@ -12,9 +12,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from nmatrix.enums import Convention, Handedness, chosen
+from nmatrix.enums import Convention, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
-from nmatrix.linear.projection import CLIP_PARTS, check_aspect, clip_space, clip_space_over
+from nmatrix.linear.projection import (
+    CLIP_PARTS,
+    check_aspect,
+    clip_space,
+    clip_space_over,
+)
 from nmatrix.linear.values import WHOLE, contradiction
 from nmatrix.scene.camera import AIM, FirstPerson, View
 from nmatrix.scene.lens import Lens
@@ -112,9 +117,9 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     refuse_together("projection_matrix", SHAPE, found, WHOLE)
     refuse_together("ortho", ("fov", "aspect", "frustum"), found, "both shape the view")
     refuse_together("frustum", ("fov", "aspect"), found, "both shape the view")
-    clip = clip_space_over(base.clip, found)
     if "projection_matrix" in found:
-        return Lens(matrix=found["projection_matrix"], clip=clip)
+        return _given_lens(found)
+    clip = clip_space_over(base.clip, found)
     shape = {name: found[name] for name in SHAPE if name in found}
     if shape.keys() & {"fov", "aspect", "ortho", "frustum"}:
         shape = {"ortho": None, "frustum": None, "matrix": None} | shape
@@ -126,8 +131,24 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     return lens
 
 
+def _given_lens(found: Given) -> Lens:
+    """Make a lens of a matrix, of which an interface or parts of its clip space may be said."""
+    lens = Lens(matrix=found["projection_matrix"])
+    clip = clip_space_over(lens.clip, found)
+    said = CLIP_PARTS if "api" in found else tuple(name for name in CLIP_PARTS if name in found)
+    depths = {one.depth for one in lens.readings}
+    if "api" in found and "depth" not in found and depths == {DepthRange.REVERSED}:
+        clip = replace(clip, depth=DepthRange.REVERSED)  # an interface, used the other way round
+    return replace(lens, clip=clip, said=said) if said else lens
+
+
 def hand_of(lens: Given) -> Handedness | None:
-    """Find the hand that a lens asks for, by itself or by its interface: it is the view's too."""
+    """Find the hand that a lens asks for: it is the view's too.
+
+    It is named, or its interface's, or that of a matrix which says so itself.
+    """
+    if lens.get("projection_matrix") is not None:
+        return _given_lens(lens).clip.handed
     if lens.get("handed") is not None:
         return chosen(Handedness, lens["handed"], "handed")
     return None if lens.get("api") is None else clip_space(lens["api"], "api").handed

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from math import inf
 
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.angle import Angle, float_turn
+from nmatrix.linear.lens_readings import LensReading, lens_readings
 from nmatrix.linear.projection import (
+    CLIP_PARTS,
     DEFAULT_CLIP_SPACE,
     ClipSpace,
     Window,
     clip_space,
+    clip_space_over,
     frustum,
     orthographic,
     perspective,
@@ -24,7 +28,11 @@ from nmatrix.reading.arrays import read_projection
 
 @dataclass(frozen=True)
 class Lens:
-    """A lens; the field of view is vertical and in degrees, distances in world units."""
+    """A lens; the field of view is vertical and in degrees, distances in world units.
+
+    Of a matrix the clip space is read from its entries, where `said` does not name its parts as
+    known; the two may not contradict each other.
+    """
 
     fov_degrees: float = 60.0
     aspect: float = 1.0
@@ -34,6 +42,7 @@ class Lens:
     frustum: Window | None = None
     matrix: RationalMatrix | None = None
     clip: ClipSpace = DEFAULT_CLIP_SPACE
+    said: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         read_fields(
@@ -50,6 +59,44 @@ class Lens:
         names = {"matrix": "projection_matrix"}
         refuse_beside(self, "matrix", ("ortho", "frustum"), names=names)
         refuse_beside(self, "ortho", ("frustum",), "both shape the view")
+        if self.matrix is not None:
+            said = self.said or (() if self.clip is DEFAULT_CLIP_SPACE else CLIP_PARTS)
+            object.__setattr__(self, "said", said)
+            object.__setattr__(self, "clip", self._clip_read())
+
+    @cached_property
+    def readings(self) -> tuple[LensReading, ...]:
+        """What a given matrix may be as a projection, with what is said of it, likeliest first."""
+        if self.matrix is None:
+            return ()
+        said = {part: self.clip.parts[part] for part in self.said}
+        return tuple(one for one in lens_readings(self.matrix) if one.fits(said))
+
+    def _clip_read(self) -> ClipSpace:
+        """Return the clip space of the likeliest reading, and of a matrix without one what is said.
+
+        Raises
+        ------
+        IllegalValueError
+            If the entries allow no reading with what is said.
+        """
+        if self.readings:
+            found = self.readings[0]
+            unsaid = {
+                part: word for part, word in found.clip.parts.items() if part not in self.said
+            }
+            return clip_space_over(self.clip, unsaid)
+        allowed = lens_readings(self.matrix) if self.matrix is not None else ()
+        if not allowed:
+            return self.clip
+        read = allowed[0].clip.parts
+        wrong = [part for part in self.said if self.clip.parts[part] != read[part]] or self.said
+        told = " ".join(f"{quantity(part)} {self.clip.parts[part]}" for part in wrong)
+        raise IllegalValueError(
+            f"{quantity('projection_matrix')} with {told}",
+            f"its entries say {' '.join(f'{quantity(part)} {read[part]}' for part in wrong)}",
+            "leave it out, or give another matrix",
+        )
 
     @property
     def exact(self) -> RationalMatrix:
