@@ -227,26 +227,3 @@ def affine_matrix(
     """Build the 4×4 matrix with this 3×3 block and this translation."""
     rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
     return (*rows, AFFINE_ROW)
-
-
-def rank(A: RationalMatrix) -> int:
-    """Count the independent rows, by elimination without rounding.
-
-    Examples
-    --------
-    >>> rank(rational_matrix([[1, 2, 3], [2, 4, 6], [0, 0, 1]]))
-    2
-    """
-    rows = [list(row) for row in A]
-    found = 0
-    for column in range(len(rows[0])):
-        pivot = next((i for i in range(found, len(rows)) if rows[i][column]), None)
-        if pivot is None:
-            continue
-        rows[found], rows[pivot] = rows[pivot], rows[found]
-        head = rows[found]
-        for i in range(found + 1, len(rows)):
-            factor = rows[i][column] / head[column]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], head, strict=True)]
-        found += 1
-    return found
