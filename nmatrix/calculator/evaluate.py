@@ -12,7 +12,7 @@ from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plai
 from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
-from nmatrix.reading.literal import BARE_POINT
+from nmatrix.reading.literal import BARE_POINT, LARGEST
 from nmatrix.reading.numbers import fraction
 
 Names = Mapping[str, Value]
@@ -114,10 +114,10 @@ class _Evaluation:
         )
 
     def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
-        values = [self.value_of(element) for element in elements]
+        values = [self.value_of(element) for element in elements[: LARGEST + 1]]
         kinds = {value.kind for value in values}
         sizes = {value.shape for value in values}
-        if not values or len(values) > 4 or len(sizes) != 1 or ValueKind.MATRIX in kinds:
+        if not values or len(values) > LARGEST or len(sizes) != 1 or ValueKind.MATRIX in kinds:
             raise self._fault(node, "bracket", "it holds up to 4 numbers, or rows of equal length")
         return Value(tuple(value.entries for value in values))  # type: ignore[arg-type]
 
