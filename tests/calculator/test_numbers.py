@@ -6,11 +6,12 @@ import random
 from fractions import Fraction
 from math import atan2, cos, degrees, inf, radians, sin, sqrt
 
+import mpmath
 import pytest
 
 from nmatrix.calculator.answer import OVERFLOWED, report
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.numbers import Interval, shown
+from nmatrix.calculator.numbers import Interval, angle, degrees_of, enclosed, root, shown
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.rational import rational_matrix, rational_vector
@@ -101,6 +102,40 @@ def test_no_digit_is_shown_that_a_surd_does_not_have(seed):
             assert found.shown == 0
             assert abs(exactly) <= found.farthest
     assert answered > 2 * refused > 0
+
+
+def test_an_interval_holds_what_it_is_made_of():
+    chance = random.Random(3)
+    for _ in range(500):
+        low = Fraction(chance.randint(-(10**9), 10**9), chance.randint(1, 10**9))
+        high = low + Fraction(chance.randint(1, 10**9), 10 ** chance.randint(1, 60))
+        found = enclosed(low, high)
+        assert found.low <= low < high <= found.high
+        assert found.high - found.low < (high - low) * Fraction(10001, 10000)
+
+
+def test_sines_roots_and_angles_hold_the_true_ones():
+    chance = random.Random(4)
+    with mpmath.workdps(DIGITS):
+        for _ in range(100):
+            turn = Fraction(chance.randint(-(10**6), 10**6), chance.choice([7, 1000, 10**9]))
+            size = Fraction(abs(turn.numerator), turn.denominator)
+            exactly = mpmath.radians(mpmath.mpf(turn.numerator) / turn.denominator)
+            near = Fraction(chance.randint(1, 9), 10 ** chance.randint(0, 40))
+            tangent = mpmath.mpf(near.numerator) / near.denominator
+            for found, right in (
+                (angle(turn).sine, mpmath.sin(exactly)),
+                (angle(turn).cosine, mpmath.cos(exactly)),
+                (angle(enclosed(turn, turn + near)).sine, mpmath.sin(exactly)),
+                (root(size), mpmath.sqrt(mpmath.mpf(size.numerator) / size.denominator)),
+                (degrees_of(near, Fraction(1)), mpmath.degrees(mpmath.atan(tangent))),
+                (degrees_of(near, Fraction(-1)), 180 - mpmath.degrees(mpmath.atan(tangent))),
+            ):
+                exact = Fraction(mpmath.nstr(right, DIGITS))
+                if isinstance(found, Interval):
+                    assert found.low <= exact <= found.high
+                else:
+                    assert abs(found - exact) < Fraction(1, 10**100)
 
 
 @pytest.mark.parametrize("seed", range(3))
