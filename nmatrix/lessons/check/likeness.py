@@ -89,9 +89,9 @@ class Likeness:
 
     @property
     def lacks_only_digits(self) -> bool:
-        """Whether every wrong entry is a zero that a number was rounded to."""
+        """Whether every wrong entry is a zero with decimals that a number was rounded to."""
         entries = (self._entries[place] for place in self.wrong)
-        return all(off.zero != Zero.NONE and off.difference <= off.place / 2 for off in entries)
+        return all(off.zero is Zero.ROUNDED and off.difference <= off.place / 2 for off in entries)
 
     @cached_property
     def _entries(self) -> dict[Place, EntryDifference]:

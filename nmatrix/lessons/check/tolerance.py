@@ -57,8 +57,8 @@ class EntryDifference:
     def is_near(self) -> bool:
         """Decide if the entry counts as right.
 
-        It may be off by half a unit of its last place, at least two decimals counted, and besides by
-        5e-4 of the largest entry of all, for what was rounded on the way.
+        It may be off by half a unit of its last place, at least two decimals counted, and besides
+        by 5e-4 of the largest entry of all, for what was rounded on the way.
 
         Examples
         --------
