@@ -32,8 +32,8 @@ class Interval:
     Examples
     --------
     >>> third = Interval(Fraction(33, 100), Fraction(34, 100))
-    >>> (3 * third - 1).low, third * 0
-    (Fraction(-1, 100), Fraction(0, 1))
+    >>> (1 / third).low < 3 < (1 / third).high, third * 0
+    (True, Fraction(0, 1))
     """
 
     low: Fraction
