@@ -35,7 +35,7 @@ def calc(
     steps
         Keep every operation.
     rounded
-        Round every operation to float64 (`--float`).
+        Round every product and sum to float64 (`--float`).
 
     Raises
     ------

@@ -3,60 +3,66 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isinf
 
 from nmatrix.calculator.evaluate import Calculation
+from nmatrix.calculator.numbers import Float64, Interval
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
+from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Quantity, Report, Text
 from nmatrix.report import Value as JsonValue
 
 READABLE = 10**6  # larger denominators come from floats, and mean nothing to a person
+ROUNDED = "Every product, sum, quotient and root was rounded to float64."
+OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
 
 
 def report(calculation: Calculation, *, with_steps: bool) -> Report:
     """Report a calculation; `exact` holds fractions where the value is rational."""
     value = calculation.value
-    is_exact = value.exact and calculation.arithmetic is Arithmetic.EXACT
     steps: list[JsonValue] | None = None
     if with_steps:
         steps = [
-            {"expression": step.expression, "value": step.value.entries, "rule": step.rule}
+            {"expression": step.expression, "value": step.value.shown, "rule": step.rule}
             for step in calculation.steps
         ]
     data: dict[str, JsonValue] = {
         "expression": calculation.expression,
-        "value": value.entries,
+        "value": value.shown,
         "kind": value.kind.value,
-        "exact": as_strings(value.entries) if is_exact else None,  # type: ignore[dict-item]
+        "exact": as_strings(value.entries) if value.exact else None,  # type: ignore[dict-item]
         "steps": steps,
     }
     blocks: list[Block] = [Heading(calculation.expression)]
     if with_steps:
         for i, step in enumerate(calculation.steps):
             blocks += [Text(f"{step.expression}: {step.rule}")]
-            blocks += [Quantity(f"steps.{i}.value", step.value.entries, f"step {i + 1}")]
-    blocks.append(Quantity("value", value.entries, "value"))
-    if is_exact and 1 < max(x.denominator for x in _flat(value)) <= READABLE:
+            blocks += [Quantity(f"steps.{i}.value", step.value.shown, f"step {i + 1}")]
+    blocks.append(Quantity("value", value.shown, "value"))
+    denominators = [x.denominator for x in value.numbers if isinstance(x, Fraction)]
+    if value.exact and 1 < max(denominators) <= READABLE:
         blocks.append(Text(f"exactly: {_fractions(value)}"))
-    return Report("calc", data, tuple(blocks), _remarks(value, calculation.arithmetic))
-
-
-def _flat(value: Value) -> list[Fraction]:
-    if value.kind is ValueKind.SCALAR:
-        return [value.scalar]
-    if value.kind is ValueKind.VECTOR:
-        return list(value.vector)
-    return [entry for row in value.matrix for entry in row]
+    return Report("calc", data, tuple(blocks), tuple(_remarks(value, calculation.arithmetic)))
 
 
 def _fractions(value: Value) -> str:
     if value.kind is ValueKind.MATRIX:
-        return "; ".join(" ".join(str(entry) for entry in row) for row in value.matrix)
-    return " ".join(str(entry) for entry in _flat(value))
+        return "; ".join(" ".join(map(str, row)) for row in value.matrix)
+    return " ".join(map(str, value.numbers))
 
 
-def _remarks(value: Value, arithmetic: Arithmetic) -> tuple[str, ...]:
+def _remarks(value: Value, arithmetic: Arithmetic) -> list[str]:
     if arithmetic is Arithmetic.FLOAT:
-        return ("Every operation was rounded to float64.",)
-    if not value.exact:
-        return ("A root or a sine in it is irrational: it is not exact where terms cancel.",)
-    return ()
+        overflowed = any(isinstance(x, Float64) and isinf(x.value) for x in value.numbers)
+        return [ROUNDED, OVERFLOWED] if overflowed else [ROUNDED]
+    intervals = [x for x in value.numbers if isinstance(x, Interval)]
+    digits = [x.digits for x in intervals if x.digits]
+    remarks = []
+    if digits:
+        remarks.append(f"A root or a sine in it is irrational: {min(digits)} digits are known.")
+    if len(digits) < len(intervals):
+        within = short_text(max(x.farthest for x in intervals if not x.digits), 2)
+        remarks.append(
+            f"Roots or sines cancel: what is shown as 0 is within {within} of it, and may differ."
+        )
+    return remarks

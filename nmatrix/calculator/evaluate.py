@@ -12,6 +12,7 @@ from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plai
 from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
+from nmatrix.reading.literal import BARE_POINT, LARGEST
 from nmatrix.reading.numbers import fraction
 
 Names = Mapping[str, Value]
@@ -95,9 +96,8 @@ class _Evaluation:
         return CalculatorError(self.expression, node.col_offset, what, why)
 
     def _constant(self, node: ast.Constant) -> Value:
-        text = ast.get_source_segment(self.expression, node) or ""
         try:
-            value = Value(fraction(text))
+            value = Value(fraction(BARE_POINT.sub("", self._typed(node))))
         except IllegalValueError as error:
             _, _, why = str(error).partition(": ")
             raise self._fault(node, "number", why) from None
@@ -114,13 +114,12 @@ class _Evaluation:
         )
 
     def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
-        values = [self.value_of(element) for element in elements]
+        values = [self.value_of(element) for element in elements[: LARGEST + 1]]
         kinds = {value.kind for value in values}
         sizes = {value.shape for value in values}
-        if not values or len(values) > 4 or len(sizes) != 1 or ValueKind.MATRIX in kinds:
+        if not values or len(values) > LARGEST or len(sizes) != 1 or ValueKind.MATRIX in kinds:
             raise self._fault(node, "bracket", "it holds up to 4 numbers, or rows of equal length")
-        exact = all(value.exact for value in values)
-        return Value(tuple(value.entries for value in values), exact)  # type: ignore[arg-type]
+        return Value(tuple(value.entries for value in values))  # type: ignore[arg-type]
 
     def _call(self, node: ast.expr, name: str, arguments: list[ast.expr]) -> Value:
         function = FUNCTIONS.get(name)
@@ -128,8 +127,7 @@ class _Evaluation:
             raise self._fault(node, f"function {name[:20]}", f"there are {', '.join(FUNCTIONS)}")
         values = [self.value_of(argument) for argument in arguments]
         if function.gathers and [v.kind for v in values] == [ValueKind.SCALAR] * 3:
-            exact = all(v.exact for v in values)
-            values = [Value(tuple(v.scalar for v in values), exact)]
+            values = [Value(tuple(v.scalar for v in values))]
         if tuple(value.kind for value in values) != function.takes:
             got = " and ".join(value.shape for value in values[:4]) or "nothing"
             raise self._fault(node, name, f"it takes {function.wanted}, got {got}")
@@ -146,16 +144,18 @@ class _Evaluation:
         except (IllegalValueError, NoAnswerError) as error:
             at = operator_position(self.expression, left)
             raise self._error(at, sign, error) from None
-        return self._step(node, Value(entries, a.exact and b.exact), rule)
+        return self._step(node, Value(entries), rule)
 
     def _step(self, node: ast.expr, value: Value, rule: str) -> Value:
         kept = self._kept(node, value)
-        segment = ast.get_source_segment(self.expression, node) or self.expression
-        self.steps.append(CalculationStep(segment, kept, rule))
+        self.steps.append(CalculationStep(self._typed(node), kept, rule))
         return kept
+
+    def _typed(self, node: ast.expr) -> str:
+        return self.expression[node.col_offset : node.end_col_offset]
 
     def _kept(self, node: ast.expr, value: Value) -> Value:
         try:
             return value.kept_by(self.arithmetic)
-        except IllegalValueError as error:
+        except (IllegalValueError, NoAnswerError) as error:
             raise self._error(node.col_offset, "value", error) from None

@@ -44,7 +44,7 @@ def _caret(expression: str, at: int) -> str:
 
 
 def _visible(text: str) -> str:
-    """Return the text with control characters escaped, which a terminal would act on."""
+    """Escape the control characters of a text, which a terminal would act on."""
     return "".join(
         character if character.isprintable() else character.encode("unicode_escape").decode()
         for character in text

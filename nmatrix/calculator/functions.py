@@ -1,6 +1,7 @@
 """The calculator's functions: their names, arguments, and the rules that a student would quote.
 
-A root, a sine or an angle that is not rational is carried to 2⁻¹³⁰ and marked as not exact.
+They are written once for every kind of number, so that fractions, intervals and rounded floats go
+through the same sums in the same order: that of the formula, from left to right.
 """
 
 from __future__ import annotations
@@ -8,15 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import isqrt
 
+from nmatrix.calculator.numbers import angle, degrees_of, is_zero, root, size
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.errors import IllegalValueError, NoAnswerError
-from nmatrix.linear import affine, rational, rounding
-from nmatrix.linear.angle import DEGREES, Angle, exact_angle_between
+from nmatrix.linear import affine, rational
+from nmatrix.linear.rational import RationalMatrix, RationalVector
 
-ROOT_BITS = 280
-EXACT_TURNS = 90  # degrees: only quarter turns have a rational sine and cosine together
+SIZES = (2, 3, 4)  # of an identity
 # Where cos² is rational, the angle is a rational number of degrees only here (Niven, 1956).
 RATIONAL_ANGLES = {
     Fraction(0): 90,
@@ -55,28 +55,10 @@ class Function:
         return " and ".join(_WORDS[kind] for kind in self.takes)
 
 
-def exact_root(square: Fraction) -> Value:
-    """Take a square root: exact if it is rational, else right to 2⁻¹³⁰ of itself.
-
-    Examples
-    --------
-    >>> exact_root(Fraction(9, 4)).entries
-    Fraction(3, 2)
-    """
-    product = square.numerator * square.denominator
-    whole = isqrt(product)
-    if whole * whole == product:
-        return Value(Fraction(whole, square.denominator))
-    scaled = isqrt(product << (2 * ROOT_BITS))
-    return Value(Fraction(scaled, square.denominator << ROOT_BITS), exact=False)
-
-
-def _of_square(
-    function: Callable[[rational.RationalMatrix], rational.RationalMatrix | Fraction],
-) -> Compute:
+def _of_square(function: Callable[[RationalMatrix], RationalMatrix | Fraction]) -> Compute:
     def compute(A: Value) -> Value:
         _require_square(A)
-        return Value(function(A.matrix), A.exact)
+        return Value(function(A.matrix))
 
     return compute
 
@@ -91,14 +73,10 @@ def _require_size(value: Value, size: int, what: str) -> None:
         raise IllegalValueError(value.shape, f"{what} is needed", "check its size")
 
 
-def _of_affine(
-    function: Callable[
-        [rational.RationalMatrix], rational.RationalMatrix | rational.RationalVector
-    ],
-) -> Compute:
+def _of_affine(function: Callable[[RationalMatrix], RationalMatrix | RationalVector]) -> Compute:
     def compute(M: Value) -> Value:
         _require_size(M, 4, "a 4×4 matrix")
-        return Value(function(M.matrix), M.exact)
+        return Value(function(M.matrix))
 
     return compute
 
@@ -106,55 +84,54 @@ def _of_affine(
 def _with_w(w: int) -> Compute:
     def compute(v: Value) -> Value:
         _require_size(v, 3, "a vector of 3")
-        return Value((*v.vector, Fraction(w)), v.exact)
+        return Value((*v.vector, Fraction(w)))
 
     return compute
 
 
 def _normalize(v: Value) -> Value:
     components = v.vector
-    if len(components) == 4 and components[3] != 0:
+    if len(components) == 4 and not is_zero(components[3]):
         raise IllegalValueError(
             "normalize of four components",
             "w is not 0: it would count as length and shorten the direction",
             "normalise the three of a direction, or write vector(v), whose w is 0",
         )
     square = rational.dot(components, components)
-    if square == 0:
+    if is_zero(square):
         raise NoAnswerError("normalize of the zero vector", "it has no direction", "use another")
-    length = exact_root(square)
-    unit = tuple(component / length.scalar for component in components)
-    return Value(unit, v.exact and length.exact)
+    length = Value(root(square)).scalar
+    return Value(tuple(component / length for component in components))
 
 
 def _length(v: Value) -> Value:
-    root = exact_root(rational.dot(v.vector, v.vector))
-    return Value(root.entries, root.exact and v.exact)
+    return Value(root(rational.dot(v.vector, v.vector)))
 
 
 def _dot(a: Value, b: Value) -> Value:
     _same_size(a, b)
-    return Value(rational.dot(a.vector, b.vector), a.exact and b.exact)
+    return Value(rational.dot(a.vector, b.vector))
 
 
 def _cross(a: Value, b: Value) -> Value:
     _require_size(a, 3, "a vector of 3")
     _require_size(b, 3, "a vector of 3")
-    return Value(rational.cross(a.vector, b.vector), a.exact and b.exact)
+    return Value(rational.cross(a.vector, b.vector))
 
 
 def _angle(a: Value, b: Value) -> Value:
     _require_size(a, 3, "a vector of 3")
     _require_size(b, 3, "a vector of 3")
-    p, q = rounding.integers(a.vector)[0], rounding.integers(b.vector)[0]
-    if not any(p) or not any(q):
+    squares = [rational.dot(v.vector, v.vector) for v in (a, b)]
+    if any(is_zero(square) for square in squares):
         raise NoAnswerError("angle with the zero vector", "it has no direction", "use another")
     cosine = rational.dot(a.vector, b.vector)
-    square = cosine**2 / (rational.dot(a.vector, a.vector) * rational.dot(b.vector, b.vector))
-    if square in RATIONAL_ANGLES:
-        sharp = RATIONAL_ANGLES[square]
-        return Value(Fraction(sharp if cosine >= 0 else 180 - sharp), a.exact and b.exact)
-    return Value(exact_angle_between(p, q) * DEGREES, exact=False)
+    if a.exact and b.exact:
+        sharp = RATIONAL_ANGLES.get(cosine**2 / (squares[0] * squares[1]))
+        if sharp is not None:
+            return Value(Fraction(sharp if cosine >= 0 else 180 - sharp))
+    normal = rational.cross(a.vector, b.vector)
+    return Value(degrees_of(root(rational.dot(normal, normal)), cosine))
 
 
 def _same_size(a: Value, b: Value) -> None:
@@ -163,42 +140,46 @@ def _same_size(a: Value, b: Value) -> None:
 
 
 def _identity(n: Value) -> Value:
-    if n.scalar not in (2, 3, 4):
+    if n.scalar not in SIZES:
         raise IllegalValueError("its size", "it is 2, 3 or 4", "write identity(4)")
-    return Value(rational.identity(int(n.scalar)))
+    return Value(rational.identity(SIZES[SIZES.index(n.scalar)]))
 
 
 def _rotate(axis: str) -> Compute:
     def compute(turn: Value) -> Value:
-        turned = affine.rotation_about(axis, Angle.degrees(turn.scalar))
-        exact = turn.exact and turn.scalar % EXACT_TURNS == 0
-        return Value(rational.affine_matrix(turned), exact)
+        return Value(rational.affine_matrix(affine.rotation_about(axis, angle(turn.scalar))))
 
     return compute
 
 
-def _builder(
-    rule: str, make: Callable[[rational.RationalVector], rational.RationalMatrix]
-) -> Function:
+def _builder(rule: str, make: Callable[[RationalVector], RationalMatrix]) -> Function:
     def compute(v: Value) -> Value:
         _require_size(v, 3, "three numbers")
-        return Value(make(v.vector), v.exact)
+        return Value(make(v.vector))
 
     return Function((ValueKind.VECTOR,), rule, compute, gathers=True)
 
 
-def _trace_of(A: rational.RationalMatrix) -> Fraction:
+def _trace_of(A: RationalMatrix) -> Fraction:
     return sum((A[i][i] for i in range(len(A))), Fraction(0))
 
 
 def _rank(A: Value) -> Value:
-    if not A.exact:
-        raise NoAnswerError(
-            "rank of a matrix with roots or sines",
-            "it is known to 130 bits only, and a rank must be exact",
-            "use rational entries",
-        )
-    return Value(Fraction(rational.rank(A.matrix)))
+    """Count the rows that elimination leaves, the largest pivot of each column first."""
+    rows = [list(row) for row in A.matrix]
+    found = 0
+    for column in range(len(rows[0])):
+        left = range(found, len(rows))
+        pivot = max(left, key=lambda i: size(rows[i][column]), default=None)
+        if pivot is None or is_zero(rows[pivot][column]):
+            continue
+        rows[found], rows[pivot] = rows[pivot], rows[found]
+        head = rows[found]
+        for i in range(found + 1, len(rows)):
+            factor = rows[i][column] / head[column]
+            rows[i] = [a - factor * b for a, b in zip(rows[i], head, strict=True)]
+        found += 1
+    return Value(Fraction(found))
 
 
 _M, _V, _S = (ValueKind.MATRIX,), (ValueKind.VECTOR,), (ValueKind.SCALAR,)
@@ -206,9 +187,7 @@ _VV = (ValueKind.VECTOR, ValueKind.VECTOR)
 
 FUNCTIONS: dict[str, Function] = {
     "inverse": Function(_M, "the adjugate over the determinant", _of_square(rational.inverse)),
-    "transpose": Function(
-        _M, "rows become columns", lambda A: Value(rational.transpose(A.matrix), A.exact)
-    ),
+    "transpose": Function(_M, "rows become columns", lambda A: Value(rational.transpose(A.matrix))),
     "inverse_transpose": Function(
         _M, "the cofactors over the determinant", _of_square(rational.inverse_transpose)
     ),
@@ -234,7 +213,9 @@ FUNCTIONS: dict[str, Function] = {
     "rotate_x": Function(_S, "a rotation about x, in degrees", _rotate("X")),
     "rotate_y": Function(_S, "a rotation about y, in degrees", _rotate("Y")),
     "rotate_z": Function(_S, "a rotation about z, in degrees", _rotate("Z")),
-    "translate": _builder("a translation", affine.translation_matrix),
+    "translate": _builder(
+        "a translation", lambda v: rational.affine_matrix(rational.identity(3), v)
+    ),
     "scale": _builder("a scale", lambda v: rational.affine_matrix(rational.diagonal(v))),
     "shear": _builder(
         "a shear xy, xz, yz", lambda v: rational.affine_matrix(affine.shear_matrix(v))

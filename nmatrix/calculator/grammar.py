@@ -6,6 +6,7 @@ Python's own parser makes the tree; only a handful of its nodes are admitted.
 from __future__ import annotations
 
 import ast
+import re
 import string
 import warnings
 
@@ -24,18 +25,40 @@ OPERATORS: dict[type[ast.operator], str] = {
 _OPENING, _CLOSING, _SIGNS = "([", ")]", "+-"
 # Quotes are let through to the parser, so that the call around a string is the fault, if it is one.
 _CHARACTERS = frozenset(string.ascii_letters + string.digits + "_., ()[]@*/+-'\"")
-_AS_TYPED = str.maketrans("−\t\n\r", "-   ")
+_AS_TYPED = str.maketrans("\t\n\r", "   ")
+_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+|/[0-9]+)?"
+_LITERAL = re.compile(rf"\[\s*({_NUMBER}(?:[\s,;]+{_NUMBER})+)[\s;]*\]")
+_BETWEEN_ROWS = re.compile(r"\]\s+\[")
+_ROW_END = re.compile(r"\s*[;\n]\s*")
+_SEPARATOR = re.compile(r"\s*,\s*|\s+")
 
 
 def plain(expression: str) -> str:
-    r"""Put an expression on one line, with the minus sign of mathematics as a hyphen.
+    r"""Write an expression on one line, with hyphens for minus signs and commas between numbers.
+
+    In brackets that hold numbers alone, blanks part them and semicolons or line ends part rows; a
+    sign with a blank before it and none behind begins the next number. One column is a vector.
 
     Examples
     --------
-    >>> plain(" 1 −\n2 ")
-    '1 - 2'
+    >>> plain(" 1 −\n2 "), plain("det([1 -2; 3 4])")
+    ('1 - 2', 'det([[1, -2], [3, 4]])')
+    >>> plain("[[1. 0.]\n [0. 2.]]")
+    '[[1., 0.], [0., 2.]]'
     """
-    return expression.translate(_AS_TYPED).strip()
+    if len(expression) > LONGEST:
+        return expression
+    listed = _LITERAL.sub(_with_commas, expression.replace("−", "-"))
+    return _BETWEEN_ROWS.sub("], [", listed).translate(_AS_TYPED).strip()
+
+
+def _with_commas(literal: re.Match[str]) -> str:
+    rows = [_SEPARATOR.split(row.strip()) for row in _ROW_END.split(literal[1]) if row.strip()]
+    if len(rows) > 1 and any(len(row) > 1 for row in rows):
+        return f"[[{'], ['.join(', '.join(row) for row in rows)}]]"
+    numbers = [number for row in rows for number in row]
+    has_commas = literal[1].count(",") == len(numbers) - 1
+    return literal[0] if has_commas else f"[{', '.join(numbers)}]"
 
 
 def parse(expression: str) -> ast.expr:

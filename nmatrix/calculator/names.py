@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from nmatrix.calculator.functions import FUNCTIONS
+from nmatrix.calculator.numbers import angle
 from nmatrix.calculator.values import Value
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix
@@ -18,12 +19,12 @@ SCENE_NAMES = ("M", "V", "P")
 def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[str, Value]:
     """Name M, V and P, the last two only where the expression may ask for them.
 
-    M is exact where it is rational: in quarter turns, or without angles. `typed` is the world with
-    its numbers as they were typed, where those are not the floats of the setup.
+    `typed` is the world with its numbers as they were typed, where those are not the floats of the
+    setup. M is built of its numbers and angles as the functions of the calculator are; V and P are
+    the floats that their commands show.
     """
     world = typed or setup.world
-    exact = _is_rational(world)
-    names = {"M": Value(world.exact if exact else setup.world.world_from_object, exact=exact)}
+    names = {"M": Value(world.exact_by(lambda degrees: angle(Fraction(degrees))))}
     if "V" in expression:
         names["V"] = Value(setup.camera.camera_from_world)
     if "P" in expression:
@@ -57,10 +58,3 @@ def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> di
     if len(rows) == 1:
         return {**names, name: Value(rows[0][0] if len(rows[0]) == 1 else rows[0])}
     return {**names, name: Value(rows)}
-
-
-def _is_rational(world: World) -> bool:
-    """Tell a rational world matrix: quarter turns, or no angles at all."""
-    if world.matrix is not None or world.quaternion is not None:
-        return True
-    return all(Fraction(turn) % 90 == 0 for turn in world.rotate_degrees)

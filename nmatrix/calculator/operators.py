@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 
-from nmatrix.calculator.values import Value, ValueKind, each
+from nmatrix.calculator.numbers import is_zero
+from nmatrix.calculator.values import Entries, Value, ValueKind, each
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import rational
 
-Computed = tuple[Fraction | rational.RationalVector | rational.RationalMatrix, str]
+Computed = tuple[Entries, str]
 
 
 def _add(a: Value, b: Value) -> Computed:
@@ -22,11 +22,10 @@ def _subtract(a: Value, b: Value) -> Computed:
     return _add(a, -b)
 
 
-def _together(a: object, b: object) -> Fraction:
-    if isinstance(a, Fraction) and isinstance(b, Fraction):
-        return a + b
-    pairs = zip(a, b, strict=True)  # type: ignore[call-overload]  # equal shapes were checked
-    return tuple(_together(x, y) for x, y in pairs)  # type: ignore[return-value]  # same shape
+def _together(a: Entries, b: Entries) -> Entries:
+    if isinstance(a, tuple) and isinstance(b, tuple):
+        return tuple(_together(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]  # same shape
+    return a + b  # type: ignore[operator]  # numbers that meet can be added
 
 
 def _times(a: Value, b: Value) -> Computed:
@@ -42,7 +41,7 @@ def _times(a: Value, b: Value) -> Computed:
 def _over(a: Value, b: Value) -> Computed:
     if b.kind is not ValueKind.SCALAR:
         raise IllegalValueError(f"division by {b.shape}", "only numbers divide", "use inverse(…)")
-    if b.scalar == 0:
+    if is_zero(b.scalar):
         raise NoAnswerError("a division by 0", "nothing times 0 gives it", "check the divisor")
     return each(a.entries, lambda x: x / b.scalar), "every entry over the number"
 

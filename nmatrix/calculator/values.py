@@ -1,20 +1,22 @@
-"""The calculator's values: a scalar, a vector or a matrix of exact fractions."""
+"""The calculator's values: a scalar, a vector or a matrix of numbers of one arithmetic."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
+from typing import Any, TypeAlias, TypeVar
 
+from nmatrix.calculator.numbers import Number, bits_of, float64, shown
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.linear.rounding import nearest
 
 LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
-KEPT_BITS = 320  # of an irrational value, more than twice the accuracy of its root or sine
 
-Entries = Fraction | RationalVector | RationalMatrix
+Changed = TypeVar("Changed")
+Nested: TypeAlias = Changed | tuple[Changed, ...] | tuple[tuple[Changed, ...], ...]
+Entries: TypeAlias = Nested[Number]
 
 
 class ValueKind(StrEnum):
@@ -26,7 +28,7 @@ class ValueKind(StrEnum):
 
 
 class Arithmetic(StrEnum):
-    """Exact fractions, or float64 rounded after every operation."""
+    """Exact fractions and intervals, or float64 rounded after every product and sum."""
 
     EXACT = "exact"
     FLOAT = "float"
@@ -34,22 +36,21 @@ class Arithmetic(StrEnum):
 
 @dataclass(frozen=True)
 class Value:
-    """Entries; `exact` is false where a root or a sine in them was rounded."""
+    """Entries of any kind of number, all but floats mixed."""
 
     entries: Entries
-    exact: bool = True
 
     @property
     def kind(self) -> ValueKind:
         """Scalar, vector or matrix, by the nesting of the entries."""
-        if isinstance(self.entries, Fraction):
+        if not isinstance(self.entries, tuple):
             return ValueKind.SCALAR
         return ValueKind.MATRIX if isinstance(self.entries[0], tuple) else ValueKind.VECTOR
 
     @property
     def shape(self) -> str:
         """The size in words."""
-        if isinstance(self.entries, Fraction):
+        if not isinstance(self.entries, tuple):
             return "a number"
         if isinstance(self.entries[0], tuple):
             return f"a {len(self.entries)}×{len(self.entries[0])} matrix"
@@ -58,8 +59,8 @@ class Value:
     @property
     def scalar(self) -> Fraction:
         """The number of a scalar."""
-        assert isinstance(self.entries, Fraction)  # callers check the kind
-        return self.entries
+        assert self.kind is ValueKind.SCALAR  # callers check the kind
+        return self.entries  # type: ignore[return-value]  # or another number with its operators
 
     @property
     def vector(self) -> RationalVector:
@@ -73,47 +74,44 @@ class Value:
         assert self.kind is ValueKind.MATRIX  # callers check the kind
         return self.entries  # type: ignore[return-value]  # the assertion says so
 
+    @property
+    def numbers(self) -> Iterator[Number]:
+        """The entries in one row."""
+        return _flat(self.entries)
+
+    @property
+    def exact(self) -> bool:
+        """Whether every entry is a fraction: no root, no sine in it was irrational or rounded."""
+        return all(isinstance(entry, Fraction) for entry in self.numbers)
+
+    @property
+    def shown(self) -> Nested[Fraction | float]:
+        """The entries as they may be printed: fractions and floats, to the digits known."""
+        return each(self.entries, shown)
+
     def __neg__(self) -> Value:
-        return Value(each(self.entries, lambda x: -x), self.exact)
+        return Value(each(self.entries, lambda x: -x))
 
     def kept_by(self, arithmetic: Arithmetic) -> Value:
-        """Round the value as the arithmetic does before the next operation.
+        """Round the value to float64, or check that it can be written down.
 
         Raises
         ------
         IllegalValueError
-            For a number beyond float64, or a fraction of more than `LARGEST_BITS` bits.
+            For a fraction of more than `LARGEST_BITS` bits.
         """
-        if arithmetic is Arithmetic.FLOAT:
-            return Value(each(self.entries, lambda x: Fraction(nearest(x))), self.exact)
-        kept = self if self.exact else Value(each(self.entries, _significant), exact=False)
-        each(kept.entries, _checked_size)
+        kept = Value(each(self.entries, float64)) if arithmetic is Arithmetic.FLOAT else self
+        bits = max(map(bits_of, kept.numbers))
+        if bits > LARGEST_BITS:
+            raise IllegalValueError(
+                "its fraction",
+                f"it takes {bits} bits, {LARGEST_BITS} are kept",
+                f"try {quantity('float')}",
+            )
         return kept
 
 
-def _significant(x: Fraction) -> Fraction:
-    """Round x to `KEPT_BITS` bits, so that irrational values do not grow with every step."""
-    if _bits(x) <= 2 * KEPT_BITS:
-        return x
-    shift = KEPT_BITS - x.numerator.bit_length() + x.denominator.bit_length()
-    return Fraction(round(x * Fraction(2) ** shift)) / Fraction(2) ** shift
-
-
-def _checked_size(x: Fraction) -> Fraction:
-    if _bits(x) > LARGEST_BITS:
-        raise IllegalValueError(
-            "its fraction",
-            f"it takes {_bits(x)} bits, {LARGEST_BITS} are kept",
-            f"try {quantity('float')}",
-        )
-    return x
-
-
-def _bits(x: Fraction) -> int:
-    return max(x.numerator.bit_length(), x.denominator.bit_length())
-
-
-def each(entries: Entries, change: Callable[[Fraction], Fraction]) -> Entries:
+def each(entries: Entries, change: Callable[[Any], Changed]) -> Nested[Changed]:
     """Apply a function to every entry, keeping the shape.
 
     Examples
@@ -121,13 +119,21 @@ def each(entries: Entries, change: Callable[[Fraction], Fraction]) -> Entries:
     >>> each((Fraction(1), Fraction(2)), lambda x: -x)
     (Fraction(-1, 1), Fraction(-2, 1))
     """
-    if isinstance(entries, Fraction):
+    if not isinstance(entries, tuple):
         return change(entries)
     return tuple(each(entry, change) for entry in entries)  # type: ignore[return-value]  # same shape
 
 
+def _flat(entries: Entries) -> Iterator[Number]:
+    if not isinstance(entries, tuple):
+        yield entries
+        return
+    for entry in entries:
+        yield from _flat(entry)
+
+
 def as_strings(entries: Entries) -> object:
     """Write every entry as a fraction, keeping the shape."""
-    if isinstance(entries, Fraction):
+    if not isinstance(entries, tuple):
         return str(entries)
     return [as_strings(entry) for entry in entries]

@@ -7,6 +7,7 @@ from typing import Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
+from nmatrix.cli.command import EXPRESSION
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
@@ -31,13 +32,15 @@ def calc(
     lens: LensOptions,
     scene: SceneOptions,
     common: CommonOptions,
-    expression: Annotated[str, Argument(metavar="EXPRESSION", help="What to compute.")],
+    expression: Annotated[str, Argument(metavar=EXPRESSION, help="What to compute.")],
     let: Annotated[
         list[str] | None,
         Option("--let", metavar="NAME=MATRIX", help="Name a matrix; repeat for more."),
     ] = None,
     steps: Annotated[bool, Option("--steps", help="Show every operation.")] = False,
-    float64: Annotated[bool, Option("--float", help="Round every operation to float64.")] = False,
+    float64: Annotated[
+        bool, Option("--float", help="Round every product and sum to float64.")
+    ] = False,
 ) -> None:
     """Show the value of an expression."""
     from nmatrix.calculator.answer import report

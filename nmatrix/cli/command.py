@@ -3,9 +3,9 @@
 A command takes option groups, frozen dataclasses; Typer sees their fields as flat options. It must
 not be given more than it can read, so the words are gathered first: an option of N values takes N
 words and becomes one `--option=values` token, −3 is a value, and whatever else is a value stands
-behind `--`. How many values an option takes is read off its metavar: `X Y Z` takes three, `Z...`
-all up to the next option. What Typer would refuse in its own words is refused here: WHAT (value):
-why; next step.
+behind `--`. What is read is told by metavars: an option of `X Y Z` takes three values, one of
+`Z...` all up to the next option, an argument EXPRESSION may be `-M`. What Typer would refuse in its
+own words is refused here: WHAT (value): why; next step.
 """
 
 from __future__ import annotations
@@ -31,6 +31,9 @@ Group = Any  # a frozen dataclass type; its fields are Typer's options, or group
 _VALUE = re.compile(r"-(?:[\d.].*|#.*)?\Z", re.DOTALL)
 AND_MORE = "..."  # ends the metavar of an option that takes any number of values
 _SEPARATOR = re.compile(r"[\s,]")
+EXPRESSION = "EXPRESSION"  # the metavar of an argument that may begin with any minus
+# Two minus signs before a word of small letters are an option with a slip, not an expression.
+_LONG_OPTION = re.compile(r"--[a-z][a-z-]+(?:=.*)?\Z", re.DOTALL)
 
 
 def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
@@ -99,8 +102,10 @@ class GatheringCommand(TyperCommand):
             return super().parse_args(ctx, args)
         if _ask_for_help(args):
             return super().parse_args(ctx, ["--help"])
-        options = [one for one in self.get_params(ctx) if isinstance(one, TyperOption)]
-        words = gather(args, options)
+        parameters = self.get_params(ctx)
+        options = [one for one in parameters if isinstance(one, TyperOption)]
+        reads_expression = any(one.metavar == EXPRESSION for one in parameters)
+        words = gather(args, options, reads_expression=reads_expression)
         self._check_arguments(ctx, words[words.index("--") + 1 :] if "--" in words else [])
         return super().parse_args(ctx, words)
 
@@ -183,8 +188,12 @@ def is_value(word: str) -> bool:
     return not word.startswith("-") or _VALUE.match(word) is not None
 
 
-def gather(words: Sequence[str], known: Iterable[TyperOption]) -> list[str]:
+def gather(
+    words: Sequence[str], known: Iterable[TyperOption], *, reads_expression: bool = False
+) -> list[str]:
     """Join every option and its values into one token.
+
+    Where an expression is read, the first word that no option is spelled like is it.
 
     Raises
     ------
@@ -196,6 +205,8 @@ def gather(words: Sequence[str], known: Iterable[TyperOption]) -> list[str]:
     >>> scale = TyperOption(param_decls=["--scale"], metavar="X Y Z", type=str)
     >>> gather(["--scale", "1", "-2", "1", "-1"], [scale])
     ['--scale=1 -2 1', '--', '-1']
+    >>> gather(["-M", "--scale", "1 2 1"], [scale], reads_expression=True)
+    ['--scale=1 2 1', '--', '-M']
     """
     by_name = {name: one for one in known for name in one.opts}
     reader = _Reader(list(words))
@@ -207,11 +218,20 @@ def gather(words: Sequence[str], known: Iterable[TyperOption]) -> list[str]:
         if word == "--":
             values += reader.words[reader.at :]
             break
-        if is_value(word):
+        may_be_expression = reads_expression and not values
+        if is_value(word) or (may_be_expression and not _is_option(word, by_name)):
             values.append(word)
         else:
             options.append(_option(word, by_name, reader))
     return [*options, "--", *values] if values else options
+
+
+def _is_option(word: str, by_name: dict[str, TyperOption]) -> bool:
+    """Tell an option from an expression that begins with a minus; `-fjson` is `-f json`."""
+    if word.partition("=")[0] in by_name or _LONG_OPTION.match(word) is not None:
+        return True
+    short = by_name.get(word[:2])
+    return short is not None and word[2:] in getattr(short.type, "choices", ())
 
 
 def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:

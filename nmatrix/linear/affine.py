@@ -16,6 +16,7 @@ from nmatrix.linear.rational import (
     ONE,
     ZERO,
     RationalMatrix,
+    RationalVector,
     affine_matrix,
     identity,
     product,
@@ -151,9 +152,9 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
     )
 
 
-def shear_matrix(shear: Sequence[float | Fraction]) -> RationalMatrix:
+def shear_matrix(shear: RationalVector) -> RationalMatrix:
     """Build H, which moves x along y (xy) and along z (xz), and y along z (yz)."""
-    xy, xz, yz = rational_vector(shear)
+    xy, xz, yz = shear
     return ((ONE, xy, xz), (ZERO, ONE, yz), (ZERO, ZERO, ONE))
 
 
@@ -174,7 +175,7 @@ def compose(
     stretch = rational_vector(scale)
     block = tuple(tuple(map(mul, row, stretch)) for row in turned)  # R · diag(scale)
     if any(shear):
-        block = product(block, shear_matrix(shear))
+        block = product(block, shear_matrix(rational_vector(shear)))
     return affine_matrix(block, rational_vector(translate))
 
 

@@ -30,7 +30,7 @@ ACCEPTED = 'write a matrix like "1 0 0; 0 2 0; 0 0 1"'
 
 Tokens = Sequence[Sequence[str]]  # rows of numbers that are still text
 
-_BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
+BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
 
 
 def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:
@@ -199,7 +199,7 @@ def _squared(tokens: Tokens, source: str) -> Tokens:
 
 def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
     name = f"row {place[0] + 1}, column {place[1] + 1} of {source}"
-    return fraction(_BARE_POINT.sub("", text), name)
+    return fraction(BARE_POINT.sub("", text), name)
 
 
 def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:

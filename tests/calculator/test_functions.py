@@ -9,8 +9,9 @@ from math import acos, degrees, isclose
 import mpmath
 import pytest
 
-from nmatrix.calculator import evaluate, functions, values
+from nmatrix.calculator import evaluate, functions, numbers
 from nmatrix.calculator.evaluate import calculate
+from nmatrix.calculator.numbers import shown
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
 
@@ -24,13 +25,7 @@ def exact(expression, **names):
 
 def floats(expression, **names):
     """Return the entries of a value as floats, in a flat list."""
-    return [float(x) for x in flat(calculate(expression, names).value.entries)]
-
-
-def flat(entries):
-    if isinstance(entries, Fraction):
-        return [entries]
-    return [number for entry in entries for number in flat(entry)]
+    return [float(shown(x)) for x in calculate(expression, names).value.numbers]
 
 
 def random_matrix(chance, size):
@@ -140,7 +135,7 @@ def test_the_angles_with_a_rational_cosine_squared_are_exact(turn):
 def test_other_angles_are_those_of_the_definition_and_not_exact():
     found = calculate("angle([1, 2, 3], [3, -1, 4])", {}).value
     assert not found.exact
-    assert isclose(float(found.scalar), degrees(acos(13 / (14 * 26) ** 0.5)), rel_tol=1e-14)
+    assert isclose(float(found.shown), degrees(acos(13 / (14 * 26) ** 0.5)), rel_tol=1e-14)
 
 
 def test_what_is_irrational_is_never_called_exact():
@@ -166,11 +161,10 @@ def test_irrational_values_round_to_the_nearest_float_however_long_the_chain():
 
 
 def test_long_chains_do_not_grow(monkeypatch):
-    """Without the cut to KEPT_BITS every normalisation triples the length of its fractions."""
+    """Without ends that are rounded outwards every normalisation multiplies their length."""
     chain = "normalize(" * 12 + "[1, 2, 4]" + ")" * 12
-    largest = max(values._bits(x) for x in flat(calculate(chain, {}).value.entries))
-    assert largest <= 2 * values.KEPT_BITS
-    monkeypatch.setattr(values, "_significant", lambda x: x)
+    assert max(map(numbers.bits_of, calculate(chain, {}).value.numbers)) <= 320
+    monkeypatch.setattr(numbers, "enclosed", numbers.Interval)
     with pytest.raises(IllegalValueError, match="bits"):
         calculate(chain, {})
 
@@ -184,7 +178,6 @@ def test_long_chains_do_not_grow(monkeypatch):
         "angle([0, 0, 0], [1, 0, 0])",
         "1 / (0.1 + 0.2 - 0.3)",
         "identity(3) / 0",
-        "rank(rotate_x(30))",
     ],
 )
 def test_what_has_no_answer_says_so(expression):
@@ -215,23 +208,18 @@ def test_float_rounds_after_every_operation_as_a_float_program_does():
         ("1e-200 * 1e-200 * 1e200", 1e-200 * 1e-200 * 1e200),
     ):
         found = calculate(expression, {}, Arithmetic.FLOAT).value.scalar
-        assert found == Fraction(wanted), expression
+        assert found.value == wanted, expression
     assert exact("1e16 + 1 - 1e16") == 1
 
 
-def test_float_overflow_is_refused_and_not_infinite():
-    with pytest.raises(IllegalValueError, match="beyond the largest float64"):
-        calculate("1e308 * 10", {}, Arithmetic.FLOAT)
-
-
 def test_an_angle_is_the_nearest_float() -> None:
-    numbers = random.Random(5)
+    chance = random.Random(5)
     for _ in range(200):
-        a, b = ([numbers.randint(-9, 9) for _ in range(3)] for _ in range(2))
+        a, b = ([chance.randint(-9, 9) for _ in range(3)] for _ in range(2))
         if not any(a) or not any(b):
             continue
         with mpmath.workdps(60):
             dot = sum(x * y for x, y in zip(a, b, strict=True))
             square = sum(x * x for x in a) * sum(x * x for x in b) - dot * dot
             right = float(mpmath.degrees(mpmath.atan2(mpmath.sqrt(square), dot)))
-        assert float(calculate(f"angle({a}, {b})", {}).value.scalar) == right
+        assert float(calculate(f"angle({a}, {b})", {}).value.shown) == right

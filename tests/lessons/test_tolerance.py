@@ -10,6 +10,7 @@ import pytest
 
 from nmatrix.enums import DepthRange, Space
 from nmatrix.lessons.check.answer import read_answer
+from nmatrix.lessons.check.hints import LEFT_OUT
 from nmatrix.lessons.check.judge import TOO_FEW_DIGITS, Judge, Outcome
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.projection import ClipSpace
@@ -22,6 +23,7 @@ LONG = Light((3000, 0, 0))
 FAR = Setup(World(translate=(5000, 3, 0)))
 TINY_TURN = Setup(World(rotate_degrees=(0, 0, -0.01)))
 CLOSE = Lens(60, 1, 0.0001, 1000)
+EYES = ("5", "5.0", "5.00", "5.002", "5.004", "5.006", "5.01", "5.010", "5.1", "6")
 FOCUS = "1.7321 0 0 0; 0 1.7321 0 0; 0 0 -1"
 
 
@@ -147,8 +149,17 @@ def test_too_few_digits_are_said_to_be_too_few() -> None:
     assert (found.verdict, found.wrong_entries) == (Outcome.CORRECT, ())
     for text in ("0.5 0 0 0; 0 1 0 0; 0 0 0 0.1; 0 0 -1 0", "0 0 0 0; 0 0 0 0; 0 0 0 0; 0 0 -1 0"):
         assert judged(question, text).verdict is not Outcome.CORRECT
-    found = judged(Question(Subject.PROJECTION, Setup(lens=CLOSE)), f"{FOCUS} 0; 0 0 -1 0")
-    assert (found.verdict, found.explanation) == (Outcome.UNKNOWN, TOO_FEW_DIGITS)
+    eye = Question(Subject.EYE, Setup(view=View(eye=(3, 0.03, 5))))
+    for zero, sentence in (("0.0", TOO_FEW_DIGITS), ("0", LEFT_OUT.format(part="y is"))):
+        found = judged(eye, f"3 {zero} 5")
+        assert (found.verdict, found.explanation) == (Outcome.UNKNOWN, sentence)
+    assert judged(eye, "3 0.03 5").verdict is Outcome.CORRECT
+
+
+def test_more_digits_never_make_a_right_answer_wrong() -> None:
+    question = Question(Subject.EYE, Setup())
+    right = {text: judged(question, f"0 0 {text}").verdict is Outcome.CORRECT for text in EYES}
+    assert [text for text, is_right in right.items() if is_right] == ["5", "5.0", "5.00", "5.002"]
 
 
 def test_what_is_right_to_its_digits_stays_right_beside_a_mistake_that_is_as_close():

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from nmatrix.enums import Space
+from nmatrix.lessons.check.likeness import Likeness
 from nmatrix.lessons.check.question import Question, Subject, light_vector, right_matrices
 from nmatrix.linear.rational import (
     ONE,
@@ -18,11 +19,12 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
     translation,
+    transpose,
 )
 
 NOT_MOVED = "These are the numbers in {space} space: nothing was moved."
 HALF_UNDONE = "The translation was subtracted; what is left is to undo the 3×3 block."
-NO_TRANSLATION = "The 3×3 block is right, and the translation is missing."
+LEFT_OUT = "The rest is right; {part} left out: 0 stands where a number belongs."
 SCALED_LAST = "You scaled after turning, T · S · R; in M = T · R · S the scale comes first."
 
 
@@ -49,10 +51,45 @@ def hints(question: Question) -> Iterator[Hint]:
         yield from _of_vectors(question)
     elif question.subject is Subject.WORLD:
         yield from _of_worlds(question)
-    elif question.subject is Subject.VIEW:
-        yield Hint(
-            affine_matrix(linear_part(right_matrices(question).camera_from_world)), NO_TRANSLATION
-        )
+
+
+def left_out(question: Question, found: Likeness) -> str | None:
+    """Name what is 0 in an answer and should not be, if nothing else is wrong.
+
+    Examples
+    --------
+    >>> from nmatrix.lessons.check.answer import read_answer
+    >>> from nmatrix.lessons.check.likeness import likeness
+    >>> from nmatrix.scene.camera import View
+    >>> from nmatrix.scene.setup import Setup
+    >>> eye = Question(Subject.EYE, Setup(view=View(eye=(3, 2, 5))))
+    >>> left_out(eye, likeness(read_answer("3 0 5", eye), ((3, 2, 5, 1),), eye))
+    'The rest is right; y is left out: 0 stands where a number belongs.'
+    """
+    of_zeros = not any(found.given[i][j] for i, j in found.wrong)
+    if not of_zeros or not any(map(any, found.given)):
+        return None
+    return LEFT_OUT.format(part=_part(question, found))
+
+
+def _part(question: Question, found: Likeness) -> str:
+    """Take the largest part that the wrong zeros are all of: the translation, a row, a column."""
+    if question.is_vector:
+        return _listed(["xyzw"[j] for _, j in found.wrong])
+    given, turned = found.given, transpose(found.given)
+    rows, columns = ({place[axis] for place in found.wrong} for axis in (0, 1))
+    is_affine = question.subject is not Subject.PROJECTION
+    if is_affine and columns == {3} and 3 not in rows and not any(turned[3][:3]):
+        return "the translation is"
+    for name, lines, at in (("row", given, rows), ("column", turned, columns)):
+        if len(at) == 1 and not any(lines[min(at)]):
+            return f"{name} {min(at) + 1} is"
+    return _listed([f"row {i + 1} column {j + 1}" for i, j in found.wrong])
+
+
+def _listed(names: Sequence[str]) -> str:
+    *first, last = names
+    return f"{', '.join(first)} and {last} are" if first else f"{last} is"
 
 
 def _of_vectors(question: Question) -> Iterator[Hint]:
@@ -77,7 +114,6 @@ def _not_moved(question: Question) -> tuple[RationalVector, Space]:
 
 def _of_worlds(question: Question) -> Iterator[Hint]:
     world = question.setup.world
-    yield Hint(affine_matrix(linear_part(world.world_from_object)), NO_TRANSLATION)
     if world.matrix is None and not any(world.shear):
         turned = linear_part(replace(world, scale=(1, 1, 1)).world_from_object)
         scaled = product(diagonal(rational_vector(world.scale)), turned)

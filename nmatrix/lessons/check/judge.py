@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.lessons.check.answer import Answer
-from nmatrix.lessons.check.hints import Hint, hints
+from nmatrix.lessons.check.hints import Hint, hints, left_out
 from nmatrix.lessons.check.likeness import (
     Likeness,
     Place,
@@ -131,7 +131,8 @@ class Judge:
         if found.lacks_only_digits:
             return self._unknown(answer, found, TOO_FEW_DIGITS)
         several = f"{SEVERAL} {', '.join(map('+'.join, names))}." if names else NO_MISTAKE
-        return self._unknown(answer, found, self._hint(answer) or several)
+        hint = self._hint(answer) or left_out(self.question, found)
+        return self._unknown(answer, found, hint or several)
 
     def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
         """Prefer a mistake that gives every digit of an answer which is only close to right."""

@@ -89,9 +89,9 @@ class Likeness:
 
     @property
     def lacks_only_digits(self) -> bool:
-        """Whether every wrong entry is a zero that a number was rounded to."""
+        """Whether every wrong entry is a zero with decimals that a number was rounded to."""
         entries = (self._entries[place] for place in self.wrong)
-        return all(off.zero != Zero.NONE and off.difference <= off.place / 2 for off in entries)
+        return all(off.zero is Zero.ROUNDED and off.difference <= off.place / 2 for off in entries)
 
     @cached_property
     def _entries(self) -> dict[Place, EntryDifference]:
@@ -172,9 +172,12 @@ def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool
         factor = sum(x * y for x, y in zip(a, v, strict=True)) / square if square else 0.0
         if not factor > 0:
             return isnan(factor)  # an overflow says nothing
-    limit = answer.coarsest if question.tolerance is None else float(question.tolerance)
     largest = max(map(abs, v)) * factor
-    far = 1.01 * max(limit, float(RELATIVE) * largest) + 1e-9 * largest
+    if question.tolerance is None:
+        limit = answer.coarsest / 2 + float(RELATIVE) * largest
+    else:
+        limit = float(question.tolerance)
+    far = 1.01 * limit + 1e-9 * largest
     return not any(abs(x - factor * y) > far for x, y in zip(a, v, strict=True))
 
 

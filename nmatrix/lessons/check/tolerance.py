@@ -14,6 +14,7 @@ from fractions import Fraction
 
 from nmatrix.linear.rational import (
     ONE,
+    ZERO,
     RationalMatrix,
     RationalVector,
     linear_part,
@@ -23,7 +24,6 @@ from nmatrix.linear.rational import (
 
 RELATIVE = Fraction(5, 10_000)  # of the largest entry of all: three good digits
 ITS_OWN = Fraction(1, 400)  # of the yardstick: where entries of another kind are far larger
-COARSEST = Fraction(1, 10)  # of the yardstick: one digit that may be one off is no answer
 NOT_ALL = Fraction(9, 10)  # of the largest: a zero in its place is never right by rounding
 A_TWENTIETH = Fraction(1, 20)  # of the largest entry: no last place of a direction is coarser
 FEWEST = Fraction(1, 100)  # a whole number claims two decimals
@@ -57,45 +57,40 @@ class EntryDifference:
     def is_near(self) -> bool:
         """Decide if the entry counts as right.
 
-        It may be off by one unit of its last place, at least two decimals counted (by half a unit,
-        where one is much beside the yardstick), or by 5e-4 of the largest entry of all.
+        It may be off by half a unit of its last place, at least two decimals counted, and besides
+        by 5e-4 of the largest entry of all, for what was rounded on the way.
 
         Examples
         --------
-        A half beside a translation of 5,000, typed as 0.51 and as 0.60.
+        A half beside a translation of 5,000, typed as 0.506 and as 0.51.
 
-        >>> place, half, all_ = Fraction(1, 100), Fraction(1, 2), Fraction(5000)
+        >>> half, all_ = Fraction(1, 2), Fraction(5000)
         >>> [EntryDifference(off, place, half, all_, Zero.NONE).is_near()
-        ...  for off in (Fraction(1, 100), Fraction(1, 10))]
+        ...  for off, place in ((Fraction(1, 1000), Fraction(1, 1000)), (Fraction(1, 100),) * 2)]
         [True, False]
         """
-        return self._is_near_in_digits() or self.difference <= min(
-            RELATIVE * self.largest, ITS_OWN * self.yardstick
-        )
+        return self._is_within(min(RELATIVE * self.largest, ITS_OWN * self.yardstick))
 
     def is_near_a_mistake(self) -> bool:
         """Decide if the entry counts as that of a mistake: among its own kind alone."""
-        return self._is_near_in_digits() or self.difference <= RELATIVE * self.yardstick
+        return self._is_within(RELATIVE * self.yardstick)
 
     def is_rounded(self) -> bool:
         """Decide if every digit that was typed is right."""
-        return self._is_half(self.place) or self.difference <= NOISE * self.yardstick
+        return self.difference <= NOISE * self.yardstick or self._is_half(self.place)
 
-    def _is_near_in_digits(self) -> bool:
-        place = min(self.place, FEWEST)
-        if self.difference > place:
-            return False
-        return self.difference <= COARSEST * self.yardstick or self._is_half(place)
+    def _is_within(self, allowance: Fraction) -> bool:
+        return self.difference <= allowance or self._is_half(min(self.place, FEWEST), allowance)
 
-    def _is_half(self, place: Fraction) -> bool:
+    def _is_half(self, place: Fraction, allowance: Fraction = ZERO) -> bool:
         """Decide if the entry is at most half a unit off, and no zero hides what matters.
 
         0.00 is a rounded number, and a bare 0 is none: it may not stand for the largest of its
         kind, and 0.00 not for the largest of all.
         """
         hidden = {Zero.NONE: None, Zero.ROUNDED: self.largest, Zero.BARE: self.yardstick}[self.zero]
-        most = place / 2 if hidden is None else min(place / 2, NOT_ALL * hidden)
-        return self.difference <= most
+        most = place / 2 + allowance
+        return self.difference <= (most if hidden is None else min(most, NOT_ALL * hidden))
 
 
 def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:

@@ -1,0 +1,308 @@
+"""The calculator's numbers: fractions, intervals around what is irrational, and rounded floats.
+
+All three have the operators of a fraction, so the formulas of `linear.rational` serve them all.
+What is computed from an interval is an interval, so it is known how much is known; and wherever it
+matters whether a number is 0, `is_zero` is asked, which says yes, no, or that nobody knows.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from math import copysign, inf, isfinite, isnan, isqrt, nan
+
+from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
+from nmatrix.linear.angle import DEGREES, Angle, arctangent
+from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
+
+ROOT_BITS = 280
+SERIES = Fraction(1, 2**130)  # the relative error of a sine or an arctangent
+GUARD_BITS = 16  # of an end behind the first bit that is not known
+TWICE_THE_SINE = {0: 0, 1: 1, 3: 2, 5: 1, 6: 0, 7: -1, 9: -2, 11: -1}  # by twelfths of a turn
+SLOWEST = 57  # degrees in which a sine changes by less than one: 180/π is more
+
+Exact = int | Fraction
+
+
+@dataclass(frozen=True, eq=False)
+class Interval:
+    """A number between two bounds, `low` < `high`, and no more is known of it.
+
+    Examples
+    --------
+    >>> third = Interval(Fraction(33, 100), Fraction(34, 100))
+    >>> (1 / third).low < 3 < (1 / third).high, third * 0
+    (True, Fraction(0, 1))
+    """
+
+    low: Fraction
+    high: Fraction
+
+    def __neg__(self) -> Interval:
+        return Interval(-self.high, -self.low)
+
+    def __add__(self, other: Exact | Interval) -> Fraction | Interval:
+        low, high = _ends(other)
+        return enclosed(self.low + low, self.high + high)
+
+    def __sub__(self, other: Exact | Interval) -> Fraction | Interval:
+        return self + -other
+
+    def __rsub__(self, other: Exact) -> Fraction | Interval:
+        return -self + other
+
+    def __mul__(self, other: Exact | Interval) -> Fraction | Interval:
+        products = [one * end for one in _ends(self) for end in _ends(other)]
+        return enclosed(min(products), max(products))
+
+    def __truediv__(self, other: Exact | Interval) -> Fraction | Interval:
+        return self * (1 / (other if isinstance(other, Interval) else Fraction(other)))
+
+    def __rtruediv__(self, other: Exact) -> Fraction | Interval:
+        is_zero(self)  # which refuses a divisor that may be 0
+        return enclosed(1 / self.high, 1 / self.low) * other
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+    @property
+    def farthest(self) -> Fraction:
+        """The larger of the two bounds, without its sign."""
+        return max(-self.low, self.high)
+
+    @property
+    def digits(self) -> int:
+        """How many digits are known; 0 where it may be 0."""
+        units = round((self.low + self.high) / 2 / self._unit)
+        return len(str(abs(units))) if units else 0
+
+    @property
+    def shown(self) -> Fraction:
+        """The number to the digits that are known, right to one unit of the last.
+
+        Examples
+        --------
+        >>> float(Interval(Fraction(31415, 10000), Fraction(31417, 10000)).shown)
+        3.142
+        """
+        return round((self.low + self.high) / 2 / self._unit) * self._unit
+
+    @property
+    def _unit(self) -> Fraction:
+        """The power of ten that is not below the width."""
+        width = self.high - self.low
+        exponent = math.floor(DECIMALS_PER_BIT * _magnitude(width)) - 1
+        while Fraction(10) ** exponent < width:
+            exponent += 1
+        return Fraction(10) ** exponent
+
+
+@dataclass(frozen=True, eq=False)
+class Float64:
+    """A float64: every operation is rounded, and what overflows is infinite, as in a program.
+
+    Raises
+    ------
+    NoAnswerError
+        For what is no number, as infinity minus infinity.
+
+    Examples
+    --------
+    >>> (Float64(0.1) + Float64(0.2)).value, (Float64(1e308) * 10).value
+    (0.30000000000000004, inf)
+    """
+
+    value: float
+
+    def __post_init__(self) -> None:
+        if isnan(self.value):
+            raise NoAnswerError(
+                "not a number in float64",
+                "something overflowed to infinity, and this has no value there",
+                f"leave {quantity('float')} out",
+            )
+
+    def __neg__(self) -> Float64:
+        return Float64(-self.value)
+
+    def __add__(self, other: Exact | Float64) -> Float64:
+        return Float64(self.value + float64(other).value)
+
+    def __sub__(self, other: Exact | Float64) -> Float64:
+        return Float64(self.value - float64(other).value)
+
+    def __mul__(self, other: Exact | Float64) -> Float64:
+        return Float64(self.value * float64(other).value)
+
+    def __truediv__(self, other: Exact | Float64) -> Float64:
+        return Float64(self.value / float64(other).value)
+
+    def __rtruediv__(self, other: Exact) -> Float64:
+        return float64(other) / self
+
+    def __eq__(self, other: object) -> bool:
+        return self.value == (other.value if isinstance(other, Float64) else other)
+
+    def __hash__(self) -> int:
+        return hash(self.value)
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+Number = Fraction | Interval | Float64
+
+
+def is_zero(x: Number) -> bool:
+    """Decide if a number is 0.
+
+    Raises
+    ------
+    NoAnswerError
+        Where what is known of it leaves both possible.
+
+    Examples
+    --------
+    >>> is_zero(root(Fraction(2)) - 1), is_zero(Float64(0.0))
+    (False, True)
+    """
+    if not isinstance(x, Interval):
+        return x == 0
+    if x.low <= 0 <= x.high:
+        raise NoAnswerError(
+            "a number in which roots or sines cancel",
+            f"it is within {short_text(x.farthest, 2)} of 0, more is not known, "
+            "and here it matters whether it is 0",
+            "use rational entries",
+        )
+    return False
+
+
+def size(x: Number) -> Fraction | float:
+    """Measure how far from 0 a number may be."""
+    if isinstance(x, Interval):
+        return x.farthest
+    return abs(x.value) if isinstance(x, Float64) else abs(x)
+
+
+def bits_of(x: Number) -> int:
+    """Count the bits of the longest integer that a number is written with."""
+    if isinstance(x, Float64):
+        return 64
+    return max(n.bit_length() for end in _ends(x) for n in end.as_integer_ratio())
+
+
+def shown(x: Number) -> Fraction | float:
+    """Take what may be printed of a number."""
+    if isinstance(x, Interval):
+        return x.shown
+    return x.value if isinstance(x, Float64) else x
+
+
+def float64(x: Exact | Number) -> Float64:
+    """Round a number to the nearest float64, to infinity beyond the largest."""
+    if isinstance(x, Float64):
+        return x
+    middle = (x.low + x.high) / 2 if isinstance(x, Interval) else Fraction(x)
+    try:
+        return Float64(nearest(middle))
+    except IllegalValueError:
+        return Float64(copysign(inf, middle))
+
+
+def enclosed(low: Fraction, high: Fraction) -> Fraction | Interval:
+    """Make an interval, its ends rounded outwards to the bits that matter, or one exact number."""
+    if low == high:
+        return low
+    grid = Fraction(2) ** (GUARD_BITS - _magnitude(high - low))
+    return Interval(math.floor(low * grid) / grid, math.ceil(high * grid) / grid)
+
+
+def root(square: Number) -> Number:
+    """Take a square root: exact if it is rational, else known to 280 bits.
+
+    Of an interval only the part from 0 upwards can be a square.
+
+    Examples
+    --------
+    >>> root(Fraction(9, 4)), root(Float64(2.0)).value
+    (Fraction(3, 2), 1.4142135623730951)
+    """
+    if isinstance(square, Float64):
+        return Float64(math.sqrt(square.value))
+    low, high = _ends(square)
+    return enclosed(_root_ends(max(low, Fraction(0)))[0], _root_ends(high)[1])
+
+
+def angle(degrees: Number) -> Angle:
+    """Make the angle of so many degrees, its sine and cosine of the same kind of number.
+
+    Examples
+    --------
+    >>> angle(Fraction(30)).sine, angle(Fraction(30)).cosine.digits
+    (Fraction(1, 2), 38)
+    """
+    if isinstance(degrees, Float64):
+        exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
+        return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
+    return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
+
+
+def degrees_of(sine: Number, cosine: Number) -> Number:
+    """Measure an angle up to 180° in degrees, by its sine and cosine times any common factor.
+
+    Over a box of sines and cosines it is greatest and least at corners.
+
+    Examples
+    --------
+    >>> degrees_of(Fraction(0), Fraction(-7)), degrees_of(Float64(1.0), Float64(1.0)).value
+    (Fraction(180, 1), 45.0)
+    """
+    if isinstance(sine, Float64) and isinstance(cosine, Float64):
+        return Float64(math.degrees(math.atan2(sine.value, cosine.value)))
+    corners = [
+        end
+        for y in _ends(sine)  # type: ignore[arg-type]  # floats meet no other numbers
+        for x in _ends(cosine)  # type: ignore[arg-type]
+        for end in _degrees_ends(y, x)
+    ]
+    return enclosed(min(corners), max(corners))
+
+
+def _ends(x: Exact | Interval) -> tuple[Fraction, Fraction]:
+    if isinstance(x, Interval):
+        return x.low, x.high
+    return Fraction(x), Fraction(x)
+
+
+def _magnitude(x: Fraction) -> int:
+    """Count the bits before the point, or minus the zeros behind it."""
+    return x.numerator.bit_length() - x.denominator.bit_length()
+
+
+def _root_ends(square: Fraction) -> tuple[Fraction, Fraction]:
+    product = (square.numerator * square.denominator) << (2 * ROOT_BITS)
+    whole, bottom = isqrt(product), square.denominator << ROOT_BITS
+    return Fraction(whole, bottom), Fraction(whole + (whole * whole != product), bottom)
+
+
+def _sine(degrees: Fraction | Interval) -> Fraction | Interval:
+    if isinstance(degrees, Interval):
+        least, most = _ends(_sine((degrees.low + degrees.high) / 2))
+        change = (degrees.high - degrees.low) / 2 / SLOWEST
+        return enclosed(least - change, most + change)
+    twelfth, rest = divmod(degrees % 360, 30)
+    if not rest and twelfth in TWICE_THE_SINE:  # no other sine is rational (Niven, 1956)
+        return Fraction(TWICE_THE_SINE[twelfth], 2)
+    found = Angle.degrees(degrees).sine
+    error = abs(found) * SERIES
+    return enclosed(found - error, found + error)
+
+
+def _degrees_ends(sine: Fraction, cosine: Fraction) -> tuple[Fraction, Fraction]:
+    if not cosine:
+        return Fraction(90), Fraction(90)
+    sharp = arctangent(sine / abs(cosine)) * DEGREES
+    low, high = sharp * (1 - SERIES), sharp * (1 + SERIES)
+    return (low, high) if cosine > 0 else (180 - high, 180 - low)
