@@ -26,11 +26,15 @@ _DECIMAL = re.compile(
 
 @dataclass(frozen=True)
 class Digits:
-    """The digits of one typed decimal: how many stand behind its point, how many count, and e."""
+    """The digits of one typed decimal: how many stand behind its point, how many count, and e.
+
+    `is_whole` is a whole number, also as programs print one, `250.0`.
+    """
 
     behind: int
     significant: int
     exponent: int = 0
+    is_whole: bool = False
 
     @property
     def last_place(self) -> Fraction:
@@ -50,11 +54,8 @@ class Digits:
 
     @property
     def is_rounded(self) -> bool:
-        """Whether there are enough of them to take the number for a rounded one.
-
-        A whole number is exact, also as programs print it, `250.0`.
-        """
-        return self.behind >= ENOUGH or (self.behind > 0 and self.significant >= ENOUGH)
+        """Whether there are enough of them to take the number for a rounded one."""
+        return not self.is_whole and max(self.behind, self.significant) >= ENOUGH
 
 
 def digits_of(text: str) -> Digits | None:
@@ -62,17 +63,16 @@ def digits_of(text: str) -> Digits | None:
 
     Examples
     --------
-    >>> digits_of("-0.70711"), digits_of("250.0").behind, digits_of("1/3")
-    (Digits(behind=5, significant=5, exponent=0), 0, None)
+    >>> digits_of("-0.70711").last_place, digits_of("250.0").is_rounded, digits_of("1/3")
+    (Fraction(1, 100000), False, None)
     """
     found = _DECIMAL.fullmatch(text.strip().replace("−", "-"))
     if found is None:
         return None
     whole, behind = found["whole"], found["behind"]
-    if behind == "0":
-        behind = ""
     significant = len((whole + behind).lstrip("0"))
-    return Digits(len(behind), significant, int((found["exponent"] or "0")[:7]))
+    exponent = int((found["exponent"] or "0")[:7])
+    return Digits(len(behind), significant, exponent, is_whole=behind in ("", "0"))
 
 
 TypedDigits = tuple[tuple[Digits | None, ...], ...]

@@ -69,7 +69,7 @@ class _Typist:
         choose = self.random.choice
         if self.random.random() > 0.8:
             return ClipSpace(*(choose(list(words)) for words in (DepthRange, Handedness, ClipY)))
-        depth, handed, clip_y = API_PRESETS[choose(list(Api))]
+        depth, handed, clip_y, _ = API_PRESETS[choose(list(Api))]
         if depth is DepthRange.ZERO_TO_ONE and self.random.random() < 0.3:
             depth = DepthRange.REVERSED
         return ClipSpace(depth, handed, clip_y)
