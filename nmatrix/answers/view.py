@@ -10,7 +10,7 @@ from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
-from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.classify import RIGID_KINDS, Classification, classify
 from nmatrix.linear.identify import Reading, identify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rounding import integers, unit
@@ -48,13 +48,12 @@ def view(setup: Setup) -> Report:
         "normal_matrix": normal_matrix,
     }
     undecided = given and setup.view.handed is Handedness.RIGHT  # nobody said so
-    back = rational.inverse(V)
     data: dict[str, Value] = {
         **shown,
         "handed": None if undecided else setup.view.handed.value,
         "mirrored": found.mirrored,
         "readings": [reading_data(one) for one in readings] if given else None,
-        "world_from_camera": back,
+        "world_from_camera": rational.affine_matrix(_back(V, found), placed.eye),
         "extrinsics": _extrinsics(V, setup.view.handed),
     }
     remarks = (*placed.remarks, *transform_remarks(found), *((_NO_HAND,) if undecided else ()))
@@ -112,11 +111,19 @@ def _camera_axes(
 
     They are the columns of V⁻¹; where V is rigid they are its rows, already rounded once.
     """
-    block = rational.linear_part(camera_from_world)
-    axes = block if found.is_rigid else rational.transpose(rational.inverse(block))
+    axes = rational.transpose(_back(camera_from_world, found))
     ahead = 1 if handed is Handedness.LEFT else -1
     named = (axes[0], axes[1], tuple(ahead * component for component in axes[2]))
-    return named if found.is_rigid else tuple(unit(integers(axis)[0]) for axis in named)
+    if found.kind_as_typed in RIGID_KINDS:
+        return named
+    return tuple(unit(integers(axis)[0]) for axis in named)
+
+
+def _back(camera_from_world: RationalMatrix, found: Classification) -> RationalMatrix:
+    """Invert the 3×3 block; of a rotation by turning rows to columns, which rounds nothing."""
+    block = rational.linear_part(camera_from_world)
+    rigid = found.kind_as_typed in RIGID_KINDS
+    return rational.transpose(block) if rigid else rational.inverse(block)
 
 
 def _verdict(found: Classification) -> str:
