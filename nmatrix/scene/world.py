@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle, turns
-from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
+from nmatrix.linear.rank_keeping import rounded_keeping_rank
+from nmatrix.linear.rational import RationalMatrix, product
 from nmatrix.linear.values import named, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
@@ -113,18 +114,19 @@ class World:
         """Return the matrix before its one rounding."""
         return self.exact_by(Angle.degrees)
 
-    @property
+    @cached_property
     def world_from_object(self) -> RationalMatrix:
-        """Return the matrix of floats that is shown; what is derived from it is exact for it.
+        """Round to the matrix of floats that is shown; what is derived from it is exact for it.
 
-        An entry beyond the largest float64 stays the exact number that it is.
+        An entry beyond the largest float64 stays the exact number that it is, and so does a 3×3
+        block whose rank or mirroring floats would lose.
 
         Examples
         --------
         >>> World(scale=(1, 2, 1)).world_from_object[1][1]
         Fraction(2, 1)
         """
-        return rounded_for_display(self.exact)
+        return rounded_keeping_rank(self.exact)
 
     def under(self, world_from_parent: object) -> World:
         """Return the place in the world of an object that stands here under its parent, exactly.
