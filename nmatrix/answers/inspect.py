@@ -172,7 +172,8 @@ def _table(inspection: Inspection) -> Table:
         needs_it = found.needs_inverse_transpose
         flags = ("yes" if flag else "no" for flag in (found.mirrored, needs_it))
         worst = found.worst_angle_deg if needs_it else 0
-        rows.append((node.name[:24], found.kind.value, *flags, worst))
+        kind = "mirror" if found.mirrored and found.is_rigid else found.kind.value
+        rows.append((node.name[:24], kind, *flags, worst))
     more = len(inspection.nodes) - SHOWN
     title = f"The first {SHOWN} nodes; {more} more with -f json" if more > 0 else ""
     return Table(("node", "world matrix", "mirrored", "needs it", "worst °"), tuple(rows), title)

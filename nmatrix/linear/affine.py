@@ -5,7 +5,7 @@ M = T(translate) · R · diag(scale) · H(shear), column vectors; rotations by t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from operator import mul
 
@@ -22,6 +22,7 @@ from nmatrix.linear.rational import (
     rational_vector,
 )
 from nmatrix.linear.rounding import integers, inverse_root, quotient
+from nmatrix.report import Number
 
 AXES = "XYZ"
 
@@ -90,6 +91,25 @@ def course_rotation(turns: Sequence[Angle | float], convention: Convention) -> R
     return _known(
         product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))
     )
+
+
+def rotation_by(
+    degrees: Sequence[Number],
+    order: str = "XYZ",
+    convention: Convention = Convention.STANDARD,
+    turn: Callable[[Number], Angle] = Angle.degrees,
+) -> RationalMatrix:
+    """Build the rotation by three angles in degrees, in an order or by a course's convention.
+
+    Examples
+    --------
+    >>> rotation_by((90, 0, 0), convention=Convention.POLIMI) == rotation_by((0, -90, 0))
+    True
+    """
+    turns = [turn(angle) for angle in degrees]
+    if convention is Convention.STANDARD:
+        return rotation(turns, order)
+    return course_rotation(turns, convention)
 
 
 def _known(R: RationalMatrix) -> RationalMatrix:

@@ -85,6 +85,4 @@ def _shortened(block: LinearMap) -> RationalMatrix:
             for one, c in zip(rest, column, strict=True)
         )
         bottom *= pivot
-    return tuple(
-        tuple(sum((one[i][j] for one in found), ZERO) for j in range(3)) for i in range(3)
-    )
+    return tuple(tuple(sum((one[i][j] for one in found), ZERO) for j in range(3)) for i in range(3))
