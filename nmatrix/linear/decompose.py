@@ -197,15 +197,12 @@ def _angles(
     found = {}
     gimbal_lock = square <= locked
     if gimbal_lock:
-        found[j] = Fraction(90 if even * R[i][k] > 0 else -90)
         found[i], found[k] = _degrees(even * R[k][j], R[j][j]), ZERO
+        found[j] = Fraction(90 if even * R[i][k] > 0 else -90)
     else:
+        found[i] = _degrees(-even * R[j][k], R[k][k])
         found[j] = _degrees(even * R[i][k], _root(square))
-        y, x = -R[j][k], R[k][k]
-        found[i] = _degrees(even * y, x)
-        # What is left when the first turn is undone: near a gimbal lock their sum stays right.
-        y, x = _sum(x * R[j][i], y * R[k][i]), _sum(x * R[j][j], y * R[k][j])
-        found[k] = _degrees(even * y, x)
+        found[k] = _degrees(-even * R[i][j], R[i][i])
     about = tuple(nearest(found[axis]) + 0.0 for axis in range(3))
     return _as_typed(about, convention), gimbal_lock
 

@@ -139,11 +139,11 @@ def test_scene_files_multiply_ranks_and_signs(tmp_path: Path, seed: int) -> None
 
 
 def test_signs_multiply_where_the_rounded_determinant_loses_them(tmp_path: Path) -> None:
-    """After 20 nodes of 10⁻³ the smallest stretch is 10⁻⁶⁰ of the largest."""
+    """Every node makes the determinant 10⁹ times smaller."""
     drawn = Random(5)
     nodes = [
-        {"rotation": quaternion(drawn), "scale": [1, drawn.choice((-1e-3, 1e-3)), 1]}
-        for _ in range(150)
+        {"rotation": quaternion(drawn), "scale": [1, drawn.choice((-1e-9, 1e-9)), 1]}
+        for _ in range(300)
     ]
     rounded_right = 0
     sign = 1
@@ -152,7 +152,7 @@ def test_signs_multiply_where_the_rounded_determinant_loses_them(tmp_path: Path)
         block = linear_part(node.world_from_object)
         assert LinearMap.of(block).determinant_sign == sign
         rounded_right += LinearMap.of(to_floats(block)).determinant_sign == sign
-    assert rounded_right < 120, "the chain must lose signs when it is rounded"
+    assert rounded_right < 200, "the chain must lose signs when it is rounded"
 
 
 def test_a_long_chain_below_a_flattened_node_stays_flat_and_short(tmp_path: Path) -> None:
@@ -203,7 +203,7 @@ def test_a_shortened_block_has_its_rank_its_sign_and_its_floats(rank: int) -> No
         if rank == 3:  # nearly flat: floats lose its sign
             flat = product(tall, ((*wide[0],), (*wide[1],), (*(x * 0 for x in wide[2]),)))
             block = tuple(
-                tuple(f + x / (1 << 1400) for f, x in zip(a, b, strict=True))
+                tuple(f + x / (1 << 2600) for f, x in zip(a, b, strict=True))
                 for a, b in zip(flat, block, strict=True)
             )
         before = LinearMap.of(block)
