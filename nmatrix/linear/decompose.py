@@ -31,7 +31,7 @@ from nmatrix.report import Vector
 
 CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
 LOCKED = Fraction(1, 1 << 104)  # cos² of the middle angle; float64 can miss a quarter turn by it
-PLACES, DIGITS = 12, 13  # decimals of angles and shears, and digits of scales, without noise
+DECIMALS, DIGITS = 12, 13  # decimals of angles and shears, and digits of scales, without noise
 HALF_TURN = 180
 
 
@@ -107,7 +107,7 @@ def parts(
     b = tuple(q - xy * p for p, q in zip(a, b, strict=True))
     yz = dot(b, c) / dot(b, b)
     c = tuple(r - xz * p - yz * q for p, q, r in zip(a, b, c, strict=True))
-    axes = [tuple(x * inverse_root(dot(axis, axis)) for x in axis) for axis in (a, b, c)]
+    axes = [_unit(axis) for axis in (a, b, c)]
     scale = [_length(axis) for axis in (a, b, c)]
     if det < 0:
         flipped = min(range(3), key=lambda i: axes[i][i])
@@ -231,11 +231,11 @@ def _about_axes(typed: Vector, convention: Convention) -> Vector:
 
 def _without_noise(found: Parts, world_from_object: RationalMatrix) -> Parts:
     """Drop the last digits of the parts if that builds the same floats."""
-    rotate = tuple(nearest(round(Fraction(angle), PLACES)) for angle in found.rotate)
+    rotate = tuple(nearest(round(Fraction(angle), DECIMALS)) for angle in found.rotate)
     scale, shear = rounded_for_display(
         (
             tuple(Fraction(short_text(Fraction(one), DIGITS)) for one in found.scale),
-            tuple(round(Fraction(one), PLACES) for one in found.shear),
+            tuple(round(Fraction(one), DECIMALS) for one in found.shear),
         )
     )
     R = rotation_by(rotate, found.order, found.convention)
@@ -253,6 +253,11 @@ def _length(axis: RationalVector) -> Fraction:
         return Fraction(root(square))
     except IllegalValueError:
         return Fraction(isqrt(square.numerator // square.denominator))
+
+
+def _unit(axis: RationalVector) -> RationalVector:
+    over = inverse_root(dot(axis, axis))
+    return tuple(x * over for x in axis)
 
 
 def _root(square: Fraction) -> Fraction:

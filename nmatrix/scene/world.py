@@ -35,7 +35,7 @@ _CONVENTIONS = {
 }
 _EXACT_REMARK = (
     "The 3×3 block is computed with exactly: the printed floats are near it, but read back they "
-    "would have another rank or mirror."
+    "are another map, of another rank, another side or another direction that vanishes."
 )
 
 _PARTS = ("translate", "quaternion", "scale", "shear", "rotate_degrees")

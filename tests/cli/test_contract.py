@@ -41,7 +41,8 @@ KEYS = {
 }
 WITHOUT_FORMATS = {"derive", "check", "inspect", "plan", "stress"}  # sentences, not quantities
 PARTS = (
-    "translate quaternion rotate scale shear order convention axis angle_deg gimbal_lock unique given"
+    "translate quaternion rotate scale shear order convention axis angle_deg gimbal_lock unique "
+    "given"
 )
 ELSEWHERE = {"render", "cost", "handout", "explore"}  # what writes files or measures
 
