@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
 from fractions import Fraction
 from math import inf, nextafter
 
+from nmatrix.answers.world import parts_data
 from nmatrix.enums import Api, DepthRange, Handedness, Layout, MatrixKind
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.map_sentences import verdict
@@ -133,7 +133,7 @@ def reading_data(reading: Reading) -> dict[str, Value]:
         **{name: _outwards(numbers[name]) if name in numbers else None for name in NUMBERS},
         "apis": [] if lens is None else [api.value for api in lens.apis],
         "eye": None if place is None or place.camera is None else place.camera.eye,
-        "parts": None if parts is None or place is None else asdict(parts) | {"order": place.order},
+        "parts": None if parts is None else parts_data(parts),
         "residual": reading.residual,
         "because": because(reading),
         "command": command_of(reading),
@@ -205,7 +205,7 @@ def _place_numbers(place: Place | None) -> str:
     words = [
         f"{word} {' '.join(map(_short, one))}" for word, one in told.items() if one is not None
     ]
-    turned = f" ({place.order})" if told["turned by"] and place.order != "XYZ" else ""
+    turned = f" ({parts.order})" if told["turned by"] and parts.order != "XYZ" else ""
     return f": {', '.join(words)}{turned}" if words else ": the identity"
 
 
@@ -310,8 +310,8 @@ def _world_command(place: Place) -> str:
     ):
         if any(number != usual for number in numbers):
             words.append(f"--{option} {' '.join(map(_typed, numbers))}")
-    if any(parts.rotate) and place.order != "XYZ":
-        words.append(f"--order {place.order}")
+    if any(parts.rotate) and parts.order != "XYZ":
+        words.append(f"--order {parts.order}")
     return " ".join(words)
 
 

@@ -106,10 +106,11 @@ def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
         for mesh in dict.fromkeys(node.mesh for node in file.nodes if node.mesh is not None)
     }
     nodes = []
-    for node in file.nodes:
+    for node, record in zip(file.nodes, file.document.nodes, strict=True):
         found = classify(node.world_from_object, tolerance)
-        own = classify(node.local, tolerance).kind
-        sheared = found.kind is Kind.SHEAR and own is not Kind.SHEAR
+        sheared = found.kind is Kind.SHEAR
+        if sheared and record.matrix is not None:  # a turned scale is none by itself
+            sheared = classify(node.local, tolerance).kind is not Kind.SHEAR
         count = 0 if node.mesh is None else degenerate[node.mesh]
         nodes.append(InspectedNode(node.name, node.world_from_object, found, sheared, count))
     return Inspection(path, tuple(nodes), file.remarks)
@@ -171,7 +172,8 @@ def _table(inspection: Inspection) -> Table:
         needs_it = found.needs_inverse_transpose
         flags = ("yes" if flag else "no" for flag in (found.mirrored, needs_it))
         worst = found.worst_angle_deg if needs_it else 0
-        rows.append((node.name[:24], found.kind.value, *flags, worst))
+        kind = "mirror" if found.mirrored and found.is_rigid else found.kind.value
+        rows.append((node.name[:24], kind, *flags, worst))
     more = len(inspection.nodes) - SHOWN
     title = f"The first {SHOWN} nodes; {more} more with -f json" if more > 0 else ""
     return Table(("node", "world matrix", "mirrored", "needs it", "worst °"), tuple(rows), title)

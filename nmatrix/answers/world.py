@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
+from nmatrix.enums import Convention
 from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
 from nmatrix.linear.classify import classify
-from nmatrix.linear.decompose import Parts, parts
-from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table
+from nmatrix.linear.decompose import Parts
+from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value
 from nmatrix.scene.setup import Setup
 
 
@@ -24,7 +25,7 @@ def world(setup: Setup) -> Report:
     found = classify(M, setup.tolerance)
     linear_map = found.linear_map
     normal_matrix = linear_map.normal_matrix
-    taken_apart = parts(M, setup.world.order)
+    parts = setup.world.parts
     cofactors = linear_map.cofactor_matrix
     data = {
         "world_from_object": M,
@@ -33,7 +34,7 @@ def world(setup: Setup) -> Report:
         **transform_data(found),
         "needs_inverse_transpose": found.needs_inverse_transpose,
         "worst_angle_without_deg": found.worst_angle_deg,
-        "parts": None if taken_apart is None else asdict(taken_apart),
+        "parts": None if parts is None else parts_data(parts),
     }
     blocks: list[Block] = [
         Heading("World matrix: world from object, M = T · R · S · H"),
@@ -43,16 +44,50 @@ def world(setup: Setup) -> Report:
         Quantity("cofactor_matrix", cofactors, "C, the cofactors"),
         *transform_blocks(found),
     ]
-    if taken_apart is not None:
-        blocks += [Heading("Parts"), _parts_table(taken_apart)]
-    return Report("world", data, tuple(blocks), (*setup.world.remarks, *transform_remarks(found)))
+    remarks = [*setup.world.remarks, *transform_remarks(found)]
+    if parts is not None:
+        how = "as given" if parts.given else "one choice of several"
+        blocks += [Heading(f"Parts, {how}"), _parts_table(parts)]
+        remarks += _parts_remarks(parts)
+    return Report("world", data, tuple(blocks), tuple(remarks))
 
 
-def _parts_table(taken_apart: Parts) -> Table:
-    rows: tuple[Cells, ...] = (
-        ("translate", *taken_apart.translate),
-        ("rotate (deg)", *taken_apart.rotate),
-        ("scale", *taken_apart.scale),
-        ("shear xy xz yz", *taken_apart.shear),
-    )
-    return Table(("part", "x", "y", "z"), rows)
+def parts_data(parts: Parts) -> dict[str, Value]:
+    """Describe parts under the keys of the data."""
+    data = asdict(parts)
+    given = data.pop("given")
+    return {**data, "unique": parts.unique, "given": given}
+
+
+def _parts_table(parts: Parts) -> Table:
+    angles = f"rotate {parts.order} (deg)"
+    if parts.convention is not Convention.STANDARD:
+        angles = f"rotate {parts.convention} (deg)"
+    rows: list[Cells] = [
+        ("translate", *parts.translate, ""),
+        (angles, *parts.rotate, ""),
+        ("quaternion", *parts.quaternion),
+        ("scale", *parts.scale, ""),
+        ("shear xy xz yz", *parts.shear, ""),
+    ]
+    if parts.axis is not None:
+        rows.insert(3, ("axis, angle (deg)", *parts.axis, parts.angle_deg))
+    return Table(("part", "x", "y", "z", "w"), tuple(rows))
+
+
+def _parts_remarks(parts: Parts) -> list[str]:
+    """Tell that angles lose a degree of freedom, and which other parts build the same matrix."""
+    angles = " ".join(f"{float(angle):.6g}" for angle in parts.other_angles)
+    told = []
+    if parts.gimbal_lock:
+        told.append(
+            "Gimbal lock: the middle angle is a quarter turn, so the two others turn about one "
+            f"axis, and only their sum or difference counts: rotate {angles} turns alike."
+        )
+    if not parts.given:
+        told.append(
+            f"These parts are one choice of several: rotate {angles} turns alike, so does the "
+            "quaternion with its four signs changed, and minus signs on two scales go with "
+            "another rotation."
+        )
+    return told

@@ -55,7 +55,8 @@ def world(
     Returns
     -------
     Array
-        (..., 4, 4), every entry within 4 units of roundoff of the largest.
+        (..., 4, 4), every entry within 4 units of roundoff of the largest. Near a map that
+        is turned, sheared and flattened no floats may be exactly singular: `Setup` keeps it exact.
 
     Raises
     ------

@@ -5,13 +5,13 @@ M = T(translate) · R · diag(scale) · H(shear), column vectors; rotations by t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from operator import mul
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
-from nmatrix.linear.angle import Angle, as_angle
+from nmatrix.linear.angle import KNOWN_BITS, Angle, as_angle
 from nmatrix.linear.rational import (
     ONE,
     ZERO,
@@ -22,7 +22,8 @@ from nmatrix.linear.rational import (
     product,
     rational_vector,
 )
-from nmatrix.linear.rounding import inverse_root
+from nmatrix.linear.rounding import integers, inverse_root, quotient
+from nmatrix.report import Number
 
 AXES = "XYZ"
 
@@ -76,7 +77,7 @@ def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatr
     """
     about = {axis: rotation_about(axis, turn) for axis, turn in zip(AXES, turns, strict=True)}
     sequence = checked_order(order) if order.isupper() else checked_order(order)[::-1].upper()
-    return product(*(about[axis] for axis in sequence))
+    return _known(product(*(about[axis] for axis in sequence)))
 
 
 def course_rotation(turns: Sequence[Angle | float], convention: Convention) -> RationalMatrix:
@@ -88,7 +89,45 @@ def course_rotation(turns: Sequence[Angle | float], convention: Convention) -> R
     rx, ry, rz = map(as_angle, turns)
     if convention is Convention.POLIMI:
         rx, rz = -rx, -rz
-    return product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))
+    return _known(
+        product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))
+    )
+
+
+def rotation_by(
+    degrees: Sequence[Number],
+    order: str = "XYZ",
+    convention: Convention = Convention.STANDARD,
+    turn: Callable[[Number], Angle] = Angle.degrees,
+) -> RationalMatrix:
+    """Build the rotation by three angles in degrees, in an order or by a course's convention.
+
+    Examples
+    --------
+    >>> rotation_by((90, 0, 0), convention=Convention.POLIMI) == rotation_by((0, -90, 0))
+    True
+    """
+    turns = [turn(angle) for angle in degrees]
+    if convention is Convention.STANDARD:
+        return rotation(turns, order)
+    return course_rotation(turns, convention)
+
+
+def _known(R: RationalMatrix) -> RationalMatrix:
+    """Cut a product of sines to the bits that are known.
+
+    √½ · √½ is then ½, so that what lies halfway between two floats is rounded to the even one.
+    A proof's sines are polynomials, which nothing cuts.
+    """
+    return tuple(
+        tuple(
+            quotient(entry.numerator, entry.denominator, KNOWN_BITS)
+            if isinstance(entry, Fraction)
+            else entry
+            for entry in row
+        )
+        for row in R
+    )
 
 
 def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> RationalMatrix:
@@ -107,7 +146,7 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
     >>> to_floats(rotation_from_quaternion((0, 0, 1, 1)))
     ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     """
-    x, y, z, w = rational_vector(quaternion)
+    (x, y, z, w), _ = integers(quaternion)
     square = x * x + y * y + z * z + w * w
     if square == 0:
         raise NoAnswerError(
@@ -115,11 +154,13 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
             "it has no direction",
             f"no rotation is {quantity('quaternion')} 0 0 0 1",
         )
-    s = 2 / square
-    return (
-        (1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)),
-        (s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)),
-        (s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)),
+    return tuple(
+        tuple(Fraction(entry, square) for entry in row)
+        for row in (
+            (square - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+            (2 * (x * y + z * w), square - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+            (2 * (x * z - y * w), 2 * (y * z + x * w), square - 2 * (x * x + y * y)),
+        )
     )
 
 

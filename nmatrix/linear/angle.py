@@ -17,7 +17,8 @@ from nmatrix.linear.rounding import direction, nearest
 from nmatrix.linear.values import listed, number, real
 from nmatrix.report import Number, Vector
 
-BITS = 160  # 130 to keep, the others for what the halvings and the series cut off
+BITS = 160  # the others than `KNOWN_BITS` for what the halvings and the series cut off
+KNOWN_BITS = 130  # of a sine
 HALVINGS = 4  # arctan t = 2⁴ · arctan of something below 2⁻⁴: twenty terms of the series are left
 PI = Fraction(314159265358979323846264338327950288419716939937510582097494459, 10**62)
 DEGREES = 180 / PI  # in a radian

@@ -6,48 +6,95 @@ rational, the scales are single roots, and only R's angles need a rounded functi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import atan2, degrees, hypot, isqrt, sqrt
+from math import isqrt
 
+from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.affine import AXES
+from nmatrix.linear.affine import AXES, compose, rotation_by
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import (
+    ZERO,
     RationalMatrix,
     RationalVector,
-    Rows,
     determinant,
     dot,
     linear_part,
+    rational_vector,
     rounded_for_display,
     translation,
     transpose,
 )
-from nmatrix.linear.rounding import integers, root, unit
+from nmatrix.linear.rounding import integers, inverse_root, nearest, root, short_text, unit
+from nmatrix.report import Vector
 
-Three = tuple[float, ...]
-Exact = tuple[Fraction, ...]  # floats, but for what no float64 can hold
+CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
+LOCKED = Fraction(1, 1 << 104)  # cos² of the middle angle; float64 can miss a quarter turn by it
+DECIMALS, DIGITS = 12, 13  # decimals of angles and shears, and digits of scales, without noise
+HALF_TURN = 180
 
 
 @dataclass(frozen=True)
 class Parts:
-    """The parts of a world matrix; angles in degrees, about x, y, z in the order asked for."""
+    """The parts of a world matrix; angles in degrees.
 
-    translate: Exact
-    quaternion: Three
-    rotate: Three
-    scale: Exact
-    shear: Exact
+    `rotate` is about x, y, z in this order, or the course's three angles under its convention.
+    The axis is None where nothing turns. Parts that were given are what a matrix was built from;
+    others are one choice of several.
+    """
+
+    translate: Vector
+    quaternion: Vector
+    rotate: Vector
+    scale: Vector
+    shear: Vector
+    order: str
+    convention: Convention
+    axis: Vector | None
+    angle_deg: float
+    gimbal_lock: bool
+    given: bool = False
+
+    @property
+    def unique(self) -> bool:
+        """Whether nothing was chosen; a matrix can always be taken apart in several ways."""
+        return self.given
+
+    @property
+    def other_angles(self) -> Vector:
+        """Three other angles that turn alike.
+
+        At a gimbal lock the first angle takes all of the turn; else, or where it does so already,
+        the outer angles change by a half turn and the middle one goes on past its quarter turn.
+        """
+        if self.gimbal_lock:
+            R = rotation_by(self.rotate, self.order, self.convention)
+            merged = _rotation_parts(R, self.order, self.convention).rotate
+            if merged != self.rotate:
+                return merged
+        first, middle, last = _sequence(self.order)
+        angles = list(_about_axes(self.rotate, self.convention))
+        angles[middle] = HALF_TURN - angles[middle]
+        for outer in (first, last):
+            angles[outer] += HALF_TURN
+        turned = (HALF_TURN - (HALF_TURN - Fraction(one)) % 360 for one in angles)
+        return _as_typed(tuple(turned), self.convention)
 
 
-def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None:
+def parts(
+    world_from_object: RationalMatrix,
+    order: str = "XYZ",
+    convention: Convention = Convention.STANDARD,
+) -> Parts | None:
     """Factor a matrix into translation, rotation, scale and shear; None if it is singular.
 
     A mirror puts one minus sign on the scale, on the axis that leaves the smallest rotation.
+    Where the middle angle is a quarter turn the last one is 0. If the parts without the noise of
+    their last digits build the same floats, they are the parts.
 
     Examples
     --------
-    >>> from nmatrix.linear.affine import compose
     >>> from nmatrix.linear.rational import identity
     >>> [float(s) for s in parts(compose(identity(3), scale=(1, -2, 1), shear=(0.5, 0, 0))).scale]
     [1.0, -2.0, 1.0]
@@ -60,33 +107,64 @@ def parts(world_from_object: RationalMatrix, order: str = "XYZ") -> Parts | None
     b = tuple(q - xy * p for p, q in zip(a, b, strict=True))
     yz = dot(b, c) / dot(b, b)
     c = tuple(r - xz * p - yz * q for p, q, r in zip(a, b, c, strict=True))
-    axes = [unit(integers(axis)[0]) for axis in (a, b, c)]
+    axes = [_unit(axis) for axis in (a, b, c)]
     scale = [_length(axis) for axis in (a, b, c)]
     if det < 0:
         flipped = min(range(3), key=lambda i: axes[i][i])
         axes[flipped] = tuple(-x for x in axes[flipped])
         scale[flipped] = -scale[flipped]
-    R = tuple(zip(*axes, strict=True))
-    return Parts(
+    found = replace(
+        _rotation_parts(transpose(axes), order, convention),
         translate=rounded_for_display((translation(world_from_object),))[0],
-        quaternion=quaternion_of(R),
-        rotate=angles_of(R, order),
         scale=tuple(scale),
         shear=rounded_for_display(((xy, xz, yz),))[0],
     )
+    return _without_noise(found, world_from_object)
 
 
-def _length(axis: RationalVector) -> Fraction:
-    """Return the length of an axis, rounded once; beyond float64 the whole number below it."""
-    square = dot(axis, axis)
-    try:
-        return Fraction(root(square))
-    except IllegalValueError:
-        return Fraction(isqrt(square.numerator // square.denominator))
+def parts_given(
+    rotation: RationalMatrix,
+    rotate: Vector | None,
+    order: str = "XYZ",
+    convention: Convention = Convention.STANDARD,
+) -> Parts:
+    """Tell a rotation that was given: its angles if it was given by them, and its other forms.
+
+    Examples
+    --------
+    >>> quarter = (0, 0, 90)
+    >>> found = parts_given(rotation_by(quarter), quarter)
+    >>> found.axis, found.angle_deg, found.gimbal_lock
+    ((0.0, 0.0, 1.0), 90.0, False)
+    """
+    found = _rotation_parts(rotation, order, convention, ZERO if rotate else LOCKED)
+    return replace(found, rotate=rotate or found.rotate, given=True)
 
 
-def quaternion_of(R: Rows) -> Three:
-    """Convert a rotation to its unit quaternion x, y, z, w (w ≥ 0), within a few ulp.
+def _rotation_parts(
+    R: RationalMatrix, order: str, convention: Convention, locked: Fraction = LOCKED
+) -> Parts:
+    """Tell a rotation as angles, as a quaternion, and by its axis; nothing else is moved."""
+    rotate, gimbal_lock = _angles(R, order, convention, locked)
+    quaternion = quaternion_of(R)
+    sine_square = dot(quaternion[:3], quaternion[:3])
+    turned = 2 * _degrees(_root(sine_square), quaternion[3])
+    return Parts(
+        translate=(ZERO,) * 3,
+        quaternion=unit(integers(quaternion)[0]),
+        rotate=rotate,
+        scale=(1, 1, 1),
+        shear=(ZERO,) * 3,
+        order=order,
+        convention=convention,
+        axis=unit(integers(quaternion[:3])[0]) if sine_square else None,
+        angle_deg=nearest(turned),
+        gimbal_lock=gimbal_lock,
+    )
+
+
+def quaternion_of(R: RationalMatrix) -> RationalVector:
+    """Convert a rotation to a quaternion x, y, z, w of some length, w ≥ 0.
 
     Its largest component is taken first, so nothing cancels.
     """
@@ -96,33 +174,101 @@ def quaternion_of(R: Rows) -> Three:
         1 - R[0][0] - R[1][1] + R[2][2],
         1 + R[0][0] + R[1][1] + R[2][2],
     ]
-    products = [
-        [squares[0], R[0][1] + R[1][0], R[0][2] + R[2][0], R[2][1] - R[1][2]],
-        [R[0][1] + R[1][0], squares[1], R[1][2] + R[2][1], R[0][2] - R[2][0]],
-        [R[0][2] + R[2][0], R[1][2] + R[2][1], squares[2], R[1][0] - R[0][1]],
-        [R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1], squares[3]],
-    ]
+    xy, xz, yz = (_sum(R[i][j], R[j][i]) for i, j in ((0, 1), (0, 2), (1, 2)))
+    xw, yw, zw = (_sum(R[i][j], -R[j][i]) for i, j in ((2, 1), (0, 2), (1, 0)))
+    products = (
+        (squares[0], xy, xz, xw),
+        (xy, squares[1], yz, yw),
+        (xz, yz, squares[2], zw),
+        (xw, yw, zw, squares[3]),
+    )
     # A tie goes to w, so that a plain rotation keeps its half angle.
-    largest = max((3, 0, 1, 2), key=lambda i: squares[i])
-    row = products[largest]
-    size = sqrt(sum(x * x for x in row))
-    sign = -1.0 if row[3] < 0 else 1.0
-    return tuple(sign * x / size + 0.0 for x in row)
+    row = products[max((3, 0, 1, 2), key=lambda i: squares[i])]
+    return tuple(-x for x in row) if row[3] < 0 else row
 
 
-def angles_of(R: Rows, order: str = "XYZ") -> Three:
-    """Convert a rotation to its angles about x, y, z in degrees, for this order.
-
-    Where the middle angle is ±90° only the sum of the outer two is known; the last one is then 0.
-    """
-    sequence = order if order.isupper() else order[::-1].upper()
-    i, j, k = (AXES.index(axis) for axis in sequence)
-    even = 1.0 if (j - i) % 3 == 1 else -1.0
-    middle = atan2(even * R[i][k], hypot(R[i][i], R[i][j]))
-    if hypot(R[i][i], R[i][j]) > 1e-15:
-        first = atan2(-even * R[j][k], R[k][k])
-        last = atan2(-even * R[i][j], R[i][i])
+def _angles(
+    R: RationalMatrix, order: str, convention: Convention, locked: Fraction
+) -> tuple[Vector, bool]:
+    """Convert a rotation to its three angles; True where the middle one is a quarter turn."""
+    i, j, k = _sequence(order)
+    even = 1 if (j - i) % 3 == 1 else -1
+    square = R[i][i] ** 2 + R[i][j] ** 2
+    found = {}
+    gimbal_lock = square <= locked
+    if gimbal_lock:
+        found[i], found[k] = _degrees(even * R[k][j], R[j][j]), ZERO
+        found[j] = Fraction(90 if even * R[i][k] > 0 else -90)
     else:
-        first, last = atan2(even * R[k][j], R[j][j]), 0.0
-    found = {i: first, j: middle, k: last}
-    return tuple(degrees(found[axis]) + 0.0 for axis in range(3))
+        found[i] = _degrees(-even * R[j][k], R[k][k])
+        found[j] = _degrees(even * R[i][k], _root(square))
+        found[k] = _degrees(-even * R[i][j], R[i][i])
+    about = tuple(nearest(found[axis]) + 0.0 for axis in range(3))
+    return _as_typed(about, convention), gimbal_lock
+
+
+def _sequence(order: str) -> tuple[int, int, int]:
+    """Return the axes of an order as the product reads, x is 0."""
+    i, j, k = map(AXES.index, order if order.isupper() else order[::-1].upper())
+    return i, j, k
+
+
+def _as_typed(about: Vector, convention: Convention) -> Vector:
+    """Turn angles about x, y, z into those of a convention: the course's first is about y."""
+    x, y, z = about
+    if convention is Convention.POLIMI:
+        return 0 - y, x, 0 - z
+    return (y, x, z) if convention is Convention.POLIMI_ASSIGNMENTS else about
+
+
+def _about_axes(typed: Vector, convention: Convention) -> Vector:
+    """Turn a convention's angles into those about x, y, z."""
+    first, second, third = typed
+    if convention is Convention.POLIMI:
+        return second, 0 - first, 0 - third
+    return (second, first, third) if convention is Convention.POLIMI_ASSIGNMENTS else typed
+
+
+def _without_noise(found: Parts, world_from_object: RationalMatrix) -> Parts:
+    """Drop the last digits of the parts if that builds the same floats."""
+    rotate = tuple(nearest(round(Fraction(angle), DECIMALS)) for angle in found.rotate)
+    scale, shear = rounded_for_display(
+        (
+            tuple(Fraction(short_text(Fraction(one), DIGITS)) for one in found.scale),
+            tuple(round(Fraction(one), DECIMALS) for one in found.shear),
+        )
+    )
+    R = rotation_by(rotate, found.order, found.convention)
+    built = compose(R, scale, shear, rational_vector(found.translate))
+    if rounded_for_display(built) != rounded_for_display(world_from_object):
+        return found
+    turned = _rotation_parts(R, found.order, found.convention)
+    return replace(turned, translate=found.translate, rotate=rotate, scale=scale, shear=shear)
+
+
+def _length(axis: RationalVector) -> Fraction:
+    """Measure an axis, rounded once; beyond float64 the whole number below it."""
+    square = dot(axis, axis)
+    try:
+        return Fraction(root(square))
+    except IllegalValueError:
+        return Fraction(isqrt(square.numerator // square.denominator))
+
+
+def _unit(axis: RationalVector) -> RationalVector:
+    over = inverse_root(dot(axis, axis))
+    return tuple(x * over for x in axis)
+
+
+def _root(square: Fraction) -> Fraction:
+    return square * inverse_root(square) if square else ZERO
+
+
+def _sum(a: Fraction, b: Fraction) -> Fraction:
+    """Add two known to 130 bits; where nothing is left but their rounding, that is 0."""
+    total = a + b
+    return total if abs(total) > CANCELLED * max(abs(a), abs(b)) else ZERO
+
+
+def _degrees(sine: Fraction, cosine: Fraction) -> Fraction:
+    return Fraction(Angle(sine, cosine).in_degrees)

@@ -7,20 +7,19 @@ the fewest digits comes first.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
 from math import prod
-from typing import Any
 
 from nmatrix.enums import Layout, MatrixKind
 from nmatrix.errors import NoAnswerError
-from nmatrix.linear.affine import compose, rotation
+from nmatrix.linear.affine import compose, rotation_by
 from nmatrix.linear.angle import DEGREES, Angle
 from nmatrix.linear.classify import Classification, classify
-from nmatrix.linear.decompose import Parts, angles_of, parts
+from nmatrix.linear.decompose import Parts, parts, parts_given
 from nmatrix.linear.interval import Interval, digit_cost
 from nmatrix.linear.lens_readings import LensReading, known_half_units, lens_readings
 from nmatrix.linear.rational import (
@@ -33,13 +32,13 @@ from nmatrix.linear.rational import (
     inverse,
     linear_part,
     rank,
-    rational_matrix,
-    to_floats,
+    rational_vector,
     translation,
     transpose,
 )
 from nmatrix.linear.rounded import meant
 from nmatrix.linear.view import first_person, look_at
+from nmatrix.report import Vector
 
 ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
 # How far from what the digits say a round number is looked for, in parts of what they leave open.
@@ -81,7 +80,6 @@ class Place:
 
     found: Classification
     parts: Parts | None
-    order: str
     as_object: RationalMatrix | None
     camera: Camera | None
 
@@ -124,7 +122,7 @@ class Camera:
             return None
         if self.looks_at_origin:
             try:
-                return rational_matrix(look_at(self.eye, (0, 0, 0)).camera_from_world)
+                return look_at(self.eye, (0, 0, 0)).camera_from_world
             except NoAnswerError:
                 return None
         elevation, angle, roll = map(Angle.degrees, self.turn)
@@ -143,7 +141,7 @@ def identify(rows: RationalMatrix) -> tuple[Reading, ...]:
 
     Examples
     --------
-    >>> turned = rational_matrix(rotation((0, 0, Angle.degrees(90))))
+    >>> turned = rotation_by((0, 0, 90))
     >>> [(str(one.kind), str(one.layout)) for one in identify(turned)]
     [('rigid', 'row-major'), ('rigid', 'column-major')]
     """
@@ -196,41 +194,43 @@ def _place(rows: RationalMatrix, half_units: RationalMatrix) -> Place:
     typed = RoundedMatrix.of(rows if len(rows) == 4 else affine_matrix(rows), known)
     sharp = meant(typed)
     told = [one for one in (_round_parts(sharp, typed, order) for order in ORDERS) if one]
-    best = min(told, key=lambda one: parts_cost(one[0]), default=None)
-    taken, order, rebuilt = best or (None, ORDERS[0], None)
+    taken, built = min(told, key=lambda one: parts_cost(one[0]), default=(None, None))
     camera = _camera(sharp, typed) if found.is_rigid else None
-    return Place(found, taken, order, rebuilt, camera)
+    return Place(found, taken, built, camera)
 
 
 def _round_parts(
     sharp: RationalMatrix, typed: RoundedMatrix, order: str
-) -> tuple[Parts, str, RationalMatrix] | None:
+) -> tuple[Parts, RationalMatrix] | None:
     """Take a matrix apart in an order, in the roundest numbers that still make the digits typed."""
     taken = parts(sharp, order)
     if taken is None:
         return None
-    known = max(map(max, linear_part(typed.half_units)))
-    least = min(map(abs, taken.scale))
-    spread = {
-        "translate": translation(typed.half_units),
-        "rotate": (known / least * Fraction(DEGREES),) * 3,
-        "scale": tuple(map(max, transpose(linear_part(typed.half_units)))),
-        "shear": (known / least,) * 3,
-    }
+    columns = [max(column) for column in transpose(linear_part(typed.half_units))]
+    known = max(columns)
+    least = min(abs(Fraction(one)) for one in taken.scale)
+    angle = known / least * Fraction(DEGREES)
     for reach in REACHES:
-        round_ones: dict[str, Any] = {
-            name: tuple(
-                _round(value, reach * one)
-                for value, one in zip(getattr(taken, name), spread[name], strict=True)
-            )
-            for name in spread
-        }
-        rounder = replace(taken, **round_ones)
-        turned = rotation([Angle.degrees(one) for one in rounder.rotate], order)
-        rebuilt = compose(turned, rounder.scale, rounder.shear, rounder.translate)
-        if largest_difference(rebuilt, typed, typed.half_units) <= 1:
-            return rounder, order, rebuilt
-    return rounder, order, rebuilt
+        rotate = _round_all(taken.rotate, reach, (angle,) * 3)
+        R = rotation_by(rotate, order)
+        rounder = replace(
+            parts_given(R, rotate, order),
+            translate=_round_all(taken.translate, reach, translation(typed.half_units)),
+            scale=_round_all(
+                taken.scale, reach, map(max, transpose(linear_part(typed.half_units)))
+            ),
+            shear=_round_all(taken.shear, reach, (known / least,) * 3),
+            given=False,
+        )
+        built = compose(
+            R,
+            rational_vector(rounder.scale),
+            rational_vector(rounder.shear),
+            rational_vector(rounder.translate),
+        )
+        if largest_difference(built, typed, typed.half_units) <= 1:
+            break
+    return rounder, built
 
 
 def _camera(sharp: RationalMatrix, typed: RoundedMatrix) -> Camera:
@@ -243,12 +243,14 @@ def _camera(sharp: RationalMatrix, typed: RoundedMatrix) -> Camera:
         map(abs, translation(typed))
     )
     eye = translation(inverse(sharp))
-    x, y, z = angles_of(to_floats(block), "ZXY")
+    turned = parts(affine_matrix(block), "ZXY")
+    assert turned is not None  # a rigid map is not singular
+    x, y, z = turned.rotate
     spread = max(map(max, linear_part(typed.half_units))) * Fraction(DEGREES)
     for reach in REACHES:
         camera = Camera(
-            tuple(_round(one, reach * moved) for one in eye),
-            tuple(_round(-one, reach * spread) for one in (x, y, z)),
+            _round_all(eye, reach, (moved,) * 3),
+            tuple(-one for one in _round_all((x, y, z), reach, (spread,) * 3)),
             mirrored,
         )
         for looks_at_origin in (True, False):
@@ -259,8 +261,13 @@ def _camera(sharp: RationalMatrix, typed: RoundedMatrix) -> Camera:
     return camera
 
 
-def _round(value: float | Fraction, reach: Fraction) -> Fraction:
-    return Fraction(Interval.around(Fraction(value), reach).roundest())
+def _round_all(values: Vector, reach: Fraction, spreads: Iterable[Fraction]) -> RationalVector:
+    """Return the roundest numbers within so much of what the digits leave open."""
+    intervals = (
+        Interval.around(Fraction(value), reach * spread)
+        for value, spread in zip(values, spreads, strict=True)
+    )
+    return tuple(Fraction(one.roundest()) for one in intervals)
 
 
 def parts_cost(taken: Parts) -> float:

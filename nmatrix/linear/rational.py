@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import lcm
+from operator import mul
 from typing import TypeVar
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
-from nmatrix.linear.rounding import nearest
+from nmatrix.linear.rounding import integers, nearest
 
 RationalVector = tuple[Fraction, ...]
 RationalMatrix = tuple[RationalVector, ...]
@@ -147,9 +148,24 @@ def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
     ((0.0, 2.0), (3.0, 0.0))
     """
     for B in others:
-        columns = transpose(B)
-        A = tuple(tuple(dot(row, column) for column in columns) for row in A)
+        A = _product(A, B)
     return A
+
+
+def _product(A: RationalMatrix, B: RationalMatrix) -> RationalMatrix:
+    n, m = len(B), len(B[0])
+    try:
+        a, bottom = integers(entry for row in A for entry in row)
+        b, factor = integers(entry for row in B for entry in row)
+    except AttributeError:  # no fractions but the polynomials of a proof
+        columns = transpose(B)
+        return tuple(tuple(dot(row, column) for column in columns) for row in A)
+    # One denominator for all: a half of the time of bringing every sum to its own.
+    common, columns_b = bottom * factor, [b[j::m] for j in range(m)]
+    return tuple(
+        tuple(Fraction(sum(map(mul, a[i : i + n], column)), common) for column in columns_b)
+        for i in range(0, len(a), n)
+    )
 
 
 def minor(A: RationalMatrix, row: int, column: int) -> RationalMatrix:

@@ -27,6 +27,7 @@ from nmatrix.linear.rational import (
     dot,
     identity,
     linear_part,
+    rational_matrix,
     solve,
     to_floats,
     translation,
@@ -192,9 +193,8 @@ def _nearest_orthogonal(X: Rows) -> Rows | None:
 def _exact(turned: Rows, factors: Three) -> RationalMatrix:
     """Return an exact rotation, or mirror, near a float one, times exact factors."""
     sign = 1 if _dot(turned[0], cross(turned[1], turned[2])) > 0 else -1
-    R = rotation_from_quaternion(
-        quaternion_of(tuple(tuple(sign * x for x in row) for row in turned))
-    )
+    proper = rational_matrix(tuple(sign * x for x in row) for row in turned)
+    R = rotation_from_quaternion(quaternion_of(proper))
     stretch = [sign * Fraction(factor) for factor in factors]
     return tuple(tuple(entry * s for entry, s in zip(row, stretch, strict=True)) for row in R)
 

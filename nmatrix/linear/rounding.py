@@ -269,6 +269,20 @@ def direction(vector: Sequence[float]) -> list[int]:
     return components
 
 
+def quotient(top: int, bottom: int, bits: int) -> Fraction:
+    """Divide two integers, rounded to so many significant bits; halfway between two it goes up.
+
+    Examples
+    --------
+    >>> quotient(1, 3, 2), quotient(-3, 1, 2)
+    (Fraction(3, 8), Fraction(-3, 1))
+    """
+    shift = bits - top.bit_length() + bottom.bit_length()
+    if shift >= 0:
+        return Fraction(((top << (shift + 1)) // bottom + 1) >> 1, 1 << shift)
+    return Fraction(((2 * top) // (bottom << -shift) + 1 >> 1) << -shift)
+
+
 def inverse_root(square: Fraction) -> Fraction:
     """Return 1/√x of a positive fraction: exact where the root is rational, else to 160 bits.
 

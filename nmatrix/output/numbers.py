@@ -14,6 +14,7 @@ from nmatrix.linear.rounding import short_text
 from nmatrix.report import Matrix, Number, Step, Value, Vector
 
 LARGEST_MATRIX = 4
+ROUND_TRIP = 17  # digits that every float64 is read back from
 
 
 def is_number(value: object) -> TypeGuard[Number]:
@@ -142,7 +143,8 @@ def significant(value: Number, digits: int) -> str:
     """Write so many significant digits, correctly rounded, without trailing zeros.
 
     Integers that count something stay whole; fractions are rounded from their integers, so that
-    a value beyond every float is still shown.
+    a value beyond every float is still shown. Digits that single out a float single out the one
+    that machines read.
 
     Examples
     --------
@@ -150,7 +152,10 @@ def significant(value: Number, digits: int) -> str:
     ('0.6667', '0', '1e+600')
     """
     if isinstance(value, Fraction):
-        return short_text(value, digits)
+        text, rounded = short_text(value, digits), float_or_none(value)
+        if digits < ROUND_TRIP or not rounded or float(text) == rounded:
+            return text
+        return short_text(Fraction(rounded), digits)  # the value is halfway between two floats
     if isinstance(value, int):
         return str(int(value)) if abs(value) < 10**15 else short_text(Fraction(value), digits)
     return f"{float(value) + 0.0:.{digits}g}"

@@ -28,7 +28,7 @@ from nmatrix.scene.world import World
 
 Given = Mapping[str, Any]
 
-PLACE = ("translate", "rotate", "quaternion", "scale", "shear", "order")
+PARTS = ("translate", "rotate", "quaternion", "scale", "shear")
 ANGLES = ("elevation", "angle", "roll")
 SHAPE = ("fov", "aspect", "near", "far", "ortho", "frustum")
 LIGHT = ("light_direction", "light_angles", "light_position")
@@ -50,8 +50,8 @@ def world_of(given: Given, base: World | None = None) -> World:
     Traceback (most recent call last):
     nmatrix.errors.IllegalValueError: world_matrix with scale: the matrix is the whole answer; ...
     """
-    found = _known(given, (*PLACE, "convention", "world_matrix"), "world")
-    refuse_together("world_matrix", PLACE, found, WHOLE)
+    found = _known(given, (*PARTS, "order", "convention", "world_matrix"), "world")
+    refuse_together("world_matrix", PARTS, found, WHOLE)
     refuse_together("quaternion", ("rotate",), found, "both are the rotation")
     refuse_together("quaternion", ("order",), found, "an order is for angles, it has none")
     convention = chosen(Convention, found.get("convention", Convention.STANDARD), "convention")
@@ -59,11 +59,12 @@ def world_of(given: Given, base: World | None = None) -> World:
         course = f"{quantity('convention')} {convention}"
         raise contradiction(course, ["order"], "the course fixes the order")
     if "world_matrix" in found:
-        return World(matrix=found["world_matrix"], convention=convention)
+        found["matrix"] = found.pop("world_matrix")
+        return World(**found)
     base = base or World()
     if base.matrix is not None:
-        if not found.keys() - {"convention"}:
-            return base
+        if not found.keys() & set(PARTS):
+            return replace(base, **found)
         base = World()
     if "rotate" in found:
         found |= {"rotate_degrees": found.pop("rotate"), "quaternion": None}

@@ -3,28 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
 from nmatrix.linear.angle import Angle, turns
-from nmatrix.linear.rational import RationalMatrix, product, rounded_for_display
+from nmatrix.linear.decompose import Parts, parts, parts_given
+from nmatrix.linear.rank_keeping import rounded_keeping_rank
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    linear_part,
+    product,
+    rational_vector,
+    rounded_for_display,
+)
 from nmatrix.linear.values import named, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
-_POLIMI_REMARK = (
-    "convention polimi: the first angle turns about y, the second about x, and the y and z "
-    "rotations turn against the right-hand rule: M = T · Rx(ry) · Ry(−rx) · Rz(−rz) · S"
-)
-_ASSIGNMENTS_REMARK = (
-    "convention polimi-assignments: the first angle turns about y and the second about x: "
-    "M = T · Rx(ry) · Ry(rx) · Rz(rz) · S"
+_CONVENTIONS = {
+    Convention.POLIMI: (
+        "convention polimi: the first angle turns about y, the second about x, and the y and z "
+        "rotations turn against the right-hand rule: M = T · Rx(ry) · Ry(−rx) · Rz(−rz) · S",
+    ),
+    Convention.POLIMI_ASSIGNMENTS: (
+        "convention polimi-assignments: the first angle turns about y and the second about x: "
+        "M = T · Rx(ry) · Ry(rx) · Rz(rz) · S",
+    ),
+}
+_EXACT_REMARK = (
+    "The 3×3 block is computed with exactly: the printed floats are near it, but read back they "
+    "are another map, of another rank, another side or another direction that vanishes."
 )
 
-_PARTS = ("translate", "quaternion", "scale", "shear", "order", "rotate_degrees")
+_PARTS = ("translate", "quaternion", "scale", "shear", "rotate_degrees")
 _NAMES = {"matrix": "world_matrix", "rotate_degrees": "rotate"}
 
 
@@ -41,7 +55,9 @@ class World:
     quaternion
         x, y, z, w instead of the three angles; any length but zero.
     matrix
-        A 4×4 matrix instead of all of the above; any array-like, 3×3 is its linear part.
+        A 4×4 matrix instead of the parts above; any array-like, 3×3 is its linear part.
+    order, convention
+        What the three angles mean; of a matrix, how its parts are told.
 
     Raises
     ------
@@ -93,38 +109,31 @@ class World:
         """Return the matrix with every angle in degrees turned into sine and cosine by `turn`."""
         if self.matrix is not None:
             return self.matrix
-        return affine.compose(
-            self._rotation(turn),
-            self.scale,
-            self.shear,
-            self.translate,
-        )
+        return affine.compose(self._rotation(turn), self.scale, self.shear, self.translate)
 
     def _rotation(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         if self.quaternion is not None:
             return affine.rotation_from_quaternion(self.quaternion)
-        turns = [turn(value) for value in self.rotate_degrees]
-        if self.convention is Convention.STANDARD:
-            return affine.rotation(turns, self.order)
-        return affine.course_rotation(turns, self.convention)
+        return affine.rotation_by(self.rotate_degrees, self.order, self.convention, turn)
 
     @property
     def exact(self) -> RationalMatrix:
         """Return the matrix before its one rounding."""
         return self.exact_by(Angle.degrees)
 
-    @property
+    @cached_property
     def world_from_object(self) -> RationalMatrix:
-        """Return the matrix of floats that is shown; what is derived from it is exact for it.
+        """Round to the matrix of floats that is shown; what is derived from it is exact for it.
 
-        An entry beyond the largest float64 stays the exact number that it is.
+        An entry beyond the largest float64 stays the exact number that it is, and so does a 3×3
+        block whose rank or mirroring floats would lose.
 
         Examples
         --------
         >>> World(scale=(1, 2, 1)).world_from_object[1][1]
         Fraction(2, 1)
         """
-        return rounded_for_display(self.exact)
+        return rounded_keeping_rank(self.exact)
 
     def under(self, world_from_parent: object) -> World:
         """Return the place in the world of an object that stands here under its parent, exactly.
@@ -138,16 +147,39 @@ class World:
         if world_from_parent is None:
             return self
         parent = read_affine(world_from_parent, "world_from_parent")
-        return World(convention=self.convention, matrix=product(parent, self.exact))
+        M = product(parent, self.exact)
+        return World(order=self.order, convention=self.convention, matrix=M)
+
+    @cached_property
+    def parts(self) -> Parts | None:
+        """The parts that were given; of a matrix, those it can be taken apart into, or None.
+
+        Examples
+        --------
+        >>> World(scale=(-1, -1, -1)).parts.scale
+        (Fraction(-1, 1), Fraction(-1, 1), Fraction(-1, 1))
+        >>> World(matrix=[[-1, 0, 0], [0, -1, 0], [0, 0, -1]]).parts.rotate
+        (180.0, 0.0, 0.0)
+        """
+        if self.matrix is not None:
+            return parts(self.world_from_object, self.order, self.convention)
+        quaternion = None if self.quaternion is None else rational_vector(self.quaternion)
+        angles = None if quaternion else rational_vector(self.rotate_degrees)
+        found = parts_given(self._rotation(Angle.degrees), angles, self.order, self.convention)
+        return replace(
+            found,
+            translate=rational_vector(self.translate),
+            quaternion=quaternion or found.quaternion,
+            scale=rational_vector(self.scale),
+            shear=rational_vector(self.shear),
+        )
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Return a sentence about the convention, unless it is the standard one."""
-        if self.convention is Convention.POLIMI:
-            return (_POLIMI_REMARK,)
-        if self.convention is Convention.POLIMI_ASSIGNMENTS:
-            return (_ASSIGNMENTS_REMARK,)
-        return ()
+        """Explain a convention of the course, and a matrix that floats cannot hold."""
+        block = linear_part(self.world_from_object)
+        kept = (_EXACT_REMARK,) if rounded_for_display(block) != block else ()
+        return (*_CONVENTIONS.get(self.convention, ()), *kept)
 
 
 def _read_scale(scale: object, name: str) -> Vector:

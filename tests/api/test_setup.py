@@ -258,7 +258,6 @@ WORLD = nmatrix.World(rotate_degrees=(10, 20, 30), scale=(1, 2, 3))
 EYE4 = np.eye(4)
 CONTRADICTIONS: dict[str, tuple[str, Any]] = {
     "world": ("scale", lambda: nmatrix.World(matrix=EYE4, scale=2)),
-    "order": ("order", lambda: nmatrix.World(matrix=EYE4, order="ZYX")),
     "eye": ("eye", lambda: nmatrix.View(matrix=EYE4, eye=(1, 2, 3))),
     "angles": ("angles", lambda: nmatrix.View(matrix=EYE4, angles=(10, 20))),
     "target": ("target", lambda: nmatrix.View(target=(1, 2, 3), angles=(10, 20))),

@@ -14,7 +14,6 @@ from nmatrix.linear import rational
 from nmatrix.linear.affine import compose, rotation
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.classify import classify
-from nmatrix.linear.decompose import parts
 from nmatrix.linear.depthstep import perspective_steps
 from nmatrix.linear.projection import ClipSpace, Window, frustum, orthographic, perspective
 from nmatrix.scene.camera import View
@@ -187,20 +186,3 @@ def test_frames_that_do_not_meet_are_refused() -> None:
     assert (camera @ world).name == "camera_from_object"
     with pytest.raises(IllegalValueError, match=r"world_from_object @ camera_from_world"):
         _ = world @ camera
-
-
-@pytest.mark.parametrize("order", [*"XYZ XZY YXZ YZX ZXY ZYX".split(), "xyz", "zxy", "yzx"])
-@pytest.mark.parametrize("angles", [(10, 20, 30), (-170, 80, 45), (90, 90, 0), (30, -90, 60)])
-def test_parts_build_the_same_matrix_again(order: str, angles: tuple[int, ...]) -> None:
-    world = World((1, 2, 3), angles, scale=(2, -3, 0.5), shear=(0.5, 1, -2), order=order)
-    found = parts(world.exact, order)
-    assert found is not None
-    again = World(found.translate, found.rotate, None, found.scale, found.shear, order)
-    for row, other in zip(again.exact, world.exact, strict=True):
-        assert [float(x) for x in row] == pytest.approx([float(x) for x in other], abs=1e-14)
-
-
-def test_parts_of_a_plain_mirror_keep_its_axis() -> None:
-    found = parts(World(scale=(1, -2, 1)).exact)
-    assert found is not None
-    assert (found.scale, found.rotate) == ((1.0, -2.0, 1.0), (0.0, 0.0, 0.0))

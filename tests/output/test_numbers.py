@@ -2,12 +2,13 @@ from __future__ import annotations
 
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
+from math import inf, nextafter
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from nmatrix.output.numbers import float_or_none, round_trip_text, significant
+from nmatrix.output.numbers import ROUND_TRIP, float_or_none, round_trip_text, significant
 
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)
 FRACTIONS = st.builds(
@@ -53,7 +54,27 @@ def _floor_log2(size: Fraction) -> int:
     return guess if Fraction(2) ** guess <= size else guess - 1
 
 
-@given(FRACTIONS, st.integers(1, 20))
+@given(FRACTIONS, st.integers(ROUND_TRIP, 40))
+def test_text_of_seventeen_digits_reads_back_as_the_float_of_machines(
+    value: Fraction, digits: int
+) -> None:
+    rounded = float_or_none(value)
+    assume(rounded)
+    assert float(significant(value, digits)) == rounded
+
+
+@pytest.mark.parametrize("below", [2.209278197011611, -8.626903632435097, 1e-300, 3e300])
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_value_halfway_between_two_floats_is_written_as_the_float_of_machines(
+    below: float, side: int
+) -> None:
+    """The 17 digits of such a value are as near to its other neighbour."""
+    halfway = (Fraction(below) + Fraction(nextafter(below, inf))) / 2
+    value = halfway * (1 + side * Fraction(1, 1 << 90))
+    assert float(significant(value, ROUND_TRIP)) == float(value)
+
+
+@given(FRACTIONS, st.integers(1, ROUND_TRIP - 1))
 def test_people_see_the_correctly_rounded_decimal(value: Fraction, digits: int) -> None:
     context = Context(prec=digits, rounding=ROUND_HALF_EVEN, Emin=-9999, Emax=9999)
     expected = context.divide(Decimal(value.numerator), Decimal(value.denominator))

@@ -7,6 +7,7 @@ import pytest
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Effect, Space
+from nmatrix.errors import NoAnswerError
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import planned
@@ -53,6 +54,24 @@ def differences(world: World, **scene: object) -> dict[Space, float]:
 def test_all_spaces_give_one_picture(name: str, lights: tuple, material: object) -> None:
     found = differences(WORLDS[name], lights=lights, material=material)
     assert max(found.values()) <= 1e-12, found
+
+
+@pytest.mark.parametrize("scale", [(1, 0, 1.5), (0.8, 1, 0)])
+@pytest.mark.parametrize("lights", [(SUN,), (SUN, BULB, SPOT)])
+def test_a_flattened_body_looks_alike_in_every_space_that_it_has(
+    scale: tuple, lights: tuple
+) -> None:
+    """A shear after the flattening: rounded by entries the map would have rank 3."""
+    world = World(scale=scale, shear=(0.7, -0.3, 0.55), rotate_degrees=(20, 35, 50))
+    reference = image(single(world, lights=lights, material=BLINN))
+    for space in OTHERS:
+        scene = single(world, space=space, space_matrix=SKEWED, lights=lights, material=BLINN)
+        if space is Space.OBJECT:
+            with pytest.raises(NoAnswerError, match="M flattens space to rank 2"):
+                image(scene)
+        else:
+            assert np.abs(image(scene) - reference).max() <= 1e-12, space
+    assert len(np.unique(reference)) > 1
 
 
 def test_the_pictures_are_not_empty() -> None:

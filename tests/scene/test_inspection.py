@@ -15,6 +15,7 @@ from nmatrix.enums import Kind
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.linear.classify import classify
 from nmatrix.linear.rational import Rows, identity, to_floats
+from nmatrix.report import Table
 from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.meshes.file import read_mesh
 
@@ -82,6 +83,26 @@ def test_rotation_under_a_non_uniform_scale_is_sheared_by_its_ancestors(tmp_path
     answer = report(inspect_file(path), ("shear",))
     assert isinstance(answer.failure, CheckFailedError)
     assert answer.data["summary"]["sheared_by_ancestors"] == 1
+
+
+def test_a_mirror_is_called_a_mirror_and_no_rotation(tmp_path: Path) -> None:
+    nodes = [{"name": "m", "scale": [-1, 1, 1]}, {"name": "t", "rotation": [0, 0, SIN30, COS30]}]
+    told = report(inspect_file(scene(tmp_path, nodes)))
+    (table,) = (block for block in told.blocks if isinstance(block, Table))
+    assert [row[:3] for row in table.rows] == [("m", "mirror", "yes"), ("t", "rotation", "no")]
+    assert [node["transform"] for node in told.data["nodes"]] == ["rotation", "rotation"]
+
+
+def test_the_child_of_a_flattened_node_is_no_mirror(tmp_path: Path) -> None:
+    """Rounded node by node, its determinant is below 0."""
+    nodes = [
+        {"rotation": [0.1129, 0.2259, 0.3388, 0.9063], "children": [1]},
+        {"scale": [1, 0, 1], "children": [2]},
+        {"rotation": [0.2113, -0.1057, 0.1057, 0.9659]},
+    ]
+    told = report(inspect_file(scene(tmp_path, nodes)), ("mirrored", "shear"))
+    assert told.failure is None
+    assert [node["transform"] for node in told.data["nodes"]][1:] == ["singular", "singular"]
 
 
 def test_every_failing_condition_is_named_with_its_nodes(tmp_path: Path) -> None:

@@ -116,7 +116,7 @@ def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[
             "sliders cannot show a singular matrix that is not given by its parts",
             f"give {quantity('scale')} with a 0 in it",
         )
-    return _floats(taken.scale), taken.rotate, _floats(taken.shear)
+    return _floats(taken.scale), _floats(taken.rotate), _floats(taken.shear)
 
 
 def _shaders(setup: Setup) -> dict[str, dict[str, Any]]:

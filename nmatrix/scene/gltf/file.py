@@ -1,7 +1,8 @@
 """A glTF 2.0 file, read by its own rules: nodes in their hierarchy, buffers, images.
 
 Files are `.gltf` (JSON, with buffers beside it or inside) or `.glb` (one container). World
-matrices are exact products of the local ones, rounded once at each node.
+matrices are exact products of the local ones, rounded at each node, but for what rounding would
+change of their rank and mirroring.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import msgspec
 
 from nmatrix.errors import IllegalValueError, NoAnswerError, shortlist
 from nmatrix.linear.affine import compose, rotation_from_quaternion
+from nmatrix.linear.rank_keeping import rounded_keeping_rank
 from nmatrix.linear.rational import RationalMatrix, identity, product, rational_matrix, to_floats
 from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
 
@@ -184,7 +186,8 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
         except NoAnswerError as error:
             raise _node_fault(path, index, record, str(error)) from None
         try:
-            worlds[index] = rational_matrix(to_floats(product(above, local[index])))
+            worlds[index] = rounded_keeping_rank(product(above, local[index]))
+            to_floats(worlds[index])
         except IllegalValueError as error:
             raise _node_fault(path, index, record, str(error)) from None
         if off:

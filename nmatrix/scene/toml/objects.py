@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from nmatrix.enums import Convention
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
+from nmatrix.linear.rational import RationalMatrix, to_floats
 from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.light import EYE, WORLD
 from nmatrix.scene.material import DEFAULT_MATERIAL, Material
@@ -102,11 +102,13 @@ def _parents_first(by_name: Mapping[str, NamedObject]) -> list[NamedObject]:
 
 
 def _under(named: NamedObject, above: RationalMatrix | None, own: World) -> RationalMatrix:
-    """Return the world matrix, rounded once, under the parent's."""
+    """Place an object under its parent; beyond float64 there is no place to draw it."""
     try:
-        return rational_matrix(to_floats(own.under(above).exact))
+        found = own.under(above).world_from_object
+        to_floats(found)
     except NMatrixError as error:
         raise named.table.refused("its place", str(error), "") from None
+    return found
 
 
 def _own_place(named: NamedObject) -> World:
