@@ -164,10 +164,10 @@ def described(reading: Reading) -> str:
         return f"{_KINDS[reading.kind]}{stored}{_place_numbers(reading.place)}"
     lens = reading.lens
     names = " or ".join(_NAMES[api] for api in lens.apis) or "no usual interface"
-    hand = "looks down −z" if lens.handed is Handedness.RIGHT else "looks down +z"
+    hand = "−z" if lens.handed is Handedness.RIGHT else "+z"
     depth = "depth in no usual range" if lens.depth is None else _RANGES[lens.depth]
-    clip = f"{hand}, y points {lens.clip_y} in clip space, {depth}"
-    return f"{_KINDS[reading.kind]}{stored}: {clip} ({names}){_lens_numbers(lens)}"
+    clip = f"that looks down {hand}, y {lens.clip_y} in clip space, {depth}"
+    return f"{_KINDS[reading.kind]}{stored} {clip} ({names}){_lens_numbers(lens)}"
 
 
 def _lens_numbers(lens: LensReading) -> str:
