@@ -11,9 +11,13 @@ Arrays are structures of arrays, (3, 3, N): one plane for each entry.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import lru_cache
+from threading import get_ident
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 from numpy.typing import NDArray
 
 Array = NDArray[Any]
@@ -22,7 +26,10 @@ UNIT = 2.0**-53
 SPLITTER = 2.0**27 + 1
 SMALLEST, LARGEST = 2.0**-240, 2.0**240  # products and their errors stay normal in between
 FAR_APART = 400  # exponents that differ by more do not meet in a float64
+LINE = 1 << 7  # matrices that are worth a workspace of their own
+CHUNK = 5 << 9  # matrices whose workspace takes 2.6 MB
 NEXT, AFTER = (1, 2, 0), (2, 0, 1)
+AS_IT_IS = np.zeros((1, 1, 1), np.int32)  # the exponent of numbers that floats hold
 
 
 class Scaled(NamedTuple):
@@ -78,51 +85,126 @@ def minor_products(A: Array, i: int, j: int) -> tuple[Expansion, Expansion]:
     return two_product(A[r, k], A[s, m]), two_product(A[r, m], A[s, k])
 
 
-def cofactors_in_window(A: Array, out: Array | None = None) -> Array:
-    """Return the cofactors (3, 3, N) of matrices whose entries are 0 or within the window."""
-    found = np.empty_like(A) if out is None else out
-    halves = _halves(A)
-    for i in range(3):
-        for j in range(3):
-            _difference(A, halves, (i, j), found[i, j])
-    return found
+@dataclass(frozen=True, eq=False)
+class Cyclic:
+    """Matrices whose rows and columns go on from the start, as 0 1 2 0 1.
+
+    Cofactor (i, j) is A[i+1, j+1] A[i+2, j+2] − A[i+1, j+2] A[i+2, j+1], so the factors of the two
+    products of all nine cofactors are windows of it, `first` and `second` (2, 3, 3, N).
+    """
+
+    planes: Array
+    block: Array
+    first: Array
+    second: Array
+
+    @classmethod
+    def of(cls, count: int) -> Cyclic:
+        """Make room for so many matrices."""
+        planes = np.empty((5, 5, count))
+        i, j, k = planes.strides
+        shape = (2, 3, 3, count)
+        first = as_strided(planes[1:, 1:], shape, (j, i, j, k))
+        second = as_strided(planes[2:, 2:], shape, (-j, i, j, k))
+        return cls(planes, planes[:3, :3], first, second)
+
+    def cut(self, count: int) -> Cyclic:
+        """Take the part that so many matrices need."""
+        parts = self.planes, self.block, self.first, self.second
+        return Cyclic(*(part[..., :count] for part in parts))
+
+    def close(self) -> None:
+        """Copy the first rows and columns of the block to where they come again."""
+        self.planes[:3, 3:] = self.planes[:3, :2]
+        self.planes[3:] = self.planes[:2]
 
 
-def _difference(A: Array, halves: tuple[Array, Array], at: tuple[int, int], out: Array) -> None:
-    """Write one cofactor; every entry was split once, for all the products that it is in."""
-    i, j = at
-    r, s, k, m = NEXT[i], AFTER[i], NEXT[j], AFTER[j]
-    np.multiply(A[r, k], A[s, m], out=out)
-    other = A[r, m] * A[s, k]
-    error = _error(halves, (r, k), (s, m), out)
-    error -= _error(halves, (r, m), (s, k), other)
-    out -= other
-    out += error
+@dataclass(frozen=True, eq=False)
+class Workspace:
+    """Scratch arrays for the cofactors of a chunk of matrices.
+
+    The entries and their halves are held cyclic, so each step is one call for all nine cofactors.
+    """
+
+    entries: Cyclic
+    highs: Cyclic
+    lows: Cyclic
+    products: Array
+    errors: Array
+    scratch: Array
+
+    @classmethod
+    def of(cls, count: int) -> Workspace:
+        """Make room for so many matrices."""
+        products, errors, scratch = (np.empty((2, 3, 3, count)) for _ in range(3))
+        return cls(*(Cyclic.of(count) for _ in range(3)), products, errors, scratch)
+
+    def cut(self, count: int) -> Workspace:
+        """Take the part that so many matrices need."""
+        cyclic = (one.cut(count) for one in (self.entries, self.highs, self.lows))
+        return Workspace(
+            *cyclic, *(one[..., :count] for one in (self.products, self.errors, self.scratch))
+        )
+
+    def cofactors(self) -> Array:
+        """Compute the cofactors (3, 3, N) of the entries, if these are 0 or within the window.
+
+        They lie in this workspace until the next call.
+        """
+        A, high, low = self.entries.block, self.highs.block, self.lows.block
+        np.multiply(A, SPLITTER, out=high)
+        np.subtract(high, A, out=low)
+        np.subtract(high, low, out=high)
+        np.subtract(A, high, out=low)
+        for cyclic in (self.entries, self.highs, self.lows):
+            cyclic.close()
+        (a, d), (a_high, d_high), (a_low, d_low) = (
+            (one.first, one.second) for one in (self.entries, self.highs, self.lows)
+        )
+        product = np.multiply(a, d, out=self.products)
+        error = np.multiply(a_high, d_high, out=self.errors)
+        error -= product
+        for one, other in ((a_high, d_low), (a_low, d_high), (a_low, d_low)):
+            error += np.multiply(one, other, out=self.scratch)
+        found, rest = self.products[0], self.errors[0]
+        found -= self.products[1]
+        rest -= self.errors[1]
+        found += rest
+        return found
 
 
-def _error(
-    halves: tuple[Array, Array], a: tuple[int, int], b: tuple[int, int], product: Array
-) -> Array:
-    """Return the exact error of a product of two entries."""
-    high, low = halves
-    error = high[a] * high[b]
-    error -= product
-    error += high[a] * low[b]
-    error += low[a] * high[b]
-    error += low[a] * low[b]
-    return np.asarray(error)
+@lru_cache(maxsize=4)
+def _workspace(count: int, _thread: int) -> Workspace:
+    return Workspace.of(count)
 
 
-def outside_window(A: Array) -> Array:
-    """Find the matrices (3, 3, N) that have an entry neither 0 nor within the window."""
-    size = np.abs(A)
+def workspace(count: int) -> Workspace:
+    """Take a workspace of this thread: its own for few matrices, a part of a chunk's for more."""
+    if count <= LINE:
+        return _workspace(count, get_ident())
+    return _workspace(max(count, CHUNK), get_ident()).cut(count)
+
+
+def outside_window(size: Array) -> Array | None:
+    """Find the matrices (3, 3, N) that have an entry neither 0 nor within the window, by sizes.
+
+    None if there are no such matrices. The zeros among the sizes are overwritten.
+    """
+    if size.max() <= LARGEST:
+        if size.min() >= SMALLEST:
+            return None
+        size[size == 0] = 1.0
+        if size.min() >= SMALLEST:
+            return None
     largest = size.max(axis=(0, 1))
     size[size == 0] = 1.0
     return np.asarray((largest > LARGEST) | (size.min(axis=(0, 1)) < SMALLEST))
 
 
 def cofactors(A: Array) -> Scaled:
-    """Return the cofactors of any finite matrices (3, 3, N): within 2u, signs and zeros exact.
+    """Compute the cofactors of any finite matrices (3, 3, N): within 2u, signs and zeros exact.
+
+    They lie in memory that the next call in this thread uses again.
 
     Examples
     --------
@@ -130,17 +212,17 @@ def cofactors(A: Array) -> Scaled:
     >>> float(found.mantissa[2, 2, 0]), int(found.exponent[2, 2, 0])  # 2¹²⁰⁰, beyond every float
     (0.25, 1202)
     """
-    found = Scaled(np.empty_like(A), np.zeros(A.shape, np.int32))
-    outside = outside_window(A)
-    if not outside.any():
-        cofactors_in_window(A, found.mantissa)
-        return found
-    inside = np.flatnonzero(~outside)
-    found.mantissa[:, :, inside] = cofactors_in_window(np.ascontiguousarray(A[:, :, inside]))
+    space = workspace(A.shape[2])
+    np.copyto(space.entries.block, A)
+    outside = outside_window(np.abs(A, out=space.scratch[0]))
+    if outside is None:
+        return Scaled(space.cofactors(), AS_IT_IS)
     rest = np.flatnonzero(outside)
-    mantissa, exponent = _cofactors_of_any(np.ascontiguousarray(A[:, :, rest]))
-    found.mantissa[:, :, rest], found.exponent[:, :, rest] = mantissa, exponent
-    return found
+    space.entries.block[:, :, rest] = 0.0
+    found = space.cofactors()
+    exponent = np.zeros(A.shape, np.int32)
+    found[:, :, rest], exponent[:, :, rest] = _cofactors_of_any(A[:, :, rest])
+    return Scaled(found, exponent)
 
 
 def _cofactors_of_any(A: Array) -> Scaled:

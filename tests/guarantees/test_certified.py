@@ -70,11 +70,12 @@ def true_cofactor(A: Array, i: int, j: int) -> Fraction:
 def check_cofactors(matrices: Array, compute: Callable[[Array], compensated.Scaled]) -> float:
     """Check signs and zeros, and return the worst relative error in units of u."""
     turned = np.ascontiguousarray(matrices.transpose(1, 2, 0))
-    found, worst = compute(turned), 0.0
+    mantissa, exponent = compute(turned)
+    exponent, worst = np.broadcast_to(exponent, mantissa.shape), 0.0
     for t, i, j in product(range(len(matrices)), range(3), range(3)):
         true = true_cofactor(matrices[t], i, j)
-        power = Fraction(2) ** int(found.exponent[i, j, t])
-        value = Fraction(float(found.mantissa[i, j, t])) * power
+        power = Fraction(2) ** int(exponent[i, j, t])
+        value = Fraction(float(mantissa[i, j, t])) * power
         assert (value > 0) - (value < 0) == (true > 0) - (true < 0)
         if true:
             worst = max(worst, float(abs(value - true) / abs(true) / Fraction(UNIT)))
@@ -97,7 +98,9 @@ def plain(A: Array) -> compensated.Scaled:
 def one_scale(A: Array) -> compensated.Scaled:
     """One power of two for a whole matrix: not enough where exponents differ."""
     size = np.frexp(np.abs(A).max(axis=(0, 1)))[1]
-    found = compensated.cofactors_in_window(np.ldexp(A, -size))
+    space = compensated.Workspace.of(A.shape[2])
+    np.copyto(space.entries.block, np.ldexp(A, -size))
+    found = space.cofactors()
     return compensated.Scaled(found, np.broadcast_to(2 * size, A.shape))
 
 
