@@ -94,10 +94,7 @@ def _settle(A: Array, n: Array, places: Array, found: tuple[Array, Array]) -> Ar
     normals = np.ldexp(n[:, places], -np.frexp(np.abs(n[:, places]).max(axis=0))[1])
     by_pairs, some, normals = places[of_one_size], some[:, :, of_one_size], normals[:, of_one_size]
     carried[:, by_pairs], bound[by_pairs] = _summed_in_pairs(some, normals)
-    outside = outside_window(np.abs(normals)[None])
-    exactly = ~(bound[by_pairs] <= TOLERANCE)
-    if outside is not None:
-        exactly &= ~outside
+    exactly = ~(bound[by_pairs] <= TOLERANCE) & ~outside_window(np.abs(normals)[None])
     if exactly.any():
         by_sums, some, normals = by_pairs[exactly], some[:, :, exactly], normals[:, exactly]
         rows = np.array([_row_exactly(some, i, normals) for i in range(3)])
@@ -181,7 +178,7 @@ def _terms(C: Scaled, n: Array) -> Array:
 
 
 def _leaves_window(n: Array) -> bool:
-    return outside_window(np.abs(n)[None]) is not None
+    return bool(outside_window(np.abs(n)[None]).any())
 
 
 def _summed(C: Scaled, n: Array) -> tuple[Array, Array]:

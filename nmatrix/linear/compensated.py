@@ -185,19 +185,15 @@ def workspace(count: int) -> Workspace:
     return _workspace(max(count, CHUNK), get_ident()).cut(count)
 
 
-def outside_window(size: Array) -> Array | None:
-    """Find the matrices (3, 3, N) that have an entry neither 0 nor within the window, by sizes.
+def outside_window(size: Array) -> Array:
+    """Find the matrices that have an entry neither 0 nor within the window, by all the sizes.
 
-    None if there are no such matrices. The zeros among the sizes are overwritten.
+    The zeros among the sizes may be overwritten.
     """
-    if size.max() <= LARGEST:
-        if size.min() >= SMALLEST:
-            return None
-        size[size == 0] = 1.0
-        if size.min() >= SMALLEST:
-            return None
+    if size.max(initial=0.0) <= LARGEST and size.min(initial=LARGEST) >= SMALLEST:
+        return np.zeros(size.shape[2], bool)
     largest = size.max(axis=(0, 1))
-    size[size == 0] = 1.0
+    np.copyto(size, LARGEST, where=size == 0)
     return np.asarray((largest > LARGEST) | (size.min(axis=(0, 1)) < SMALLEST))
 
 
@@ -215,7 +211,7 @@ def cofactors(A: Array) -> Scaled:
     space = workspace(A.shape[2])
     np.copyto(space.entries.block, A)
     outside = outside_window(np.abs(A, out=space.scratch[0]))
-    if outside is None:
+    if not outside.any():
         return Scaled(space.cofactors(), AS_IT_IS)
     rest = np.flatnonzero(outside)
     space.entries.block[:, :, rest] = 0.0

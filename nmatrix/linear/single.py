@@ -16,7 +16,7 @@ from nmatrix.linear import compensated, plain
 from nmatrix.linear.compensated import AFTER, NEXT, SPLITTER, UNIT
 from nmatrix.linear.rounding import integers
 
-FEW = 8  # matrices, of which so many are faster one by one
+FEW = 12  # matrices, of which so many are faster one by one
 
 # Where the entries of both products of a cofactor are among the nine, row by row.
 MINORS = tuple(

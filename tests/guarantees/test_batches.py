@@ -5,8 +5,10 @@ The oracle is arithmetic on fractions by another formula than the ones under tes
 
 from __future__ import annotations
 
+import inspect
 import tracemalloc
 from collections.abc import Callable
+from contextlib import suppress
 from decimal import Decimal
 from fractions import Fraction
 from itertools import product
@@ -48,10 +50,10 @@ def _small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(module, name, size)
 
 
-def of_type(dtype: type, values: Array) -> Array:
+def of_type(dtype: type, values: Any) -> Array:
     """Values in a type; what it does not hold becomes 1."""
     with np.errstate(all="ignore"):
-        found = values.astype(dtype)
+        found = np.array(values, dtype)
     found[~np.isfinite(found)] = 1
     return found
 
@@ -373,6 +375,33 @@ def test_a_power_of_two_changes_no_bit_of_a_direction(level: Level, dtype: type)
         assert (again * ratio == once).all()
 
 
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("dtype", (np.float16, *FLOATS))
+@pytest.mark.parametrize("level", Level)
+def test_a_matrix_alone_comes_as_it_does_among_many(level: Level, dtype: type, name: str) -> None:
+    """One by one, in few, in many: the same bits."""
+    A = families(dtype, 150)[name]
+    for kind in NormalMatrixKind:
+        if kind is INVERSE:
+            A = A[[i for i, one in enumerate(A) if has_inverse(one)]]
+        found = nmatrix.normal_matrix(A, kind=kind, level=level)
+        for few in (1, 2, 5, 40):
+            parts = [A[i : i + few] for i in range(0, len(A), few)]
+            some = [nmatrix.normal_matrix(part, kind=kind, level=level) for part in parts]
+            same = np.concatenate([found[:0], *some])
+            assert (found == same).all()
+            assert (np.signbit(found) == np.signbit(same)).all()
+
+
+def has_inverse(A: Array) -> bool:
+    """An inverse transpose that the type of the matrix holds."""
+    try:
+        nmatrix.normal_matrix(A)
+    except nmatrix.NMatrixError:
+        return False
+    return True
+
+
 SAME: dict[str, Callable[[Array], Any]] = {
     "strided": lambda A: np.repeat(A, 2, axis=0)[::2],
     "reversed": lambda A: A[::-1].copy()[::-1],
@@ -477,11 +506,38 @@ def test_no_warning_leaks_and_no_floating_point_error(level: Level) -> None:
                 of_type(dtype, rng.normal(size=(30, 3, 3))),
             ):
                 n = any_bits(rng, (30, 3), dtype)
-                nmatrix.normal_matrix(A, kind=ORIENTED, level=level)
+                for some in (A, A[:2], A[0]):
+                    nmatrix.normal_matrix(some, kind=ORIENTED, level=level)
                 nmatrix.transform_normals(A, n, level=level, status=True)
                 nmatrix.transform_normals(A[0], n, level=level, status=True)
                 nmatrix.normalize(n[n.any(axis=1)])
         nmatrix.normal_matrix(np.eye(3) * 1e-300, level=level)
+
+
+HOSTILE = (1e308, -1e308, 1e200, 1e-200, 1e-308, 5e-324, 0.0, 1.0)
+
+
+@pytest.mark.parametrize("dtype", (np.float16, *FLOATS))
+@pytest.mark.parametrize("name", nmatrix.__all__)
+def test_numbers_at_the_ends_of_the_range_are_answered_or_refused_without_a_warning(
+    name: str, dtype: type
+) -> None:
+    """Every function that takes numbers, given as many numbers as each of its parameters has."""
+    function = getattr(nmatrix, name)
+    rng = np.random.default_rng(11)
+    shapes = {"A": (3, 3), "axis": (3,), "xyzw": (4,), "window": (4,), "clip": None}
+    vectors = ("n", "v", "a", "b", "eye", "target", "up", "turns")
+    shapes |= dict.fromkeys(vectors, (3,)) | dict.fromkeys(("translate", "scale", "shear"), (3,))
+    numbers = ("turn", "fov_y", "aspect", "near", "far", "width", "height", "elevation", "angle")
+    shapes |= dict.fromkeys((*numbers, "roll"), ())
+    if isinstance(function, type) or not callable(function):
+        return
+    known = [one for one in inspect.signature(function).parameters if shapes.get(one) is not None]
+    with np.errstate(all="raise"):
+        for _ in range(30 if known else 0):
+            given = {one: of_type(dtype, rng.choice(HOSTILE, shapes[one])) for one in known}
+            with suppress(nmatrix.NMatrixError):
+                function(**given)
 
 
 @pytest.mark.parametrize("level", Level)
