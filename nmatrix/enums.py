@@ -27,11 +27,11 @@ def chosen(
     True
     """
     try:
-        found = words(word)
-        if among is None or found in among:
-            return found
+        found = words(word) if isinstance(word, str) else None
     except ValueError:
-        pass
+        found = None
+    if found is not None and (among is None or found in among):
+        return found
     right = tuple(words if among is None else among)
     shown = word if isinstance(word, str) else type(word).__name__
     raise IllegalValueError(

@@ -10,15 +10,18 @@ A is (N, 3, 3), n is (N, 3). Nothing is written before the same places of the in
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
+from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from nmatrix.enums import Level, NormalMatrixKind
+from nmatrix.errors import MissingPackageError
 from nmatrix.linear import compensated, plain, single
 from nmatrix.linear.certified import (
     CORRECTLY_ROUNDED,
@@ -37,6 +40,7 @@ from nmatrix.linear.plain import LARGEST, SMALLEST
 Array = NDArray[Any]
 
 ENOUGH = 1 << 10  # matrices that are worth the calls of the certified level
+LOOP_CHUNK = 1 << 12  # matrices that the compiled loop takes at a time
 LONG_CHUNK = 1 << 16  # vectors whose products and lengths take 2 MiB
 NOWHERE = np.empty(0, np.intp)
 
@@ -82,6 +86,47 @@ def normal_matrices(A: Array, out: Array, kind: NormalMatrixKind, level: Level) 
     >>> normal_matrices(A, A, NormalMatrixKind.ORIENTED, Level.CERTIFIED), A[0].diagonal().tolist()
     (None, [-8.0, 4.0, 2.0])
     """
+    if level is not Level.EXACT and is_compiled():
+        return _by_loop(A, out, kind, level)
+    return _by_arrays(A, out, kind, level)
+
+
+@cache
+def is_compiled() -> bool:
+    """Find out if the compiled loop is asked for, by `NMATRIX_COMPILED` in the environment.
+
+    Raises
+    ------
+    MissingPackageError
+        If it is, and Numba is missing.
+    """
+    if not os.environ.get("NMATRIX_COMPILED"):
+        return False
+    if find_spec("numba") is None:
+        raise MissingPackageError(
+            "NMATRIX_COMPILED is set", "Numba is not installed", "pip install 'nmatrix[fast]'"
+        )
+    return True
+
+
+def _by_loop(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> int | None:
+    """Write by the compiled loop, and by arrays what it leaves."""
+    from nmatrix.linear import compiled  # Numba takes a third of a second
+
+    if A.dtype not in compiled.FLOATS or out.dtype not in compiled.FLOATS:
+        return _by_arrays(A, out, kind, level)
+    for part in chunks(len(A), LOOP_CHUNK):
+        left = part.start + compiled.write(A[part], out[part], kind, level)
+        if len(left):
+            again = np.empty((len(left), 3, 3), out.dtype)
+            bad = _by_arrays(A[left], again, kind, level)
+            out[left] = again
+            if bad is not None:
+                return int(left[bad])
+    return None
+
+
+def _by_arrays(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> int | None:
     planes, room = A.transpose(1, 2, 0), out.transpose(1, 2, 0)
     if level is Level.GUARDED:
         return _guarded(planes, room, kind)
@@ -89,7 +134,7 @@ def normal_matrices(A: Array, out: Array, kind: NormalMatrixKind, level: Level) 
     for part in chunks(len(A), compensated.CHUNK):
         bad = write(planes[:, :, part], room[:, :, part], kind)
         if len(bad):
-            return part.start + int(bad[0])
+            return int(part.start + bad[0])
     return None
 
 
@@ -102,7 +147,7 @@ def write_few(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> boo
     >>> write_few(A, A, NormalMatrixKind.ORIENTED, Level.CERTIFIED), A.diagonal().tolist()
     (True, [-8.0, 4.0, 2.0])
     """
-    if A.size > 9 * single.FEW or level is Level.EXACT:
+    if A.size > 9 * single.FEW or level is Level.EXACT or is_compiled():
         return False
     entries, found = A.ravel().tolist(), []
     for first in range(0, len(entries), 9):
@@ -134,7 +179,7 @@ def _guarded(A: Array, out: Array, kind: NormalMatrixKind) -> int | None:
     waiting: list[Array] = []
     for part in chunks(count, plain.CHUNK):
         some, room = A[:, :, part], out[:, :, part]
-        space = plain.workspace(some.shape[2])
+        space = plain.Workspace.taken(some.shape[2], plain.CHUNK)
         found, is_doubtful = space.normal_matrices(some, kind, room if is_direct else None)
         if is_doubtful.any():
             doubtful = np.flatnonzero(is_doubtful)
@@ -346,7 +391,7 @@ def _by_guarded(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
     """Use plain cofactors and plain sums, where |Cn| ≥ L²|n|/3072 keeps these within 2⁻³⁶."""
     for part in chunks(len(n), compensated.CHUNK):
         some, vectors = A[part].transpose(1, 2, 0), _float64(n[part].T)
-        space = plain.workspace(some.shape[2])
+        space = plain.Workspace.taken(some.shape[2], plain.CHUNK)
         (N, _), doubtful = space.normal_matrices(some, NormalMatrixKind.ORIENTED)
         directions = N[:, 0] * vectors[0]
         directions += N[:, 1] * vectors[1]

@@ -231,7 +231,7 @@ def _row_exactly(A: Array, i: int, n: Array) -> Array:
 
     Every product is the sum of 8 floats, and `fsum` rounds once.
     """
-    parts = []
+    parts: list[Array] = []
     for j in range(3):
         p, q = minor_products(A, i, j)
         for factor in (p.high, p.low, -q.high, -q.low):

@@ -11,10 +11,12 @@ Arrays are structures of arrays, (3, 3, N): one plane for each entry.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass, fields
 from functools import lru_cache
 from threading import get_ident
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
@@ -26,8 +28,8 @@ UNIT = 2.0**-53
 SPLITTER = 2.0**27 + 1
 SMALLEST, LARGEST = 2.0**-240, 2.0**240  # products and their errors stay normal in between
 FAR_APART = 400  # exponents that differ by more do not meet in a float64
-LINE = 1 << 7  # matrices that are worth a workspace of their own
-CHUNK = 5 << 9  # matrices whose workspace takes 2.6 MB
+LINE = 1 << 7  # matrices that have scratch of their own size
+CHUNK = 5 << 9  # matrices whose scratch takes 2.6 MB
 NEXT, AFTER = (1, 2, 0), (2, 0, 1)
 AS_IT_IS = np.zeros((1, 1, 1), np.int32)  # the exponent of numbers that floats hold
 
@@ -86,7 +88,36 @@ def minor_products(A: Array, i: int, j: int) -> tuple[Expansion, Expansion]:
 
 
 @dataclass(frozen=True, eq=False)
-class Cyclic:
+class Scratch(ABC):
+    """Arrays for the matrices of one chunk, along the last axes, that are used again and again."""
+
+    @classmethod
+    @abstractmethod
+    def of(cls, count: int) -> Self:
+        """Make room for so many matrices."""
+
+    @classmethod
+    def taken(cls, count: int, chunk: int) -> Self:
+        """Take those of this thread: for a few matrices their own, else a part of a chunk's."""
+        made = count if count <= LINE else max(count, chunk)
+        whole: Self = _made(cls.of, made, get_ident())
+        return whole if made == count else whole.cut(count)
+
+    def cut(self, count: int) -> Self:
+        """Take the part that so many matrices need."""
+        parts = (getattr(self, one.name) for one in fields(self))
+        return type(self)(
+            *(one.cut(count) if isinstance(one, Scratch) else one[..., :count] for one in parts)
+        )
+
+
+@lru_cache(maxsize=8)
+def _made(of: Callable[[int], Any], count: int, _thread: int) -> Any:  # noqa: ANN401  of any kind
+    return of(count)
+
+
+@dataclass(frozen=True, eq=False)
+class Cyclic(Scratch):
     """Matrices whose rows and columns go on from the start, as 0 1 2 0 1.
 
     Cofactor (i, j) is A[i+1, j+1] A[i+2, j+2] − A[i+1, j+2] A[i+2, j+1], so the factors of the two
@@ -108,11 +139,6 @@ class Cyclic:
         second = as_strided(planes[2:, 2:], shape, (-j, i, j, k))
         return cls(planes, planes[:3, :3], first, second)
 
-    def cut(self, count: int) -> Cyclic:
-        """Take the part that so many matrices need."""
-        parts = self.planes, self.block, self.first, self.second
-        return Cyclic(*(part[..., :count] for part in parts))
-
     def close(self) -> None:
         """Copy the first rows and columns of the block to where they come again."""
         self.planes[:3, 3:] = self.planes[:3, :2]
@@ -120,8 +146,8 @@ class Cyclic:
 
 
 @dataclass(frozen=True, eq=False)
-class Workspace:
-    """Scratch arrays for the cofactors of a chunk of matrices.
+class Workspace(Scratch):
+    """Scratch for the cofactors of a chunk of matrices.
 
     The entries and their halves are held cyclic, so each step is one call for all nine cofactors.
     """
@@ -131,20 +157,14 @@ class Workspace:
     lows: Cyclic
     products: Array
     errors: Array
-    scratch: Array
+    terms: Array
 
     @classmethod
     def of(cls, count: int) -> Workspace:
         """Make room for so many matrices."""
-        products, errors, scratch = (np.empty((2, 3, 3, count)) for _ in range(3))
-        return cls(*(Cyclic.of(count) for _ in range(3)), products, errors, scratch)
-
-    def cut(self, count: int) -> Workspace:
-        """Take the part that so many matrices need."""
-        cyclic = (one.cut(count) for one in (self.entries, self.highs, self.lows))
-        return Workspace(
-            *cyclic, *(one[..., :count] for one in (self.products, self.errors, self.scratch))
-        )
+        entries, highs, lows = (Cyclic.of(count) for _ in range(3))
+        products, errors, terms = (np.empty((2, 3, 3, count)) for _ in range(3))
+        return cls(entries, highs, lows, products, errors, terms)
 
     def cofactors(self) -> Array:
         """Compute the cofactors (3, 3, N) of the entries, if these are 0 or within the window.
@@ -165,24 +185,13 @@ class Workspace:
         error = np.multiply(a_high, d_high, out=self.errors)
         error -= product
         for one, other in ((a_high, d_low), (a_low, d_high), (a_low, d_low)):
-            error += np.multiply(one, other, out=self.scratch)
-        found, rest = self.products[0], self.errors[0]
+            error += np.multiply(one, other, out=self.terms)
+        found: Array = self.products[0]
+        rest: Array = self.errors[0]
         found -= self.products[1]
         rest -= self.errors[1]
         found += rest
         return found
-
-
-@lru_cache(maxsize=4)
-def _workspace(count: int, _thread: int) -> Workspace:
-    return Workspace.of(count)
-
-
-def workspace(count: int) -> Workspace:
-    """Take a workspace of this thread: its own for few matrices, a part of a chunk's for more."""
-    if count <= LINE:
-        return _workspace(count, get_ident())
-    return _workspace(max(count, CHUNK), get_ident()).cut(count)
 
 
 def outside_window(size: Array) -> Array:
@@ -208,9 +217,9 @@ def cofactors(A: Array) -> Scaled:
     >>> float(found.mantissa[2, 2, 0]), int(found.exponent[2, 2, 0])  # 2¹²⁰⁰, beyond every float
     (0.25, 1202)
     """
-    space = workspace(A.shape[2])
+    space = Workspace.taken(A.shape[2], CHUNK)
     np.copyto(space.entries.block, A)
-    outside = outside_window(np.abs(A, out=space.scratch[0]))
+    outside = outside_window(np.abs(A, out=space.terms[0]))
     if not outside.any():
         return Scaled(space.cofactors(), AS_IT_IS)
     rest = np.flatnonzero(outside)

@@ -10,26 +10,24 @@ floats are brought to L ≈ 1 first, and a matrix that has entries more than 2²
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
-from threading import get_ident
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalMatrixKind
-from nmatrix.linear.compensated import AS_IT_IS, LINE, Cyclic, Scaled
+from nmatrix.linear.compensated import AS_IT_IS, Cyclic, Scaled, Scratch
 
 Array = NDArray[Any]
 
 STEEP = 2.0**-10  # of the determinant to the cube of the largest entry
 SMALLEST, LARGEST = 2.0**-100, 2.0**100  # products of three entries, and their errors, stay normal
-CHUNK = 3 << 11  # matrices whose workspace takes 2.7 MB
+CHUNK = 3 << 11  # matrices whose scratch takes 2.7 MB
 
 
 @dataclass(frozen=True, eq=False)
-class Workspace:
-    """Scratch arrays for the matrices of one chunk, whose entries are held cyclic."""
+class Workspace(Scratch):
+    """Scratch for plain cofactors, with the entries held cyclic."""
 
     entries: Cyclic
     products: Array
@@ -42,14 +40,7 @@ class Workspace:
     def of(cls, count: int) -> Workspace:
         """Make room for so many matrices."""
         lines = (np.empty(count) for _ in range(3))
-        return cls(
-            Cyclic.of(count), np.empty((2, 3, 3, count)), np.empty((3, 3, count)), *lines
-        )
-
-    def cut(self, count: int) -> Workspace:
-        """Take the part that so many matrices need."""
-        arrays = self.products, self.sizes, self.largest, self.determinant, self.least
-        return Workspace(self.entries.cut(count), *(one[..., :count] for one in arrays))
+        return cls(Cyclic.of(count), np.empty((2, 3, 3, count)), np.empty((3, 3, count)), *lines)
 
     def normal_matrices(
         self, A: Array, kind: NormalMatrixKind, out: Array | None = None
@@ -137,15 +128,3 @@ class Workspace:
         least *= STEEP
         np.abs(self.determinant, out=largest)
         return np.asarray(~(largest > least))
-
-
-@lru_cache(maxsize=4)
-def _workspace(count: int, _thread: int) -> Workspace:
-    return Workspace.of(count)
-
-
-def workspace(count: int) -> Workspace:
-    """Take a workspace of this thread: its own for few matrices, a part of a chunk's for more."""
-    if count <= LINE:
-        return _workspace(count, get_ident())
-    return _workspace(max(count, CHUNK), get_ident()).cut(count)

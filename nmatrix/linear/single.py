@@ -26,9 +26,7 @@ MINORS = tuple(
 )
 
 
-def normal_matrix(
-    A: Sequence[float], kind: NormalMatrixKind, level: Level
-) -> list[float] | None:
+def normal_matrix(A: Sequence[float], kind: NormalMatrixKind, level: Level) -> list[float] | None:
     """Compute sign(det A)·C or C/det A of nine entries; None where that is left to the arrays.
 
     Examples
@@ -49,7 +47,7 @@ def normal_matrix(
 
 def lies_within(least: float, most: float, values: Sequence[float]) -> bool:
     """Check that every value is 0 or has its size between two limits."""
-    for x in values:
+    for x in values:  # noqa: SIM110  all() takes a third longer
         if not (least <= x <= most or least <= -x <= most or x == 0):
             return False
     return True
@@ -59,7 +57,7 @@ def _plain(A: Sequence[float], kind: NormalMatrixKind) -> list[float] | None:
     """Compute as `plain` does; None for a doubtful matrix."""
     first = [A[i] * A[j] - A[k] * A[m] for i, j, k, m in MINORS[:3]]
     det = A[0] * first[0] + A[1] * first[1] + A[2] * first[2]
-    largest = max(max(A), -min(A))
+    largest = max(*A, -min(A))
     if not abs(det) > largest * largest * largest * plain.STEEP:
         return None
     factor = copysign(1.0, det) if kind is NormalMatrixKind.ORIENTED else 1.0 / det

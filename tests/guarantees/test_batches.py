@@ -24,6 +24,7 @@ from nmatrix.enums import Level, NormalMatrixKind, NormalStatus
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import batched, compensated, plain
 from nmatrix.linear.exact import LinearMap
+from nmatrix.studies.hardcases.families import NORMAL_FAMILIES
 
 Array = NDArray[Any]
 Matrix = list[list[Fraction]]
@@ -391,6 +392,39 @@ def test_a_matrix_alone_comes_as_it_does_among_many(level: Level, dtype: type, n
             same = np.concatenate([found[:0], *some])
             assert (found == same).all()
             assert (np.signbit(found) == np.signbit(same)).all()
+
+
+@pytest.mark.parametrize("name", (*NAMES, *NORMAL_FAMILIES))
+@pytest.mark.parametrize("dtype", FLOATS)
+@pytest.mark.parametrize("level", [Level.CERTIFIED, Level.GUARDED])
+def test_the_compiled_loop_gives_the_bits_of_the_arrays(
+    level: Level, dtype: type, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("numba", reason="numba is not installed")
+    if name in NAMES:
+        A = families(dtype, 400)[name]
+    else:
+        rng = np.random.default_rng(6)
+        A = of_type(dtype, [NORMAL_FAMILIES[name](rng) for _ in range(400)])
+    few = A[[i for i, one in enumerate(A) if has_inverse(one)]]
+    for kind, given in ((ORIENTED, A), (INVERSE, few)):
+        monkeypatch.setattr(batched, "is_compiled", lambda: False)
+        by_arrays = nmatrix.normal_matrix(given, kind=kind, level=level)
+        monkeypatch.setattr(batched, "is_compiled", lambda: True)
+        by_loop = nmatrix.normal_matrix(given, kind=kind, level=level)
+        assert by_loop.tobytes() == by_arrays.tobytes()
+        in_place = given.copy()
+        nmatrix.normal_matrix(in_place, kind=kind, level=level, out=in_place)
+        assert in_place.tobytes() == by_arrays.tobytes()
+    with pytest.raises(NoAnswerError, match=r"A\[1\]"):
+        nmatrix.normal_matrix([E3, np.diag((1.0, 1, 0))], level=level)
+
+
+def test_a_compiled_loop_that_is_not_installed_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NMATRIX_COMPILED", "1")
+    monkeypatch.setattr(batched, "find_spec", lambda name: None)
+    with pytest.raises(nmatrix.MissingPackageError, match=r"nmatrix\[fast\]"):
+        batched.is_compiled.__wrapped__()
 
 
 def has_inverse(A: Array) -> bool:

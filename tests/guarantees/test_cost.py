@@ -38,13 +38,13 @@ class Counted(np.ndarray):
 def operations(matrices: np.ndarray, monkeypatch: pytest.MonkeyPatch) -> float:
     """Count the operations of certified cofactors, for one matrix."""
     space = compensated.Workspace.of(len(matrices))
-    scratch = {name: getattr(space, name).view(Counted) for name in ("products", "errors", "scratch")}
+    scratch = {name: getattr(space, name).view(Counted) for name in ("products", "errors", "terms")}
     halves = {
         name: replace(getattr(space, name), block=getattr(space, name).block.view(Counted))
         for name in ("highs", "lows")
     }
     counted = replace(space, **scratch, **halves)
-    monkeypatch.setattr(compensated, "workspace", lambda count: counted)
+    monkeypatch.setattr(compensated.Workspace, "taken", lambda count, chunk: counted)
     Counted.work = 0
     cofactors(np.ascontiguousarray(matrices.transpose(1, 2, 0)).view(Counted))
     return Counted.work / len(matrices)
