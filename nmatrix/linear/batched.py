@@ -40,6 +40,7 @@ from nmatrix.linear.plain import LARGEST, SMALLEST
 Array = NDArray[Any]
 
 ENOUGH = 1 << 10  # matrices that are worth the calls of the certified level
+PAIRS_CHUNK = 5 << 9  # matrices with a normal each: no more than 4 MiB are taken for them
 LOOP_CHUNK = 1 << 12  # matrices that the compiled loop takes at a time
 LONG_CHUNK = 1 << 16  # vectors whose products and lengths take 2 MiB
 NOWHERE = np.empty(0, np.intp)
@@ -189,7 +190,7 @@ def _guarded(A: Array, out: Array, kind: NormalMatrixKind) -> int | None:
         bad = part.start + _put(found, room, kind)
         if at and (part.stop == count or len(bad) or sum(map(len, at)) >= ENOUGH):
             places, again = np.concatenate(at), np.concatenate(waiting, axis=2)
-            for few in chunks(len(places), compensated.CHUNK):
+            for few in chunks(len(places), PAIRS_CHUNK):
                 certified = np.empty((3, 3, few.stop - few.start), out.dtype)
                 worse = _write_certified(again[:, :, few], certified, kind)
                 out[:, :, places[few]] = certified
@@ -372,7 +373,7 @@ def transform_normals(A: Array, n: Array, level: Level) -> Iterator[tuple[slice,
 
 def _by_exact(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
     only = LinearMap.of(A[0].tolist()) if len(A) == 1 else None
-    for part in chunks(len(n), compensated.CHUNK):
+    for part in chunks(len(n), PAIRS_CHUNK):
         count = part.stop - part.start
         directions, status = np.zeros((3, count)), np.zeros(count, np.int8)
         for i, normal in enumerate(n[part].tolist()):
@@ -383,13 +384,13 @@ def _by_exact(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
 
 
 def _by_certified(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
-    for part in chunks(len(n), compensated.CHUNK):
+    for part in chunks(len(n), PAIRS_CHUNK):
         yield part, certified_normals(_of(A, part), _float64(n[part].T))
 
 
 def _by_guarded(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
     """Use plain cofactors and plain sums, where |Cn| ≥ L²|n|/3072 keeps these within 2⁻³⁶."""
-    for part in chunks(len(n), compensated.CHUNK):
+    for part in chunks(len(n), plain.CHUNK):
         some, vectors = A[part].transpose(1, 2, 0), _float64(n[part].T)
         space = plain.Workspace.taken(some.shape[2], plain.CHUNK)
         (N, _), doubtful = space.normal_matrices(some, NormalMatrixKind.ORIENTED)
@@ -447,7 +448,7 @@ def _settled(
         return Normals(directions, np.zeros(count, np.int8), np.broadcast_to(bound, count))
     status, bounds = np.full(count, OK, np.int8), np.full(count, bound)
     places = np.flatnonzero(doubtful)
-    for part in chunks(len(places), compensated.CHUNK):
+    for part in chunks(len(places), PAIRS_CHUNK):
         some = places[part]
         found = certified_normals(_of(A, some), _float64(n[some].T))
         directions[:, some], status[some], bounds[some] = found
@@ -462,4 +463,6 @@ def _of(A: Array, places: slice | Array) -> Array:
 
 
 def _float64(A: Array) -> Array:
-    return np.asarray(A, np.float64)
+    """Bring planes to float64, each in one piece: every one of them is read many times."""
+    is_ready = A.dtype == np.float64 and A.strides[-1] == A.itemsize
+    return A if is_ready else np.ascontiguousarray(A, np.float64)

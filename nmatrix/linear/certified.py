@@ -11,6 +11,7 @@ A is (3, 3, N), n is (3, N). A power of two that multiplies a matrix changes no 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import fsum
 from typing import Any, NamedTuple
 
@@ -40,6 +41,7 @@ PAIRS = 2.0**-100
 UNDERFLOW = 2.0**-1000  # more than all that products of pairs lose below the normal numbers
 STATUSES = tuple(NormalStatus)
 OK, TWO_SIDED, UNDEFINED = range(len(STATUSES))
+ROWS = range(3)
 NEVER = np.iinfo(np.int32).min // 2  # the exponent of zero
 
 
@@ -97,7 +99,7 @@ def _settle(A: Array, n: Array, places: Array, found: tuple[Array, Array]) -> Ar
     exactly = ~(bound[by_pairs] <= TOLERANCE) & ~outside_window(np.abs(normals)[None])
     if exactly.any():
         by_sums, some, normals = by_pairs[exactly], some[:, :, exactly], normals[:, exactly]
-        rows = np.array([_row_exactly(some, i, normals) for i in range(3)])
+        rows = _rows_exactly(some, ROWS, normals)
         carried[:, by_sums] = np.ldexp(rows, -np.frexp(np.abs(rows).max(axis=0))[1])
         bound[by_sums] = CORRECTLY_ROUNDED + NORMALISING
     return places[~(bound[places] <= TOLERANCE)]
@@ -115,6 +117,12 @@ def determinant_signs(A: Array, C: Scaled) -> Array:
     size = np.abs(terms).sum(axis=0)
     unsure = np.flatnonzero(~((np.abs(total) > 8 * UNIT * size) | (size == 0)))
     if len(unsure):
+        some, _, of_one_size = _largest_near_one(A[:, :, unsure])
+        (high, low), error = _rows_in_pairs(some, (0,), some[0])
+        total = (high + low)[0]
+        sign[unsure] = np.sign(total)
+        unsure = unsure[~((np.abs(total) > 2 * error[0]) & of_one_size)]
+    if len(unsure):
         sign[unsure] = np.sign(determinants(A[:, :, unsure]).mantissa)
     return np.asarray(sign)
 
@@ -131,12 +139,13 @@ def determinants(A: Array) -> Scaled:
     [2.0]
     """
     some, power, of_one_size = _largest_near_one(A)
-    (high, low), error = _row_in_pairs(some, 0, some[0])
-    total, rest = two_sum(high, low)
+    (high, low), error = _rows_in_pairs(some, (0,), some[0])
+    (total,), (rest,) = two_sum(high, low)
+    error = error[0]
     is_settled = (total + (rest - 2 * error) == total) & (total + (rest + 2 * error) == total)
     exactly = np.flatnonzero(of_one_size & ~is_settled)
     if len(exactly):
-        total[exactly] = _row_exactly(some[:, :, exactly], 0, some[0][:, exactly])
+        total[exactly] = _rows_exactly(some[:, :, exactly], (0,), some[0][:, exactly])[0]
     mantissa, exponent = np.frexp(total)
     exponent += 3 * power
     for i in np.flatnonzero(~of_one_size).tolist():
@@ -203,19 +212,19 @@ def _angle_bound(relative: float, size: Array, carried: Array) -> Array:
 
 def _summed_in_pairs(A: Array, n: Array) -> tuple[Array, Array]:
     """Compute C·n with every number held as two floats, and the bound on its angle."""
-    rows = [_row_in_pairs(A, i, n) for i in range(3)]
-    carried = np.array([high + low for (high, low), _ in rows])
-    errors = np.array([error for _, error in rows]) + UNDERFLOW
+    (high, low), errors = _rows_in_pairs(A, ROWS, n)
+    carried = high + low
+    errors += UNDERFLOW
     power = np.frexp(np.abs(carried).max(axis=0))[1]
     carried, errors = np.ldexp(carried, -power), np.ldexp(errors, -power)
     return carried, _angle_bound(1.0, errors, carried)
 
 
-def _row_in_pairs(A: Array, i: int, n: Array) -> tuple[Expansion, Array]:
-    """Compute row i of C·n in pairs of floats, and bound the error."""
-    high, low, size = (np.zeros(A.shape[2]) for _ in range(3))
+def _rows_in_pairs(A: Array, rows: Sequence[int], n: Array) -> tuple[Expansion, Array]:
+    """Compute rows of C·n in pairs of floats, and bound the errors."""
+    high, low, size = (np.zeros((len(rows), A.shape[2])) for _ in range(3))
     for j in range(3):
-        p, q = minor_products(A, i, j)
+        p, q = minor_products(A, rows, j)
         value = two_sum(p.high, -q.high)
         rest = value.low + (p.low - q.low)
         term = two_product(value.high, n[j])
@@ -226,14 +235,15 @@ def _row_in_pairs(A: Array, i: int, n: Array) -> tuple[Expansion, Array]:
     return Expansion(high, low), PAIRS * size
 
 
-def _row_exactly(A: Array, i: int, n: Array) -> Array:
-    """Compute row i of C·n correctly rounded, if the entries and components are of one size.
+def _rows_exactly(A: Array, rows: Sequence[int], n: Array) -> Array:
+    """Compute rows of C·n correctly rounded, if the entries and components are of one size.
 
     Every product is the sum of 8 floats, and `fsum` rounds once.
     """
     parts: list[Array] = []
     for j in range(3):
-        p, q = minor_products(A, i, j)
+        p, q = minor_products(A, rows, j)
         for factor in (p.high, p.low, -q.high, -q.low):
             parts += two_product(factor, n[j])
-    return np.array(list(map(fsum, zip(*(part.tolist() for part in parts), strict=True))))
+    sums = map(fsum, zip(*(part.ravel().tolist() for part in parts), strict=True))
+    return np.array(list(sums)).reshape(len(rows), A.shape[2])
