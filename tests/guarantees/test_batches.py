@@ -35,7 +35,7 @@ RELATIVE = {  # of every entry, before the rounding to the type of the output
     (ORIENTED, Level.EXACT): U,
     (ORIENTED, Level.CERTIFIED): 2 * U,
     (INVERSE, Level.EXACT): U,
-    (INVERSE, Level.CERTIFIED): 5 * U,
+    (INVERSE, Level.CERTIFIED): 4 * U,
 }
 PLAIN = Fraction(1, 2**36)  # what the guarded level promises, of the largest entry or in radians
 
