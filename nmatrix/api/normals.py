@@ -61,8 +61,8 @@ def normal_matrix(
     if no power of two holds it beside the largest one. An inverse transpose comes as it is: what
     its type holds no number small enough for is 0.
 
-    A matrix gives the same bits alone as in a batch. With `NMATRIX_COMPILED=1` in the environment, and
-    `nmatrix[fast]` installed, many are computed by one compiled loop: the same bits, in less time.
+    A matrix gives the same bits alone as in a batch. With `NMATRIX_COMPILED=1` in the environment,
+    and `nmatrix[fast]` installed, one compiled loop computes them: the same bits, in less time.
 
     Parameters
     ----------
@@ -77,8 +77,8 @@ def normal_matrix(
         - "exact": every entry correctly rounded, about 20 µs a matrix;
         - "certified": oriented entries within 2u, inverse transposes within 4u, signs and zeros
           exact; for many, less time than `np.linalg.inv`;
-        - "guarded": several times faster for many; a column of an oriented matrix is within 2⁻³⁶ rad, an
-          entry of an inverse transpose within 2⁻³⁶ of the largest one.
+        - "guarded": several times faster for many; a column of an oriented matrix is within
+          2⁻³⁶ rad, an entry of an inverse transpose within 2⁻³⁶ of the largest one.
     out
         Where to write, (..., 3, 3) of any float type; it may be A, or overlap it. After an error it
         holds a part of the answer.
