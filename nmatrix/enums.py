@@ -26,9 +26,13 @@ def chosen(
     >>> chosen(Handedness, "left", "handed") is Handedness.LEFT
     True
     """
+    try:
+        found = words(word) if isinstance(word, str) else None
+    except ValueError:
+        found = None
+    if found is not None and (among is None or found in among):
+        return found
     right = tuple(words if among is None else among)
-    if isinstance(word, str) and word in right:
-        return words(word)
     shown = word if isinstance(word, str) else type(word).__name__
     raise IllegalValueError(
         f"{quantity(parameter)} ({printable(shown[:40])})",

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
-from math import inf
+from itertools import product
+from math import inf, isfinite
 from numbers import Integral, Real
 from typing import Any
 
@@ -19,6 +20,8 @@ from nmatrix.errors import IllegalValueError
 
 Array = NDArray[Any]
 Index = tuple[int, ...]
+
+FEW = 90  # numbers that Python looks at before NumPy has begun
 
 
 def reals(values: ArrayLike, parameter: str) -> Array:
@@ -88,7 +91,11 @@ def _exactly(given: Array, parameter: str) -> Array:
 
 def _finite(given: Array, parameter: str) -> Array:
     """Check that every number is finite: the least and the largest are, and nothing is copied."""
-    if given.size and not (np.isfinite(given.min()) and np.isfinite(given.max())):
+    if given.size > FEW:
+        is_finite = isfinite(given.min()) and isfinite(given.max())
+    else:
+        is_finite = all(map(isfinite, given.ravel().tolist()))
+    if not is_finite:
         index = tuple(np.argwhere(~np.isfinite(given))[0].tolist())
         raise IllegalValueError(
             f"{named(parameter, index)} ({given[index]})",
@@ -179,13 +186,15 @@ def apart(given: Array, out: Array) -> Array:
     >>> apart(a, a) is a, apart(a, a[::-1]) is a
     (True, False)
     """
+    if not np.may_share_memory(given, out):
+        return given
     is_same = (given.ctypes.data, given.shape, given.strides, given.dtype) == (
         out.ctypes.data,
         out.shape,
         out.strides,
         out.dtype,
     )
-    return given.copy() if not is_same and np.may_share_memory(given, out) else given
+    return given if is_same else given.copy()
 
 
 def lines(shape: tuple[int, ...]) -> Iterator[tuple[int | slice, ...]]:
@@ -199,7 +208,7 @@ def lines(shape: tuple[int, ...]) -> Iterator[tuple[int | slice, ...]]:
     if 0 in shape:
         return
     axis = shape.index(max(shape))
-    for rest in np.ndindex(shape[:axis] + shape[axis + 1 :]):
+    for rest in product(*map(range, shape[:axis] + shape[axis + 1 :])):
         yield (*rest[:axis], slice(None), *rest[axis:])
 
 

@@ -10,14 +10,19 @@ A is (N, 3, 3), n is (N, 3). Nothing is written before the same places of the in
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import cache
+from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from nmatrix.enums import Level, NormalMatrixKind
+from nmatrix.errors import MissingPackageError
+from nmatrix.linear import compensated, plain, single
 from nmatrix.linear.certified import (
     CORRECTLY_ROUNDED,
     NEVER,
@@ -30,13 +35,15 @@ from nmatrix.linear.certified import (
 )
 from nmatrix.linear.compensated import Scaled, cofactors
 from nmatrix.linear.exact import LinearMap
-from nmatrix.linear.plain import LARGEST, SMALLEST, Workspace
+from nmatrix.linear.plain import LARGEST, SMALLEST
 
 Array = NDArray[Any]
 
-CHUNK = 5 << 10  # matrices whose entries, cofactors and scratch stay in the second-level cache
 ENOUGH = 1 << 10  # matrices that are worth the calls of the certified level
+PAIRS_CHUNK = 5 << 9  # matrices with a normal each: no more than 4 MiB are taken for them
+LOOP_CHUNK = 1 << 12  # matrices that the compiled loop takes at a time
 LONG_CHUNK = 1 << 16  # vectors whose products and lengths take 2 MiB
+NOWHERE = np.empty(0, np.intp)
 
 
 class PlainSums(NamedTuple):
@@ -80,16 +87,85 @@ def normal_matrices(A: Array, out: Array, kind: NormalMatrixKind, level: Level) 
     >>> normal_matrices(A, A, NormalMatrixKind.ORIENTED, Level.CERTIFIED), A[0].diagonal().tolist()
     (None, [-8.0, 4.0, 2.0])
     """
+    if level is not Level.EXACT and is_compiled():
+        return _by_loop(A, out, kind, level)
+    return _by_arrays(A, out, kind, level)
+
+
+@cache
+def is_compiled() -> bool:
+    """Find out if the compiled loop is asked for, by `NMATRIX_COMPILED` in the environment.
+
+    Raises
+    ------
+    MissingPackageError
+        If it is, and Numba is missing.
+    """
+    if not os.environ.get("NMATRIX_COMPILED"):
+        return False
+    if find_spec("numba") is None:
+        raise MissingPackageError(
+            "NMATRIX_COMPILED is set", "Numba is not installed", "pip install 'nmatrix[fast]'"
+        )
+    return True
+
+
+def _by_loop(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> int | None:
+    """Write by the compiled loop, and by arrays what it leaves."""
+    from nmatrix.linear import compiled  # Numba takes a third of a second
+
+    if A.dtype not in compiled.FLOATS or out.dtype not in compiled.FLOATS:
+        return _by_arrays(A, out, kind, level)
+    for part in chunks(len(A), LOOP_CHUNK):
+        left = part.start + compiled.write(A[part], out[part], kind, level)
+        if len(left):
+            again = np.empty((len(left), 3, 3), out.dtype)
+            bad = _by_arrays(A[left], again, kind, level)
+            out[left] = again
+            if bad is not None:
+                return int(left[bad])
+    return None
+
+
+def _by_arrays(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> int | None:
     planes, room = A.transpose(1, 2, 0), out.transpose(1, 2, 0)
     if level is Level.GUARDED:
         return _guarded(planes, room, kind)
-    for part in chunks(len(A), CHUNK):
-        some = _float64(planes[:, :, part])
-        found = _exact(some, kind, out.dtype) if level is Level.EXACT else _certified(some, kind)
-        bad = part.start + _put(found, room[:, :, part], kind)
+    write = _write_exact if level is Level.EXACT else _write_certified
+    for part in chunks(len(A), compensated.CHUNK):
+        bad = write(planes[:, :, part], room[:, :, part], kind)
         if len(bad):
-            return int(bad[0])
+            return int(part.start + bad[0])
     return None
+
+
+def write_few(A: Array, out: Array, kind: NormalMatrixKind, level: Level) -> bool:
+    """Write few normal matrices (..., 3, 3) one by one; False, and nothing written, if that fails.
+
+    Examples
+    --------
+    >>> A = np.diag([-1.0, 2, 4])
+    >>> write_few(A, A, NormalMatrixKind.ORIENTED, Level.CERTIFIED), A.diagonal().tolist()
+    (True, [-8.0, 4.0, 2.0])
+    """
+    if A.size > 9 * single.FEW or level is Level.EXACT or is_compiled():
+        return False
+    entries, found = A.ravel().tolist(), []
+    for first in range(0, len(entries), 9):
+        one = single.normal_matrix(entries[first : first + 9], kind, level)
+        if one is None:
+            return False
+        found += one
+    is_oriented = kind is NormalMatrixKind.ORIENTED
+    if not (is_oriented and out.dtype == np.float64) and not _are_normal(found, out.dtype):
+        return False
+    out[...] = np.array(found).reshape(out.shape)
+    return True
+
+
+def _are_normal(values: list[float], dtype: np.dtype[Any]) -> bool:
+    limits = _limits(dtype)
+    return single.lies_within(float(limits.tiny), float(limits.max), values)
 
 
 def _guarded(A: Array, out: Array, kind: NormalMatrixKind) -> int | None:
@@ -98,33 +174,46 @@ def _guarded(A: Array, out: Array, kind: NormalMatrixKind) -> int | None:
     The few of each chunk wait until there are enough of them: together they cost a tenth.
     """
     count = A.shape[2]
-    space = Workspace.of(min(CHUNK, count))
     is_direct = out.dtype == np.float64 and out.strides[2] == out.itemsize
     is_direct = is_direct and not np.may_share_memory(A, out)
-    at, waiting = [np.empty(0, np.intp)], [np.empty((3, 3, 0))]
-    for part in chunks(count, CHUNK):
+    at: list[Array] = []
+    waiting: list[Array] = []
+    for part in chunks(count, plain.CHUNK):
         some, room = A[:, :, part], out[:, :, part]
+        space = plain.Workspace.taken(some.shape[2], plain.CHUNK)
         found, is_doubtful = space.normal_matrices(some, kind, room if is_direct else None)
-        doubtful = np.flatnonzero(is_doubtful)
-        if len(doubtful):
+        if is_doubtful.any():
+            doubtful = np.flatnonzero(is_doubtful)
             at.append(part.start + doubtful)
-            waiting.append(_float64(some[:, :, doubtful]))
+            waiting.append(some[:, :, doubtful])
             found.mantissa[:, :, doubtful] = 0.0
         bad = part.start + _put(found, room, kind)
-        places = np.concatenate(at)
-        if len(places) and (len(places) >= ENOUGH or part.stop == count or len(bad)):
-            again = np.empty((3, 3, len(places)), out.dtype)
-            certified = _certified(np.concatenate(waiting, axis=2), kind)
-            bad = np.append(bad, places[_put(certified, again, kind)])
-            out[:, :, places] = again
-            at, waiting = at[:1], waiting[:1]
+        if at and (part.stop == count or len(bad) or sum(map(len, at)) >= ENOUGH):
+            places, again = np.concatenate(at), np.concatenate(waiting, axis=2)
+            for few in chunks(len(places), PAIRS_CHUNK):
+                certified = np.empty((3, 3, few.stop - few.start), out.dtype)
+                worse = _write_certified(again[:, :, few], certified, kind)
+                out[:, :, places[few]] = certified
+                bad = np.append(bad, places[few][worse])
+            at, waiting = [], []
         if len(bad):
             return int(bad.min())
     return None
 
 
+def _write_certified(A: Array, out: Array, kind: NormalMatrixKind) -> Array:
+    """Write certified normal matrices; return the places of those that are not finite."""
+    if write_few(A.transpose(2, 0, 1), out.transpose(2, 0, 1), kind, Level.CERTIFIED):
+        return NOWHERE
+    return _put(_certified(_float64(A), kind), out, kind)
+
+
+def _write_exact(A: Array, out: Array, kind: NormalMatrixKind) -> Array:
+    return _put(_exact(_float64(A), kind, out.dtype), out, kind)
+
+
 def _certified(A: Array, kind: NormalMatrixKind) -> Scaled:
-    """Compute sign(det A)·C within 2u, or C/det A within 5u, NaN for a singular matrix."""
+    """Compute sign(det A)·C within 2u, or C/det A within 4u, NaN for a singular matrix."""
     C = cofactors(A)
     if kind is NormalMatrixKind.ORIENTED:
         C.mantissa[...] *= np.where(determinant_signs(A, C) < 0, -1.0, 1.0)
@@ -140,7 +229,7 @@ def _exact(A: Array, kind: NormalMatrixKind, dtype: DTypeLike = np.float64) -> S
     found = Scaled(np.empty(A.shape), np.zeros(A.shape, np.int32))
     if kind is NormalMatrixKind.ORIENTED:
         _write_oriented(maps, found)
-        return _with_subnormals(maps, found, _limits(dtype))
+        return _with_subnormals(maps, found, _limits(np.dtype(dtype)))
     for i, one in enumerate(maps):
         for j, row in enumerate(one.cofactors):
             for k, cofactor in enumerate(row):
@@ -189,10 +278,13 @@ def _quotient(top: int, bottom: int) -> float:
 def _put(found: Scaled, out: Array, kind: NormalMatrixKind) -> Array:
     """Round results to the type of `out`; return the places that are not finite there."""
     if kind is NormalMatrixKind.ORIENTED:
-        np.add(within_range(found, out.dtype), 0.0, out=out, casting="same_kind")
-        return np.empty(0, np.intp)
-    values = np.ldexp(*found) if found.exponent.any() else found.mantissa
-    np.add(values, 0.0, out=out, casting="same_kind")  # no zero is negative
+        values = within_range(found, out.dtype)
+    else:
+        values = np.ldexp(*found) if found.exponent.any() else found.mantissa
+    if values is not out:  # which the guarded level has written by itself
+        np.add(values, 0.0, out=out, casting="same_kind")  # no zero is negative
+    if kind is NormalMatrixKind.ORIENTED:
+        return NOWHERE
     bad = ~np.isfinite(values if out.dtype == values.dtype else out)
     return np.flatnonzero(bad.any(axis=(0, 1)))
 
@@ -213,7 +305,7 @@ def within_range(found: Scaled, dtype: DTypeLike) -> Array:
     >>> np.log2(within_range(wide, np.float64)).ravel().tolist()
     [978.0, -1022.0]
     """
-    limits = _limits(dtype)
+    limits = _limits(np.dtype(dtype))
     if not found.exponent.any() and _holds(limits, found.mantissa):
         return found.mantissa
     return np.asarray(np.ldexp(found.mantissa, found.exponent + _powers(found, limits)))
@@ -235,10 +327,11 @@ def _powers(found: Scaled, limits: np.finfo[Any]) -> Array:
 
 def rounding_bound(dtype: DTypeLike) -> float:
     """Bound the angle, in radians, by which a unit vector turns when it is rounded to a type."""
-    return 1.01 * float(_limits(dtype).eps) / 2
+    return 1.01 * float(_limits(np.dtype(dtype)).eps) / 2
 
 
-def _limits(dtype: DTypeLike) -> np.finfo[Any]:
+@cache
+def _limits(dtype: np.dtype[Any]) -> np.finfo[Any]:
     """Return the range of a type, or that of float64 for one that is wider."""
     return np.finfo(np.promote_types(dtype, np.float16) if np.can_cast(dtype, "f8") else "f8")
 
@@ -280,7 +373,7 @@ def transform_normals(A: Array, n: Array, level: Level) -> Iterator[tuple[slice,
 
 def _by_exact(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
     only = LinearMap.of(A[0].tolist()) if len(A) == 1 else None
-    for part in chunks(len(n), CHUNK):
+    for part in chunks(len(n), PAIRS_CHUNK):
         count = part.stop - part.start
         directions, status = np.zeros((3, count)), np.zeros(count, np.int8)
         for i, normal in enumerate(n[part].tolist()):
@@ -291,15 +384,15 @@ def _by_exact(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
 
 
 def _by_certified(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
-    for part in chunks(len(n), CHUNK):
+    for part in chunks(len(n), PAIRS_CHUNK):
         yield part, certified_normals(_of(A, part), _float64(n[part].T))
 
 
 def _by_guarded(A: Array, n: Array) -> Iterator[tuple[slice, Normals]]:
     """Use plain cofactors and plain sums, where |Cn| ≥ L²|n|/3072 keeps these within 2⁻³⁶."""
-    space = Workspace.of(min(CHUNK, len(n)))
-    for part in chunks(len(n), CHUNK):
+    for part in chunks(len(n), plain.CHUNK):
         some, vectors = A[part].transpose(1, 2, 0), _float64(n[part].T)
+        space = plain.Workspace.taken(some.shape[2], plain.CHUNK)
         (N, _), doubtful = space.normal_matrices(some, NormalMatrixKind.ORIENTED)
         directions = N[:, 0] * vectors[0]
         directions += N[:, 1] * vectors[1]
@@ -355,7 +448,7 @@ def _settled(
         return Normals(directions, np.zeros(count, np.int8), np.broadcast_to(bound, count))
     status, bounds = np.full(count, OK, np.int8), np.full(count, bound)
     places = np.flatnonzero(doubtful)
-    for part in chunks(len(places), CHUNK):
+    for part in chunks(len(places), PAIRS_CHUNK):
         some = places[part]
         found = certified_normals(_of(A, some), _float64(n[some].T))
         directions[:, some], status[some], bounds[some] = found
@@ -370,4 +463,6 @@ def _of(A: Array, places: slice | Array) -> Array:
 
 
 def _float64(A: Array) -> Array:
-    return np.ascontiguousarray(A, np.float64)
+    """Bring planes to float64, each in one piece: every one of them is read many times."""
+    is_ready = A.dtype == np.float64 and A.strides[-1] == A.itemsize
+    return A if is_ready else np.ascontiguousarray(A, np.float64)

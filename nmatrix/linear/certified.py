@@ -4,13 +4,15 @@ Three levels, each asked only about what the one before could not settle:
 
 1. compensated cofactors and a plain sum: the angle is within 5u·‖|C||n|‖/‖Cn‖;
 2. products as pairs of floats: within 2⁻¹⁰⁰·‖P|n|‖/‖Cn‖, where P holds |ad| + |bc|;
-3. whole numbers, correctly rounded.
+3. exact sums of all the floats in the products, or whole numbers: correctly rounded.
 
 A is (3, 3, N), n is (3, N). A power of two that multiplies a matrix changes no bit of a normal.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import fsum
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,12 +20,13 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import NormalStatus
 from nmatrix.linear.compensated import (
-    LARGEST,
     SMALLEST,
     UNIT,
+    Expansion,
     Scaled,
     cofactors,
     minor_products,
+    outside_window,
     two_product,
     two_sum,
 )
@@ -35,8 +38,10 @@ TOLERANCE = 1e-14  # radians
 NORMALISING = 4 * UNIT  # what bringing a vector to length one adds
 CORRECTLY_ROUNDED = 2 * UNIT  # half a unit in each of three components
 PAIRS = 2.0**-100
+UNDERFLOW = 2.0**-1000  # more than all that products of pairs lose below the normal numbers
 STATUSES = tuple(NormalStatus)
 OK, TWO_SIDED, UNDEFINED = range(len(STATUSES))
+ROWS = range(3)
 NEVER = np.iinfo(np.int32).min // 2  # the exponent of zero
 
 
@@ -68,24 +73,36 @@ def certified_normals(A: Array, n: Array) -> Normals:
     sign = np.broadcast_to(determinant_signs(A, C), n.shape[1])
     carried, bound = _summed(C, n)
     A = np.broadcast_to(A, (3, 3, n.shape[1]))
-    doubtful = np.flatnonzero(~(bound <= TOLERANCE))
-    if len(doubtful):
-        some, of_one_size = _largest_near_one(A[:, :, doubtful])
-        by_pairs = doubtful[of_one_size]
-        carried[:, by_pairs], bound[by_pairs] = _summed_in_pairs(
-            some[:, :, of_one_size], n[:, by_pairs]
-        )
+    left = np.flatnonzero(~(bound <= TOLERANCE))
+    if len(left):
+        left = _settle(A, n, left, (carried, bound))
     directions = np.where(sign < 0, -1.0, 1.0) * carried
     directions /= np.sqrt((carried * carried).sum(axis=0))
     directions += 0.0  # no zero is negative
     status = np.where(sign == 0, TWO_SIDED, OK).astype(np.int8)
     nothing = ~carried.any(axis=0)
     directions[:, nothing], status[nothing] = 0.0, UNDEFINED
-    for i in np.flatnonzero(~(bound <= TOLERANCE)).tolist():
+    for i in left.tolist():
         found = LinearMap.of(A[:, :, i].tolist()).normal(n[:, i].tolist())
         directions[:, i] = found.direction or (0.0, 0.0, 0.0)
         status[i], bound[i] = STATUSES.index(found.status), CORRECTLY_ROUNDED
     return Normals(directions, status, bound)
+
+
+def _settle(A: Array, n: Array, places: Array, found: tuple[Array, Array]) -> Array:
+    """Write C·n and its bound by pairs of floats, then by exact sums; find the places left."""
+    carried, bound = found
+    some, _, of_one_size = _largest_near_one(A[:, :, places])
+    normals = np.ldexp(n[:, places], -np.frexp(np.abs(n[:, places]).max(axis=0))[1])
+    by_pairs, some, normals = places[of_one_size], some[:, :, of_one_size], normals[:, of_one_size]
+    carried[:, by_pairs], bound[by_pairs] = _summed_in_pairs(some, normals)
+    exactly = ~(bound[by_pairs] <= TOLERANCE) & ~outside_window(np.abs(normals)[None])
+    if exactly.any():
+        by_sums, some, normals = by_pairs[exactly], some[:, :, exactly], normals[:, exactly]
+        rows = _rows_exactly(some, ROWS, normals)
+        carried[:, by_sums] = np.ldexp(rows, -np.frexp(np.abs(rows).max(axis=0))[1])
+        bound[by_sums] = CORRECTLY_ROUNDED + NORMALISING
+    return places[~(bound[places] <= TOLERANCE)]
 
 
 def determinant_signs(A: Array, C: Scaled) -> Array:
@@ -100,18 +117,20 @@ def determinant_signs(A: Array, C: Scaled) -> Array:
     size = np.abs(terms).sum(axis=0)
     unsure = np.flatnonzero(~((np.abs(total) > 8 * UNIT * size) | (size == 0)))
     if len(unsure):
-        total, error = _determinants_in_pairs(A[:, :, unsure])
+        some, _, of_one_size = _largest_near_one(A[:, :, unsure])
+        (high, low), error = _rows_in_pairs(some, (0,), some[0])
+        total = (high + low)[0]
         sign[unsure] = np.sign(total)
-        unsure = unsure[~(np.abs(total) > 2 * error)]
-    for i in unsure.tolist():
-        sign[i] = LinearMap.of(A[:, :, i].tolist()).determinant_sign
+        unsure = unsure[~((np.abs(total) > 2 * error[0]) & of_one_size)]
+    if len(unsure):
+        sign[unsure] = np.sign(determinants(A[:, :, unsure]).mantissa)
     return np.asarray(sign)
 
 
 def determinants(A: Array) -> Scaled:
-    """Compute determinants, each within 1.01u, with exact zeros.
+    """Compute determinants, correctly rounded.
 
-    Pairs of floats settle those whose terms do not cancel to 2⁻⁴⁰, whole numbers the others.
+    Pairs of floats settle those that are no tie within their error, exact sums the others.
 
     Examples
     --------
@@ -119,11 +138,17 @@ def determinants(A: Array) -> Scaled:
     >>> np.ldexp(*found).tolist()
     [2.0]
     """
-    total, error = _determinants_in_pairs(A)
+    some, power, of_one_size = _largest_near_one(A)
+    (high, low), error = _rows_in_pairs(some, (0,), some[0])
+    (total,), (rest,) = two_sum(high, low)
+    error = error[0]
+    is_settled = (total + (rest - 2 * error) == total) & (total + (rest + 2 * error) == total)
+    exactly = np.flatnonzero(of_one_size & ~is_settled)
+    if len(exactly):
+        total[exactly] = _rows_exactly(some[:, :, exactly], (0,), some[0][:, exactly])[0]
     mantissa, exponent = np.frexp(total)
-    exponent += 3 * np.frexp(np.abs(A).max(axis=(0, 1)))[1]
-    unsure = ~(error < np.abs(total) * 2.0**-60)
-    for i in np.flatnonzero(unsure).tolist():
+    exponent += 3 * power
+    for i in np.flatnonzero(~of_one_size).tolist():
         exact = LinearMap.of(A[:, :, i].tolist())
         bits = exact.integer_determinant.bit_length()
         mantissa[i] = exact.integer_determinant / (1 << bits)
@@ -131,20 +156,19 @@ def determinants(A: Array) -> Scaled:
     return Scaled(mantissa, exponent)
 
 
-def _determinants_in_pairs(A: Array) -> tuple[Array, Array]:
-    """Compute determinants of matrices scaled to a largest entry near 1, and bound their errors."""
-    some, of_one_size = _largest_near_one(A)
-    total, error = _row_in_pairs(some, 0, some[0])
-    return total, np.where(of_one_size, error, np.inf)
+def _largest_near_one(A: Array) -> tuple[Array, Array, Array]:
+    """Scale matrices to a largest entry in [½, 1), unless all are within the window as they are.
 
-
-def _largest_near_one(A: Array) -> tuple[Array, Array]:
-    """Scale matrices to a largest entry in [½, 1); note where every other is 0 or ≥ 2⁻²⁴⁰ then."""
+    Returns them, the powers of two taken out, and where every entry is 0 or ≥ 2⁻²⁴⁰ then.
+    """
+    count = A.shape[2]
     size = np.abs(A)
-    scaled = np.ldexp(A, -np.frexp(size.max(axis=(0, 1)))[1])
-    size = np.abs(scaled)
-    size[size == 0] = 1.0
-    return scaled, np.asarray(size.min(axis=(0, 1)) >= SMALLEST)
+    power = np.frexp(size.max(axis=(0, 1)))[1]
+    size[size == 0] = np.inf
+    least = size.min(axis=(0, 1))
+    if least.min(initial=np.inf) >= SMALLEST and power.max(initial=0) <= 240:
+        return A, np.zeros(count, np.int32), np.ones(count, bool)
+    return np.ldexp(A, -power), power, np.asarray(np.ldexp(least, -power) >= SMALLEST)
 
 
 def _terms(C: Scaled, n: Array) -> Array:
@@ -163,8 +187,7 @@ def _terms(C: Scaled, n: Array) -> Array:
 
 
 def _leaves_window(n: Array) -> bool:
-    size = np.abs(n)
-    return bool((size > LARGEST).any() or ((size < SMALLEST) & (size > 0)).any())
+    return bool(outside_window(np.abs(n)[None]).any())
 
 
 def _summed(C: Scaled, n: Array) -> tuple[Array, Array]:
@@ -189,19 +212,19 @@ def _angle_bound(relative: float, size: Array, carried: Array) -> Array:
 
 def _summed_in_pairs(A: Array, n: Array) -> tuple[Array, Array]:
     """Compute C·n with every number held as two floats, and the bound on its angle."""
-    n = np.ldexp(n, -np.frexp(np.abs(n).max(axis=0))[1])
-    rows = [_row_in_pairs(A, i, n) for i in range(3)]
-    carried, errors = (np.array(part) for part in zip(*rows, strict=True))
+    (high, low), errors = _rows_in_pairs(A, ROWS, n)
+    carried = high + low
+    errors += UNDERFLOW
     power = np.frexp(np.abs(carried).max(axis=0))[1]
     carried, errors = np.ldexp(carried, -power), np.ldexp(errors, -power)
     return carried, _angle_bound(1.0, errors, carried)
 
 
-def _row_in_pairs(A: Array, i: int, n: Array) -> tuple[Array, Array]:
-    """Compute row i of C·n in pairs of floats, rounded once, and the bound on its error before."""
-    high, low, size = (np.zeros(A.shape[2]) for _ in range(3))
+def _rows_in_pairs(A: Array, rows: Sequence[int], n: Array) -> tuple[Expansion, Array]:
+    """Compute rows of C·n in pairs of floats, and bound the errors."""
+    high, low, size = (np.zeros((len(rows), A.shape[2])) for _ in range(3))
     for j in range(3):
-        p, q = minor_products(A, i, j)
+        p, q = minor_products(A, rows, j)
         value = two_sum(p.high, -q.high)
         rest = value.low + (p.low - q.low)
         term = two_product(value.high, n[j])
@@ -209,4 +232,18 @@ def _row_in_pairs(A: Array, i: int, n: Array) -> tuple[Array, Array]:
         high = total.high
         low = low + (total.low + term.low + rest * n[j])
         size += (np.abs(p.high) + np.abs(q.high)) * np.abs(n[j])
-    return high + low, PAIRS * size
+    return Expansion(high, low), PAIRS * size
+
+
+def _rows_exactly(A: Array, rows: Sequence[int], n: Array) -> Array:
+    """Compute rows of C·n correctly rounded, if the entries and components are of one size.
+
+    Every product is the sum of 8 floats, and `fsum` rounds once.
+    """
+    parts: list[Array] = []
+    for j in range(3):
+        p, q = minor_products(A, rows, j)
+        for factor in (p.high, p.low, -q.high, -q.low):
+            parts += two_product(factor, n[j])
+    sums = map(fsum, zip(*(part.ravel().tolist() for part in parts), strict=True))
+    return np.array(list(sums)).reshape(len(rows), A.shape[2])

@@ -16,47 +16,39 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import NormalMatrixKind
-from nmatrix.linear.compensated import Scaled
+from nmatrix.linear.compensated import AS_IT_IS, Cyclic, Scaled, Scratch
 
 Array = NDArray[Any]
 
 STEEP = 2.0**-10  # of the determinant to the cube of the largest entry
 SMALLEST, LARGEST = 2.0**-100, 2.0**100  # products of three entries, and their errors, stay normal
-NEXT, AFTER = slice(1, 4), slice(2, 5)
+CHUNK = 3 << 11  # matrices whose scratch takes 2.7 MB
 
 
 @dataclass(frozen=True, eq=False)
-class Workspace:
-    """Scratch arrays for one chunk.
+class Workspace(Scratch):
+    """Scratch for plain cofactors, with the entries held cyclic."""
 
-    Rows are held as (a₀ a₁ a₂ a₀ a₁), so that the cyclic neighbours of a row are slices of it and
-    a cross product is three calls on three planes each.
-    """
-
-    rows: Array
-    matrices: Array
+    entries: Cyclic
     products: Array
+    sizes: Array
+    largest: Array
     determinant: Array
-    size: Array
+    least: Array
 
     @classmethod
     def of(cls, count: int) -> Workspace:
         """Make room for so many matrices."""
-        return cls(
-            np.empty((3, 5, count)),
-            np.empty((3, 3, count)),
-            np.empty((3, count)),
-            np.empty(count),
-            np.empty(count),
-        )
+        lines = (np.empty(count) for _ in range(3))
+        return cls(Cyclic.of(count), np.empty((2, 3, 3, count)), np.empty((3, 3, count)), *lines)
 
     def normal_matrices(
         self, A: Array, kind: NormalMatrixKind, out: Array | None = None
     ) -> tuple[Scaled, Array]:
         """Compute C/det A or sign(det A)·C of matrices (3, 3, n), and find the doubtful ones.
 
-        The result lies in `out`, or in this workspace until the next call; what stands there for
-        doubtful matrices means nothing.
+        The result lies in `out`, or in this workspace until the next call, and no zero is negative;
+        what stands there for doubtful matrices means nothing.
 
         Examples
         --------
@@ -65,81 +57,72 @@ class Workspace:
         >>> found.mantissa[:, :, 0].diagonal().tolist(), doubtful.tolist()
         ([-8.0, 4.0, 2.0], [False])
         """
-        space = self._first(A.shape[2])
-        found = space.matrices if out is None else out
-        np.copyto(space.rows[:, :3], A)
-        power, doubtful = space._bring_into_range()
-        doubtful |= space._write(kind, found)
-        is_oriented = kind is NormalMatrixKind.ORIENTED
-        return Scaled(found, 2 * power if is_oriented else -power), doubtful
+        found = self.sizes if out is None else out
+        np.copyto(self.entries.block, A)
+        power, apart, has_zeros = self._bring_into_range()
+        doubtful = self._write(kind, found)
+        if apart is not None:
+            doubtful |= apart
+        could_be_negative = found if has_zeros else found[0]
+        could_be_negative += 0.0
+        return Scaled(found, 2 * power if kind is NormalMatrixKind.ORIENTED else -power), doubtful
 
-    def _first(self, count: int) -> Workspace:
-        """Return the part of it that so many matrices need."""
-        if count == self.rows.shape[2]:
-            return self
-        return Workspace(
-            self.rows[:, :, :count],
-            self.matrices[:, :, :count],
-            self.products[:, :count],
-            self.determinant[:count],
-            self.size[:count],
-        )
-
-    def _bring_into_range(self) -> tuple[Array, Array]:
+    def _bring_into_range(self) -> tuple[Array, Array | None, bool]:
         """Scale what lies outside of the safe range, and note the largest entries.
 
-        Returns the powers of two taken out, and which matrices cannot be scaled without loss.
+        Returns the powers of two taken out, the matrices that cannot be scaled without loss, and
+        if there are zeros.
         """
-        entries, largest = self.rows[:, :3], self.size
-        sizes = np.abs(entries, out=self.matrices)
+        entries, sizes, largest = self.entries.block, self.sizes, self.largest
+        np.abs(entries, out=sizes)
         np.maximum.reduce(sizes, axis=(0, 1), out=largest)
-        none = np.zeros(largest.shape, bool)
-        if largest.max() <= LARGEST and sizes.min() >= SMALLEST:
-            return np.zeros(1, np.int32), none
+        least = sizes.min()
+        if least >= SMALLEST and largest.max() <= LARGEST:
+            return AS_IT_IS, None, False
         np.copyto(sizes, np.inf, where=sizes == 0)
         smallest = np.minimum.reduce(sizes, axis=(0, 1))
         outside = (largest > LARGEST) | (smallest < SMALLEST)
         if not outside.any():
-            return np.zeros(1, np.int32), none
+            return AS_IT_IS, None, True
         apart = outside & (smallest < largest * (SMALLEST / LARGEST))
         mantissa, exponent = np.frexp(largest)
         power = np.where(outside, exponent, 0)
         np.copyto(largest, mantissa, where=outside)
         np.ldexp(entries, -power, out=entries)
-        return power, apart
+        return power, apart, True
 
     def _write(self, kind: NormalMatrixKind, out: Array) -> Array:
-        """Write C times its factor, 1/det A or its sign, and return which may not be good enough.
+        """Write C times its factor, 1/det A or its sign, and find where it may not be good enough.
 
         The factor goes into the first row of C, and into the first row of A before the other rows
         of C are made of that.
         """
-        rows, factor = self.rows, self.determinant
-        rows[:, 3:] = rows[:, :2]
-        self._cross(1, 2, out[0])
-        np.multiply(rows[0, :3], out[0], out=self.products)
-        np.add(self.products[0], self.products[1], out=factor)
-        factor += self.products[2]
+        rows, factor = self.entries.planes, self.determinant
+        rows[:3, 3:] = rows[:3, :2]
+        self._cross(slice(0, 1), out)
+        terms = np.multiply(rows[0, :3], out[0], out=self.products[0, 0])
+        np.add(terms[0], terms[1], out=factor)
+        factor += terms[2]
         doubtful = self._doubtful()
         if kind is NormalMatrixKind.ORIENTED:
             np.copysign(1.0, factor, out=factor)
         else:
             np.divide(1.0, factor, out=factor)
         out[0] *= factor
-        rows[0] *= factor
-        self._cross(2, 0, out[1])
-        self._cross(0, 1, out[2])
+        np.multiply(rows[0], factor, out=rows[3])
+        rows[4] = rows[1]
+        self._cross(slice(1, 3), out)
         return doubtful
 
-    def _cross(self, i: int, j: int, out: Array) -> None:
-        """Write the cross product of rows i and j."""
-        np.multiply(self.rows[i, NEXT], self.rows[j, AFTER], out=out)
-        np.multiply(self.rows[i, AFTER], self.rows[j, NEXT], out=self.products)
-        out -= self.products
+    def _cross(self, rows: slice, out: Array) -> None:
+        """Write rows of C, each the cross product of the two rows of A that follow."""
+        first, second = self.entries.first[:, rows], self.entries.second[:, rows]
+        products = np.multiply(first, second, out=self.products[:, rows])
+        np.subtract(products[0], products[1], out=out[rows])
 
     def _doubtful(self) -> Array:
         """Find where |det A| ≤ 2⁻¹⁰·L³."""
-        largest, least = self.size, self.products[0]
+        largest, least = self.largest, self.least
         np.multiply(largest, largest, out=least)
         least *= largest
         least *= STEEP

@@ -1,6 +1,7 @@
 """How fast normals are computed: `python tests/benchmarks/normals.py` prints ratios of one run.
 
-Each line takes turns with its reference, and the median of the ratios is printed.
+Each line takes turns with its reference. For a million it is the median of the ratios; for few, the
+least time of each, of many calls. `NMATRIX_COMPILED=1` measures the compiled loop.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from statistics import median
 
 import numpy as np
@@ -33,6 +35,61 @@ def ratio(run: Run, reference: Run, rounds: int) -> float:
 def naive(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     moved = normals @ matrix.T
     return moved / np.linalg.norm(moved, axis=1, keepdims=True)
+
+
+def ratio_of_few(run: Run, reference: Run, calls: int) -> float:
+    """Return how many times longer the reference takes, both at their best."""
+    least = [float("inf")] * 2
+    for _ in range(15):
+        for i, one in enumerate((run, reference)):
+            started = time.thread_time()
+            for _ in range(calls):
+                one()
+            least[i] = min(least[i], time.thread_time() - started)
+    return least[1] / least[0]
+
+
+def few(sizes: tuple[int, ...]) -> None:
+    """Print how the levels compare with an inverse for few matrices, near singular ones too."""
+    rng = np.random.default_rng(2)
+    print("times faster than np.linalg.inv, for so many matrices (N, 3, 3):")
+    print(" " * 30 + "".join(f"{count:>8}" for count in sizes))
+    for level in ("guarded", "certified"):
+        for kind in ("oriented", "inverse-transpose"):
+            ratios = []
+            for count in sizes:
+                A = rng.normal(size=(count, 3, 3))
+                room = np.empty_like(A)
+                call = partial(nmatrix.normal_matrix, A, kind=kind, level=level, out=room)
+                calls = max(1, 3000 // (count + 10))
+                ratios.append(ratio_of_few(call, partial(np.linalg.inv, A), calls))
+            print(f"  {level + ', ' + kind:28}" + "".join(f"{one:8.2f}" for one in ratios))
+
+
+def hard(count: int) -> None:
+    """Print what it costs where plain sums settle nothing."""
+    rng = np.random.default_rng(3)
+    A, n = rng.normal(size=(count, 3, 3)), rng.normal(size=(count, 3))
+    near = A.copy()
+    near[:, 2] = 2 * A[:, 0] - A[:, 1]
+    flat = rng.integers(-9, 10, (count, 3, 3)) * 1.0
+    flat[:, 2] = flat[:, 0] + flat[:, 1]
+    bits = rng.integers(0, 2**64, size=A.shape, dtype=np.uint64).view(np.float64)
+    bits = np.where(np.isfinite(bits), bits, 1.0)
+    bits_flat = bits.copy()
+    bits_flat[:, 2] = bits[:, 0]
+    families = {"near singular": near, "flat": flat, "any bits": bits, "any bits, flat": bits_flat}
+    print(f"{count} hard ones: how many times longer than np.linalg.inv of ordinary ones")
+    print(" " * 22 + "".join(f"{name:>18}" for name in families))
+    for level in ("guarded", "certified"):
+        for name in ("matrices", "normals"):
+            ratios = []
+            for given in families.values():
+                matrices = partial(nmatrix.normal_matrix, given, kind="oriented", level=level)
+                normals = partial(nmatrix.transform_normals, given, n, level=level, status=True)
+                run = matrices if name == "matrices" else normals
+                ratios.append(1 / ratio_of_few(run, partial(np.linalg.inv, A), 1))
+            print(f"  {level + ' ' + name:20}" + "".join(f"{one:18.2f}" for one in ratios))
 
 
 def main(count: int, rounds: int) -> None:
@@ -76,4 +133,6 @@ def main(count: int, rounds: int) -> None:
 
 if __name__ == "__main__":
     quick = "--quick" in sys.argv
+    few((1, 10, 32, 100, 1000))
+    hard(2_000)
     main(100_000 if quick else 1_000_000, 3 if quick else 9)

@@ -11,6 +11,7 @@ from math import inf, nextafter
 import mpmath
 import pytest
 
+from nmatrix.linear.affine import rotation_from_quaternion
 from nmatrix.linear.classify import condition, worst_angle_deg
 from nmatrix.linear.exact import LinearMap
 
@@ -52,6 +53,18 @@ def test_condition_and_worst_angle_are_right_to_1e_12(rows: list[list[float]]) -
         found = Fraction(condition(LinearMap.of(rows)))
         assert abs(exact(found) / kappa - 1) < 1e-25
         assert abs(exact(Fraction(worst_angle_deg(LinearMap.of(rows)))) / degrees - 1) < 3e-16
+
+
+@pytest.mark.parametrize("w", range(6, 150, 12))
+def test_the_worst_angle_of_a_rotation_is_right_however_little_rounding_bent_it(w: int) -> None:
+    """Three eigenvalues that agree to 2w digits: a cubic is its rounding long before its root."""
+    for quaternion in ((10.0**w, -3.0, 0.0, 0.0), (10.0**w, 3.0, 1.0, -7.0)):
+        exact_rotation = rotation_from_quaternion([Fraction(x) for x in quaternion])
+        rows = [[float(x) for x in row] for row in exact_rotation]
+        with mpmath.workdps(4 * w + 400):
+            _, degrees = oracle(rows)
+            found = exact(Fraction(worst_angle_deg(LinearMap.of(rows))))
+            assert abs(found - degrees) <= 3e-16 * degrees
 
 
 def test_a_uniform_scale_bends_nothing() -> None:
