@@ -27,7 +27,6 @@ from nmatrix.linear.rational import (
     rational_matrix,
     translation,
 )
-from nmatrix.linear.rounded import meant
 from nmatrix.linear.rounding import nearest, short_text
 
 BUILT = 1e-12  # columns of a matrix built from angles agree to a few 1e-16; room for products
@@ -131,6 +130,8 @@ def classify(
     kind = as_typed
     if as_typed not in SETTLED_KINDS:
         if isinstance(rows, RoundedMatrix) and stands_for is None:
+            from nmatrix.linear.rounded import meant  # most matrices are exact
+
             stands_for = meant(rows)
         if stands_for is not None:
             kind = _kind(LinearMap.of(linear_part(stands_for)), offset, Fraction(tolerance))

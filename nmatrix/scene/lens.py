@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import inf
+from typing import TYPE_CHECKING
 
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.angle import Angle, float_turn
-from nmatrix.linear.lens_readings import LensReading, lens_readings
 from nmatrix.linear.projection import (
     CLIP_PARTS,
     DEFAULT_CLIP_SPACE,
@@ -24,6 +24,9 @@ from nmatrix.linear.projection import (
 from nmatrix.linear.rational import RationalMatrix, rounded_for_display
 from nmatrix.linear.values import named, read_fields, real, refuse_beside, vector
 from nmatrix.reading.arrays import read_projection
+
+if TYPE_CHECKING:
+    from nmatrix.linear.lens_readings import LensReading
 
 
 @dataclass(frozen=True)
@@ -67,10 +70,17 @@ class Lens:
     @cached_property
     def readings(self) -> tuple[LensReading, ...]:
         """What a given matrix may be as a projection, with what is said of it, likeliest first."""
+        said = {part: self.clip.parts[part] for part in self.said}
+        return tuple(one for one in self._allowed if one.fits(said))
+
+    @cached_property
+    def _allowed(self) -> tuple[LensReading, ...]:
+        """What the entries of a given matrix allow."""
         if self.matrix is None:
             return ()
-        said = {part: self.clip.parts[part] for part in self.said}
-        return tuple(one for one in lens_readings(self.matrix) if one.fits(said))
+        from nmatrix.linear.lens_readings import lens_readings  # most lenses are built
+
+        return lens_readings(self.matrix)
 
     def _clip_read(self) -> ClipSpace:
         """Return the clip space of the likeliest reading, and of a matrix without one what is said.
@@ -86,10 +96,9 @@ class Lens:
                 part: word for part, word in found.clip.parts.items() if part not in self.said
             }
             return clip_space_over(self.clip, unsaid)
-        allowed = lens_readings(self.matrix) if self.matrix is not None else ()
-        if not allowed:
+        if not self._allowed:
             return self.clip
-        read = allowed[0].clip.parts
+        read = self._allowed[0].clip.parts
         wrong = [part for part in self.said if self.clip.parts[part] != read[part]] or self.said
         told = " ".join(f"{quantity(part)} {self.clip.parts[part]}" for part in wrong)
         raise IllegalValueError(

@@ -16,7 +16,6 @@ from nmatrix.linear.rational import (
     RoundedMatrix,
     rational_vector,
 )
-from nmatrix.linear.rounded import meant
 from nmatrix.linear.values import named, number, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
@@ -123,17 +122,18 @@ class Setup:
 
     @cached_property
     def to_digits(self) -> Setup:
-        """The same setup with what each rounded matrix of it stands for in that one's place."""
+        """The setup with every rounded matrix replaced by what it stands for."""
         world, view, space = self.world, self.view, self.space_matrix
-        if isinstance(world.matrix, RoundedMatrix):
-            world = replace(world, matrix=meant(world.matrix))
-        if isinstance(view.matrix, RoundedMatrix):
-            view = replace(view, matrix=meant(view.matrix))
-        if isinstance(space, RoundedMatrix):
-            space = meant(space)
-        if (world, view, space) == (self.world, self.view, self.space_matrix):
+        if not any(isinstance(one, RoundedMatrix) for one in (world.matrix, view.matrix, space)):
             return self
-        return replace(self, world=world, view=view, space_matrix=space)
+        from nmatrix.linear.rounded import meant  # most matrices are built, or exact
+
+        return replace(
+            self,
+            world=world if world.matrix is None else replace(world, matrix=meant(world.matrix)),
+            view=view if view.matrix is None else replace(view, matrix=meant(view.matrix)),
+            space_matrix=None if space is None else meant(space),
+        )
 
     @property
     def placed_world(self) -> Transform:
