@@ -18,7 +18,7 @@ from functools import cached_property
 
 from nmatrix.enums import Kind
 from nmatrix.linear.angle import DEGREES, arctangent
-from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.exact import Integers, LinearMap
 from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
@@ -40,6 +40,7 @@ CONTEXT = Context(prec=DIGITS, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 RIGID_KINDS = {Kind.IDENTITY, Kind.TRANSLATION, Kind.ROTATION, Kind.RIGID}
 SETTLED_KINDS = RIGID_KINDS | {Kind.SINGULAR}  # no digits make more of them, and rank is exact
+ALWAYS_EXACT = {Kind.SHEAR, Kind.SINGULAR}  # what no tolerance makes more special
 _NEEDS_INVERSE_TRANSPOSE = {Kind.NON_UNIFORM_SCALE, Kind.SHEAR, Kind.SINGULAR}
 
 
@@ -126,7 +127,7 @@ def classify(
     offset = translation(A) if len(A) == 4 else (Fraction(0),) * 3
     linear_map = LinearMap.of(linear_part(A))
     as_typed = _kind(linear_map, offset, Fraction(tolerance))
-    exact = as_typed if tolerance == 0 else _kind(linear_map, offset, Fraction(0))
+    exact = as_typed if as_typed in ALWAYS_EXACT else _kind(linear_map, offset, Fraction(0))
     kind = as_typed
     if as_typed not in SETTLED_KINDS:
         if isinstance(rows, RoundedMatrix) and stands_for is None:
@@ -141,7 +142,7 @@ def classify(
 def _kind(linear_map: LinearMap, offset: RationalVector, tau: Fraction) -> Kind:
     if linear_map.rank < 3:
         return Kind.SINGULAR
-    G = gram(linear_map)
+    G = linear_map.gram
     if not _orthogonal(G, tau):
         return Kind.SHEAR
     lengths = [G[i][i] for i in range(3)]
@@ -155,7 +156,7 @@ def _kind(linear_map: LinearMap, offset: RationalVector, tau: Fraction) -> Kind:
     return Kind.RIGID if any(offset) else Kind.ROTATION
 
 
-def _orthogonal(G: list[list[int]], tau: Fraction) -> bool:
+def _orthogonal(G: Integers, tau: Fraction) -> bool:
     pairs = ((0, 1), (0, 2), (1, 2))
     return all(G[i][j] ** 2 <= tau * tau * G[i][i] * G[j][j] for i, j in pairs)
 
@@ -167,12 +168,6 @@ def _is_identity(linear_map: LinearMap, tau: Fraction) -> bool:
         for i, row in enumerate(linear_map.entries)
         for j, entry in enumerate(row)
     )
-
-
-def gram(linear_map: LinearMap) -> list[list[int]]:
-    """Compute AᵀA of the integer entries: lengths and angles of the columns of A."""
-    columns = list(zip(*linear_map.entries, strict=True))
-    return [[sum(x * y for x, y in zip(p, q, strict=True)) for q in columns] for p in columns]
 
 
 def condition(linear_map: LinearMap) -> Decimal | None:
@@ -210,7 +205,7 @@ def worst_angle_deg(linear_map: LinearMap) -> float | None:
 
 def _excess(linear_map: LinearMap) -> Decimal:
     """Return κ² − 1 = (λ₁ − λ₃)/λ₃, to 30 digits of itself, however small it is."""
-    G = gram(linear_map)
+    G = linear_map.gram
     # λ³ − t λ² + m λ − d = 0; y = (d/m)/λ for the smallest root.
     t = Decimal(G[0][0] + G[1][1] + G[2][2])
     m = Decimal(_principal_minors(G))
@@ -219,7 +214,7 @@ def _excess(linear_map: LinearMap) -> Decimal:
     return _spread(G) * y * m / d
 
 
-def _spread(G: Sequence[Sequence[int]]) -> Decimal:
+def _spread(G: Integers) -> Decimal:
     """Return λ₁ − λ₃ from D = 3 G − t, whose eigenvalues are 3 λ − t and have the sum 0.
 
     They solve e³ − p e − q = 0; with e = √p x that is x³ − x − q/√p³ = 0, where nothing is small.
@@ -251,7 +246,7 @@ def _largest_depressed_root(r: Decimal) -> Decimal:
     return x
 
 
-def _principal_minors(G: Sequence[Sequence[int]]) -> int:
+def _principal_minors(G: Integers) -> int:
     return sum(G[i][i] * G[j][j] - G[i][j] ** 2 for i, j in ((0, 1), (0, 2), (1, 2)))
 
 

@@ -63,6 +63,14 @@ class LinearMap:
         """Return the determinant of the integer entries."""
         return sum(x * c for x, c in zip(self.entries[0], self.cofactors[0], strict=True))
 
+    @cached_property
+    def gram(self) -> Integers:
+        """AᵀA of the integer entries: lengths and angles of the columns of A."""
+        columns = list(zip(*self.entries, strict=True))
+        return tuple(
+            tuple(sum(x * y for x, y in zip(p, q, strict=True)) for q in columns) for p in columns
+        )
+
     @property
     def determinant(self) -> Fraction:
         """Return det A exactly."""

@@ -68,20 +68,21 @@ class _Writer:
         return f"{INDENT * depth}{self._string(name)}: {written}"
 
     def value(self, value: Value, key: str, depth: int) -> str:
-        if is_matrix(value):
-            value = arranged(value, self.options.layout)
+        if is_number(value):
+            return self._number(value, key)
+        if isinstance(value, str):
+            return self._string(value)
         if isinstance(value, Step):
             value = members(value)
         if isinstance(value, Mapping):
             return self._object(value, key, depth)
+        if not is_list(value):
+            return json.dumps(value)
         if is_vector(value):
             entries = (self.value(entry, f"{key}.{i}", depth) for i, entry in enumerate(value))
             return f"[{', '.join(entries)}]"
-        if is_list(value):
-            return self._list(tuple(value), key, depth)
-        if is_number(value):
-            return self._number(value, key)
-        return self._string(value) if isinstance(value, str) else json.dumps(value)
+        rows = arranged(value, self.options.layout) if is_matrix(value) else value
+        return self._list(tuple(rows), key, depth)
 
     def _string(self, text: str) -> str:
         escape = self.options.charset is Charset.ASCII or not _encodable(text)
