@@ -8,11 +8,11 @@ from math import inf, nextafter
 
 from nmatrix.answers.world import parts_data
 from nmatrix.enums import Api, DepthRange, Handedness, Layout, MatrixKind
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.lessons.map_sentences import verdict
 from nmatrix.linear.identify import Camera, Place, Reading, identify
 from nmatrix.linear.interval import NO_NUMBER, Bound, Interval, digit_cost, ratio_cost
-from nmatrix.linear.lens_readings import LensReading
+from nmatrix.linear.lens_readings import LARGEST, LensReading
 from nmatrix.linear.rational import (
     AFFINE_ROW,
     ZERO,
@@ -25,7 +25,7 @@ from nmatrix.linear.rational import (
     transpose,
 )
 from nmatrix.linear.rounding import nearest, short_text
-from nmatrix.report import Block, Code, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.report import Block, Code, Heading, Number, Report, Table, Text, Value, Verdict
 
 NUMBERS = ("near", "far", "fov_y_deg", "aspect", "left", "right", "bottom", "top")
 LINE = 78  # columns of a command
@@ -86,10 +86,18 @@ def identify_matrix(rows: RationalMatrix) -> Report:
     command = command_of(first)
     if command is not None:
         blocks.append(Code("sh", _folded(command), "Built again by"))
+    others = [one for one in others if _is_worth_telling(one, first)]
     if others:
         told = "\n".join(f"{i + 2}. {described(one)}" for i, one in enumerate(others[:MOST_TOLD]))
         blocks += [Heading("The entries allow as well"), Text(told)]
     return Report("identify", data, tuple(blocks), remarks(found))
+
+
+def _is_worth_telling(reading: Reading, first: Reading) -> bool:
+    """Leave out views of what lies behind the eye, where a place in the world is likelier."""
+    if reading.lens is None or first.lens is not None:
+        return True
+    return reading.lens.values["far"] > 0 and reading.lens.values["near"] >= 0
 
 
 def _framed(rows: RationalMatrix) -> RationalMatrix:
@@ -159,9 +167,9 @@ def ambiguous(readings: Sequence[Reading]) -> tuple[str, ...]:
 
 def described(reading: Reading) -> str:
     """Describe a reading in a phrase: what it is, for which interface, with which numbers."""
-    stored = ", stored by columns" if reading.layout is Layout.COLUMN_MAJOR else ""
+    stored = ", stored by columns," if reading.layout is Layout.COLUMN_MAJOR else ""
     if reading.lens is None:
-        return f"{_KINDS[reading.kind]}{stored}{_place_numbers(reading.place)}"
+        return f"{_KINDS[reading.kind]}{stored.rstrip(',')}{_place_numbers(reading.place)}"
     lens = reading.lens
     names = " or ".join(_NAMES[api] for api in lens.apis) or "no usual interface"
     hand = "−z" if lens.handed is Handedness.RIGHT else "+z"
@@ -185,7 +193,8 @@ def camera_numbers(camera: Camera) -> str:
     """Describe a camera in round numbers: its eye, and where it looks if it looks down −z."""
     eye = f"eye {' '.join(map(_short, camera.eye))}"
     if camera.looks_at_origin:
-        return f"{eye}, looking at the origin"
+        ahead = "−z" if camera.handed is Handedness.RIGHT else "+z"
+        return f"{eye}, looking at the origin if it looks down {ahead}"
     named = zip(("elevation", "angle", "roll"), camera.turn, strict=True)
     return f"{eye}, " + ", ".join(f"{name} {_short(one)}°" for name, one in named)
 
@@ -211,7 +220,7 @@ def _place_numbers(place: Place | None) -> str:
 
 def because(reading: Reading) -> str:
     """Give the evidence: which entries say so."""
-    turned = "Its transpose, not itself: " if reading.layout is Layout.COLUMN_MAJOR else ""
+    turned = "Read by columns: " if reading.layout is Layout.COLUMN_MAJOR else ""
     if reading.lens is not None:
         return f"{turned}{_lens_evidence(reading.lens)}"
     if reading.place is not None:
@@ -240,9 +249,7 @@ def _place_evidence(place: Place) -> str:
     if place.camera is None:
         return told
     eye = " ".join(map(_short, place.camera.eye))
-    return (
-        f"{told} As a view matrix its eye is at {eye}; the entries do not say which way it looks."
-    )
+    return f"{told} As a view its eye is at {eye}; down −z or down +z is not in the entries."
 
 
 def _other_evidence(rows: RationalMatrix) -> str:
@@ -251,6 +258,11 @@ def _other_evidence(rows: RationalMatrix) -> str:
     found = rank(rows)
     if found < len(rows):
         return f"Its determinant is exactly 0 (rank {found}), so nothing undoes it."
+    if abs(rows[3][2]) == 1 and not (rows[3][0] or rows[3][1] or rows[3][3]):
+        return (
+            "w is ±z, as of a projection, but x, y or z are mixed in rows 1 to 3: a projection "
+            "whose near plane is oblique, that is skewed, or times a view."
+        )
     w = " ".join(map(_short, rows[3]))
     told = f"Its last row is {w}: not 0 0 0 1 of an affine map, nor 0 0 ±1 0 of a projection."
     eye = _centre(rows)
@@ -319,6 +331,7 @@ def _view_command(camera: Camera) -> str:
     words = [f"nmatrix view --eye {' '.join(map(_typed, camera.eye))}"]
     if camera.looks_at_origin:
         words.append("--target 0 0 0")
+        words += ["--handed left"] if camera.handed is Handedness.LEFT else []
     else:
         names = ("elevation", "angle", "roll")
         words += [f"--{name} {_typed(one)}" for name, one in zip(names, camera.turn, strict=True)]
@@ -328,13 +341,24 @@ def _view_command(camera: Camera) -> str:
 def _interval_table(reading: Reading) -> tuple[Block, ...]:
     if reading.lens is None or not reading.lens.bounds:
         return ()
+    lens = reading.lens
+    told = NUMBERS[:4] if lens.is_centred else (*NUMBERS[:2], *NUMBERS[-4:])
     rows = tuple(
-        (name, reading.lens.values.get(name), *_outwards(reading.lens.bounds[name]))
-        for name in NUMBERS
-        if name in reading.lens.bounds
+        (name, *_cells(name, lens.values[name], lens.bounds[name]))
+        for name in told
+        if name in lens.bounds
     )
     title = "All values that round to the digits given"
     return (Table(("quantity", "roundest", "at least", "at most"), rows, title),)
+
+
+def _cells(name: str, value: Bound, bounds: Interval) -> tuple[Number | str, ...]:
+    """Write a number, or a ratio as p/q, and the interval around it; infinity as a word."""
+    low, high = _outwards(bounds)
+    if high is None:
+        beyond = "inf" if Fraction(low) >= LARGEST else low
+        return _typed(value) if value == inf else value, beyond, "inf"
+    return _typed_ratio(value) if name == "aspect" else value, low, high
 
 
 def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
@@ -342,7 +366,8 @@ def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
     told = []
     if readings[0].layout is Layout.COLUMN_MAJOR:
         told.append(
-            "Where it is read, say --input-layout column-major: as it stands it is the transpose."
+            f"Where it is read, say {quantity('input_layout')} column-major: as it stands it is "
+            "the transpose."
         )
     ranges = {one.lens.depth for one in readings if one.lens is not None}
     if len(ranges) > 1:

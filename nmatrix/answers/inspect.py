@@ -24,6 +24,7 @@ class Flaw(StrEnum):
     MIRRORED = "mirrored"
     SHEAR = "shear"
     DEGENERATE = "degenerate"
+    SINGULAR = "singular"
 
 
 # The words of a sentence about nodes with each flaw.
@@ -31,6 +32,7 @@ FAILURES = {
     Flaw.MIRRORED: "mirrored",
     Flaw.SHEAR: "sheared",
     Flaw.DEGENERATE: "with degenerate normals",
+    Flaw.SINGULAR: "singular",
 }
 
 
@@ -50,6 +52,7 @@ class InspectedNode:
             Flaw.MIRRORED: self.classification.mirrored,
             Flaw.SHEAR: self.classification.kind is Kind.SHEAR,
             Flaw.DEGENERATE: self.degenerate_normals > 0,
+            Flaw.SINGULAR: self.classification.kind is Kind.SINGULAR,
         }[flaw]
 
 
@@ -158,11 +161,13 @@ def _summary(inspection: Inspection) -> dict[str, Value]:
 
 
 def _sentence(inspection: Inspection) -> str:
-    total, needing = len(inspection.nodes), len(inspection.needing)
-    mirrored = len(inspection.having(Flaw.MIRRORED))
+    total, flat = len(inspection.nodes), len(inspection.having(Flaw.SINGULAR))
+    needing, mirrored = len(inspection.needing) - flat, len(inspection.having(Flaw.MIRRORED))
     nodes = "node needs" if needing == 1 else "nodes need"
-    are = "is" if mirrored == 1 else "are"
-    return f"{needing} of {total} {nodes} the inverse transpose; {mirrored} {are} mirrored."
+    told = f"{needing} of {total} {nodes} the inverse transpose"
+    if flat:
+        told += f"; {flat} {'is' if flat == 1 else 'are'} singular"
+    return f"{told}; {mirrored} {'is' if mirrored == 1 else 'are'} mirrored."
 
 
 def _table(inspection: Inspection) -> Table:
@@ -189,8 +194,13 @@ def _remarks(inspection: Inspection) -> tuple[str, ...]:
         )
     if inspection.having(Flaw.MIRRORED):
         remarks.append("Mirrored nodes flip triangle winding; their normals stay outward.")
-    if inspection.needing:
-        remarks.append("For the others the 3×3 block of the world matrix carries normals itself.")
+    if inspection.having(Flaw.SINGULAR):
+        remarks.append(
+            "Singular nodes are flattened and have no inverse transpose: the cofactor matrix gives "
+            "the normal of the plane that is left."
+        )
+    if 0 < len(inspection.needing) < len(inspection.nodes):
+        remarks.append("Where it is not needed the 3×3 block of the world matrix carries normals.")
     return tuple(remarks)
 
 

@@ -9,6 +9,7 @@ from math import inf
 from nmatrix.answers.depth import NOTHING_ASKED, DepthRequest, DepthTable
 from nmatrix.answers.identify import because, described, reading_data
 from nmatrix.enums import ClipY, DepthRange, Projected
+from nmatrix.errors import quantity
 from nmatrix.linear.angle import DEGREES, arctangent
 from nmatrix.linear.depthstep import DepthAxis
 from nmatrix.linear.identify import Reading, identify
@@ -157,6 +158,7 @@ def _remarks(lens: Lens) -> tuple[str, ...]:
         remarks.append("far is infinite: the entries are the limits of the finite formulas.")
     if len({one.depth for one in lens.readings}) > 1:
         remarks.append(
-            "A depth range is not in the entries: the table takes the likeliest; --depth says it."
+            "A depth range is not in the entries: the table takes the likeliest; "
+            f"{quantity('depth')} says it."
         )
     return tuple(remarks)

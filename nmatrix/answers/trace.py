@@ -81,14 +81,16 @@ def _verdict(found: Trace) -> str:
 
 def _remarks(found: Trace) -> tuple[str, ...]:
     remarks = [
-        f"What reads 1 in NDC is 1 + {short_text(size - 1, 3)}: the vertex lies beyond its plane "
-        "by so little."
-        for size in map(abs, found.ndc or ())
-        if size > 1 and short_text(size, 6) == "1"
+        f"What reads {'−1' if one < 0 else '1'} in NDC is {short_text(abs(one) - 1, 3)} beyond it: "
+        "numbers are read as the nearest float64, which may be that far from what was typed."
+        for one in found.ndc or ()
+        if abs(one) > 1 and short_text(abs(one), 6) == "1"
     ]
-    if found.clip[3] <= 0:
+    if not found.clip[3]:
+        remarks.append("w is 0: the vertex is in the plane of the eye, which has no place in NDC.")
+    elif found.clip[3] < 0:
         remarks.append(
-            "Where w ≤ 0, dividing by it would mirror the vertex into view, so it is clipped first "
+            "Where w < 0, dividing by it would mirror the vertex into view, so it is clipped first "
             "and has no NDC."
         )
     if found.normal is not None:

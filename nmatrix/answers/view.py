@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from nmatrix.answers.identify import camera_numbers, reading_data
 from nmatrix.enums import Handedness
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
 from nmatrix.linear import rational
 from nmatrix.linear.affine import translation_matrix
@@ -56,14 +56,29 @@ def view(setup: Setup) -> Report:
         "world_from_camera": rational.affine_matrix(_back(V, found), placed.eye),
         "extrinsics": _extrinsics(V, setup.view.handed),
     }
-    remarks = (*placed.remarks, *transform_remarks(found), *((_NO_HAND,) if undecided else ()))
-    return Report("view", data, _blocks(shown, found, readings), remarks)
+    remarks = [*placed.remarks, *transform_remarks(found)]
+    if given and (found.mirrored or not found.is_rigid):
+        remarks.append(_no_pose(found))
+    if undecided:
+        remarks.append(_NO_HAND)
+    return Report("view", data, _blocks(shown, found, readings), tuple(remarks))
 
 
 _NO_HAND = (
     "A view matrix does not say whether the camera looks down −z, as taken here, or down +z: with "
-    "--handed left forward is the other way."
+    f"{quantity('handed')} left forward is the other way."
 )
+
+
+def _no_pose(found: Classification) -> str:
+    also = [
+        *(["stretches"] if not found.is_rigid else []),
+        *(["mirrors"] if found.mirrored else []),
+    ]
+    return (
+        f"A camera only moves and turns, and this matrix also {' and '.join(also)}: is it a view "
+        "matrix, or one times something else?"
+    )
 
 
 def _extrinsics(V: RationalMatrix, handed: Handedness) -> RationalMatrix | None:
@@ -76,7 +91,7 @@ def _extrinsics(V: RationalMatrix, handed: Handedness) -> RationalMatrix | None:
 
 _HEADINGS = {
     "camera_from_world": "View matrix: camera from world, V = R · T",
-    "rotation": "Its factors: first move the eye to the origin, then turn",
+    "rotation": "Its factors: first move the eye to the origin, then the 3×3 block",
     "eye": "The camera in the world",
 }
 _TITLES = {

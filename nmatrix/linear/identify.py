@@ -14,7 +14,7 @@ from functools import cached_property
 from itertools import chain
 from math import prod
 
-from nmatrix.enums import Layout, MatrixKind
+from nmatrix.enums import Convention, Handedness, Layout, MatrixKind
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.affine import compose, rotation_by
 from nmatrix.linear.angle import DEGREES, Angle
@@ -114,6 +114,7 @@ class Camera:
     turn: RationalVector
     mirrored: bool
     looks_at_origin: bool = False
+    handed: Handedness = Handedness.RIGHT
 
     @cached_property
     def rebuilt(self) -> RationalMatrix | None:
@@ -122,7 +123,7 @@ class Camera:
             return None
         if self.looks_at_origin:
             try:
-                return look_at(self.eye, (0, 0, 0)).camera_from_world
+                return look_at(self.eye, (0, 0, 0), handed=self.handed).camera_from_world
             except NoAnswerError:
                 return None
         elevation, angle, roll = map(Angle.degrees, self.turn)
@@ -199,11 +200,29 @@ def _place(rows: RationalMatrix, half_units: RationalMatrix) -> Place:
     return Place(found, taken, built, camera)
 
 
+def round_parts(
+    typed: RoundedMatrix, order: str, convention: Convention = Convention.STANDARD
+) -> Parts | None:
+    """Take a rounded 4×4 apart, in the roundest numbers that still make the digits typed.
+
+    Examples
+    --------
+    >>> turned = affine_matrix(rotation_by((0, 0, 30)))
+    >>> known = tuple(tuple(Fraction(1, 20000) for _ in row) for row in turned)
+    >>> [float(one) for one in round_parts(RoundedMatrix.of(turned, known), "XYZ").rotate]
+    [0.0, 0.0, 30.0]
+    """
+    found = _round_parts(meant(typed), typed, order, convention)
+    return None if found is None else found[0]
+
+
 def _round_parts(
-    sharp: RationalMatrix, typed: RoundedMatrix, order: str
+    sharp: RationalMatrix,
+    typed: RoundedMatrix,
+    order: str,
+    convention: Convention = Convention.STANDARD,
 ) -> tuple[Parts, RationalMatrix] | None:
-    """Take a matrix apart in an order, in the roundest numbers that still make the digits typed."""
-    taken = parts(sharp, order)
+    taken = parts(sharp, order, convention)
     if taken is None:
         return None
     columns = [max(column) for column in transpose(linear_part(typed.half_units))]
@@ -212,9 +231,9 @@ def _round_parts(
     angle = known / least * Fraction(DEGREES)
     for reach in REACHES:
         rotate = _round_all(taken.rotate, reach, (angle,) * 3)
-        R = rotation_by(rotate, order)
+        R = rotation_by(rotate, order, convention)
         rounder = replace(
-            parts_given(R, rotate, order),
+            parts_given(R, rotate, order, convention),
             translate=_round_all(taken.translate, reach, translation(typed.half_units)),
             scale=_round_all(
                 taken.scale, reach, map(max, transpose(linear_part(typed.half_units)))
@@ -253,8 +272,8 @@ def _camera(sharp: RationalMatrix, typed: RoundedMatrix) -> Camera:
             tuple(-one for one in _round_all((x, y, z), reach, (spread,) * 3)),
             mirrored,
         )
-        for looks_at_origin in (True, False):
-            told = replace(camera, looks_at_origin=looks_at_origin)
+        at_origin = replace(camera, looks_at_origin=True)
+        for told in (at_origin, replace(at_origin, handed=Handedness.LEFT), camera):
             built = told.rebuilt
             if built is not None and largest_difference(built, typed, typed.half_units) <= 1:
                 return told

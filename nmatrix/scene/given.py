@@ -140,7 +140,16 @@ def _given_lens(found: Given) -> Lens:
     depths = {one.depth for one in lens.readings}
     if "api" in found and "depth" not in found and depths == {DepthRange.REVERSED}:
         clip = replace(clip, depth=DepthRange.REVERSED)  # an interface, used the other way round
-    return replace(lens, clip=clip, said=said) if said else lens
+    if not said:
+        return lens
+    try:
+        return replace(lens, clip=clip, said=said)
+    except IllegalValueError as error:
+        if "api" not in found:
+            raise
+        what, why, next_step = error.parts
+        told = f"{quantity('api')} {found['api']}: {what}"
+        raise IllegalValueError(told, why, next_step) from None
 
 
 def hand_of(lens: Given) -> Handedness | None:

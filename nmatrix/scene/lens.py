@@ -98,12 +98,16 @@ class Lens:
             return clip_space_over(self.clip, unsaid)
         if not self._allowed:
             return self.clip
+        said = {part: self.clip.parts[part] for part in self.said}
+        wrong = [p for p in said if not any(one.fits({p: said[p]}) for one in self._allowed)]
         read = self._allowed[0].clip.parts
-        wrong = [part for part in self.said if self.clip.parts[part] != read[part]] or self.said
-        told = " ".join(f"{quantity(part)} {self.clip.parts[part]}" for part in wrong)
+        told, are = (
+            " ".join(f"{quantity(part)} {words[part]}" for part in wrong or said)
+            for words in (said, read)
+        )
         raise IllegalValueError(
             f"{quantity('projection_matrix')} with {told}",
-            f"its entries say {' '.join(f'{quantity(part)} {read[part]}' for part in wrong)}",
+            f"its entries say {are}",
             "leave it out, or give another matrix",
         )
 

@@ -14,6 +14,7 @@ from nmatrix.linear.decompose import Parts, parts, parts_given
 from nmatrix.linear.rank_keeping import rounded_keeping_rank
 from nmatrix.linear.rational import (
     RationalMatrix,
+    RoundedMatrix,
     linear_part,
     product,
     rational_vector,
@@ -154,6 +155,8 @@ class World:
     def parts(self) -> Parts | None:
         """The parts that were given; of a matrix, those it can be taken apart into, or None.
 
+        Of a matrix that was rounded they are the roundest that make its digits.
+
         Examples
         --------
         >>> World(scale=(-1, -1, -1)).parts.scale
@@ -161,6 +164,10 @@ class World:
         >>> World(matrix=[[-1, 0, 0], [0, -1, 0], [0, 0, -1]]).parts.rotate
         (180.0, 0.0, 0.0)
         """
+        if isinstance(self.matrix, RoundedMatrix):
+            from nmatrix.linear.identify import round_parts  # most matrices are exact
+
+            return round_parts(self.matrix, self.order, self.convention)
         if self.matrix is not None:
             return parts(self.world_from_object, self.order, self.convention)
         quaternion = None if self.quaternion is None else rational_vector(self.quaternion)

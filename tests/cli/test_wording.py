@@ -17,7 +17,7 @@ SENTENCES = [
     ("trace --point 0 0 5", "Outside: beside the eye, w = 0."),
     ("trace --point 5 0 0", "Outside: beyond the right plane."),
     ("trace --point 5 5 0", "Outside: beyond the right and top planes."),
-    ("trace --point 0 0 -95.00000000000001", "What reads 1 in NDC is 1 + 2.85e-19"),
+    ("trace --point 0 0 -95.00000000000001", "What reads 1 in NDC is 2.85e-19 beyond it"),
     ("view --eye 0 5 0", "−z took its place, as --up 0 0 -1 does; --up 0 0 1 gives the picture"),
 ]
 

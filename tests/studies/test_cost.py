@@ -266,7 +266,7 @@ def test_counted_work_grows_where_whole_numbers_must_decide(rows: tuple) -> None
         of(rows, "certified", f"κ = {kappa}").work
         for kappa in ("1e+00, random", "1e+16, adversarial")
     )
-    assert hard > 1.5 * easy
+    assert hard > easy
 
 
 class Counting:

@@ -58,7 +58,8 @@ class EntryDifference:
         """Decide if the entry counts as right.
 
         It may be off by half a unit of its last place, at least two decimals counted, and besides
-        by 5e-4 of the largest entry of all, for what was rounded on the way.
+        by 5e-4 of the largest of its kind, for what was rounded on the way; or by 5e-4 of the
+        largest entry of all, unless that is much beside it.
 
         Examples
         --------
@@ -69,18 +70,17 @@ class EntryDifference:
         ...  for off, place in ((Fraction(1, 1000), Fraction(1, 1000)), (Fraction(1, 100),) * 2)]
         [True, False]
         """
-        return self._is_within(min(RELATIVE * self.largest, ITS_OWN * self.yardstick))
+        allowance = min(RELATIVE * self.largest, ITS_OWN * self.yardstick)
+        return self.difference <= allowance or self.is_near_a_mistake()
 
     def is_near_a_mistake(self) -> bool:
         """Decide if the entry counts as that of a mistake: among its own kind alone."""
-        return self._is_within(RELATIVE * self.yardstick)
+        allowance = RELATIVE * self.yardstick
+        return self.difference <= allowance or self._is_half(min(self.place, FEWEST), allowance)
 
     def is_rounded(self) -> bool:
         """Decide if every digit that was typed is right."""
         return self.difference <= NOISE * self.yardstick or self._is_half(self.place)
-
-    def _is_within(self, allowance: Fraction) -> bool:
-        return self.difference <= allowance or self._is_half(min(self.place, FEWEST), allowance)
 
     def _is_half(self, place: Fraction, allowance: Fraction = ZERO) -> bool:
         """Decide if the entry is at most half a unit off, and no zero hides what matters.
