@@ -102,7 +102,7 @@ class DepthTable:
     def remarks(self) -> Iterator[str]:
         """What the numbers mean for two surfaces that are close together."""
         if any(distance is None for distance, _ in self.pairs or ()):
-            yield "far is infinite, and its depth lies at no distance."
+            yield "far is infinite: its depth is reached at no distance."
         if any(not 0 <= depth <= 1 for _, depth in self.pairs or ()):
             yield "A depth below 0 or above 1 is outside near and far: it is clipped, never stored."
         if self.steps is None or self.axis is None:
@@ -115,8 +115,9 @@ class DepthTable:
             )
         elif perspective and last.float32 is not None and last.float32 > last.distance / 100:
             yield (
-                f"At the far end two surfaces closer than {short_text(last.float32, 3)} fight for "
-                "the same depth: a larger near or a reversed depth range helps."
+                f"At distance {short_text(Fraction(last.distance), 6)} two surfaces closer than "
+                f"{short_text(last.float32, 3)} fight for the same depth: a larger near or a "
+                "reversed depth range helps."
             )
         if any(
             step.float32 is None or step.float32 < FINEST * abs(Fraction(step.distance))

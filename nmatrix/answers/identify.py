@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from math import inf, nextafter
+from sys import float_info
 
 from nmatrix.answers.world import parts_data
 from nmatrix.enums import Api, DepthRange, Handedness, Layout, MatrixKind
@@ -149,20 +150,32 @@ def reading_data(reading: Reading) -> dict[str, Value]:
 
 
 def _outwards(found: Interval) -> tuple[float, float | None]:
-    """Return floats that enclose an interval; None for infinity."""
-    low = nearest(found.low)
+    """Return floats that enclose an interval; None for what is beyond the largest."""
+    low = nearest(max(min(found.low, LARGEST), -LARGEST))
     low = low if Fraction(low) <= found.low else nextafter(low, -inf)
-    if isinstance(found.high, float):
-        return low, None
-    high = nearest(found.high)
+    if found.high > LARGEST:
+        return max(low, -float_info.max), None
+    high = nearest(max(Fraction(found.high), -LARGEST))
     return low, high if Fraction(high) >= found.high else nextafter(high, inf)
 
 
 def ambiguous(readings: Sequence[Reading]) -> tuple[str, ...]:
     """List the keys on which the readings differ: the entries do not decide them."""
-    first, *others = map(reading_data, readings)
-    told = ("kind", "layout", "handed", "depth_range", "clip_y", *NUMBERS, "eye", "parts")
-    return tuple(key for key in told if any(one[key] != first[key] for one in others))
+    data = [reading_data(one) for one in readings]
+    words = ("kind", "layout", "handed", "depth_range", "clip_y")
+    open_ = [key for key in words if any(one[key] != data[0][key] for one in data)]
+    for key in NUMBERS:
+        bounds = [None if one.lens is None else one.lens.bounds.get(key) for one in readings]
+        if any(not _overlap(bounds[0], other) for other in bounds):
+            open_.append(key)
+    open_ += [key for key in ("eye", "parts") if any(one[key] != data[0][key] for one in data)]
+    return tuple(open_)
+
+
+def _overlap(one: Interval | None, other: Interval | None) -> bool:
+    if one is None or other is None:
+        return one is other
+    return one.low <= other.high and other.low <= one.high
 
 
 def described(reading: Reading) -> str:
@@ -220,9 +233,18 @@ def _place_numbers(place: Place | None) -> str:
 
 def because(reading: Reading) -> str:
     """Give the evidence: which entries say so."""
+    try:
+        return _evidence(reading)
+    except IllegalValueError:
+        return "Its numbers are beyond float64."
+
+
+def _evidence(reading: Reading) -> str:
     turned = "Read by columns: " if reading.layout is Layout.COLUMN_MAJOR else ""
     if reading.lens is not None:
-        return f"{turned}{_lens_evidence(reading.lens)}"
+        factor = reading.lens.factor
+        times = "" if factor == 1 else f"All of it times {_short(factor)}, which /w undoes: "
+        return f"{turned}{times}{_lens_evidence(reading.lens)}"
     if reading.place is not None:
         affine = "" if len(reading.rows) == 3 else "The last row is 0 0 0 1. "
         return f"{turned}{affine}{_place_evidence(reading.place)}"
@@ -281,7 +303,14 @@ def _centre(rows: RationalMatrix) -> RationalVector | None:
 
 
 def command_of(reading: Reading) -> str | None:
-    """Write the command that builds the matrix again out of round numbers."""
+    """Write the command that builds the matrix again out of round numbers, if floats hold them."""
+    try:
+        return _command_of(reading)
+    except IllegalValueError:
+        return None
+
+
+def _command_of(reading: Reading) -> str | None:
     if reading.lens is not None:
         return None if reading.lens.rebuilt is None else _lens_command(reading.lens)
     if reading.place is None or reading.place.rebuilt is None:

@@ -14,6 +14,7 @@ from nmatrix.linear.angle import DEGREES, arctangent
 from nmatrix.linear.depthstep import DepthAxis
 from nmatrix.linear.identify import Reading, identify
 from nmatrix.linear.interval import Bound
+from nmatrix.linear.lens_readings import LARGEST
 from nmatrix.report import Block, Heading, Number, Quantity, Report, Text, Value, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
@@ -131,8 +132,11 @@ def _axis(lens: Lens) -> DepthAxis | None:
     read = lens.readings[0] if lens.readings else None
     if read is None or read.depth is None:
         return None
+    near, far = read.values["near"], read.values["far"]
+    if max(abs(one) for one in (near, far) if isinstance(one, Fraction)) > LARGEST:
+        return None
     projected = Projected.PERSPECTIVE if read.is_perspective else Projected.PARALLEL
-    return DepthAxis(float(read.values["near"]), float(read.values["far"]), read.depth, projected)
+    return DepthAxis(float(near), float(far), read.depth, projected)
 
 
 def _verdict(lens: Lens) -> str:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
+from nmatrix.errors import quantity
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Number, Quantity, Report, Value, Vector, Verdict
+from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.trace import Trace, TracedNormal, Viewport
 from nmatrix.spaces.trace import trace as follow
@@ -42,7 +44,8 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
         *(Quantity(f"normal.{key}", v, f"normal, {key}") for key, v in (carried or {}).items()),
         Verdict(_verdict(found)),
     )
-    return Report("trace", data, blocks, (*setup.remarks, *_remarks(found)))
+    remarks = (*setup.remarks, *_lens_remarks(setup.lens), *_remarks(found))
+    return Report("trace", data, blocks, remarks)
 
 
 _TITLES = {
@@ -77,6 +80,19 @@ def _verdict(found: Trace) -> str:
     *others, last = found.outside_planes
     named = f"{', '.join(others)} and {last} planes" if others else f"{last} plane"
     return f"Outside: beyond the {named}."
+
+
+def _lens_remarks(lens: Lens) -> tuple[str, ...]:
+    """Tell that a given projection was taken for the likeliest of several, or is none."""
+    if lens.matrix is not None and not lens.readings:
+        return ("The matrix is no projection of a camera: its clip space is taken as it is.",)
+    depths = {one.depth for one in lens.readings}
+    if len(depths) < 2:
+        return ()
+    return (
+        f"The entries do not decide the depth range, taken as {lens.clip.depth} here: "
+        f"{quantity('depth')} says it.",
+    )
 
 
 def _remarks(found: Trace) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ from nmatrix.linear.angle import DEGREES, Angle
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.decompose import Parts, parts, parts_given
 from nmatrix.linear.interval import Interval, digit_cost
-from nmatrix.linear.lens_readings import LensReading, known_half_units, lens_readings
+from nmatrix.linear.lens_readings import LensReading, as_written, lens_readings
 from nmatrix.linear.rational import (
     AFFINE_ROW,
     RationalMatrix,
@@ -43,7 +43,7 @@ from nmatrix.report import Vector
 ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
 # How far from what the digits say a round number is looked for, in parts of what they leave open.
 MIRRORED = 1.0  # digits' worth of doubt: few objects are
-NOISE = Fraction(1, 2**51)  # two roundings to float64
+NOISE = Fraction(1, 2**51)  # of the largest entry: what is left where nothing should be
 REACHES = (Fraction(4), Fraction(1), Fraction(1, 4), Fraction(0))
 
 
@@ -146,10 +146,12 @@ def identify(rows: RationalMatrix) -> tuple[Reading, ...]:
     >>> [(str(one.kind), str(one.layout)) for one in identify(turned)]
     [('rigid', 'row-major'), ('rigid', 'column-major')]
     """
-    known = known_half_units(rows)
+    rows, known = as_written(rows)
     found = list(_readings(rows, known, Layout.ROW_MAJOR))
     if transpose(rows) != rows:
         found += _readings(transpose(rows), transpose(known), Layout.COLUMN_MAJOR)
+    if any(one.lens is not None and one.lens.factor == 1 for one in found):
+        found = [one for one in found if one.lens is None or one.lens.factor == 1]
     if not found:
         kind = MatrixKind.GENERAL if rank(rows) == len(rows) else MatrixKind.SINGULAR
         return (Reading(kind, Layout.ROW_MAJOR, rows, known),)

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil, floor, inf
 
+from nmatrix.linear.rounding import spacing
+
 Bound = Fraction | float  # a float only where it is infinite
 
 # Beside the digits that it has, how unusual a number is: 1 is more common than 5 and 2, and these
@@ -62,11 +64,19 @@ class Interval:
         """Return the image under a monotone function of finite numbers."""
         return hull(map(of, self.ends))
 
+    def nearest_to(self, value: Bound) -> Fraction:
+        """Return the number inside that is nearest to a value, which is read as a float64."""
+        if isinstance(value, Fraction):
+            step = spacing(value)
+            value = round(value / step) * step if value else value
+        return Fraction(max(self.low, min(self.high, value)))
+
     def roundest(self) -> Bound:
         """Return the number with the fewest digits, nearest to the middle among equals.
 
-        Where infinity is allowed it is the answer: no digit is simpler than none. What has no short
-        decimal, such as exactly 1/3, is the middle itself.
+        A decimal counts as the float64 that it is read as. Where infinity is allowed it is the
+        answer: no digit is simpler than none. What has no short decimal, such as exactly 1/3, is
+        the middle itself.
 
         Examples
         --------
@@ -82,9 +92,10 @@ class Interval:
         if self.high < 0:
             return -Interval(-self.high, -self.low).roundest()
         middle = (self.low + self.high) / 2
+        rounding = spacing(middle) / 2
         step = _power_of_ten_above(self.high)
         for _ in range(LONGEST):
-            first, last = ceil(self.low / step), floor(self.high / step)
+            first, last = ceil((self.low - rounding) / step), floor((self.high + rounding) / step)
             if first <= last:
                 return min(max(round(middle / step), first), last) * step
             step /= 10

@@ -8,7 +8,7 @@ each depth range that fits: the entries do not decide between them, only how rou
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -36,7 +36,7 @@ from nmatrix.linear.projection import (
     orthographic,
     perspective,
 )
-from nmatrix.linear.rational import ZERO, RationalMatrix, RoundedMatrix
+from nmatrix.linear.rational import DOUBLE, ONE, ZERO, RationalMatrix, RoundedMatrix, scaled
 from nmatrix.linear.rounding import nearest, spacing
 
 SIDES = ("left", "right", "bottom", "top")
@@ -48,6 +48,7 @@ NOT_OPENGL = 0.1  # among equals, the interface that most matrices are written f
 BEHIND = 0.5  # a near plane behind the eye
 MOSTLY_BEHIND = 1.5  # and farther behind it than the far plane is ahead
 ALL_BEHIND = 2.0  # a far plane there
+MULTIPLE = 2.0  # a factor that the division by w undoes
 NO_RANGE = 2 * NO_NUMBER  # a z row that is of no depth range
 
 
@@ -56,7 +57,8 @@ class LensReading:
     """One way to read a projection matrix.
 
     `bounds` are all values that each quantity may have, `values` round ones that fit together; an
-    absent one is not known. `depth` is None where no depth range fits.
+    absent one is not known. `depth` is None where no depth range fits. The whole matrix may carry
+    a positive factor, which the division by w undoes.
     """
 
     kind: MatrixKind
@@ -65,6 +67,7 @@ class LensReading:
     depth: DepthRange | None
     bounds: Mapping[str, Interval]
     values: Mapping[str, Bound]
+    factor: Fraction = ONE
 
     @property
     def clip(self) -> ClipSpace:
@@ -98,6 +101,8 @@ class LensReading:
         """How many digits its numbers take, and what makes it unlikely besides."""
         near, far = self.values.get("near", inf), self.values.get("far", inf)
         cost = NO_RANGE if self.depth is None else _pair_cost(near, far)
+        if self.factor != 1:
+            cost += MULTIPLE + digit_cost(self.factor)
         if near < 0:
             cost += 0 if (near, far) == (-1, 1) else BEHIND
         if -near > far:
@@ -116,11 +121,15 @@ class LensReading:
 
     @cached_property
     def rebuilt(self) -> RationalMatrix | None:
-        """The matrix that the values make, if they can be built."""
+        """The matrix that the values and the factor make, if they can be built."""
+        built = self._built()
+        return None if built is None else scaled(built, self.factor)
+
+    def _built(self) -> RationalMatrix | None:
         if self.depth is None:
             return None
-        near, far = (_as_float(self.values[name]) for name in ("near", "far"))
         try:
+            near, far = (_as_float(self.values[name]) for name in ("near", "far"))
             if self.is_centred and self.is_perspective:
                 half = Angle.degrees(Fraction(self.values["fov_y_deg"]) / 2)
                 return perspective(half, _as_float(self.values["aspect"]), near, far, self.clip)
@@ -131,11 +140,20 @@ class LensReading:
             return None
 
 
-def known_half_units(rows: RationalMatrix) -> RationalMatrix:
-    """Return how far each entry may lie from what was rounded, a float64 where nothing is said."""
-    if isinstance(rows, RoundedMatrix):
-        return rows.shared_half_units
-    return tuple(tuple(spacing(entry) for entry in row) for row in rows)
+def as_written(rows: RationalMatrix) -> tuple[RationalMatrix, RationalMatrix]:
+    """Return the numbers that a program wrote down, and how far each may be from what it computed.
+
+    A float32 is that float, however it was spelled; where nothing is said, each is a float64.
+    """
+    if not isinstance(rows, RoundedMatrix):
+        return rows, tuple(tuple(spacing(entry) / 2 for entry in row) for row in rows)
+    if rows.bits == DOUBLE:
+        return tuple(rows), rows.shared_half_units
+    floats = (
+        tuple(round(x / step) * step if (step := spacing(x, rows.bits)) else x for x in row)
+        for row in rows
+    )
+    return tuple(floats), rows.shared_half_units
 
 
 def lens_readings(rows: RationalMatrix) -> tuple[LensReading, ...]:
@@ -149,8 +167,13 @@ def lens_readings(rows: RationalMatrix) -> tuple[LensReading, ...]:
     >>> [(one.depth.value, str(one.values["near"])) for one in lens_readings(P)]
     [('minus-one-to-one', '1'), ('zero-to-one', '3/2')]
     """
-    entries = _Entries(rows, known_half_units(rows))
-    found = chain(_perspectives(entries), _parallels(entries))
+    rows, known = as_written(rows)
+    factor = abs(rows[3][2]) if not any((*rows[3][:2], rows[3][3])) else ONE
+    if factor in (0, 1):
+        found = chain(*(read(_Entries(rows, known)) for read in (_perspectives, _parallels)))
+    else:
+        read = _perspectives(_Entries(scaled(rows, 1 / factor), scaled(known, 1 / factor)))
+        found = chain(replace(one, factor=factor) for one in read)
     return tuple(sorted(found, key=lambda one: one.cost))
 
 
@@ -197,8 +220,10 @@ class _Line:
 
     def round_ends(self) -> tuple[Bound, Bound] | None:
         """Return round ends that fit the entries together, the rounder one chosen first."""
-        low, high = self.end(self.at_low).roundest(), self.end(self.at_high).roundest()
-        from_low, from_high = self.high_beside(Fraction(low)), self.low_beside(Fraction(high))
+        lows, highs = self.end(self.at_low), self.end(self.at_high)
+        low, high = lows.roundest(), highs.roundest()
+        from_low = self.high_beside(lows.nearest_to(low))
+        from_high = self.low_beside(highs.nearest_to(high))
         pairs = []
         if from_low is not None:
             pairs.append((low, from_low.roundest()))
@@ -246,7 +271,7 @@ def _perspectives(P: _Entries) -> Iterator[LensReading]:
         if is_centred:
             seen, chosen = _fields(x, upwards.scale)
             bounds |= seen
-            values |= chosen | _window(near, chosen)
+            values |= chosen | (_window(near, chosen) if chosen else {})
         yield LensReading(MatrixKind.PROJECTION, hand, clip_y, depth, bounds, values)
     if not fits:
         seen, chosen = _fields(x, upwards.scale) if is_centred else ({}, {})
@@ -254,13 +279,25 @@ def _perspectives(P: _Entries) -> Iterator[LensReading]:
 
 
 def _planes(line: _Line) -> tuple[dict[str, Interval], dict[str, Bound]] | None:
-    """Find near and far: at 1/near and 1/far depth is what its range has there."""
+    """Find near and far: at 1/near and 1/far depth is what its range has there.
+
+    Of the offset only that part counts which puts far in front of the eye, or infinitely far.
+    """
+    low, high = line.offset.ends
+    beyond = Fraction(line.at_high)
+    if line.scale.sign < 0:
+        low = max(low, beyond)
+    else:
+        high = min(high, beyond)
+    if low > high:
+        return None
+    line = replace(line, offset=Interval(low, high))
     near, far = line.end(line.at_low), line.end(line.at_high)
-    if near.low <= 0 or far.high < 0 or far.low >= near.high:
+    if near.low <= 0 or far.low >= near.high:
         return None
     bounds = {"near": _reciprocal(near), "far": _reciprocal(far)}
     chosen = Fraction(bounds["near"].roundest())
-    beside = line.high_beside(1 / chosen)
+    beside = line.high_beside(1 / bounds["near"].nearest_to(chosen))
     if beside is None or beside.high < 0:
         return None
     return bounds, {"near": chosen, "far": _reciprocal(beside).roundest()}
@@ -281,6 +318,8 @@ def _fields(x: Interval, y: Interval) -> tuple[dict[str, Interval], dict[str, Bo
     }
     field_y = Fraction(bounds["fov_y_deg"].roundest())
     half = Angle.degrees(field_y / 2)
+    if not half.sine or not half.cosine:
+        return {}, {}  # of no angle that can be told from 0 or from 180°
     focal = half.cosine / half.sine
     aspect = roundest_ratio(x.image(lambda focal_x: focal / focal_x))
     return bounds, {

@@ -24,17 +24,20 @@ Real = TypeVar("Real", float, Fraction)
 ZERO = Fraction(0)
 ONE = Fraction(1)
 AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
+SINGLE, DOUBLE = 24, 53  # bits of a float32 and of a float64
 
 
 class RoundedMatrix(tuple[RationalVector, ...]):
     """Rows of fractions that know how far each entry may lie from what was rounded.
 
     `half_units` are half the last unit of each entry, 0 where it is exact; `shared_half_units` are
-    those if all entries were written in one precision by a program that computes in floats.
+    those if all entries were written in one precision by a program that computes in floats of so
+    many `bits`.
     """
 
     half_units: RationalMatrix
     shared_half_units: RationalMatrix
+    bits: int
 
     @classmethod
     def of(
@@ -42,11 +45,13 @@ class RoundedMatrix(tuple[RationalVector, ...]):
         rows: RationalMatrix,
         half_units: RationalMatrix,
         shared_half_units: RationalMatrix | None = None,
+        bits: int = DOUBLE,
     ) -> RoundedMatrix:
         """Return the rows together with their half units."""
         found = cls(rows)
         found.half_units = half_units
         found.shared_half_units = half_units if shared_half_units is None else shared_half_units
+        found.bits = bits
         return found
 
 
@@ -84,7 +89,7 @@ def rounded_for_display(A: RationalMatrix) -> RationalMatrix:
     """
     rows = tuple(tuple(_shown(entry) for entry in row) for row in A)
     if isinstance(A, RoundedMatrix):
-        return RoundedMatrix.of(rows, A.half_units, A.shared_half_units)
+        return RoundedMatrix.of(rows, A.half_units, A.shared_half_units, A.bits)
     return rows
 
 

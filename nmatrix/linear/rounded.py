@@ -28,13 +28,14 @@ from nmatrix.linear.rational import (
     identity,
     linear_part,
     rational_matrix,
+    scaled,
     solve,
     to_floats,
     translation,
     transpose,
 )
 
-STEPS = 40  # of the search; most end after three
+STEPS = 100  # of the search; most end after three
 EXACT = Fraction(1, 10**12)  # of the largest entry: an entry without half units may be so far off
 SETTLED = 1e-15  # a rotation in float64 is known to that
 # By how much an entry's weight changes in one step, at most, once it is so many half units off.
@@ -67,9 +68,14 @@ def meant(rows: RationalMatrix) -> RationalMatrix:
     """
     if not isinstance(rows, RoundedMatrix):
         return rows
-    found = _Box(linear_part(rows), linear_part(rows.half_units)).most_special()
+    block, known = linear_part(rows), linear_part(rows.half_units)
+    size = max(abs(entry) for row in block for entry in row)
+    # Brought near 1, so that no float overflows on the way; the identity is sought as it stands.
+    unit = Fraction(2) ** (size.numerator.bit_length() - size.denominator.bit_length())
+    found = _Box(scaled(block, 1 / unit), scaled(known, 1 / unit), unit).most_special()
     if found is None:
         return tuple(rows)
+    found = scaled(found, unit)
     return affine_matrix(found, translation(rows)) if len(rows) == 4 else found
 
 
@@ -79,6 +85,7 @@ class _Box:
 
     centre: RationalMatrix
     half_units: RationalMatrix
+    unit: Fraction
 
     @cached_property
     def slack(self) -> Fraction:
@@ -94,9 +101,11 @@ class _Box:
         """Return the most special map that is found inside."""
         if not self._may_be_orthogonal():
             return None
-        if self.holds(identity(3)):
-            return identity(3)
-        for tie in (UNIT, UNIFORM, EACH):
+        one = scaled(identity(3), 1 / self.unit)
+        if self.holds(one):
+            return one
+        near_one = Fraction(1, 4) <= self.unit <= 4  # where the entries of a rotation may be
+        for tie in (UNIT, UNIFORM, EACH) if near_one else (UNIFORM, EACH):
             found = self._nearest(tie)
             if found is not None:
                 return found
@@ -129,7 +138,7 @@ class _Box:
         the worst entry is as near as it can be.
         """
         turned = _nearest_orthogonal(to_floats(self.centre))
-        factors: Three = (1.0, 1.0, 1.0)
+        factors: Three = (float(1 / self.unit),) * 3 if tie is UNIT else (1.0,) * 3
         weights = [1.0] * 9
         for _ in range(STEPS):
             if turned is None or min(factors) <= 0:

@@ -7,17 +7,16 @@ of single precision, printed in full, are known to half a unit of float32.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
 
-from nmatrix.linear.rational import ZERO, RationalMatrix
+from nmatrix.linear.rational import DOUBLE, SINGLE, ZERO, RationalMatrix
 from nmatrix.linear.rounding import short_text, spacing
 
 ENOUGH = 3  # digits, behind the point or significant, from which on a decimal counts as rounded
+SMALLEST_SINGLE, LARGEST_SINGLE = Fraction(1, 2**126), Fraction(2**128 - 2**104)
 FLOAT32_DIGITS = 8  # single precision is printed with so many digits or more
-FLOAT32_BITS, FLOAT64_BITS = 24, 53
 
 _DECIMAL = re.compile(
     r"[+-]?(?P<whole>[0-9]*)\.?(?P<behind>[0-9]*)(?:[eE](?P<exponent>[+-]?[0-9]+))?"
@@ -78,8 +77,12 @@ def digits_of(text: str) -> Digits | None:
 TypedDigits = tuple[tuple[Digits | None, ...], ...]
 
 
-def half_units(entries: RationalMatrix, digits: TypedDigits) -> RationalMatrix:
+def half_units(
+    entries: RationalMatrix, digits: TypedDigits, *, exact: bool = False
+) -> RationalMatrix:
     """Return half the last unit of each entry that was rounded, and 0 for what is exact.
+
+    `exact` decimals are the very floats, if they are no float32s.
 
     Examples
     --------
@@ -91,8 +94,8 @@ def half_units(entries: RationalMatrix, digits: TypedDigits) -> RationalMatrix:
     return tuple(
         tuple(
             max(
-                one.last_place / 2 if one is not None and one.is_rounded else ZERO,
-                spacing(entry, FLOAT32_BITS) / 2 if single else ZERO,
+                one.last_place / 2 if one is not None and one.is_rounded and not exact else ZERO,
+                spacing(entry, SINGLE) / 2 if single else ZERO,
             )
             for entry, one in zip(row, typed, strict=True)
         )
@@ -100,44 +103,49 @@ def half_units(entries: RationalMatrix, digits: TypedDigits) -> RationalMatrix:
     )
 
 
-def shared_half_units(entries: RationalMatrix, digits: TypedDigits) -> RationalMatrix:
+def shared_half_units(
+    entries: RationalMatrix, digits: TypedDigits, *, exact: bool = False
+) -> RationalMatrix:
     """Return how well each entry is known if all were written in one precision.
 
-    A program that writes six digits writes 1.0000002 as 1: so every entry is taken as rounded to
-    the most digits that any of them has, behind the point and in all. It was a float before, so to
-    both roundings: to the float, and to the shortest digits that name it.
+    A program that writes six digits writes 1.0000002 as 1. So if most of the rounded entries have
+    equally many significant digits, every entry is taken as rounded to so many; if most have
+    equally many behind the point, to those; and all of them to a float.
 
     Examples
     --------
     >>> entries = ((Fraction("-1.00200"), Fraction(-1)),)
-    >>> round(float(shared_half_units(entries, ((digits_of("-1.00200"), None),))[0][1]), 12)
+    >>> round(float(shared_half_units(entries, ((digits_of("-1.00200"), None),))[0][1]), 15)
     5e-06
     """
-    rounded = [one for one in chain(*digits) if one is not None and one.is_rounded]
-    behind = max((one.decimals for one in rounded), default=None)
-    significant = max((one.significant for one in rounded), default=None)
-    own = half_units(entries, digits)
-    bits = FLOAT32_BITS if _is_single_precision(entries, digits) else FLOAT64_BITS
+    typed = [one for one in chain(*digits) if one is not None]
+    rounded = [] if exact else [one for one in typed if one.is_rounded]
+    significant = max((one.significant for one in rounded), default=0)
+    behind = max((one.decimals for one in typed), default=0)
+    by_size = sum(one.significant == significant for one in rounded)
+    by_place = sum(one.decimals == behind for one in rounded)
+
+    def shared(entry: Fraction) -> Fraction:
+        if not entry or not rounded:
+            return ZERO
+        if significant >= ENOUGH and by_size >= by_place:
+            return Fraction(10) ** (_decimal_exponent(abs(entry)) + 1 - significant) / 2
+        return Fraction(1, 2 * 10**behind)
+
+    own, bits = half_units(entries, digits, exact=exact), bits_of(entries, digits)
+    # A float64 was rounded once to be one, and again to be written; a float32 is what was written.
     return tuple(
         tuple(
-            max(known, _shared(entry, behind, significant)) + spacing(entry, bits)
+            spacing(entry, bits) / 2 + (max(known, shared(entry)) if bits == DOUBLE else ZERO)
             for entry, known in zip(row, known_row, strict=True)
         )
         for row, known_row in zip(entries, own, strict=True)
     )
 
 
-def exactly(rows: Sequence[Sequence[object]]) -> TypedDigits:
-    """Return the digits of numbers of which every one is exact."""
-    return tuple((None,) * len(row) for row in rows)
-
-
-def _shared(entry: Fraction, behind: int | None, significant: int | None) -> Fraction:
-    if not entry or behind is None or significant is None:
-        return ZERO
-    places = Fraction(1, 10**behind)
-    exponent = _decimal_exponent(abs(entry))
-    return max(places, Fraction(10) ** (exponent + 1 - significant)) / 2
+def bits_of(entries: RationalMatrix, digits: TypedDigits) -> int:
+    """Return the bits of the floats that the numbers are."""
+    return SINGLE if _is_single_precision(entries, digits) else DOUBLE
 
 
 def _decimal_exponent(size: Fraction) -> int:
@@ -149,26 +157,25 @@ def _decimal_exponent(size: Fraction) -> int:
 def _is_single_precision(entries: RationalMatrix, digits: TypedDigits) -> bool:
     """Recognise numbers that are all float32s, at least one of them printed to eight digits.
 
-    A number of fewer digits may be the shortest spelling of one.
+    A number of fewer digits may be the shortest spelling of one. Where all have equally many digits
+    behind the point, zeros too, it is these that were chosen, and a float32 among them is chance.
     """
-    long = [
-        (entry, one.significant if one is not None else None)
+    typed = [
+        (entry, one)
         for entry, one in zip(chain(*entries), chain(*digits), strict=True)
-        if entry and (one is None or one.significant >= FLOAT32_DIGITS)
+        if one is not None and entry
     ]
-    return any(count is not None or _needs_digits(entry) for entry, count in long) and all(
-        _is_float32(entry, count) for entry, count in long
-    )
+    places = {one.behind for one in chain(*digits) if one is not None and one.behind}
+    counts = {one.significant for one in chain(*digits) if one is not None and one.behind}
+    if len(places) == 1 and 0 in counts and len(counts) > 2:
+        return False
+    long = [(entry, one) for entry, one in typed if one.significant >= FLOAT32_DIGITS]
+    return bool(long) and all(_is_float32(entry, one.significant) for entry, one in long)
 
 
-def _needs_digits(entry: Fraction) -> bool:
-    """Tell a number that takes eight digits to print from a short one like 0.5."""
-    return Fraction(short_text(entry, FLOAT32_DIGITS - 1)) != entry
-
-
-def _is_float32(entry: Fraction, significant: int | None) -> bool:
-    step = spacing(entry, FLOAT32_BITS)
+def _is_float32(entry: Fraction, significant: int) -> bool:
+    step = spacing(entry, SINGLE)
     nearest = round(entry / step) * step
-    if significant is None:
-        return nearest == entry
+    if not SMALLEST_SINGLE <= abs(nearest) <= LARGEST_SINGLE:
+        return False
     return short_text(nearest, significant) == short_text(entry, significant)

@@ -21,7 +21,7 @@ from nmatrix.linear.rational import (
     to_floats,
     transpose,
 )
-from nmatrix.reading.digits import TypedDigits, digits_of, half_units, shared_half_units
+from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
 from nmatrix.reading.numbers import fraction
 
 LARGEST = 4  # rows and columns
@@ -84,12 +84,12 @@ class MatrixLiteral:
     @property
     def half_units(self) -> RationalMatrix:
         """Half the last unit of each entry: how far what was rounded may lie from it."""
-        return half_units(self.rows_exact, self._digits_that_round)
+        return half_units(self.rows_exact, self.digits, exact=self.exact)
 
     @property
     def shared_half_units(self) -> RationalMatrix:
         """Half units if all entries were written in one precision."""
-        return shared_half_units(self.rows_exact, self._digits_that_round)
+        return shared_half_units(self.rows_exact, self.digits, exact=self.exact)
 
     @property
     def as_floats(self) -> RationalMatrix:
@@ -105,11 +105,8 @@ class MatrixLiteral:
         known = self.half_units
         if not any(map(any, known)):
             return rows
-        return RoundedMatrix.of(rows, known, self.shared_half_units)
-
-    @property
-    def _digits_that_round(self) -> TypedDigits:
-        return tuple((None,) * len(row) for row in self.digits) if self.exact else self.digits
+        bits = bits_of(self.rows_exact, self.digits)
+        return RoundedMatrix.of(rows, known, self.shared_half_units, bits)
 
 
 def literal_from_tokens(

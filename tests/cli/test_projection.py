@@ -38,7 +38,7 @@ def test_the_line_of_a_shader_turns_a_stored_depth_into_its_distance(
 def test_depth_at_infinity_has_no_distance_and_what_is_clipped_is_said(nmatrix) -> None:
     found = nmatrix("projection --far inf --depth-value 1 --at 0.05 -f json").data
     assert [one["distance"] for one in found["depths"]] == [0.05, None]
-    assert any("lies at no distance" in one for one in found["remarks"])
+    assert any("reached at no distance" in one for one in found["remarks"])
     assert any("clipped, never stored" in one for one in found["remarks"])
 
 

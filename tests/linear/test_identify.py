@@ -13,6 +13,7 @@ import pytest
 
 from nmatrix.answers.identify import NUMBERS, identify_matrix
 from nmatrix.enums import API_PRESETS, Api, ClipY, DepthRange, Handedness, Layout
+from nmatrix.linear.lens_readings import as_written
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.linear.rational import to_floats
 from nmatrix.reading.matrix import matrix_literal
@@ -167,8 +168,9 @@ def test_the_command_builds_the_matrix_again(seed: int, nmatrix) -> None:
     if reading["layout"] == "column-major":
         built = built.T
     assert reading["residual"] <= 1
-    off = np.abs(built - np.array(literal.rows))
-    assert (off <= np.array(literal.shared_half_units, float) + 1e-15 * np.abs(P).max()).all()
+    written, known = as_written(literal.as_floats)
+    off = np.abs(built - np.array(written, float))
+    assert (off <= np.array(known, float) + 1e-15 * np.abs(P).max()).all()
 
 
 def test_worlds_and_views_come_back_in_round_numbers(nmatrix) -> None:
@@ -221,13 +223,20 @@ def test_views_of_both_hands_and_all_turns_are_rigid_with_their_eye() -> None:
         ("1 0 0; 0 1 0; 0 0 1; 5 6 7", "rigid"),
         ("1 0.5 0; 0 1 0; 0 0 1", "affine"),
         ("1e300 0 0; 0 1e-300 0; 0 0 1", "affine"),
+        ("1e-300 0 0; 0 1e-300 0; 0 0 1e-300", "affine"),
+        ("1e300 1e300 0 1e300; -1e300 1e300 0 1e300; 0 0 1e300 1e300; 0 0 0 1", "affine"),
+        ("5e-324 5e-324 0 0; -5e-324 5e-324 0 0; 0 0 5e-324 0; 0 0 0 1", "affine"),
+        ("1 0 0 0; 0 1 0 0; 0 0 -1.002 -1e307; 0 0 -1 0", "projection"),
+        ("2 0 0 0; 0 2 0 0; 0 0 -2.44444 -4.44444; 0 0 -2 0", "projection"),
+        ("1 0.2 0 0; 0 1 0 0; 0 0 -1.22222 -2.22222; 0 0 -1 0", "general"),
     ],
 )
 def test_whatever_fits_no_reading_is_what_is_nearest(text: str, kind: str, nmatrix) -> None:
     found = nmatrix(f'identify "{text}" -f json')
     assert found.code == 0
     assert found.data["readings"][0]["kind"] == kind
-    assert nmatrix(f'identify "{text}"').code == 0
+    for command in ("identify", "projection --projection-matrix", "view --view-matrix", "normal"):
+        assert nmatrix(f'{command} "{text}"').code in (0, 2, 3)
 
 
 def test_what_is_no_map_of_space_is_refused_in_one_line(nmatrix) -> None:
@@ -243,6 +252,14 @@ def test_an_interval_is_all_values_that_round_to_the_digits(nmatrix) -> None:
     half, value = Fraction(1, 20000), Fraction("1.0101")
     assert abs(Fraction(low) - (value - half) / (value + half)) < 1e-14
     assert abs(Fraction(high) - (value + half) / (value - half)) < 1e-14
+
+
+def test_every_depth_range_that_fits_is_among_the_readings(nmatrix) -> None:
+    """-1 -K with three digits: both ranges fit, whatever K is."""
+    for K in range(3, 1000, 53):
+        text = f"1 0 0 0; 0 1 0 0; 0 0 -1 -{K / 1000}; 0 0 -1 0"
+        readings = nmatrix(f'identify "{text}" -f json').data["readings"]
+        assert {"zero-to-one", "minus-one-to-one"} <= {one["depth_range"] for one in readings}
 
 
 def test_keys_that_the_entries_do_not_decide_are_named(nmatrix) -> None:

@@ -198,9 +198,10 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
     )
     if not off_length:
         return nodes, ()
+    count = len(off_length)
+    were = "quaternion was" if count == 1 else "quaternions were"
     return nodes, (
-        f"{len(off_length)} quaternions were not of length one and were normalised: "
-        f"{shortlist(off_length, MOST_NAMED)}.",
+        f"{count} {were} not of length one and normalised: {shortlist(off_length, MOST_NAMED)}.",
     )
 
 
