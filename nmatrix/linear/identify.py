@@ -41,9 +41,9 @@ from nmatrix.linear.view import first_person, look_at
 from nmatrix.report import Vector
 
 ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
-# How far from what the digits say a round number is looked for, in parts of what they leave open.
 MIRRORED = 1.0  # digits' worth of doubt: few objects are
 NOISE = Fraction(1, 2**51)  # of the largest entry: what is left where nothing should be
+# How far from what the digits say a round number is looked for, in parts of what they leave open.
 REACHES = (Fraction(4), Fraction(1), Fraction(1, 4), Fraction(0))
 
 
