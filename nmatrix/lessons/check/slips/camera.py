@@ -110,7 +110,7 @@ def _near_far_exchanged(setup: Setup) -> Iterator[Setup]:
         lens = _with_clip(setup, SWAPPED_DEPTH[lens.clip.depth], lens.clip.handed).lens
     third_row = diagonal((ONE, ONE, sign, ONE))
     matrix = product(third_row, lens.clip_from_camera)
-    yield replace(setup, lens=replace(lens, ortho=None, frustum=None, matrix=matrix))
+    yield replace(setup, lens=Lens(matrix=matrix))  # whatever its clip space is
 
 
 def _near_far_exchanged_in_frustum(setup: Setup) -> Iterator[Setup]:
@@ -118,7 +118,7 @@ def _near_far_exchanged_in_frustum(setup: Setup) -> Iterator[Setup]:
     for swapped in _near_far_exchanged(setup):
         ratio = Fraction(setup.lens.far) / Fraction(setup.lens.near)
         matrix = product(swapped.lens.clip_from_camera, diagonal((ratio, ratio, ONE, ONE)))
-        yield replace(swapped, lens=replace(swapped.lens, matrix=matrix))
+        yield replace(swapped, lens=Lens(matrix=matrix))
 
 
 def _window(lens: Lens, tangent: float) -> Window:
