@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import inf, nextafter
 from sys import float_info
@@ -73,10 +73,8 @@ def identify_matrix(rows: RationalMatrix) -> Report:
     'nmatrix projection --fov 90 --near 1 --far inf --api direct3d'
     """
     found = identify(_framed(rows))
-    data: dict[str, Value] = {
-        "readings": [reading_data(one) for one in found],
-        "ambiguous": list(ambiguous(found)),
-    }
+    readings = [reading_data(one) for one in found]
+    data: dict[str, Value] = {"readings": readings, "ambiguous": _ambiguous(found, readings)}
     first, *others = found
     blocks: list[Block] = [
         Heading("What is this matrix?"),
@@ -159,9 +157,8 @@ def _outwards(found: Interval) -> tuple[float, float | None]:
     return low, high if Fraction(high) >= found.high else nextafter(high, inf)
 
 
-def ambiguous(readings: Sequence[Reading]) -> tuple[str, ...]:
+def _ambiguous(readings: Sequence[Reading], data: Sequence[Mapping[str, Value]]) -> list[str]:
     """List the keys on which the readings differ: the entries do not decide them."""
-    data = [reading_data(one) for one in readings]
     words = ("kind", "layout", "handed", "depth_range", "clip_y")
     open_ = [key for key in words if any(one[key] != data[0][key] for one in data)]
     for key in NUMBERS:
@@ -169,7 +166,7 @@ def ambiguous(readings: Sequence[Reading]) -> tuple[str, ...]:
         if any(not _overlap(bounds[0], other) for other in bounds):
             open_.append(key)
     open_ += [key for key in ("eye", "parts") if any(one[key] != data[0][key] for one in data)]
-    return tuple(open_)
+    return open_
 
 
 def _overlap(one: Interval | None, other: Interval | None) -> bool:
@@ -391,7 +388,7 @@ def _cells(name: str, value: Bound, bounds: Interval) -> tuple[Number | str, ...
 
 
 def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
-    """Say what to do with what was found."""
+    """Tell how to read it elsewhere, and what is not in the entries."""
     told = []
     if readings[0].layout is Layout.COLUMN_MAJOR:
         told.append(
@@ -404,7 +401,7 @@ def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
             "A depth range is not in the entries: each of these near and far planes makes them, "
             "and the roundest numbers come first."
         )
-    if readings[0].kind is MatrixKind.RIGID and "layout" in ambiguous(readings):
+    if readings[0].kind is MatrixKind.RIGID and len({r.layout for r in readings}) > 1:
         told.append("Without a translation a matrix and its transpose look alike: both are rigid.")
     return tuple(told)
 

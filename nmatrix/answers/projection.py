@@ -146,7 +146,7 @@ def _verdict(lens: Lens) -> str:
 
 
 def _told(readings: tuple[Reading, ...]) -> tuple[Block, ...]:
-    """Say what a given matrix is, and list all that it may be."""
+    """Name the likeliest reading of a given matrix, its evidence, and all the others."""
     first, *others = readings
     if first.lens is None:
         return (Verdict(f"This is no projection: {described(first)}."), Text(because(first)))

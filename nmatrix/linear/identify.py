@@ -191,11 +191,10 @@ def _readings(
 
 
 def _place(rows: RationalMatrix, half_units: RationalMatrix) -> Place:
-    rounded = RoundedMatrix.of(rows, half_units)
-    found = classify(rounded)
     known = half_units if len(rows) == 4 else affine_matrix(half_units)
     typed = RoundedMatrix.of(rows if len(rows) == 4 else affine_matrix(rows), known)
     sharp = meant(typed)
+    found = classify(rows, stands_for=sharp)
     told = [one for one in (_round_parts(sharp, typed, order) for order in ORDERS) if one]
     taken, built = min(told, key=lambda one: parts_cost(one[0]), default=(None, None))
     camera = _camera(sharp, typed) if found.is_rigid else None
@@ -237,9 +236,7 @@ def _round_parts(
         rounder = replace(
             parts_given(R, rotate, order, convention),
             translate=_round_all(taken.translate, reach, translation(typed.half_units)),
-            scale=_round_all(
-                taken.scale, reach, map(max, transpose(linear_part(typed.half_units)))
-            ),
+            scale=_round_all(taken.scale, reach, columns),
             shear=_round_all(taken.shear, reach, (known / least,) * 3),
             given=False,
         )
@@ -292,7 +289,7 @@ def _round_all(values: Vector, reach: Fraction, spreads: Iterable[Fraction]) -> 
 
 
 def parts_cost(taken: Parts) -> float:
-    """Return how many digits the parts take; one scale for all three axes is one number."""
+    """Count the digits of the parts; one scale for all three axes is one number."""
     scale = set(taken.scale) - {Fraction(1)}
     numbers: tuple[float | Fraction, ...] = (*taken.translate, *taken.rotate, *scale, *taken.shear)
     mirrored = MIRRORED if prod(taken.scale) < 0 else 0.0

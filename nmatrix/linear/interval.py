@@ -54,7 +54,7 @@ class Interval:
         return int(self.low > 0) - int(self.high < 0)
 
     def meets(self, other: Interval | None) -> Interval | None:
-        """Return what both have in common; all of this one where the other says nothing."""
+        """Intersect two intervals; None stands for all numbers."""
         if other is None:
             return self
         low, high = max(self.low, other.low), min(self.high, other.high)
@@ -132,7 +132,7 @@ def simplest_fraction(within: Interval) -> Fraction:
 
 
 def digit_cost(value: Bound) -> float:
-    """Return how many digits a number takes, a little less for those that people like.
+    """Count the digits of a number, a little fewer for those that people like.
 
     Examples
     --------
@@ -151,7 +151,7 @@ def digit_cost(value: Bound) -> float:
 
 
 def ratio_cost(value: Bound) -> float:
-    """Return how many digits a ratio takes, as a decimal or as p/q.
+    """Count the digits of a ratio, as a decimal or as p/q.
 
     Examples
     --------

@@ -52,7 +52,7 @@ EACH: Tie = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def meant(rows: RationalMatrix) -> RationalMatrix:
-    """Return what a rounded affine matrix stands for: the most special map within its half units.
+    """Find the map that a rounded affine matrix stands for: the most special in its half units.
 
     That is the identity, a rotation, a rotation times one factor or times three, with or without a
     mirror; if none of them rounds to these digits, and for a matrix that is exact, it is the matrix

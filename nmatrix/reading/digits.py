@@ -106,7 +106,7 @@ def half_units(
 def shared_half_units(
     entries: RationalMatrix, digits: TypedDigits, *, exact: bool = False
 ) -> RationalMatrix:
-    """Return how well each entry is known if all were written in one precision.
+    """Return half the last unit of each entry if all were written in one precision.
 
     A program that writes six digits writes 1.0000002 as 1. So if most of the rounded entries have
     equally many significant digits, every entry is taken as rounded to so many; if most have
