@@ -61,11 +61,14 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
 
 
 def _readings(lens: Lens) -> tuple[Reading, ...] | None:
-    """Read a matrix that was given in every way that its entries, and what is said of it, allow."""
+    """Read a matrix that was given in every way that its entries, and what is said of it, allow.
+
+    It was given as a projection: what reads it as one comes before what does not.
+    """
     if lens.matrix is None:
         return None
     said = {part: lens.clip.parts[part] for part in lens.said}
-    found = identify(lens.matrix)
+    found = sorted(identify(lens.matrix), key=lambda one: one.lens is None)
     return tuple(one for one in found if one.lens is None or one.lens.fits(said))
 
 

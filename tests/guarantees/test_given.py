@@ -118,6 +118,13 @@ def test_a_transposed_projection_is_told_wherever_it_is_read(
     assert reading["layout"] == "column-major"
 
 
+def test_what_may_be_a_projection_is_never_called_none(nmatrix) -> None:
+    """A plain scale is likelier a place, and may be a parallel view all the same."""
+    line = 'projection --projection-matrix "0.5 0 0 0; 0 1 0 0; 0 0 0.1 0; 0 0 0 1"'
+    assert "no projection" not in nmatrix(line).out
+    assert nmatrix(f"{line} -f json").data["readings"][0]["kind"] == "orthographic"
+
+
 @pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize("scale", [1, 2])
 def test_the_sentences_about_a_given_view_are_true_of_it(mirror: bool, scale: int, nmatrix) -> None:
