@@ -7,7 +7,7 @@ from pathlib import Path
 from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.glsl import program_of
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
 from nmatrix.raster.planning.recipe import Decision
 from nmatrix.report import (
@@ -21,6 +21,7 @@ from nmatrix.report import (
     Verdict,
 )
 from nmatrix.scene.open import scene_of
+from nmatrix.shaders.program import Program
 
 PASSES = "main"
 
@@ -35,18 +36,15 @@ def plan(found: Plan) -> Report:
 
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
-    vertex, fragment = shaders(found, found.bodies[0])
+    programs = [program_of(found, one) for one in found.bodies]
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
     on = [effect for effect in Effect if effect in found.effects]
     data: dict[str, Value] = {
         "effects": rows,
         "attributes": _needs(on, "attributes", ("position", "normal")),
-        "uniforms": _needs(on, "uniforms", ("clip_from_object",)),
         "passes": _needs(on, "passes", (PASSES,)),
-        "objects": [_body(one) for one in found.bodies],
-        "vertex_shader": vertex,
-        "fragment_shader": fragment,
+        "objects": [_body(*one) for one in zip(found.bodies, programs, strict=True)],
     }
     blocks: tuple[Block, ...] = (
         Heading(
@@ -56,9 +54,12 @@ def plan(found: Plan) -> Report:
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
         Verdict(_sentence(found)),
-        Text(f"The shaders of {found.bodies[0].body.name}, with just the terms of its plan:"),
-        Code("glsl", vertex, "vertex shader"),
-        Code("glsl", fragment, "fragment shader"),
+        Text(
+            f"The shaders of {found.bodies[0].body.name}, with just the terms of its plan "
+            "(-f glsl prints those of every object, and what their uniforms hold):"
+        ),
+        Code("glsl", programs[0].vertex_shader, "vertex shader"),
+        Code("glsl", programs[0].fragment_shader, "fragment shader"),
     )
     return Report("plan", data, blocks, found.loaded.remarks)
 
@@ -116,7 +117,7 @@ def _light_row(i: int, found: Plan) -> dict[str, Value]:
 def _needed(effect: Effect) -> list[Value]:
     recipe = RECIPES[effect]
     needs = (one.value for one in recipe.needs)
-    return [*needs, *recipe.attributes, *recipe.uniforms, *recipe.passes]
+    return [*needs, *recipe.attributes, *recipe.passes]
 
 
 def _needs(on: list[Effect], what: str, always: tuple[str, ...]) -> list[Value]:
@@ -124,9 +125,10 @@ def _needs(on: list[Effect], what: str, always: tuple[str, ...]) -> list[Value]:
     return list(dict.fromkeys((*always, *named)))
 
 
-def _body(one: BodyPlan) -> dict[str, Value]:
+def _body(one: BodyPlan, drawn_by: Program) -> dict[str, Value]:
     return {
         "name": one.body.name,
+        **drawn_by.data,
         "effects": [effect.value for effect in Effect if effect in one.effects],
         "lights": [placed.light.name for placed in one.lights],
         "bound": one.bound,

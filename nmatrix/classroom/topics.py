@@ -139,8 +139,8 @@ def _pitfalls(setup: Setup) -> Part:
 
 def _cost(setup: Setup) -> Part:
     """Count the work; a time would be another one tomorrow."""
-    from nmatrix.spaces.cost import cost
-    from nmatrix.spaces.uniforms import Request
+    from nmatrix.shaders.cost import cost
+    from nmatrix.shaders.sheet import Request
 
     def row(space: Space) -> Cells:
         found = cost(setup.maps, Request(space))

@@ -41,6 +41,9 @@ def grey(level: float) -> Colour:
     return (level, level, level)
 
 
+WHITE = grey(1.0)
+
+
 def colour(value: float | list[float]) -> Colour:
     """Return the colour of one level, or of three.
 

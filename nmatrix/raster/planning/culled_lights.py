@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.shading.space import column, dot, length, world_normals
 from nmatrix.raster.triangles.products import chunks
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import LightKind, Sides
 
 Array = NDArray[Any]

@@ -16,15 +16,15 @@ from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import (
     STEADY,
     Decision,
-    Glsl,
     Influence,
     Recipe,
     adds_nothing,
     called_for,
     not_asked,
 )
-from nmatrix.scene.material import CHECKER, Material
+from nmatrix.scene.material import CHECKER
 from nmatrix.scene.words import LightKind
+from nmatrix.shaders import glsl
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
@@ -192,60 +192,53 @@ def supersampling(loaded: LoadedScene, _: Sequence[Facts]) -> Decision:
     return called_for(because) if loaded.settings.samples > 1 else not_asked(because)
 
 
-def outline_lines(material: Material) -> Glsl:
-    """Return the line that draws an outline."""
-    width = float(material.outline)
-    return Glsl(color=(f"if (abs(dot(n, v)) < {width!r}) color = vec3(0.0);",))
-
-
 RECIPES: dict[Effect, Recipe] = {
     Effect.AMBIENT: Recipe(
         "light from everywhere",
         ambient,
         influence=STEADY,
-        uniforms=("ambient_color",),
         per_sample=1,
         is_shortcut=True,
+        glsl=glsl.ambient,
     ),
     Effect.DIFFUSE: Recipe(
         "Lambert's cosine",
         diffuse,
         influence=lambert,
-        uniforms=("diffuse_color",),
         per_light=3 + 2,
         is_shortcut=True,
+        glsl=glsl.diffuse,
     ),
     Effect.INVERSE_TRANSPOSE: Recipe(
         "normals by the inverse transpose, not by the matrix itself",
         geometry.inverse_transpose,
         influence=STEADY,
-        uniforms=("normal_matrix",),
         is_shortcut=True,
     ),
     Effect.METRIC: Recipe(
         "lengths and angles measured by the metric of a space that is not rigid",
         geometry.metric,
         influence=STEADY,
-        uniforms=("vector_world_from_space", "normal_world_from_space"),
         per_sample=9,
         per_light=9,
         is_shortcut=True,
+        glsl=glsl.metric,
     ),
     Effect.SPECULAR: Recipe(
         "highlights",
         specular,
         influence=highlight,
-        uniforms=("specular_color", "shininess"),
         needs=(Effect.EYE,),
         per_light=6 + 3 + 2,
         is_shortcut=True,
+        glsl=glsl.specular,
     ),
     Effect.TOON: Recipe(
         "bands in place of a smooth shade",
         toon,
         influence=EDGES,
-        uniforms=("toon_steps",),
         per_light=2,
+        glsl=glsl.toon,
     ),
     Effect.OUTLINE: Recipe(
         "a dark line where a surface turns away",
@@ -254,14 +247,12 @@ RECIPES: dict[Effect, Recipe] = {
         needs=(Effect.EYE,),
         per_sample=3,
         only_at_fragments=True,
-        glsl=outline_lines,
     ),
     Effect.POSITION: Recipe(
         "the position of each fragment",
         geometry.position,
         influence=replace(STEADY, reads_place=True),
         attributes=("position",),
-        uniforms=("space_from_object",),
         per_vertex=16,
         per_sample=12,
         is_shortcut=True,
@@ -269,7 +260,6 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.EYE: Recipe(
         "the way to the eye",
         influence=STEADY,
-        uniforms=("eye",),
         needs=(Effect.POSITION,),
         per_sample=6,
         is_shortcut=True,
@@ -278,24 +268,23 @@ RECIPES: dict[Effect, Recipe] = {
         "light that fades with distance and ends at its range",
         attenuation,
         influence=read_where_lit,
-        uniforms=("attenuation", "range"),
         needs=(Effect.POSITION,),
         per_light=4,
         is_shortcut=True,
+        glsl=glsl.attenuation,
     ),
     Effect.SPOT: Recipe(
         "cones of light",
         spot,
         influence=read_where_lit,
-        uniforms=("light_axis", "cone"),
         needs=(Effect.POSITION,),
         per_light=3 + 4,
+        glsl=glsl.spot,
     ),
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
         geometry.shadows,
         influence=replace(STEADY, reads_place=True),
-        uniforms=("light_from_space",),
         passes=("shadow map",),
         needs=(Effect.POSITION,),
         per_light=16 + 6,
@@ -307,6 +296,7 @@ RECIPES: dict[Effect, Recipe] = {
         per_sample=6,
         is_shortcut=True,
         only_at_fragments=True,
+        glsl=glsl.RENORMALISE,
     ),
     Effect.PERSPECTIVE: Recipe(
         "interpolation that perspective corrects",
@@ -336,6 +326,7 @@ RECIPES: dict[Effect, Recipe] = {
         attributes=("facing",),
         per_sample=3,
         is_shortcut=True,
+        glsl=glsl.back_faces,
     ),
     Effect.TEXTURE: Recipe(
         "an image or a pattern on the surface",
@@ -344,12 +335,8 @@ RECIPES: dict[Effect, Recipe] = {
             STEADY, reads_place=True, brings_colour=facts.material.texture != CHECKER
         ),
         attributes=("uv",),
-        uniforms=("texture",),
         per_sample=8 + 18,
-        glsl=Glsl(
-            uniforms=("uniform sampler2D surface_texture;",),
-            matte=("matte *= texture(surface_texture, fragment_uv).rgb;",),
-        ),
+        glsl=glsl.texture,
     ),
     Effect.NORMAL_MAP: Recipe(
         "normals from an image",
@@ -358,10 +345,9 @@ RECIPES: dict[Effect, Recipe] = {
             STEADY, per_length=inf, reads_place=True, because="a normal map turns normals"
         ),
         attributes=("uv", "tangent"),
-        uniforms=("normal_map",),
         per_sample=8 + 18 + 6 + 6 + 9 + 6,
         only_at_fragments=True,
-        glsl=Glsl(uniforms=("uniform sampler2D normal_map;",)),
+        glsl=glsl.normal_map,
     ),
     Effect.VERTEX_COLOURS: Recipe(
         "colours of the vertices",
@@ -369,7 +355,7 @@ RECIPES: dict[Effect, Recipe] = {
         influence=replace(STEADY, reads_place=True, brings_colour=True),
         attributes=("colour",),
         per_sample=12,
-        glsl=Glsl(matte=("matte *= fragment_colour;",)),
+        glsl=glsl.VERTEX_COLOURS,
     ),
     Effect.TRANSPARENCY: Recipe(
         "what is behind shows through, sorted at each sample",
@@ -377,22 +363,15 @@ RECIPES: dict[Effect, Recipe] = {
         influence=STEADY,
         passes=("layers",),
         per_sample=6,
+        glsl=glsl.transparency,
     ),
     Effect.FOG: Recipe(
         "fog that grows with distance",
         fog,
         influence=replace(STEADY, reads_place=True),
-        uniforms=("fog_color", "fog_range"),
         needs=(Effect.POSITION,),
         per_sample=4 + 3,
-        glsl=Glsl(
-            uniforms=("uniform vec3 fog_color;", "uniform vec2 fog_range;"),
-            color=(
-                "float distance_to_eye = length(eye - p);",
-                "float share = (distance_to_eye - fog_range.x) / (fog_range.y - fog_range.x);",
-                "color = mix(color, fog_color, clamp(share, 0.0, 1.0));",
-            ),
-        ),
+        glsl=glsl.fog,
     ),
     Effect.COLOUR: Recipe(
         "three channels and not one", picture_judge=tinted, influence=STEADY, is_shortcut=True
@@ -402,12 +381,7 @@ RECIPES: dict[Effect, Recipe] = {
         picture_judge=gamma,
         influence=replace(STEADY, gain=STEEPEST_SRGB),
         passes=("gamma",),
-        glsl=Glsl(
-            color=(
-                "vec3 bright = 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055;",
-                "color = mix(12.92 * color, bright, step(0.0031308, color));",
-            )
-        ),
+        glsl=glsl.GAMMA,
     ),
     Effect.SUPERSAMPLING: Recipe(
         "several samples in a pixel",

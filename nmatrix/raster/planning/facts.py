@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, Shading, Space
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe
 from nmatrix.raster.shading.space import ShadingSpace, as_array, column, dot, world_normals
 from nmatrix.raster.triangles.clip import inside
 from nmatrix.raster.triangles.products import chunks, multiply
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import Material
 
 Array = NDArray[Any]

@@ -11,12 +11,13 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from nmatrix.enums import Effect, Effort, LeftOut
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.enums import Effect, Effort, LeftOut, NormalRule
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import Decision
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import Sides
 
 BUDGET = 0.5 / 255
@@ -49,6 +50,12 @@ class BodyPlan:
     def bound(self) -> float:
         """Return the most that all that is left out moves a channel."""
         return sum(one.bound for one in self.decisions.values() if not one.on)
+
+    def rule(self, wanted: NormalRule) -> NormalRule:
+        """Return the rule that carries normals: the matrix itself where that is right."""
+        if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in self.effects:
+            return NormalRule.NONE
+        return wanted
 
 
 @dataclass(frozen=True)

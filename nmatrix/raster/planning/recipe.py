@@ -11,11 +11,12 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from nmatrix.enums import Effect, LeftOut
+from nmatrix.shaders.glsl import NOTHING, Glsl
+from nmatrix.shaders.shaded import Shaded
 
 if TYPE_CHECKING:
     from nmatrix.raster.loaded_scene import LoadedScene
     from nmatrix.raster.planning.facts import Facts
-    from nmatrix.scene.material import Material
 
 ROUNDING = 1e-12
 
@@ -112,18 +113,6 @@ STEADY = Influence(
 
 
 @dataclass(frozen=True)
-class Glsl:
-    """The lines that an effect adds to a fragment shader, each run in the order of the table.
-
-    `matte` lines change the light that takes a texture's colour; `color` lines the sum of all.
-    """
-
-    uniforms: tuple[str, ...] = ()
-    matte: tuple[str, ...] = ()
-    color: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
 class Recipe:
     """Everything that is known of an effect.
 
@@ -137,7 +126,7 @@ class Recipe:
         Decides for the whole picture, in place of `judge`.
     influence
         How colours depend on normals and places through it.
-    attributes, uniforms, passes
+    attributes, passes
         Its inputs by name, and the passes over the picture that it takes.
     needs
         The effects whose results it reads.
@@ -149,7 +138,7 @@ class Recipe:
     only_at_fragments
         Shading that evaluates light at vertices does without it.
     glsl
-        Its lines in a fragment shader, if they stand outside of the loop over lights.
+        Its lines in shaders, and the uniforms that these read.
     """
 
     says: str
@@ -157,7 +146,6 @@ class Recipe:
     picture_judge: Callable[[LoadedScene, Sequence[Facts]], Decision] | None = None
     influence: Influence | Callable[[Facts], Influence] = Influence()
     attributes: tuple[str, ...] = ()
-    uniforms: tuple[str, ...] = ()
     passes: tuple[str, ...] = ()
     needs: tuple[Effect, ...] = ()
     per_vertex: int = 0
@@ -165,7 +153,7 @@ class Recipe:
     per_light: int = 0
     is_shortcut: bool = False
     only_at_fragments: bool = False
-    glsl: Glsl | Callable[[Material], Glsl] = Glsl()
+    glsl: Glsl | Callable[[Shaded], Glsl] = NOTHING
 
     def decision(self, facts: Facts) -> Decision:
         """Decide for one body, or for the picture with that one body in it."""
@@ -173,6 +161,6 @@ class Recipe:
             return self.picture_judge(facts.loaded, (facts,))
         return self.judge(facts) if self.judge is not None else called_for("others need it")
 
-    def lines(self, material: Material) -> Glsl:
-        """Return the lines of a fragment shader for one material."""
-        return self.glsl if isinstance(self.glsl, Glsl) else self.glsl(material)
+    def lines(self, shaded: Shaded) -> Glsl:
+        """Return the lines of GLSL for one object."""
+        return self.glsl if isinstance(self.glsl, Glsl) else self.glsl(shaded)

@@ -20,13 +20,14 @@ from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import ClipSpace, Window, orthographic, perspective
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.view import looking_along
-from nmatrix.raster.loaded_scene import Body, PlacedLight
+from nmatrix.raster.loaded_scene import Body
 from nmatrix.raster.shading.space import ShadingSpace, as_array, column
 from nmatrix.raster.triangles.products import multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
 from nmatrix.scene.fitting import Ball
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]

@@ -1,0 +1,276 @@
+"""The lines of GLSL that effects add to shaders, and the uniforms that these read.
+
+n is the unit normal, l the unit vector to the light, v the unit vector to the eye, p the position,
+all in the shading space. Lengths and angles are written as words, `unit_vector` or `vector_length`;
+where the space is rigid the generator puts `normalize` or `length` in their place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from nmatrix.enums import Effect, Reflection
+from nmatrix.report import Matrix, Number, Value, Vector
+from nmatrix.scene.light import PlacedLight
+from nmatrix.scene.material import CHECKER
+from nmatrix.scene.words import LightKind
+from nmatrix.shaders.shaded import Shaded
+
+FLOATS = {"mat4": 16, "mat3": 9, "vec4": 4, "vec3": 3, "vec2": 2, "float": 1}
+FLOAT_BYTES = 4
+SMALLEST = "1e-30"  # far above what a float32 loses, far below the length of a normal
+SAFE_UNIT_NORMAL = f"vec3 unit_normal(vec3 n) {{ return n / max(length(n), {SMALLEST}); }}"
+
+
+@dataclass(frozen=True)
+class Uniform:
+    """One uniform: its type, name and value, exact where it follows from matrices."""
+
+    kind: str
+    name: str
+    value: Number | Vector | Matrix
+
+    @property
+    def bytes(self) -> int:
+        """The size as plain floats."""
+        return FLOATS[self.kind] * FLOAT_BYTES
+
+
+@dataclass(frozen=True)
+class Sampler:
+    """One texture that a shader reads, and what is to be bound: keys of its making."""
+
+    name: str
+    bind: Mapping[str, Value]
+    kind: str = "highp sampler2D"
+
+
+@dataclass(frozen=True)
+class Glsl:
+    """The lines of an effect, each run in the order of the table of effects, at its place.
+
+    Parameters
+    ----------
+    uniforms, samplers, functions
+        What the lines read; what is not read is not declared.
+    bump
+        Lines that bend the interpolated normal n.
+    normal
+        Lines that change n afterwards.
+    base
+        Lines that add to `matte` before any light does.
+    arriving
+        For each light: lines that change `light`, the light that arrives, or `shade`, its cosine.
+    lit
+        For each light: lines that add to `matte` and `gloss`.
+    of_light
+        Lines of one light alone, with `uniforms` of its own.
+    matte
+        Lines that change the light that takes a texture's colour.
+    color
+        Lines that change the sum of all.
+    last
+        Lines that change `fragment_color`.
+    """
+
+    uniforms: tuple[Uniform, ...] = ()
+    samplers: tuple[Sampler, ...] = ()
+    functions: tuple[str, ...] = ()
+    bump: tuple[str, ...] = ()
+    normal: tuple[str, ...] = ()
+    base: tuple[str, ...] = ()
+    arriving: tuple[str, ...] = ()
+    lit: tuple[str, ...] = ()
+    of_light: Callable[[PlacedLight], Glsl] | None = None
+    matte: tuple[str, ...] = ()
+    color: tuple[str, ...] = ()
+    last: tuple[str, ...] = ()
+
+
+NOTHING = Glsl()
+
+
+def ambient(shaded: Shaded) -> Glsl:
+    """Add light from everywhere."""
+    sent_back = zip(shaded.ambient, shaded.material.ambient, strict=True)
+    color = Uniform("vec3", "ambient_color", tuple(light * part for light, part in sent_back))
+    return Glsl((color,), base=("matte += ambient_color;",))
+
+
+def diffuse(shaded: Shaded) -> Glsl:
+    """Add Lambert's cosine."""
+    color = Uniform("vec3", "diffuse_color", shaded.material.diffuse)
+    return Glsl((color,), lit=("matte += light * diffuse_color * shade;",))
+
+
+def metric(shaded: Shaded) -> Glsl:
+    """Measure lengths by the factors of the metric."""
+    maps, space = shaded.maps, shaded.space
+    length = "length(normal_world_from_space * n)"
+    divisor = f"max({length}, {SMALLEST})" if shaded.normals_can_vanish else length
+    return Glsl(
+        (
+            Uniform("mat3", "vector_world_from_space", maps.vector_world_from_space(space)),
+            Uniform("mat3", "normal_world_from_space", maps.normal_world_from_space(space)),
+        ),
+        functions=(
+            "float vector_length(vec3 v) { return length(vector_world_from_space * v); }",
+            "vec3 unit_vector(vec3 v) { return v / vector_length(v); }",
+            "float vector_dot(vec3 a, vec3 b) {\n"
+            "    return dot(vector_world_from_space * a, vector_world_from_space * b);\n"
+            "}",
+            f"vec3 unit_normal(vec3 n) {{ return n / {divisor}; }}",
+        ),
+    )
+
+
+def specular(shaded: Shaded) -> Glsl:
+    """Add a highlight where light falls on the front at all."""
+    material = shaded.material
+    sent_back = material.specular if material.shines else (0.0, 0.0, 0.0)
+    cosine = "2.0 * n_dot_l * dot(n, v) - vector_dot(l, v)"
+    if material.reflection is Reflection.BLINN_PHONG:
+        cosine = "dot(n, unit_vector(l + v))"
+    shine = "pow(clamp(highlight, 0.0, 1.0), shininess)"
+    if not material.shininess:
+        shine = "1.0"  # 0⁰ is undefined in GLSL
+    return Glsl(
+        (
+            Uniform("vec3", "specular_color", sent_back),
+            Uniform("float", "shininess", float(material.shininess)),
+        ),
+        lit=(
+            f"float highlight = {cosine};",
+            f"if (n_dot_l > 0.0)\n    gloss += light * specular_color * {shine};",
+        ),
+    )
+
+
+def toon(shaded: Shaded) -> Glsl:
+    """Put bands in place of a smooth shade."""
+    steps = Uniform("float", "toon_steps", float(shaded.material.toon_steps))
+    return Glsl((steps,), arriving=("shade = ceil(shade * toon_steps) / toon_steps;",))
+
+
+def attenuation(shaded: Shaded) -> Glsl:
+    """Let light fade with distance and end at its range."""
+    return Glsl(of_light=_fading)
+
+
+def _fading(placed: PlacedLight) -> Glsl:
+    light = placed.light
+    if placed.position is None or not light.fades:
+        return NOTHING
+    ends = light.range < float("inf")
+    return Glsl(
+        (
+            Uniform("vec3", "attenuation", light.attenuation),
+            *([Uniform("float", "light_range", float(light.range))] if ends else ()),
+        ),
+        arriving=(
+            "float d = vector_length(light_position - p);",
+            "light /= attenuation.x + d * (attenuation.y + attenuation.z * d);",
+            *(["light *= step(d, light_range);"] if ends else ()),
+        ),
+    )
+
+
+def spot(shaded: Shaded) -> Glsl:
+    """Keep light inside of a cone: all inside the inner one, none outside the outer one."""
+    return Glsl(of_light=_cone)
+
+
+def _cone(placed: PlacedLight) -> Glsl:
+    if placed.light.kind is not LightKind.SPOT:
+        return NOTHING
+    return Glsl(
+        (Uniform("vec2", "cone_cosines", placed.light.cone_cosines),),
+        arriving=(
+            "float inside = -vector_dot(l, light_direction) - cone_cosines.y;",
+            "inside = clamp(inside / max(cone_cosines.x - cone_cosines.y, 1e-9), 0.0, 1.0);",
+            "light *= inside * inside * (3.0 - 2.0 * inside);",
+        ),
+    )
+
+
+RENORMALISE = Glsl(normal=("n = unit_normal(n);  // interpolation shortened it",))
+
+
+def back_faces(shaded: Shaded) -> Glsl:
+    """Turn normals to the side that is seen."""
+    return Glsl(normal=("if (!gl_FrontFacing) n = -n;",)) if shaded.is_sided else NOTHING
+
+
+def fog(shaded: Shaded) -> Glsl:
+    """Mix colours with the fog's, by distance."""
+    fog = shaded.fog
+    if fog is None:
+        return NOTHING
+    return Glsl(
+        (
+            Uniform("vec3", "fog_color", fog.color),
+            Uniform("vec2", "fog_range", (fog.start, fog.end)),
+        ),
+        color=(
+            "float share = (vector_length(eye - p) - fog_range.x) / (fog_range.y - fog_range.x);",
+            "color = mix(color, fog_color, clamp(share, 0.0, 1.0));",
+        ),
+    )
+
+
+def texture(shaded: Shaded) -> Glsl:
+    """Multiply by an image or by a pattern of squares."""
+    source = shaded.material.texture
+    if source == CHECKER:
+        return Glsl(
+            matte=(
+                "vec2 square = floor(fragment_uv * 8.0);",
+                "matte *= mod(square.x + square.y, 2.0) < 0.5 ? 1.0 : 0.35;",
+            )
+        )
+    return Glsl(
+        samplers=(Sampler("surface_texture", {"image": str(source)}),),
+        matte=("matte *= texture(surface_texture, fragment_uv).rgb;",),
+    )
+
+
+def normal_map(shaded: Shaded) -> Glsl:
+    """Bend normals by an image of them."""
+    hand = Uniform("float", "bitangent_sign", -1.0 if shaded.is_mirrored else 1.0)
+    normal, tangent, bent = "n", "fragment_tangent.xyz", "mat3(t, b, n) * bent"
+    if Effect.METRIC in shaded.effects:
+        normal, tangent = (
+            f"normal_world_from_space * {normal}",
+            f"vector_world_from_space * {tangent}",
+        )
+        bent = f"transpose(vector_world_from_space) * ({bent})"
+    return Glsl(
+        (hand,),
+        (Sampler("normal_map", {"image": str(shaded.material.normal_map)}),),
+        bump=(
+            f"n = normalize({normal});",
+            f"vec3 t = {tangent};",
+            "t = normalize(t - n * dot(n, t));",
+            "vec3 b = cross(n, t) * (fragment_tangent.w * bitangent_sign);",
+            "vec3 bent = texture(normal_map, fragment_uv).xyz * 2.0 - 1.0;",
+            f"n = {bent};",
+        ),
+    )
+
+
+VERTEX_COLOURS = Glsl(matte=("matte *= fragment_colour;",))
+
+
+def transparency(shaded: Shaded) -> Glsl:
+    """Let through what is behind."""
+    opacity = Uniform("float", "opacity", float(shaded.material.opacity))
+    return Glsl((opacity,), last=("fragment_color.a = opacity;",))
+
+
+GAMMA = Glsl(
+    color=(
+        "vec3 bright = 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055;",
+        "color = mix(12.92 * color, bright, step(0.0031308, color));",
+    )
+)

@@ -1,0 +1,133 @@
+"""What a program draws: one object in its shading space, its lights, and what is computed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+
+from nmatrix.enums import Effect, NormalRule, Shading, Space
+from nmatrix.linear import rational
+from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
+from nmatrix.linear.rounding import integers, unit
+from nmatrix.linear.rules import NormalTransform, normal_transform
+from nmatrix.scene.light import PlacedLight
+from nmatrix.scene.material import WHITE, Colour, Material
+from nmatrix.scene.scene import Fog
+from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.shading_spaces import PROFILES
+
+
+class FrontFace(StrEnum):
+    """The sense in which the corners of front faces follow each other on the canvas."""
+
+    CCW = "ccw"
+    CW = "cw"
+
+    @classmethod
+    def of_sign(cls, front: int) -> FrontFace:
+        """Return the sense of corners whose area has a sign on the canvas, where y runs down."""
+        return cls.CW if front > 0 else cls.CCW
+
+
+@dataclass(frozen=True)
+class Shaded:
+    """One object, its material and lights, and the effects that its shaders compute.
+
+    Parameters
+    ----------
+    ambient
+        The light that comes from everywhere.
+    rule
+        The rule that carries normals.
+    shadow_maps
+        For each light that has them, by name: the matrices from the world to its maps.
+    has_zero_normals
+        True if the mesh has vertices without a normal.
+    """
+
+    maps: ExactMaps
+    space: Space
+    shading: Shading
+    material: Material
+    lights: tuple[PlacedLight, ...]
+    effects: frozenset[Effect]
+    front_face: FrontFace = FrontFace.CCW
+    ambient: Colour = WHITE
+    fog: Fog | None = None
+    rule: NormalRule = NormalRule.EXACT
+    shadow_maps: Mapping[str, tuple[RationalMatrix, ...]] = field(default_factory=dict)
+    has_zero_normals: bool = False
+
+    @property
+    def is_lit_at_fragments(self) -> bool:
+        """True if light is evaluated at fragments, and not at vertices alone."""
+        return self.shading is Shading.PHONG
+
+    @property
+    def moves_vertices(self) -> bool:
+        """True if the vertices' positions and normals are not stored in the shading space."""
+        return PROFILES[self.space].moves_vertices
+
+    @property
+    def is_flattened(self) -> bool:
+        """True if the object has no volume, so that its two sides are alike."""
+        return self.maps.world_from_object.linear_map.rank < 3
+
+    @property
+    def is_sided(self) -> bool:
+        """True if backs are lit as backs."""
+        return Effect.BACK_FACES in self.effects and not self.is_flattened
+
+    @property
+    def culls_backs(self) -> bool:
+        """True if backs are not drawn."""
+        return Effect.BACK_FACES not in self.effects and not self.is_flattened
+
+    @property
+    def clip_from_vertex(self) -> RationalMatrix:
+        """P·V·M, or P·V where the vertices were baked into world space."""
+        if PROFILES[self.space].vertices_in is not Space.OBJECT:
+            return rational.product(self.maps.clip_from_camera, self.maps.camera_from_world.exact)
+        return self.maps.clip_from_object
+
+    @cached_property
+    def space_from_vertex(self) -> RationalMatrix:
+        """The map from where the vertices are stored to the shading space."""
+        if not self.moves_vertices:
+            return rational.identity(4)
+        return self.maps.space_from_object(self.space).exact
+
+    @cached_property
+    def normal_transform(self) -> NormalTransform | None:
+        """The matrix that the rule makes for normals; None if it has none for this map."""
+        return normal_transform(self.rule, self.space_from_vertex)
+
+    @property
+    def normals_can_vanish(self) -> bool:
+        """True if a vertex may have no normal in the space."""
+        return self.has_zero_normals or self.is_flattened or self.normal_transform is None
+
+    @property
+    def is_mirrored(self) -> bool:
+        """True if a mirror lies between the vertices and where lengths are measured."""
+        measured = Effect.METRIC in self.effects
+        of = self.maps.world_from_object.exact if measured else self.space_from_vertex
+        return rational.determinant(rational.linear_part(of)) < 0
+
+    def point(self, point: RationalVector) -> RationalVector:
+        """Bring a point of the world into the space."""
+        return self.maps.space_from_world(self.space).exact_point(point)
+
+    def direction(self, vector: RationalVector) -> RationalVector:
+        """Bring a direction of the world into the space, at true length one."""
+        of_length_one = rational_vector(unit(integers(vector)[0]))
+        return self.maps.space_from_world(self.space).exact_vector(of_length_one)
+
+    def space_to(self, of_world: RationalMatrix) -> RationalMatrix:
+        """Return the matrix that does to points of the space what a given one does in the world."""
+        if self.space is Space.OBJECT:
+            return rational.product(of_world, self.maps.world_from_object.exact)
+        back = rational.inverse(self.maps.space_from_world(self.space).exact)
+        return rational.product(of_world, back)

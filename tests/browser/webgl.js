@@ -1,0 +1,72 @@
+([size, background, bodies]) => {
+  const canvas = Object.assign(document.createElement("canvas"), { width: size[0], height: size[1] });
+  const gl = canvas.getContext("webgl2", { antialias: false, depth: true, alpha: false });
+  const said = [];
+  const floats = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
+  const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  function linked(body) {
+    const program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, body.vertex_shader], [gl.FRAGMENT_SHADER, body.fragment_shader]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text); gl.compileShader(shader); gl.attachShader(program, shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) said.push(gl.getShaderInfoLog(shader));
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) said.push(gl.getProgramInfoLog(program));
+    return program;
+  }
+  const SETTERS = {
+    [gl.FLOAT]: (at, v) => gl.uniform1f(at, v), [gl.FLOAT_VEC2]: (at, v) => gl.uniform2fv(at, v),
+    [gl.FLOAT_VEC3]: (at, v) => gl.uniform3fv(at, v), [gl.FLOAT_VEC4]: (at, v) => gl.uniform4fv(at, v),
+    [gl.FLOAT_MAT3]: (at, v) => gl.uniformMatrix3fv(at, true, v.flat()),
+    [gl.FLOAT_MAT4]: (at, v) => gl.uniformMatrix4fv(at, true, v.flat()),
+  };
+  function bind(unit, image) {
+    gl.activeTexture(gl.TEXTURE0 + unit); gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    const [width, height] = image.size;
+    if (image.floats) gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, width, height, 0, gl.RED, gl.FLOAT, floats(image.floats));
+    else gl.texImage2D(gl.TEXTURE_2D, 0, gl[image.format], width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(image.bytes));
+    const filter = image.filter === "linear" ? gl.LINEAR : gl.NEAREST;
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl[image.wrap[0]]);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl[image.wrap[1]]);
+  }
+  gl.viewport(0, 0, ...size);
+  gl.clearColor(...background, 1); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  gl.enable(gl.DEPTH_TEST); gl.disable(gl.DITHER);
+  for (const body of bodies) {
+    const program = linked(body);
+    if (said.length) break;
+    gl.useProgram(program);
+    (body.cull_face ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
+    gl.frontFace(body.front_face === "cw" ? gl.CW : gl.CCW);
+    (body.is_clear ? gl.enable : gl.disable).call(gl, gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    let unit = 0;
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); i++) {
+      const { name, type } = gl.getActiveUniform(program, i), at = gl.getUniformLocation(program, name);
+      if (type === gl.SAMPLER_2D) { bind(unit, body.images[name]); gl.uniform1i(at, unit++); }
+      else if (body.uniforms[name] === undefined) said.push("no value of " + name);
+      else SETTERS[type](at, body.uniforms[name]);
+    }
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_ATTRIBUTES); i++) {
+      const { name } = gl.getActiveAttrib(program, i), at = gl.getAttribLocation(program, name);
+      if (!body.attributes[name]) { said.push("no attribute " + name); continue; }
+      const [width, values] = body.attributes[name];
+      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+      gl.bufferData(gl.ARRAY_BUFFER, floats(values), gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(at); gl.vertexAttribPointer(at, width, gl.FLOAT, false, 0, 0);
+    }
+    gl.drawArrays(gl.TRIANGLES, 0, body.corners);
+    for (let i = 0; i < 16; i++) gl.disableVertexAttribArray(i);
+  }
+  const pixels = new Uint8Array(size[0] * size[1] * 4);
+  gl.readPixels(0, 0, ...size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  const error = gl.getError();
+  if (error) said.push("GL error " + error);
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  let text = "";
+  for (let i = 0; i < pixels.length; i += 32768) text += String.fromCharCode(...pixels.subarray(i, i + 32768));
+  return { said, pixels: btoa(text) };
+}
