@@ -230,9 +230,21 @@ def texture(shaded: Shaded) -> Glsl:
             )
         )
     return Glsl(
-        samplers=(Sampler("surface_texture", {"image": str(source)}),),
+        samplers=(_image("surface_texture", source, is_srgb=shaded.is_linear),),
         matte=("matte *= texture(surface_texture, fragment_uv).rgb;",),
     )
+
+
+def _image(name: str, source: object, *, is_srgb: bool) -> Sampler:
+    """Say what image to bind: where its levels are sRGB they become linear before they are mixed."""
+    bind: dict[str, Value] = {
+        "image": str(source),
+        "format": "SRGB8_ALPHA8" if is_srgb else "RGBA8",
+        "rows": "the last row first",
+        "filter": "linear",
+        "wrap": ["REPEAT", "REPEAT"],
+    }
+    return Sampler(name, bind)
 
 
 def normal_map(shaded: Shaded) -> Glsl:
@@ -247,7 +259,7 @@ def normal_map(shaded: Shaded) -> Glsl:
         bent = f"transpose(vector_world_from_space) * ({bent})"
     return Glsl(
         (hand,),
-        (Sampler("normal_map", {"image": str(shaded.material.normal_map)}),),
+        (_image("normal_map", shaded.material.normal_map, is_srgb=False),),
         bump=(
             f"n = normalize({normal});",
             f"vec3 t = {tangent};",

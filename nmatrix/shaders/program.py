@@ -17,7 +17,7 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.report import Value
 from nmatrix.scene.light import PlacedLight
 from nmatrix.shaders.glsl import SAFE_UNIT_NORMAL, Glsl, Sampler, Uniform
-from nmatrix.shaders.shaded import FrontFace, Shaded
+from nmatrix.shaders.shaded import PLAIN_TARGET, FrontFace, Shaded
 from nmatrix.spaces.shading_spaces import PROFILES
 
 HEADER = ("#version 300 es", "precision highp float;")
@@ -53,6 +53,7 @@ class Program:
     samplers: tuple[Sampler, ...]
     front_face: FrontFace
     culls_backs: bool
+    target: str
 
     def reads(self, name: str) -> bool:
         """Return True if a uniform has the name."""
@@ -68,6 +69,7 @@ class Program:
             "samplers": {one.name: one.bind for one in self.samplers},
             "front_face": self.front_face.value,
             "cull_face": "back" if self.culls_backs else None,
+            "target": self.target,
         }
 
 
@@ -108,6 +110,7 @@ class _Assembly:
             tuple(one for one in self._samplers if one.name in read),
             self.shaded.front_face,
             self.shaded.culls_backs,
+            self.shaded.target,
         )
 
     def _text(self, stage: str, passed: Sequence[str], lines: Sequence[str]) -> str:
@@ -139,9 +142,11 @@ class _Assembly:
         )
 
     def _notes(self, stage: str) -> Iterator[str]:
-        """Yield what must be said beside a program: state of the pipeline that it relies on."""
+        """Yield what a stage relies on and cannot say in its lines."""
         if stage == "vertex" and self.shaded.front_face is FrontFace.CW:
             yield "// front faces run clockwise here: glFrontFace(GL_CW)"
+        if stage == "fragment" and self.shaded.target != PLAIN_TARGET:
+            yield f"// linear light, which is mixed before it becomes sRGB: a target of {self.shaded.target}"
 
     # --- the vertex shader
 
@@ -177,8 +182,9 @@ class _Assembly:
         """Yield the lines that bring a normal into the space, at true length one."""
         found, given = self.shaded.normal_transform, f"{of}_normal"
         if not self.shaded.moves_vertices:
-            is_measured = "unit_normal" in self._functions
-            yield f"vec3 {name} = {f'unit_normal({given})' if is_measured else given};"
+            own_length = found is not None and found.components == 4
+            measured = "unit_normal" in self._functions and not own_length
+            yield f"vec3 {name} = {f'unit_normal({given})' if measured else given};"
         elif found is None:
             yield f"vec3 {name} = vec3(0.0);  // {self._rule}: it has no answer here"
         elif found.components == 4:

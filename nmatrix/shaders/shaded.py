@@ -18,6 +18,8 @@ from nmatrix.scene.scene import Fog
 from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.shading_spaces import PROFILES
 
+PLAIN_TARGET, SRGB_TARGET = "RGBA8", "SRGB8_ALPHA8"  # the second takes linear light
+
 
 class FrontFace(StrEnum):
     """The sense in which the corners of front faces follow each other on the canvas."""
@@ -45,6 +47,8 @@ class Shaded:
         For each light that has them, by name: the matrices from the world to its maps.
     has_zero_normals
         True if the mesh has vertices without a normal.
+    target
+        The format of the framebuffer.
     """
 
     maps: ExactMaps
@@ -59,6 +63,7 @@ class Shaded:
     rule: NormalRule = NormalRule.EXACT
     shadow_maps: Mapping[str, tuple[RationalMatrix, ...]] = field(default_factory=dict)
     has_zero_normals: bool = False
+    target: str = PLAIN_TARGET
 
     @property
     def is_lit_at_fragments(self) -> bool:
@@ -79,6 +84,11 @@ class Shaded:
     def is_sided(self) -> bool:
         """True if backs are lit as backs."""
         return Effect.BACK_FACES in self.effects and not self.is_flattened
+
+    @property
+    def is_linear(self) -> bool:
+        """True if levels are linear light until the end."""
+        return Effect.GAMMA in self.effects or self.target == SRGB_TARGET
 
     @property
     def culls_backs(self) -> bool:

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from nmatrix.linear.rational import identity
 from nmatrix.linear.projection import front_sign
+from nmatrix.linear.rational import identity
 from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
 from nmatrix.raster.planning.plan import Plan, planned

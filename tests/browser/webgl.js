@@ -1,5 +1,6 @@
-([size, background, bodies]) => {
-  const canvas = Object.assign(document.createElement("canvas"), { width: size[0], height: size[1] });
+([size, times, background, bodies]) => {
+  const [width, height] = size.map((side) => side * times);
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
   const gl = canvas.getContext("webgl2", { antialias: false, depth: true, alpha: false });
   const said = [];
   const floats = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
@@ -23,16 +24,21 @@
   };
   function bind(unit, image) {
     gl.activeTexture(gl.TEXTURE0 + unit); gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-    const [width, height] = image.size;
-    if (image.floats) gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, width, height, 0, gl.RED, gl.FLOAT, floats(image.floats));
-    else gl.texImage2D(gl.TEXTURE_2D, 0, gl[image.format], width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(image.bytes));
+    if (image.floats) gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, ...image.size, 0, gl.RED, gl.FLOAT, floats(image.floats));
+    else gl.texImage2D(gl.TEXTURE_2D, 0, gl[image.format], ...image.size, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(image.bytes));
     const filter = image.filter === "linear" ? gl.LINEAR : gl.NEAREST;
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl[image.wrap[0]]);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl[image.wrap[1]]);
   }
-  gl.viewport(0, 0, ...size);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  for (const [place, format] of [[gl.COLOR_ATTACHMENT0, gl[bodies[0].target]], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24]]) {
+    const buffer = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, buffer); gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+  }
+  gl.viewport(0, 0, width, height);
   gl.clearColor(...background, 1); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   gl.enable(gl.DEPTH_TEST); gl.disable(gl.DITHER);
   for (const body of bodies) {
@@ -61,8 +67,14 @@
     gl.drawArrays(gl.TRIANGLES, 0, body.corners);
     for (let i = 0; i < 16; i++) gl.disableVertexAttribArray(i);
   }
-  const pixels = new Uint8Array(size[0] * size[1] * 4);
-  gl.readPixels(0, 0, ...size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  // The middle pixel of each block stands where the one pixel of a smaller picture does.
+  const all = new Uint8Array(width * height * 4), pixels = new Uint8Array(size[0] * size[1] * 4);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+  const middle = (times - 1) / 2;
+  for (let y = 0, at = 0; y < size[1]; y++) for (let x = 0; x < size[0]; x++, at += 4) {
+    const from = ((y * times + middle) * width + x * times + middle) * 4;
+    pixels.set(all.subarray(from, from + 4), at);
+  }
   const error = gl.getError();
   if (error) said.push("GL error " + error);
   gl.getExtension("WEBGL_lose_context")?.loseContext();

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import base64
 import json
-from dataclasses import dataclass, fields
+import re
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
 from nmatrix.answers.plan import plan as report_of
-from nmatrix.enums import Effect, Format, Shading, Space
+from nmatrix.enums import Format, Shading, Space
 from nmatrix.output.write import OutputOptions, write
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.render import render
@@ -19,6 +20,11 @@ from nmatrix.raster.shading.space import ShadingSpace
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
+from nmatrix.scene.meshes.mesh import Mesh, unit
+
+# A browser's software snaps corners to 1/16 pixel and the rasterizer to 1/256: what jumps in a
+# picture would jump elsewhere. So it draws larger, and the middle pixel of each block is compared.
+TIMES = 5
 
 SCRIPT = (Path(__file__).parent / "webgl.js").read_text()
 
@@ -32,6 +38,11 @@ def printed_objects(plan: Plan) -> list[dict]:
     return json.loads(write(report_of(plan), OutputOptions(Format.JSON)))["objects"]
 
 
+def declared(shaders: str) -> set[str]:
+    """The names of the uniforms and samplers that shaders declare."""
+    return set(re.findall(r"^uniform (?:highp )?\w+ (\w+);", shaders, re.MULTILINE))
+
+
 def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
     """The mesh's arrays, corner by corner, baked where static space wants it."""
     mesh = body.body.mesh
@@ -40,13 +51,13 @@ def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
     tangents = None if mesh.tangents is None else mesh.tangents[:, :3]
     corners = mesh.triangles.reshape(-1)
     a, b, c = (mesh.positions[mesh.triangles[:, i]] for i in range(3))
-    faces = np.cross(b - a, c - a)
-    faces /= np.maximum(np.sqrt((faces**2).sum(axis=1, keepdims=True)), 1e-300)
+    faces = unit(np.cross(b - a, c - a))
     if plan.loaded.settings.space is Space.STATIC:
         baked = ShadingSpace(plan.loaded, body.body, Space.STATIC, uses_metric=False)
         positions, normals = baked.positions().T, baked.normals(rule).T
         tangents = None if tangents is None else baked.vectors(tangents).T
-        faces = baked.normals_of(faces.T, rule).T
+        of_faces = replace(body.body, mesh=Mesh(faces, faces, mesh.triangles[:1] * 0))
+        faces = replace(baked, body=of_faces).normals(rule).T
     found = {
         "vertex_position": positions[corners],
         "vertex_normal": np.where(np.isfinite(normals), normals, 0.0)[corners],
@@ -92,7 +103,7 @@ def drawn(page, plan: Plan) -> np.ndarray:
         )
     bodies.sort(key=lambda one: one["is_clear"])
     size, background = plan.loaded.settings.size, plan.loaded.settings.background
-    found = page.evaluate(SCRIPT, [size, background, bodies])
+    found = page.evaluate(SCRIPT, [size, TIMES, background, bodies])
     assert found["said"] == [], (found["said"], bodies)
     levels = np.frombuffer(base64.b64decode(found["pixels"]), np.uint8)
     return levels.reshape(size[1], size[0], 4)[::-1, :, :3].astype(int)
@@ -107,9 +118,7 @@ class Numbered(Surface):
 
     def fragment(self, fragments: Fragments) -> np.ndarray:
         found = np.zeros((self.style.channels, len(fragments)))
-        place = next(
-            i for i, one in enumerate(self.space.loaded.bodies) if one is self.space.body
-        )
+        place = next(i for i, one in enumerate(self.space.loaded.bodies) if one is self.space.body)
         found[:] = place * 1e6 + fragments["name"] + 1
         return found
 

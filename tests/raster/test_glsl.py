@@ -12,7 +12,7 @@ from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Effect, Shading, Space
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
-from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.glsl import program_of
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.scene.scene import Settings
@@ -42,7 +42,9 @@ def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
     for i, ready in enumerate(loaded_scenes()):
         for plan in (planned(ready), everything(ready)):
             for j, body in enumerate(plan.bodies):
-                for name, text in zip(("vert", "frag"), shaders(plan, body), strict=True):
+                program = program_of(plan, body)
+                texts = (program.vertex_shader, program.fragment_shader)
+                for name, text in zip(("vert", "frag"), texts, strict=True):
                     file = tmp_path / f"{i}-{plan.picture[Effect.COLOUR].on}-{j}.{name}"
                     file.write_text(text)
                     files.append(str(file))
@@ -52,7 +54,7 @@ def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
 
 def fragment(**scene: object) -> str:
     plan = planned(loaded(single(**scene)))  # type: ignore[arg-type]
-    return shaders(plan, plan.bodies[0])[1]
+    return program_of(plan, plan.bodies[0]).fragment_shader
 
 
 def test_a_matt_body_under_the_sun_has_a_short_shader() -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from nmatrix.enums import Effect
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.shaders.program import Program, program
-from nmatrix.shaders.shaded import FrontFace, Shaded
+from nmatrix.shaders.shaded import PLAIN_TARGET, SRGB_TARGET, FrontFace, Shaded
 
 
 def program_of(plan: Plan, body: BodyPlan) -> Program:
@@ -18,17 +19,21 @@ def program_of(plan: Plan, body: BodyPlan) -> Program:
 def shaded_of(plan: Plan, body: BodyPlan) -> Shaded:
     """Return what the shaders of one body draw."""
     loaded, settings = plan.loaded, plan.loaded.settings
-    of_picture = {effect for effect, one in plan.picture.items() if one.on}
+    effects = body.effects | {effect for effect, one in plan.picture.items() if one.on}
+    target = PLAIN_TARGET
+    if {Effect.GAMMA, Effect.TRANSPARENCY} <= plan.effects:  # what is mixed must be linear light
+        effects, target = effects - {Effect.GAMMA}, SRGB_TARGET
     return Shaded(
         loaded.maps(body.body),
         settings.space,
         settings.shading,
         body.body.material,
         body.lights,
-        body.effects | of_picture,
+        effects,
         FrontFace.of_sign(front_sign(loaded.clip_from_object(body.body), loaded.clip)),
         loaded.ambient_light,
         settings.fog,
         body.rule(settings.normals),
         has_zero_normals=body.body.mesh.degenerate_normals > 0,
+        target=target,
     )

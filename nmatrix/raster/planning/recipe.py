@@ -161,6 +161,11 @@ class Recipe:
             return self.picture_judge(facts.loaded, (facts,))
         return self.judge(facts) if self.judge is not None else called_for("others need it")
 
+    @property
+    def has_lines(self) -> bool:
+        """Return True if shaders hold lines of it."""
+        return self.glsl is not NOTHING
+
     def lines(self, shaded: Shaded) -> Glsl:
         """Return the lines of GLSL for one object."""
         return self.glsl if isinstance(self.glsl, Glsl) else self.glsl(shaded)

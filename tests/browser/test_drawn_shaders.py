@@ -1,0 +1,251 @@
+"""What the printed shaders draw: a browser's WebGL2 against the rasterizer, pixel by pixel.
+
+Nothing but what a plan prints is given to the browser, beside the mesh's arrays and the images
+and maps that it names.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, replace
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pytest
+from browser import webgl
+from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
+
+from nmatrix.enums import NormalRule, Reflection, Shading, Space
+from nmatrix.errors import NoAnswerError
+from nmatrix.linear.rational import rational_matrix
+from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.planning.effects import RECIPES
+from nmatrix.raster.planning.plan import Plan, everything, planned
+from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.light import SceneLight
+from nmatrix.scene.material import CHECKER
+from nmatrix.scene.scene import Fog, Scene
+from nmatrix.scene.words import LightKind, Shape, Sides
+from nmatrix.scene.world import World
+
+ENOUGH = 0.999
+IMAGES = Path(__file__).parents[2] / "docs" / "scenes"
+SKEWED = rational_matrix([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
+TORUS = TangentGeometry(ShapeGeometry(Shape.TORUS, (8, 12)))
+BALL = ShapeGeometry(Shape.SPHERE, (6, 8))
+SHEET = TangentGeometry(ShapeGeometry(Shape.PLANE, (6,)))
+TURNED = World(rotate_degrees=(10, 20, 30))
+MAPS = {
+    "turned": TURNED,
+    "stretched": replace(TURNED, scale=(1, 1.6, 0.4)),
+    "sheared": World(rotate_degrees=(25, 5, 0), shear=(0.7, 0, 0.3)),
+    "mirrored": World(scale=(-1, 1, 1.3), shear=(0.4, 0, 0), rotate_degrees=(15, 5, 7)),
+}
+FLATTENED = World(rotate_degrees=(65, 5, 10), scale=(1.3, 0, 1), shear=(0.3, 0, 0))
+SPOT = SceneLight(
+    "spot",
+    LightKind.SPOT,
+    position=(2, 3, 2.5),
+    direction=(-2, -3, -2.3),
+    cone_degrees=(6, 15),
+    intensity=0.8,
+    attenuation=(0.5, 0.1, 0.01),
+)
+LIGHTS = {
+    "sun": (SUN,),
+    "bulb": (replace(BULB, range=4.1),),
+    "spot": (SPOT,),
+    "equal cones": (replace(SPOT, cone_degrees=(11, 11)),),
+    "three": (SUN, BULB, SPOT),
+}
+MATERIALS = {
+    Reflection.LAMBERT: LAMBERT,
+    Reflection.PHONG: PHONG,
+    Reflection.BLINN_PHONG: BLINN,
+    Reflection.TOON: replace(TOON, outline=0.0),
+}
+PLANNERS = {"planned": planned, "everything": everything}
+
+
+@dataclass(frozen=True)
+class Case:
+    """One object in one space, under some lights, with one feature more."""
+
+    space: Space
+    shading: Shading
+    reflection: Reflection = Reflection.BLINN_PHONG
+    lights: str = "three"
+    map: str = "stretched"
+
+    def scene(self, **more: object) -> Scene:
+        chosen = {
+            "world": MAPS[self.map],
+            "material": MATERIALS[self.reflection],
+            "lights": LIGHTS[self.lights],
+            "shape": TORUS,
+            "view": View(eye=(1.0, 1.4, 3.4)),
+            "space": self.space,
+            "shading": self.shading,
+            "space_matrix": SKEWED,
+            "size": (200, 150),
+            **more,
+        }
+        return single(**chosen)  # type: ignore[arg-type]
+
+
+SHADINGS = (Shading.PHONG, Shading.GOURAUD)
+EVERY = [Case(*one) for one in product(Space, SHADINGS, Reflection, LIGHTS, MAPS)]
+LIT = [Case(*one) for one in product(Space, SHADINGS)]
+
+
+def must_agree(page, scene: Scene, least: int = 1500, what: object = "") -> None:
+    """Draw a scene by its plan, and with everything on."""
+    for name, planner in PLANNERS.items():
+        plan = planner(loaded(scene))
+        found = webgl.compared(page, plan)
+        assert found.pixels >= least, (what, name, found)
+        assert found.share >= ENOUGH, (what, name, found)
+        assert_all_is_said(plan)
+
+
+def assert_all_is_said(plan: Plan) -> None:
+    """Each uniform and sampler that shaders declare has a value, and nothing else has one."""
+    for one in webgl.printed_objects(plan):
+        text = one["vertex_shader"] + one["fragment_shader"]
+        declared = webgl.declared(text)
+        assert declared == {**one["uniforms"], **one["samplers"]}.keys()
+        assert not any(value is None for value in one["uniforms"].values())
+
+
+@pytest.mark.parametrize("space", Space)
+def test_spaces_shadings_reflections_lights_and_maps_agree(blank, space: Space) -> None:
+    mine = [one for one in EVERY if one.space is space]
+    for case in random.Random(space).sample(mine, 8):
+        must_agree(blank, case.scene(), what=case)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("reflection", Reflection)
+@pytest.mark.parametrize("shading", Shading)
+@pytest.mark.parametrize("space", Space)
+def test_every_combination_agrees(
+    blank, space: Space, shading: Shading, reflection: Reflection
+) -> None:
+    mine = [
+        one
+        for one in EVERY
+        if (one.space, one.shading, one.reflection) == (space, shading, reflection)
+    ]
+    for case in mine:
+        must_agree(blank, case.scene(), what=case)
+
+
+def coloured() -> LoadedGeometry:
+    mesh = TORUS.mesh()
+    colours = np.random.default_rng(1).random((len(mesh.positions), 3))
+    return LoadedGeometry(replace(mesh, colours=colours))
+
+
+def without_some_normals() -> LoadedGeometry:
+    mesh = TORUS.mesh()
+    normals = mesh.normals.copy()
+    normals[::7] = 0.0
+    return LoadedGeometry(replace(mesh, normals=normals))
+
+
+def ambient(kind: str, color: tuple[float, float, float]) -> SceneLight:
+    return SceneLight(kind, LightKind.AMBIENT, color=color)
+
+
+HAZE = Fog((0.7, 0.8, 0.9), 2.5, 5.5)
+SEEN_FROM_BEHIND = World(rotate_degrees=(-70, 10, 5), scale=(1.4, 1, 1))
+GLASS = replace(BLINN, opacity=0.4)
+FEATURES: dict[str, dict[str, object]] = {
+    "an image": {"material": replace(BLINN, texture=IMAGES / "tiles.png")},
+    "an image in sRGB": {
+        "material": replace(BLINN, texture=IMAGES / "tiles.png"),
+        "gamma": True,
+    },
+    "a checker": {"material": replace(BLINN, texture=CHECKER), "size": (320, 240)},
+    "a normal map": {"material": replace(BLINN, normal_map=IMAGES / "bumps.png")},
+    "colours of vertices": {
+        "material": replace(BLINN, vertex_colours=True),
+        "shape": coloured(),
+    },
+    "fog": {"fog": HAZE},
+    "fog in sRGB": {"fog": HAZE, "gamma": True},
+    "backs": {
+        "material": replace(BLINN, sides=Sides.BOTH),
+        "shape": SHEET,
+        "world": SEEN_FROM_BEHIND,
+    },
+    "fronts alone": {"material": replace(BLINN, sides=Sides.FRONT), "shape": SHEET, "least": 100},
+    "glass": {"material": GLASS, "shape": SHEET, "world": SEEN_FROM_BEHIND},
+    "glass in sRGB": {"material": GLASS, "shape": SHEET, "world": SEEN_FROM_BEHIND, "gamma": True},
+    "a highlight of exponent 0": {"material": replace(PHONG, shininess=0)},
+    "the near plane through it": {"view": View(eye=(0.6, 0.5, 1.2))},
+    "light from everywhere": {"lights": (ambient("sky", (0.5, 0.7, 0.2)), SUN)},
+    "no lamp": {"lights": ()},
+    "no normals at some vertices": {"shape": without_some_normals()},
+    "a coarse ball": {"shape": BALL, "material": PHONG},
+}
+
+
+@pytest.mark.parametrize("name", FEATURES)
+def test_every_feature_agrees(blank, name: str) -> None:
+    for case in random.Random(name).sample(LIT, 3):
+        must_agree_with(blank, case, FEATURES[name])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FEATURES)
+def test_every_feature_agrees_in_every_space_and_shading(blank, name: str) -> None:
+    for case, which in product(LIT, MAPS):
+        must_agree_with(blank, replace(case, map=which), FEATURES[name])
+
+
+def must_agree_with(page, case: Case, feature: dict[str, object]) -> None:
+    more = dict(feature)
+    least = more.pop("least", 1000)
+    must_agree(page, case.scene(**more), least, (case, feature))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("rule", NormalRule)
+def test_wrong_normals_are_as_wrong(blank, rule: NormalRule) -> None:
+    for case in random.Random(rule).sample(LIT, 3):
+        must_agree(blank, case.scene(normals=rule), what=case)
+
+
+def test_a_flattened_body_agrees_where_it_has_a_space(blank) -> None:
+    for case in LIT:
+        scene = case.scene(world=FLATTENED, shape=SHEET)
+        if case.space is Space.OBJECT:
+            with pytest.raises(NoAnswerError):
+                webgl.printed_objects(planned(loaded(scene)))
+            continue
+        must_agree(blank, scene, what=case)
+
+
+def test_a_wrong_value_would_be_seen(blank, monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = Case(Space.WORLD, Shading.PHONG).scene()
+    right = webgl.printed_objects
+
+    def turned(plan: Plan) -> list[dict]:
+        found = right(plan)
+        found[0]["uniforms"]["light_direction_0"][0] += 0.05
+        return found
+
+    monkeypatch.setattr(webgl, "printed_objects", turned)
+    assert webgl.compared(blank, planned(loaded(scene))).share < ENOUGH
+
+
+def test_every_effect_with_lines_is_drawn_in_some_case() -> None:
+    scenes = [case.scene() for case in EVERY[:: len(MAPS)] if case.space is Space.WORLD]
+    for feature in FEATURES.values():
+        more = {name: value for name, value in feature.items() if name != "least"}
+        scenes.append(Case(Space.OBJECT, Shading.PHONG).scene(**more))
+    drawn = {effect for scene in scenes for effect in everything(loaded(scene)).effects}
+    with_lines = {effect for effect, one in RECIPES.items() if one.has_lines}
+    assert with_lines <= drawn, with_lines - drawn
