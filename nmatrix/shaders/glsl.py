@@ -25,16 +25,33 @@ SAFE_UNIT_NORMAL = f"vec3 unit_normal(vec3 n) {{ return n / max(length(n), {SMAL
 
 @dataclass(frozen=True)
 class Uniform:
-    """One uniform: its type, name and value, exact where it follows from matrices."""
+    """One uniform: its type, name and value, exact where it follows from matrices.
+
+    Of an array `value` holds the elements, `count` of them; 0 is no array.
+    """
 
     kind: str
     name: str
-    value: Number | Vector | Matrix
+    value: Number | Vector | Matrix | tuple[Matrix, ...]
+    count: int = 0
+
+    @property
+    def declaration(self) -> str:
+        """The declaration in a shader."""
+        return f"uniform {self.kind} {self.name}{f'[{self.count}]' if self.count else ''}"
+
+    @property
+    def entries(self) -> tuple[tuple[str, Value], ...]:
+        """The names and values as an interface sets them, the elements of an array one by one."""
+        if not self.count:
+            return ((self.name, self.value),)
+        assert isinstance(self.value, tuple)  # an array has elements
+        return tuple((f"{self.name}[{i}]", one) for i, one in enumerate(self.value))
 
     @property
     def bytes(self) -> int:
         """The size as plain floats."""
-        return FLOATS[self.kind] * FLOAT_BYTES
+        return FLOATS[self.kind] * FLOAT_BYTES * max(1, self.count)
 
 
 @dataclass(frozen=True)
@@ -44,6 +61,11 @@ class Sampler:
     name: str
     bind: Mapping[str, Value]
     kind: str = "highp sampler2D"
+
+    @property
+    def declaration(self) -> str:
+        """The declaration in a shader."""
+        return f"uniform {self.kind} {self.name}"
 
 
 @dataclass(frozen=True)
@@ -194,6 +216,66 @@ def _cone(placed: PlacedLight) -> Glsl:
     )
 
 
+SHARE_OF_LIGHT = """float share_of_light(highp sampler2DArray map, int layer, vec4 seen, float slack) {
+    if (seen.w <= 0.0 || max(abs(seen.x), abs(seen.y)) >= seen.w) return 1.0;
+    ivec2 size = textureSize(map, 0).xy;
+    vec2 place = (vec2(seen.x, -seen.y) / seen.w + 1.0) * 0.5 * vec2(size) + 0.5;
+    vec2 part = fract(place);
+    ivec2 high = min(ivec2(place), size - 1), low = max(ivec2(place) - 1, 0);
+    vec4 distances = vec4(
+        texelFetch(map, ivec3(low, layer), 0).r,
+        texelFetch(map, ivec3(high.x, low.y, layer), 0).r,
+        texelFetch(map, ivec3(low.x, high.y, layer), 0).r,
+        texelFetch(map, ivec3(high, layer), 0).r);
+    vec4 lit = step(seen.z - slack * seen.w, distances);
+    return mix(mix(lit.x, lit.y, part.x), mix(lit.z, lit.w, part.x), part.y);
+}"""
+
+
+def shadows(shaded: Shaded) -> Glsl:
+    """Keep light off where a lamp's maps end before the point, by the share of the four texels."""
+    return Glsl(
+        functions=(SHARE_OF_LIGHT,),
+        of_light=lambda placed: _shadow(placed, shaded),
+    )
+
+
+def _shadow(placed: PlacedLight, shaded: Shaded) -> Glsl:
+    views = shaded.shadows.get(placed.light.name)
+    if not views:
+        return NOTHING
+    bind: dict[str, Value] = {
+        "shadow_map": placed.light.name,
+        "holds": "distances along the light's axis, infinite where it sees nothing",
+        "format": "R32F",
+        "layers": len(views),
+        "rows": "the first row first",
+        "filter": "nearest",
+        "light_from_world": [view.light_from_world for view in views],
+    }
+    share = (
+        "share_of_light(shadow_map, k, shadow_from_space[k] * vec4(p, 1.0),\n"
+        "    shadow_slack[k] / max(n_dot_l, 0.015625))"
+    )
+    return Glsl(
+        (
+            Uniform(
+                "mat4",
+                "shadow_from_space",
+                tuple(shaded.from_space(view.light_from_world) for view in views),
+                len(views),
+            ),
+            Uniform("float", "shadow_slack", tuple(view.slack for view in views), len(views)),
+        ),
+        (Sampler("shadow_map", bind, "highp sampler2DArray"),),
+        arriving=(
+            "float share = 1.0;",
+            f"for (int k = 0; k < {len(views)}; k++)\n    share = min(share, {share});",
+            "light *= share;",
+        ),
+    )
+
+
 RENORMALISE = Glsl(normal=("n = unit_normal(n);  // interpolation shortened it",))
 
 
@@ -236,7 +318,7 @@ def texture(shaded: Shaded) -> Glsl:
 
 
 def _image(name: str, source: object, *, is_srgb: bool) -> Sampler:
-    """Say what image to bind: where its levels are sRGB they become linear before they are mixed."""
+    """Say what image to bind; sRGB levels become linear before the four nearest are mixed."""
     bind: dict[str, Value] = {
         "image": str(source),
         "format": "SRGB8_ALPHA8" if is_srgb else "RGBA8",

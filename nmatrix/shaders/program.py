@@ -38,6 +38,7 @@ ATTRIBUTES = {
 }
 SUMS = ("matte", "gloss")  # light that takes a texture's colour, and light that does not
 SIDES = ("front", "back")
+OF_SIDES = tuple(f"{one}_{side}" for side in SIDES for one in SUMS)
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _ASSIGNED = re.compile(r"(?:if \([^()]*\)\s+)?(?:(?:float|vec[234]) )?(\w+) [-+*/]?= ")
@@ -65,7 +66,7 @@ class Program:
         return {
             "vertex_shader": self.vertex_shader,
             "fragment_shader": self.fragment_shader,
-            "uniforms": {one.name: one.value for one in self.uniforms},
+            "uniforms": {name: value for one in self.uniforms for name, value in one.entries},
             "samplers": {one.name: one.bind for one in self.samplers},
             "front_face": self.front_face.value,
             "cull_face": "back" if self.culls_backs else None,
@@ -97,13 +98,12 @@ class _Assembly:
         fragment = self._written(self._fragment(), ("fragment_color",))
         varyings = [name for name in self._varyings if name in _words(fragment)]
         vertex = self._written(self._vertex(varyings), ("gl_Position", *varyings))
-        declared = [f"{self._varyings[name][0]} {name};" for name in varyings]
         read = _words([*vertex, *fragment, *self._called([*vertex, *fragment])])
         return Program(
-            self._text("vertex", [f"out {one}" for one in declared], vertex),
+            self._text("vertex", self._passed("out", varyings), vertex),
             self._text(
                 "fragment",
-                [*(f"in {one}" for one in declared), "out vec4 fragment_color;"],
+                [*self._passed("in", varyings), "out vec4 fragment_color;"],
                 fragment,
             ),
             tuple(one for one in self._uniforms if one.name in read),
@@ -112,6 +112,14 @@ class _Assembly:
             self.shaded.culls_backs,
             self.shaded.target,
         )
+
+    def _passed(self, way: str, varyings: Iterable[str]) -> list[str]:
+        """Declare what goes from the vertices to the fragments."""
+        flat = "flat " if self.shaded.shading is Shading.FLAT else ""
+        return [
+            f"{flat if name in OF_SIDES else ''}{way} {self._varyings[name][0]} {name};"
+            for name in varyings
+        ]
 
     def _text(self, stage: str, passed: Sequence[str], lines: Sequence[str]) -> str:
         """Write a shader: what its lines read, what it passes on, its functions and its main."""
@@ -123,8 +131,8 @@ class _Assembly:
                 *HEADER,
                 f"// {stage} shader, {self.shaded.space} space",
                 *self._notes(stage),
-                *(f"uniform {one.kind} {one.name};" for one in self._uniforms if one.name in read),
-                *(f"uniform {one.kind} {one.name};" for one in self._samplers if one.name in read),
+                *(f"{one.declaration};" for one in self._uniforms if one.name in read),
+                *(f"{one.declaration};" for one in self._samplers if one.name in read),
                 *(
                     f"in {kind} {name};  // {home} space{_length_of(name)}"
                     if name.endswith(("position", "normal"))
@@ -146,7 +154,7 @@ class _Assembly:
         if stage == "vertex" and self.shaded.front_face is FrontFace.CW:
             yield "// front faces run clockwise here: glFrontFace(GL_CW)"
         if stage == "fragment" and self.shaded.target != PLAIN_TARGET:
-            yield f"// linear light, which is mixed before it becomes sRGB: a target of {self.shaded.target}"
+            yield f"// linear light, to be mixed before it becomes sRGB: {self.shaded.target}"
 
     # --- the vertex shader
 
@@ -164,8 +172,7 @@ class _Assembly:
         elif self._lit_at_vertices:
             yield from self._light()
             yield from (f"{one}_front = {one};" for one in self._sums)
-        written = {f"{one}_{side}" for one in SUMS for side in SIDES}
-        yield from (f"{one} = {self._varyings[one][1]};" for one in varyings if one not in written)
+        yield from (f"{one} = {self._varyings[one][1]};" for one in varyings if one not in OF_SIDES)
         yield "gl_Position = clip_from_object * vec4(vertex_position, 1.0);"
 
     def _kept_by_side(self) -> Iterator[str]:
@@ -361,9 +368,8 @@ class _Assembly:
         """What the vertex shader can hand on: types, and what stands for it there."""
         of_tangent = "mat3(space_from_object) * " if self.shaded.moves_vertices else ""
         at_vertex = self._position("vertex") if self.shaded.shading is Shading.FLAT else "p"
-        sums = "flat vec3" if self.shaded.shading is Shading.FLAT else "vec3"
         return {
-            **{f"{one}_{side}": (sums, one) for side in SIDES for one in SUMS},
+            **dict.fromkeys(OF_SIDES, ("vec3", "")),
             "fragment_normal": ("vec3", "n"),
             "fragment_position": ("vec3", at_vertex),
             "fragment_uv": ("vec2", "vertex_uv"),

@@ -34,6 +34,14 @@ class FrontFace(StrEnum):
 
 
 @dataclass(frozen=True)
+class ShadowView:
+    """One shadow map of a light: rows of x, y, distance and w, and the slack where w is 1."""
+
+    light_from_world: RationalMatrix
+    slack: float
+
+
+@dataclass(frozen=True)
 class Shaded:
     """One object, its material and lights, and the effects that its shaders compute.
 
@@ -43,8 +51,8 @@ class Shaded:
         The light that comes from everywhere.
     rule
         The rule that carries normals.
-    shadow_maps
-        For each light that has them, by name: the matrices from the world to its maps.
+    shadows
+        The views of each light that has shadow maps, by its name.
     has_zero_normals
         True if the mesh has vertices without a normal.
     target
@@ -61,7 +69,7 @@ class Shaded:
     ambient: Colour = WHITE
     fog: Fog | None = None
     rule: NormalRule = NormalRule.EXACT
-    shadow_maps: Mapping[str, tuple[RationalMatrix, ...]] = field(default_factory=dict)
+    shadows: Mapping[str, tuple[ShadowView, ...]] = field(default_factory=dict)
     has_zero_normals: bool = False
     target: str = PLAIN_TARGET
 
@@ -135,8 +143,8 @@ class Shaded:
         of_length_one = rational_vector(unit(integers(vector)[0]))
         return self.maps.space_from_world(self.space).exact_vector(of_length_one)
 
-    def space_to(self, of_world: RationalMatrix) -> RationalMatrix:
-        """Return the matrix that does to points of the space what a given one does in the world."""
+    def from_space(self, of_world: RationalMatrix) -> RationalMatrix:
+        """Return the matrix that does to points of the space what one does to those of the world."""
         if self.space is Space.OBJECT:
             return rational.product(of_world, self.maps.world_from_object.exact)
         back = rational.inverse(self.maps.space_from_world(self.space).exact)
