@@ -15,7 +15,7 @@ from nmatrix.report import Matrix, Number, Value, Vector
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import CHECKER
 from nmatrix.scene.words import LightKind
-from nmatrix.shaders.shaded import Shaded
+from nmatrix.shaders.shaded import LEAST_COSINE, Shaded
 
 FLOATS = {"mat4": 16, "mat3": 9, "vec4": 4, "vec3": 3, "vec2": 2, "float": 1}
 FLOAT_BYTES = 4
@@ -216,7 +216,8 @@ def _cone(placed: PlacedLight) -> Glsl:
     )
 
 
-SHARE_OF_LIGHT = """float share_of_light(highp sampler2DArray map, int layer, vec4 seen, float slack) {
+SHARE_OF_LIGHT = """\
+float share_of_light(highp sampler2DArray map, int layer, vec4 seen, float slack) {
     if (seen.w <= 0.0 || max(abs(seen.x), abs(seen.y)) >= seen.w) return 1.0;
     ivec2 size = textureSize(map, 0).xy;
     vec2 place = (vec2(seen.x, -seen.y) / seen.w + 1.0) * 0.5 * vec2(size) + 0.5;
@@ -255,7 +256,7 @@ def _shadow(placed: PlacedLight, shaded: Shaded) -> Glsl:
     }
     share = (
         "share_of_light(shadow_map, k, shadow_from_space[k] * vec4(p, 1.0),\n"
-        "    shadow_slack[k] / max(n_dot_l, 0.015625))"
+        f"    shadow_slack[k] / max(n_dot_l, {LEAST_COSINE}))"
     )
     return Glsl(
         (

@@ -18,6 +18,9 @@ from nmatrix.scene.scene import Fog
 from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.shading_spaces import PROFILES
 
+# Of light on a surface that asks a shadow map: flatter light would need more slack there, and shows
+# nothing any more.
+LEAST_COSINE = 1.0 / 64.0
 PLAIN_TARGET, SRGB_TARGET = "RGBA8", "SRGB8_ALPHA8"  # the second takes linear light
 
 
@@ -144,7 +147,7 @@ class Shaded:
         return self.maps.space_from_world(self.space).exact_vector(of_length_one)
 
     def from_space(self, of_world: RationalMatrix) -> RationalMatrix:
-        """Return the matrix that does to points of the space what one does to those of the world."""
+        """Return the matrix that does to points of the space what one does to the world's."""
         if self.space is Space.OBJECT:
             return rational.product(of_world, self.maps.world_from_object.exact)
         back = rational.inverse(self.maps.space_from_world(self.space).exact)

@@ -22,15 +22,14 @@
     [gl.FLOAT_MAT3]: (at, v) => gl.uniformMatrix3fv(at, true, v.flat()),
     [gl.FLOAT_MAT4]: (at, v) => gl.uniformMatrix4fv(at, true, v.flat()),
   };
-  function bind(unit, image) {
-    gl.activeTexture(gl.TEXTURE0 + unit); gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-    if (image.floats) gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, ...image.size, 0, gl.RED, gl.FLOAT, floats(image.floats));
-    else gl.texImage2D(gl.TEXTURE_2D, 0, gl[image.format], ...image.size, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(image.bytes));
+  function bind(unit, kind, image) {
+    gl.activeTexture(gl.TEXTURE0 + unit); gl.bindTexture(kind, gl.createTexture());
+    if (image.layers) gl.texImage3D(kind, 0, gl.R32F, ...image.size, image.layers, 0, gl.RED, gl.FLOAT, floats(image.floats));
+    else gl.texImage2D(kind, 0, gl[image.format], ...image.size, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(image.bytes));
     const filter = image.filter === "linear" ? gl.LINEAR : gl.NEAREST;
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl[image.wrap[0]]);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl[image.wrap[1]]);
+    gl.texParameteri(kind, gl.TEXTURE_MIN_FILTER, filter); gl.texParameteri(kind, gl.TEXTURE_MAG_FILTER, filter);
+    const [s, t] = image.wrap || ["CLAMP_TO_EDGE", "CLAMP_TO_EDGE"];
+    gl.texParameteri(kind, gl.TEXTURE_WRAP_S, gl[s]); gl.texParameteri(kind, gl.TEXTURE_WRAP_T, gl[t]);
   }
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   for (const [place, format] of [[gl.COLOR_ATTACHMENT0, gl[bodies[0].target]], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24]]) {
@@ -51,10 +50,14 @@
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     let unit = 0;
     for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); i++) {
-      const { name, type } = gl.getActiveUniform(program, i), at = gl.getUniformLocation(program, name);
-      if (type === gl.SAMPLER_2D) { bind(unit, body.images[name]); gl.uniform1i(at, unit++); }
-      else if (body.uniforms[name] === undefined) said.push("no value of " + name);
-      else SETTERS[type](at, body.uniforms[name]);
+      const { name, type, size } = gl.getActiveUniform(program, i), at = gl.getUniformLocation(program, name);
+      const kind = { [gl.SAMPLER_2D]: gl.TEXTURE_2D, [gl.SAMPLER_2D_ARRAY]: gl.TEXTURE_2D_ARRAY }[type];
+      if (kind) { bind(unit, kind, body.images[name]); gl.uniform1i(at, unit++); continue; }
+      for (let k = 0; k < size; k++) {  // the name of an array is that of its first element
+        const element = name.replace("[0]", `[${k}]`);
+        if (body.uniforms[element] === undefined) said.push("no value of " + element);
+        else SETTERS[type](gl.getUniformLocation(program, element), body.uniforms[element]);
+      }
     }
     for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_ATTRIBUTES); i++) {
       const { name } = gl.getActiveAttrib(program, i), at = gl.getAttribLocation(program, name);

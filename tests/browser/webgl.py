@@ -13,9 +13,11 @@ from PIL import Image
 
 from nmatrix.answers.plan import plan as report_of
 from nmatrix.enums import Format, Shading, Space
+from nmatrix.linear.rational import to_floats
 from nmatrix.output.write import OutputOptions, write
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.render import render
+from nmatrix.raster.shading.shadow import shadow_map
 from nmatrix.raster.shading.space import ShadingSpace
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
@@ -40,7 +42,10 @@ def printed_objects(plan: Plan) -> list[dict]:
 
 def declared(shaders: str) -> set[str]:
     """The names of the uniforms and samplers that shaders declare."""
-    return set(re.findall(r"^uniform (?:highp )?\w+ (\w+);", shaders, re.MULTILINE))
+    found = re.findall(r"^uniform (?:highp )?\w+ (\w+)(?:\[(\d+)\])?;", shaders, re.MULTILINE)
+    return {
+        f"{name}[{i}]" if count else name for name, count in found for i in range(int(count or 1))
+    }
 
 
 def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
@@ -73,8 +78,10 @@ def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
     return found
 
 
-def image_bound(bind: dict) -> dict:
+def image_bound(plan: Plan, bind: dict) -> dict:
     """What a sampler is bound to, made as its entry in the JSON says."""
+    if "shadow_map" in bind:
+        return shadow_maps_bound(plan, bind)
     levels = np.asarray(Image.open(bind["image"]).convert("RGBA"))
     return {
         "size": [levels.shape[1], levels.shape[0]],
@@ -85,6 +92,20 @@ def image_bound(bind: dict) -> dict:
     }
 
 
+def shadow_maps_bound(plan: Plan, bind: dict) -> dict:
+    size = plan.loaded.settings.shadow_map
+    views = plan.light_views[bind["shadow_map"]]
+    printed = np.array(bind["light_from_world"])
+    assert np.array_equal(printed, [to_floats(one.light_from_world) for one in views])
+    maps = [np.minimum(shadow_map(one, size).distance, 3e38) for one in views]
+    return {
+        "size": [size, size],
+        "layers": bind["layers"],
+        "floats": encoded(np.stack(maps).astype(np.float32)),
+        "filter": bind["filter"],
+    }
+
+
 def drawn(page, plan: Plan) -> np.ndarray:
     """The picture (height, width, 3) in levels, as a browser draws it."""
     bodies = []
@@ -92,7 +113,9 @@ def drawn(page, plan: Plan) -> np.ndarray:
         bodies.append(
             {
                 **printed,
-                "images": {name: image_bound(one) for name, one in printed["samplers"].items()},
+                "images": {
+                    name: image_bound(plan, one) for name, one in printed["samplers"].items()
+                },
                 "attributes": {
                     name: [one.shape[1], encoded(one.astype(np.float32))]
                     for name, one in attributes(plan, body).items()

@@ -288,6 +288,7 @@ RECIPES: dict[Effect, Recipe] = {
         passes=("shadow map",),
         needs=(Effect.POSITION,),
         per_light=16 + 6,
+        glsl=glsl.shadows,
     ),
     Effect.RENORMALISE: Recipe(
         "normals brought back to length one",

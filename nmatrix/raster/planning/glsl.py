@@ -7,7 +7,7 @@ from nmatrix.linear.projection import front_sign
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.shaders.program import Program, program
-from nmatrix.shaders.shaded import PLAIN_TARGET, SRGB_TARGET, FrontFace, Shaded
+from nmatrix.shaders.shaded import PLAIN_TARGET, SRGB_TARGET, FrontFace, Shaded, ShadowView
 
 
 def program_of(plan: Plan, body: BodyPlan) -> Program:
@@ -34,6 +34,19 @@ def shaded_of(plan: Plan, body: BodyPlan) -> Shaded:
         loaded.ambient_light,
         settings.fog,
         body.rule(settings.normals),
+        _shadow_views(plan, body),
         has_zero_normals=body.body.mesh.degenerate_normals > 0,
         target=target,
     )
+
+
+def _shadow_views(plan: Plan, body: BodyPlan) -> dict[str, tuple[ShadowView, ...]]:
+    """Return the views of the shadow maps that a body reads, by the names of their lamps."""
+    if Effect.SHADOWS not in body.effects:
+        return {}
+    casting = {placed.light.name for placed in body.lights if placed.light.shadows}
+    return {
+        name: tuple(ShadowView(one.light_from_world, one.slack) for one in views)
+        for name, views in plan.light_views.items()
+        if name in casting
+    }

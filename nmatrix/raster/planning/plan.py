@@ -17,6 +17,8 @@ from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import Decision
+from nmatrix.raster.planning.shadow_casting import light_views
+from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import Sides
 
@@ -76,6 +78,21 @@ class Plan:
         """Return everything that is on anywhere."""
         on = {effect for effect, one in self.picture.items() if one.on}
         return frozenset(on.union(*(body.effects for body in self.bodies)))
+
+    @cached_property
+    def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
+        """Return the views for shadow maps, by the names of the lamps that have any."""
+        receivers: dict[PlacedLight, list[Body]] = {}
+        for one in self.bodies:
+            if Effect.SHADOWS in one.effects:
+                for placed in one.lights:
+                    if placed.light.shadows:
+                        receivers.setdefault(placed, []).append(one.body)
+        found = {
+            placed.light.name: light_views(self.loaded, placed, bodies)
+            for placed, bodies in receivers.items()
+        }
+        return {name: views for name, views in found.items() if views}
 
 
 def plan_for(loaded: LoadedScene) -> Plan:

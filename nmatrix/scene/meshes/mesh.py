@@ -69,6 +69,31 @@ class Mesh:
         """
         return is_watertight(self.positions, self.triangles)
 
+    @cached_property
+    def box(self) -> tuple[Array, Array]:
+        """The lowest and the highest coordinates."""
+        return self.positions.min(axis=0), self.positions.max(axis=0)
+
+    @cached_property
+    def is_box(self) -> bool:
+        """True if all triangles lie in faces of the box around them, and normals point out of it.
+
+        Examples
+        --------
+        >>> from nmatrix.scene.meshes import shapes
+        >>> shapes.box(3).is_box, shapes.cone().is_box
+        (True, False)
+        """
+        corners, normals = self.positions[self.triangles], self.normals[self.triangles]
+        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        found = np.zeros(len(self.triangles), bool)
+        for side, sign in zip(self.box, (-1.0, 1.0), strict=True):
+            for axis in range(3):
+                on_face = (corners[:, :, axis] == side[axis]).all(axis=1)
+                along = (normals[:, :, axis] == sign).all(axis=1)
+                found |= on_face & along & (areas[:, axis] * sign > 0)
+        return bool(found.all())
+
     @property
     def degenerate_normals(self) -> int:
         """The number of normals that are no direction: zero, or not finite."""
