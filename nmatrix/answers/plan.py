@@ -7,7 +7,7 @@ from pathlib import Path
 from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.glsl import program_of
+from nmatrix.raster.planning.glsl import outline_of, program_of
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
 from nmatrix.raster.planning.recipe import Decision
 from nmatrix.report import (
@@ -37,6 +37,7 @@ def plan(found: Plan) -> Report:
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
     programs = [program_of(found, one) for one in found.bodies]
+    outlines = [outline_of(found, one) for one in found.bodies]
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
     on = [effect for effect in Effect if effect in found.effects]
@@ -44,7 +45,7 @@ def plan(found: Plan) -> Report:
         "effects": rows,
         "attributes": _needs(on, "attributes", ("position", "normal")),
         "passes": _needs(on, "passes", (PASSES,)),
-        "objects": [_body(*one) for one in zip(found.bodies, programs, strict=True)],
+        "objects": [_body(*one) for one in zip(found.bodies, programs, outlines, strict=True)],
     }
     blocks: tuple[Block, ...] = (
         Heading(
@@ -125,10 +126,11 @@ def _needs(on: list[Effect], what: str, always: tuple[str, ...]) -> list[Value]:
     return list(dict.fromkeys((*always, *named)))
 
 
-def _body(one: BodyPlan, drawn_by: Program) -> dict[str, Value]:
+def _body(one: BodyPlan, drawn_by: Program, outlined_by: Program | None) -> dict[str, Value]:
     return {
         "name": one.body.name,
         **drawn_by.data,
+        "outline": None if outlined_by is None else outlined_by.data,
         "effects": [effect.value for effect in Effect if effect in one.effects],
         "lights": [placed.light.name for placed in one.lights],
         "bound": one.bound,

@@ -47,7 +47,7 @@ def space(setup: Setup, request: Request) -> Report:
         "space": chosen.value,
         **quantities,
         "table": [asdict(row) for row in rows],
-        "uniforms": {one.name: one.value for one in shown.uniforms},
+        "uniforms": {one.key: one.value for one in shown.uniforms},
         "cost": asdict(counted),
         "pros": list(profile.pros),
         "cons": list(profile.cons),
@@ -65,7 +65,7 @@ def space(setup: Setup, request: Request) -> Report:
         Text(f"Used in: {profile.used}."),
         Heading("Uniforms"),
         *(
-            Quantity(f"uniforms.{one.name}", one.value, f"{one.kind} {one.name}")
+            Quantity(f"uniforms.{one.key}", one.value, f"{one.kind} {one.name}")
             for one in shown.uniforms
         ),
         Code("glsl", shown.vertex_shader, "vertex shader"),

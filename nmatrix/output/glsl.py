@@ -63,7 +63,15 @@ def _programs(data: Mapping[str, Value]) -> list[Mapping[str, Value]]:
     """Return what holds a pair of shaders: the answer itself, or its objects."""
     objects = data.get("objects", ())
     each = (data, *objects) if is_list(objects) else (data,)
-    return [one for one in each if isinstance(one, Mapping) and "vertex_shader" in one]
+    found = [one for one in each if isinstance(one, Mapping) and "vertex_shader" in one]
+    return [one for pair in map(_with_outline, found) for one in pair]
+
+
+def _with_outline(found: Mapping[str, Value]) -> tuple[Mapping[str, Value], ...]:
+    outline = found.get("outline")
+    if not isinstance(outline, Mapping):
+        return (found,)
+    return found, {"name": f"{found['name']}, its outline", **outline}
 
 
 def _program(found: Mapping[str, Value]) -> str:

@@ -79,7 +79,8 @@ class Material:
     toon_steps
         Bands of toon reflection, 1 at least.
     outline
-        A surface whose normal makes a cosine below this with the way to the eye is drawn black.
+        A black line around the body, as thick as the rim of a ball of its size where the cosine of
+        normal and eye is below this; 0 draws none.
     vertex_colours
         Whether the mesh's own colours multiply ambient and diffuse.
     sides

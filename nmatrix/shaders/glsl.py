@@ -27,31 +27,23 @@ SAFE_UNIT_NORMAL = f"vec3 unit_normal(vec3 n) {{ return n / max(length(n), {SMAL
 class Uniform:
     """One uniform: its type, name and value, exact where it follows from matrices.
 
-    Of an array `value` holds the elements, `count` of them; 0 is no array.
+    `element` is its place in an array of uniforms of one name.
     """
 
     kind: str
     name: str
-    value: Number | Vector | Matrix | tuple[Matrix, ...]
-    count: int = 0
+    value: Number | Vector | Matrix
+    element: int | None = None
 
     @property
-    def declaration(self) -> str:
-        """The declaration in a shader."""
-        return f"uniform {self.kind} {self.name}{f'[{self.count}]' if self.count else ''}"
-
-    @property
-    def entries(self) -> tuple[tuple[str, Value], ...]:
-        """The names and values as an interface sets them, the elements of an array one by one."""
-        if not self.count:
-            return ((self.name, self.value),)
-        assert isinstance(self.value, tuple)  # an array has elements
-        return tuple((f"{self.name}[{i}]", one) for i, one in enumerate(self.value))
+    def key(self) -> str:
+        """The name by which an interface sets it."""
+        return self.name if self.element is None else f"{self.name}[{self.element}]"
 
     @property
     def bytes(self) -> int:
         """The size as plain floats."""
-        return FLOATS[self.kind] * FLOAT_BYTES * max(1, self.count)
+        return FLOATS[self.kind] * FLOAT_BYTES
 
 
 @dataclass(frozen=True)
@@ -61,11 +53,6 @@ class Sampler:
     name: str
     bind: Mapping[str, Value]
     kind: str = "highp sampler2D"
-
-    @property
-    def declaration(self) -> str:
-        """The declaration in a shader."""
-        return f"uniform {self.kind} {self.name}"
 
 
 @dataclass(frozen=True)
@@ -260,13 +247,11 @@ def _shadow(placed: PlacedLight, shaded: Shaded) -> Glsl:
     )
     return Glsl(
         (
-            Uniform(
-                "mat4",
-                "shadow_from_space",
-                tuple(shaded.from_space(view.light_from_world) for view in views),
-                len(views),
+            *(
+                Uniform("mat4", "shadow_from_space", shaded.from_space(view.light_from_world), k)
+                for k, view in enumerate(views)
             ),
-            Uniform("float", "shadow_slack", tuple(view.slack for view in views), len(views)),
+            *(Uniform("float", "shadow_slack", view.slack, k) for k, view in enumerate(views)),
         ),
         (Sampler("shadow_map", bind, "highp sampler2DArray"),),
         arriving=(

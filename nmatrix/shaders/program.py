@@ -17,7 +17,7 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.report import Value
 from nmatrix.scene.light import PlacedLight
 from nmatrix.shaders.glsl import SAFE_UNIT_NORMAL, Glsl, Sampler, Uniform
-from nmatrix.shaders.shaded import PLAIN_TARGET, FrontFace, Shaded
+from nmatrix.shaders.shaded import PLAIN_TARGET, CullFace, FrontFace, Shaded
 from nmatrix.spaces.shading_spaces import PROFILES
 
 HEADER = ("#version 300 es", "precision highp float;")
@@ -32,6 +32,7 @@ ATTRIBUTES = {
     "vertex_normal": "vec3",
     "face_position": "vec3",
     "face_normal": "vec3",
+    "hull_normal": "vec3",
     "vertex_uv": "vec2",
     "vertex_colour": "vec3",
     "vertex_tangent": "vec4",
@@ -53,7 +54,7 @@ class Program:
     uniforms: tuple[Uniform, ...]
     samplers: tuple[Sampler, ...]
     front_face: FrontFace
-    culls_backs: bool
+    cull_face: CullFace | None
     target: str
 
     def reads(self, name: str) -> bool:
@@ -66,10 +67,10 @@ class Program:
         return {
             "vertex_shader": self.vertex_shader,
             "fragment_shader": self.fragment_shader,
-            "uniforms": {name: value for one in self.uniforms for name, value in one.entries},
+            "uniforms": {one.key: one.value for one in self.uniforms},
             "samplers": {one.name: one.bind for one in self.samplers},
             "front_face": self.front_face.value,
-            "cull_face": "back" if self.culls_backs else None,
+            "cull_face": self.cull_face and self.cull_face.value,
             "target": self.target,
         }
 
@@ -109,7 +110,7 @@ class _Assembly:
             tuple(one for one in self._uniforms if one.name in read),
             tuple(one for one in self._samplers if one.name in read),
             self.shaded.front_face,
-            self.shaded.culls_backs,
+            self.shaded.cull_face,
             self.shaded.target,
         )
 
@@ -131,8 +132,8 @@ class _Assembly:
                 *HEADER,
                 f"// {stage} shader, {self.shaded.space} space",
                 *self._notes(stage),
-                *(f"{one.declaration};" for one in self._uniforms if one.name in read),
-                *(f"{one.declaration};" for one in self._samplers if one.name in read),
+                *_declared(one for one in self._uniforms if one.name in read),
+                *_declared(one for one in self._samplers if one.name in read),
                 *(
                     f"in {kind} {name};  // {home} space{_length_of(name)}"
                     if name.endswith(("position", "normal"))
@@ -159,6 +160,17 @@ class _Assembly:
     # --- the vertex shader
 
     def _vertex(self, varyings: Sequence[str]) -> Iterator[str]:
+        clip = "clip_from_object * vec4(vertex_position, 1.0)"
+        if self.shaded.swollen_by:
+            yield "vec3 step_world = outline_width * normalize(outward_matrix * hull_normal);"
+            yield f"vec3 p = {self._position('vertex')} + vector_space_from_world * step_world;"
+            clip += "\n    + clip_from_world * vec4(step_world, 0.0)"
+        else:
+            yield from self._lit_vertex()
+        yield from (f"{one} = {self._varyings[one][1]};" for one in varyings if one not in OF_SIDES)
+        yield f"gl_Position = {clip};"
+
+    def _lit_vertex(self) -> Iterator[str]:
         of = "face" if self.shaded.shading is Shading.FLAT else "vertex"
         sided = self._lit_at_vertices and self.shaded.is_sided
         yield f"vec3 p = {self._position(of)};"
@@ -172,8 +184,6 @@ class _Assembly:
         elif self._lit_at_vertices:
             yield from self._light()
             yield from (f"{one}_front = {one};" for one in self._sums)
-        yield from (f"{one} = {self._varyings[one][1]};" for one in varyings if one not in OF_SIDES)
-        yield "gl_Position = clip_from_object * vec4(vertex_position, 1.0);"
 
     def _kept_by_side(self) -> Iterator[str]:
         for begin, side in zip(("if (side == 0)", "else"), SIDES, strict=True):
@@ -314,6 +324,7 @@ class _Assembly:
             Uniform("mat4", "clip_from_object", shaded.clip_from_vertex),
             Uniform("mat4", "space_from_object", shaded.space_from_vertex),
             *self._normal_matrix(),
+            *self._of_hull(),
             Uniform("vec3", "eye", shaded.maps.eye_in(shaded.space)),
             *(uniform for one in self.terms for uniform in one.uniforms),
             *(
@@ -337,6 +348,16 @@ class _Assembly:
         yield Uniform(
             "mat3", "normal_matrix", inverse_transpose or rational.linear_part(found.matrix)
         )
+
+    def _of_hull(self) -> Iterator[Uniform]:
+        shaded = self.shaded
+        if shaded.swollen_by:
+            to_space = shaded.maps.space_from_world(shaded.space).exact
+            outward = rational.inverse_transpose(rational.linear_part(shaded.world_from_vertex))
+            yield Uniform("mat4", "clip_from_world", shaded.clip_from_world)
+            yield Uniform("mat3", "vector_space_from_world", rational.linear_part(to_space))
+            yield Uniform("mat3", "outward_matrix", outward)
+            yield Uniform("float", "outline_width", shaded.swollen_by)
 
     def _light_uniforms(self, placed: PlacedLight) -> Iterator[Uniform]:
         yield Uniform("vec3", "light_color", placed.colour)
@@ -379,6 +400,16 @@ class _Assembly:
                 f"vec4({of_tangent}vertex_tangent.xyz, vertex_tangent.w)",
             ),
         }
+
+
+def _declared(inputs: Iterable[Uniform | Sampler]) -> Iterator[str]:
+    """Declare uniforms and samplers, an array once for all of its elements."""
+    sizes: dict[str, int] = {}
+    for one in inputs:
+        element = getattr(one, "element", None)
+        sizes[f"{one.kind} {one.name}"] = 0 if element is None else element + 1
+    for name, size in sizes.items():
+        yield f"uniform {name}{f'[{size}]' if size else ''};"
 
 
 def _words(lines: Iterable[str]) -> set[str]:

@@ -36,6 +36,13 @@ class FrontFace(StrEnum):
         return cls.CW if front > 0 else cls.CCW
 
 
+class CullFace(StrEnum):
+    """The sides that are not drawn."""
+
+    BACK = "back"
+    FRONT = "front"
+
+
 @dataclass(frozen=True)
 class ShadowView:
     """One shadow map of a light: rows of x, y, distance and w, and the slack where w is 1."""
@@ -60,6 +67,8 @@ class Shaded:
         True if the mesh has vertices without a normal.
     target
         The format of the framebuffer.
+    swollen_by
+        How far the vertices move outwards in the world, for a hull that is seen from inside.
     """
 
     maps: ExactMaps
@@ -75,6 +84,7 @@ class Shaded:
     shadows: Mapping[str, tuple[ShadowView, ...]] = field(default_factory=dict)
     has_zero_normals: bool = False
     target: str = PLAIN_TARGET
+    swollen_by: float = 0.0
 
     @property
     def is_lit_at_fragments(self) -> bool:
@@ -102,16 +112,29 @@ class Shaded:
         return Effect.GAMMA in self.effects or self.target == SRGB_TARGET
 
     @property
-    def culls_backs(self) -> bool:
-        """True if backs are not drawn."""
-        return Effect.BACK_FACES not in self.effects and not self.is_flattened
+    def cull_face(self) -> CullFace | None:
+        """The side that is not drawn, or None where both are."""
+        if self.swollen_by:
+            return CullFace.FRONT
+        is_cut_off = Effect.BACK_FACES not in self.effects and not self.is_flattened
+        return CullFace.BACK if is_cut_off else None
+
+    @property
+    def world_from_vertex(self) -> RationalMatrix:
+        """The map from where the vertices are stored to the world."""
+        if PROFILES[self.space].vertices_in is not Space.OBJECT:
+            return rational.identity(4)
+        return self.maps.world_from_object.exact
+
+    @property
+    def clip_from_world(self) -> RationalMatrix:
+        """P·V."""
+        return rational.product(self.maps.clip_from_camera, self.maps.camera_from_world.exact)
 
     @property
     def clip_from_vertex(self) -> RationalMatrix:
         """P·V·M, or P·V where the vertices were baked into world space."""
-        if PROFILES[self.space].vertices_in is not Space.OBJECT:
-            return rational.product(self.maps.clip_from_camera, self.maps.camera_from_world.exact)
-        return self.maps.clip_from_object
+        return rational.product(self.clip_from_world, self.world_from_vertex)
 
     @cached_property
     def space_from_vertex(self) -> RationalMatrix:

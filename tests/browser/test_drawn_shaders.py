@@ -95,9 +95,8 @@ class Case:
         return single(**chosen)  # type: ignore[arg-type]
 
 
-SHADINGS = (Shading.PHONG, Shading.GOURAUD)
-EVERY = [Case(*one) for one in product(Space, SHADINGS, Reflection, LIGHTS, MAPS)]
-LIT = [Case(*one) for one in product(Space, SHADINGS)]
+EVERY = [Case(*one) for one in product(Space, Shading, Reflection, LIGHTS, MAPS)]
+LIT = [Case(*one) for one in product(Space, Shading)]
 
 
 def must_agree(page, scene: Scene, least: int = 1500, what: object = "") -> None:

@@ -45,6 +45,7 @@
     if (said.length) break;
     gl.useProgram(program);
     (body.cull_face ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
+    if (body.cull_face) gl.cullFace(gl[body.cull_face.toUpperCase()]);
     gl.frontFace(body.front_face === "cw" ? gl.CW : gl.CCW);
     (body.is_clear ? gl.enable : gl.disable).call(gl, gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);

@@ -5,14 +5,14 @@ from __future__ import annotations
 import base64
 import json
 import re
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
 from nmatrix.answers.plan import plan as report_of
-from nmatrix.enums import Format, Shading, Space
+from nmatrix.enums import Format, NormalRule, Shading, Space
 from nmatrix.linear.rational import to_floats
 from nmatrix.output.write import OutputOptions, write
 from nmatrix.raster.planning.plan import BodyPlan, Plan
@@ -22,7 +22,6 @@ from nmatrix.raster.shading.space import ShadingSpace
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.scene.meshes.mesh import Mesh, unit
 
 # A browser's software snaps corners to 1/16 pixel and the rasterizer to 1/256: what jumps in a
 # picture would jump elsewhere. So it draws larger, and the middle pixel of each block is compared.
@@ -54,20 +53,20 @@ def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
     rule = body.rule(plan.loaded.settings.normals)
     positions, normals = mesh.positions, mesh.normals
     tangents = None if mesh.tangents is None else mesh.tangents[:, :3]
+    faces, hull = mesh.face_normals, mesh.hull_normals
     corners = mesh.triangles.reshape(-1)
-    a, b, c = (mesh.positions[mesh.triangles[:, i]] for i in range(3))
-    faces = unit(np.cross(b - a, c - a))
     if plan.loaded.settings.space is Space.STATIC:
         baked = ShadingSpace(plan.loaded, body.body, Space.STATIC, uses_metric=False)
         positions, normals = baked.positions().T, baked.normals(rule).T
         tangents = None if tangents is None else baked.vectors(tangents).T
-        of_faces = replace(body.body, mesh=Mesh(faces, faces, mesh.triangles[:1] * 0))
-        faces = replace(baked, body=of_faces).normals(rule).T
+        faces = baked.face_normals(rule).T
+        hull = baked.unit_normals(baked.carried(NormalRule.EXACT, hull)).T
     found = {
         "vertex_position": positions[corners],
         "vertex_normal": np.where(np.isfinite(normals), normals, 0.0)[corners],
         "face_position": np.repeat(positions[mesh.triangles].mean(axis=1), 3, axis=0),
         "face_normal": np.repeat(faces, 3, axis=0),
+        "hull_normal": hull[corners],
     }
     if mesh.uv is not None:
         found["vertex_uv"] = mesh.uv[corners]
@@ -109,8 +108,8 @@ def shadow_maps_bound(plan: Plan, bind: dict) -> dict:
 def drawn(page, plan: Plan) -> np.ndarray:
     """The picture (height, width, 3) in levels, as a browser draws it."""
     bodies = []
-    for body, printed in zip(plan.bodies, printed_objects(plan), strict=True):
-        bodies.append(
+    for body, found in zip(plan.bodies, printed_objects(plan), strict=True):
+        bodies += [
             {
                 **printed,
                 "images": {
@@ -123,7 +122,9 @@ def drawn(page, plan: Plan) -> np.ndarray:
                 "corners": body.body.mesh.triangles.size,
                 "is_clear": body.body.material.opacity < 1.0,
             }
-        )
+            for printed in (found, found["outline"])
+            if printed is not None
+        ]
     bodies.sort(key=lambda one: one["is_clear"])
     size, background = plan.loaded.settings.size, plan.loaded.settings.background
     found = page.evaluate(SCRIPT, [size, TIMES, background, bodies])
@@ -141,7 +142,10 @@ class Numbered(Surface):
 
     def fragment(self, fragments: Fragments) -> np.ndarray:
         found = np.zeros((self.style.channels, len(fragments)))
-        place = next(i for i, one in enumerate(self.space.loaded.bodies) if one is self.space.body)
+        bodies, mine = self.space.loaded.bodies, self.space.body
+        place = next(i for i, one in enumerate(bodies) if one.name == mine.name)
+        if mine is not bodies[place]:  # the hull of its outline
+            place += len(bodies)
         found[:] = place * 1e6 + fragments["name"] + 1
         return found
 

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.enums import Shading
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.shading.space import column, dot, length, world_normals
+from nmatrix.raster.shading.space import column, dot, length, world_face_normals, world_normals
 from nmatrix.raster.triangles.products import chunks
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import LightKind, Sides
@@ -50,13 +51,20 @@ def _is_behind(loaded: LoadedScene, body: Body, placed: PlacedLight) -> bool:
         one_sided = body.mesh.is_closed and body.material.opacity == 1.0
     if not one_sided or body.material.normal_map is not None:
         return False
-    normals = world_normals(loaded, body, loaded.settings.normals)
+    is_flat = loaded.settings.shading is Shading.FLAT
+    of_kind = world_face_normals if is_flat else world_normals
+    normals = of_kind(loaded, body, loaded.settings.normals)
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
         travel = column(placed.direction)
         return bool((dot(normals, travel) >= EDGE_ON * length(travel)).all())
     way = column(placed.position) - body.positions_world.T
     margin = -EDGE_ON * float(length(way).max())
+    if is_flat:
+        return all(
+            bool((dot(normals, way[:, body.mesh.triangles[:, j]]) <= margin).all())
+            for j in range(3)
+        )
     return all(
         bool((dot(normals[:, corners[i]], way[:, corners[j]]) <= margin).all())
         for corners in chunks(body.mesh.triangles.T)

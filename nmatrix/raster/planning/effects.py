@@ -23,17 +23,17 @@ from nmatrix.raster.planning.recipe import (
     not_asked,
 )
 from nmatrix.scene.material import CHECKER
-from nmatrix.scene.words import LightKind
+from nmatrix.scene.words import LightKind, Sides
 from nmatrix.shaders import glsl
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
 STEEPEST_SRGB = 12.92  # levels for light, near black
-EDGES = replace(
+BANDS = replace(
     STEADY,
     per_length=inf,
     jumps=True,
-    because="bands and outlines have edges that lengths would move",
+    because="bands have edges that lengths would move",
 )
 
 
@@ -94,11 +94,15 @@ def toon(facts: Facts) -> Decision:
 
 
 def outline(facts: Facts) -> Decision:
-    """Decide on lines where a surface turns away."""
+    """Decide on the black hull around a body."""
     if not facts.material.outline:
         return not_asked("the material has no outline")
-    if not facts.is_lit_at_fragments:
-        return adds_nothing("an outline is drawn only where normals reach the fragments")
+    if facts.material.opacity < 1.0:
+        return adds_nothing("the hull of an outline would show through glass")
+    if facts.body.linear_map.rank < 3:
+        return adds_nothing("a flattened body has no hull")
+    if facts.material.sides is Sides.FRONT and not facts.body.mesh.is_closed:
+        return adds_nothing("the mesh is open and has no backs: its hull would show there")
     return called_for("the material has an outline")
 
 
@@ -236,17 +240,15 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.TOON: Recipe(
         "bands in place of a smooth shade",
         toon,
-        influence=EDGES,
+        influence=BANDS,
         per_light=2,
         glsl=glsl.toon,
     ),
     Effect.OUTLINE: Recipe(
-        "a dark line where a surface turns away",
+        "a black line around the body: its swollen hull, seen from the inside",
         outline,
-        influence=lambda facts: replace(EDGES, reads_place=facts.is_lit_at_fragments),
-        needs=(Effect.EYE,),
-        per_sample=3,
-        only_at_fragments=True,
+        influence=STEADY,
+        passes=("outline",),
     ),
     Effect.POSITION: Recipe(
         "the position of each fragment",

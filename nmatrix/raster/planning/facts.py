@@ -200,7 +200,7 @@ class Facts:
 
     @cached_property
     def has_jumps(self) -> bool:
-        """Return True if colours may jump: highlights at n·l = 0, bands and outlines."""
+        """Return True if colours may jump: highlights at n·l = 0, and bands."""
         return self._any(lambda one: one.jumps)
 
     @cached_property

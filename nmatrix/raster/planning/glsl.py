@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+
 from nmatrix.enums import Effect
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import BodyPlan, Plan
+from nmatrix.raster.shading.outline import OF_HULLS, thickness
+from nmatrix.shaders.glsl import Glsl
 from nmatrix.shaders.program import Program, program
 from nmatrix.shaders.shaded import PLAIN_TARGET, SRGB_TARGET, FrontFace, Shaded, ShadowView
 
@@ -13,7 +18,22 @@ from nmatrix.shaders.shaded import PLAIN_TARGET, SRGB_TARGET, FrontFace, Shaded,
 def program_of(plan: Plan, body: BodyPlan) -> Program:
     """Return the program that draws one body, with the values of all that it reads."""
     shaded = shaded_of(plan, body)
-    return program(shaded, (RECIPES[one].lines(shaded) for one in RECIPES if one in shaded.effects))
+    return program(shaded, _lines(shaded))
+
+
+def outline_of(plan: Plan, body: BodyPlan) -> Program | None:
+    """Return the program that draws the outline of a body: its hull, black, before the fog."""
+    if Effect.OUTLINE not in body.effects:
+        return None
+    drawn = shaded_of(plan, body)
+    kept = drawn.effects & (OF_HULLS | plan.picture.keys())
+    hull = replace(drawn, lights=(), effects=kept, swollen_by=thickness(body.body))
+    return program(hull, _lines(hull))
+
+
+def _lines(shaded: Shaded) -> Iterator[Glsl]:
+    """Yield the lines of the effects, in the order of their table."""
+    return (RECIPES[one].lines(shaded) for one in RECIPES if one in shaded.effects)
 
 
 def shaded_of(plan: Plan, body: BodyPlan) -> Shaded:

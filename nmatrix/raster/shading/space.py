@@ -123,15 +123,23 @@ class ShadingSpace:
         """Return tangents (V, 3) and their like in the space, as (3, V)."""
         return multiply(as_array(self.exact_from_object)[:3, :3], of_object.T)
 
-    def carried_normals(self, rule: NormalRule) -> Array:
-        """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
+    def carried(self, rule: NormalRule, of_object: Array) -> Array:
+        """Return normals (n, 3) of the object as a rule leaves them, (3, n) at any length."""
         found = normal_transform(rule, self.exact_from_object)
         if found is None:
-            return np.zeros((3, len(self.body.mesh.normals)))
-        given = self.body.mesh.normals.T
+            return np.zeros((3, len(of_object)))
+        given = of_object.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
         return _transformed(found, given)
+
+    def carried_normals(self, rule: NormalRule) -> Array:
+        """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
+        return self.carried(rule, self.body.mesh.normals)
+
+    def face_normals(self, rule: NormalRule) -> Array:
+        """Return the triangles' own normals (3, F) by a rule, at true length one."""
+        return self.unit_normals(self.carried(rule, self.body.mesh.face_normals))
 
     def normals(self, rule: NormalRule) -> Array:
         """Return the vertices' normals (3, V) at true length one, or zero where none is left.
@@ -184,6 +192,11 @@ def _transformed(found: NormalTransform, normals: Array) -> Array:
 def world_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
     """Return the vertices' normals (3, V) in the world as a rule carries them."""
     return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
+
+
+def world_face_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return the triangles' own normals (3, F) in the world as a rule carries them."""
+    return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).face_normals(rule)
 
 
 def as_array(matrix: RationalMatrix) -> Array:

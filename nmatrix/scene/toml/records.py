@@ -171,7 +171,8 @@ class MaterialRecord(Record, frozen=True):
         Annotated[int, Meta(ge=1, le=64)], Meta(description="Bands of toon reflection.")
     ] = 3
     outline: Annotated[
-        Level, Meta(description="Cosine with the way to the eye below which all is black.")
+        Level,
+        Meta(description="A black line, as thick as a ball's rim with cosines below this."),
     ] = 0.0
     two_sided: Annotated[
         bool | None,
