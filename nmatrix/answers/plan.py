@@ -62,7 +62,7 @@ def plan(found: Plan) -> Report:
         Code("glsl", programs[0].vertex_shader, "vertex shader"),
         Code("glsl", programs[0].fragment_shader, "fragment shader"),
     )
-    return Report("plan", data, blocks, found.loaded.remarks)
+    return Report("plan", data, blocks, found.remarks)
 
 
 def _counted(count: int, what: str) -> str:

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from nmatrix.enums import Effect, Reflection
 from nmatrix.report import Matrix, Number, Value, Vector
 from nmatrix.scene.light import PlacedLight
-from nmatrix.scene.material import CHECKER
-from nmatrix.scene.words import LightKind
+from nmatrix.scene.material import DARK, SQUARES, Texture
+from nmatrix.scene.words import LightKind, Pattern, Wrap
 from nmatrix.shaders.shaded import LEAST_COSINE, Shaded
 
 FLOATS = {"mat4": 16, "mat3": 9, "vec4": 4, "vec3": 3, "vec2": 2, "float": 1}
@@ -289,34 +289,59 @@ def fog(shaded: Shaded) -> Glsl:
 
 def texture(shaded: Shaded) -> Glsl:
     """Multiply by an image or by a pattern of squares."""
-    source = shaded.material.texture
-    if source == CHECKER:
-        return Glsl(
-            matte=(
-                "vec2 square = floor(fragment_uv * 8.0);",
-                "matte *= mod(square.x + square.y, 2.0) < 0.5 ? 1.0 : 0.35;",
-            )
+    found = shaded.material.texture
+    if found is None:
+        return NOTHING
+    uv, uniforms = _placed("surface_texture", found)
+    if isinstance(found.image, Pattern):
+        column, row = (
+            CHECKER_WRAPS[how].format(index=f"floor(uv.{axis} * {SQUARES}.0)", size=SQUARES)
+            for axis, how in zip("xy", found.wrap, strict=True)
         )
+        lines = (f"matte *= mod({column} + {row}, 2.0) < 0.5 ? 1.0 : {DARK};",)
+        return Glsl(uniforms, matte=(f"vec2 uv = {uv};", *lines))
     return Glsl(
-        samplers=(_image("surface_texture", source, is_srgb=shaded.is_linear),),
-        matte=("matte *= texture(surface_texture, fragment_uv).rgb;",),
+        uniforms,
+        (_image("surface_texture", found, is_srgb=shaded.is_linear),),
+        matte=(f"matte *= texture(surface_texture, {uv}).rgb;",),
     )
 
 
-def _image(name: str, source: object, *, is_srgb: bool) -> Sampler:
+WRAPS = {Wrap.REPEAT: "REPEAT", Wrap.CLAMP: "CLAMP_TO_EDGE", Wrap.MIRROR: "MIRRORED_REPEAT"}
+CHECKER_WRAPS = {
+    Wrap.REPEAT: "{index}",
+    Wrap.CLAMP: "clamp({index}, 0.0, {size}.0 - 1.0)",
+    Wrap.MIRROR: "({size}.0 - 0.5 - abs(mod({index}, 2.0 * {size}.0) - {size}.0 + 0.5))",
+}
+
+
+def _placed(name: str, found: Texture) -> tuple[str, tuple[Uniform, ...]]:
+    """Return where a fragment falls on an image, and the uniform that this takes."""
+    rows = found.uv_map
+    if rows == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
+        return "fragment_uv", ()
+    moved = Uniform("mat3", f"{name}_uv", (*rows, (0.0, 0.0, 1.0)))
+    return f"({moved.name} * vec3(fragment_uv, 1.0)).xy", (moved,)
+
+
+def _image(name: str, found: Texture, *, is_srgb: bool) -> Sampler:
     """Say what image to bind; sRGB levels become linear before the four nearest are mixed."""
     bind: dict[str, Value] = {
-        "image": str(source),
+        "image": str(found.image),
         "format": "SRGB8_ALPHA8" if is_srgb else "RGBA8",
         "rows": "the last row first",
         "filter": "linear",
-        "wrap": ["REPEAT", "REPEAT"],
+        "wrap": [WRAPS[one] for one in found.wrap],
     }
     return Sampler(name, bind)
 
 
 def normal_map(shaded: Shaded) -> Glsl:
     """Bend normals by an image of them."""
+    found = shaded.material.normal_map
+    if found is None:
+        return NOTHING
+    uv, uniforms = _placed("normal_map", found)
     hand = Uniform("float", "bitangent_sign", -1.0 if shaded.is_mirrored else 1.0)
     normal, tangent, bent = "n", "fragment_tangent.xyz", "mat3(t, b, n) * bent"
     if Effect.METRIC in shaded.effects:
@@ -326,14 +351,14 @@ def normal_map(shaded: Shaded) -> Glsl:
         )
         bent = f"transpose(vector_world_from_space) * ({bent})"
     return Glsl(
-        (hand,),
-        (_image("normal_map", shaded.material.normal_map, is_srgb=False),),
+        (hand, *uniforms),
+        (_image("normal_map", found, is_srgb=False),),
         bump=(
             f"n = normalize({normal});",
             f"vec3 t = {tangent};",
             "t = normalize(t - n * dot(n, t));",
             "vec3 b = cross(n, t) * (fragment_tangent.w * bitangent_sign);",
-            "vec3 bent = texture(normal_map, fragment_uv).xyz * 2.0 - 1.0;",
+            f"vec3 bent = texture(normal_map, {uv}).xyz * 2.0 - 1.0;",
             f"n = {bent};",
         ),
     )

@@ -16,7 +16,7 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf.accessors import primitive_mesh
 from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.gltf.scene import gltf_scene
-from nmatrix.scene.material import EmbeddedImage
+from nmatrix.scene.material import EmbeddedImage, Texture
 
 TRIANGLE = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 JSON_CHUNK, BINARY_CHUNK = b"JSON", b"BIN\0"
@@ -154,7 +154,9 @@ def test_an_image_lies_in_the_container_in_the_text_or_beside(tmp_path: Path, wh
         saved(tmp_path, "a b.png", content)
     chunk = json_chunk(**textured(image, bufferViews=views))
     whole = container(chunk, (BINARY_CHUNK, TRIANGLE + content + b"after"))
-    texture = gltf_scene(saved(tmp_path, "a.glb", whole)).objects[0].material.texture
+    found = gltf_scene(saved(tmp_path, "a.glb", whole)).objects[0].material.texture
+    assert found == Texture(found.image)
+    texture = found.image
     if where == "beside":
         assert texture == tmp_path / "a b.png"
     else:

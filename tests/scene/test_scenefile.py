@@ -18,6 +18,7 @@ from nmatrix.linear.rational import inverse_transpose, linear_part, product, to_
 from nmatrix.linear.rounding import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.material import CHECKER, Texture
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.toml.file import read_scene
 from nmatrix.scene.toml.records import (
@@ -152,7 +153,7 @@ def test_files_are_relative_to_the_scene(tmp_path: Path) -> None:
     (one,) = read(tmp_path, text).objects
     # a normal map needs tangents
     assert one.geometry == TangentGeometry(FileGeometry(tmp_path / "a.obj"))
-    assert one.material.texture == one.material.normal_map == tmp_path / "b.png"
+    assert one.material.texture == one.material.normal_map == Texture(tmp_path / "b.png")
 
 
 def test_materials_have_grey_levels_or_colours(tmp_path: Path) -> None:
@@ -164,7 +165,7 @@ def test_materials_have_grey_levels_or_colours(tmp_path: Path) -> None:
     assert found.diffuse == (1, 0, 0)
     assert found.ambient == (0.15, 0, 0)
     assert found.specular == (0.5, 0.5, 0.5)
-    assert (found.texture, found.opacity, found.shininess) == ("checker", 0, 0)
+    assert (found.texture, found.opacity, found.shininess) == (CHECKER, 0, 0)
 
 
 def test_camera_by_target_and_by_angles(tmp_path: Path) -> None:

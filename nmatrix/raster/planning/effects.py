@@ -22,8 +22,8 @@ from nmatrix.raster.planning.recipe import (
     called_for,
     not_asked,
 )
-from nmatrix.scene.material import CHECKER
-from nmatrix.scene.words import LightKind, Sides
+from nmatrix.scene.material import Texture
+from nmatrix.scene.words import LightKind, Pattern, Sides
 from nmatrix.shaders import glsl
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
@@ -142,8 +142,10 @@ def normal_map(facts: Facts) -> Decision:
     """Decide on normals from an image."""
     if facts.material.normal_map is None:
         return not_asked("the material has no normal map")
-    if facts.body.mesh.tangents is None or not facts.is_lit_at_fragments:
-        return adds_nothing("the mesh has no tangents, or light is not evaluated at fragments")
+    if not facts.is_lit_at_fragments:
+        return adds_nothing(f"{facts.loaded.settings.shading} shading has no normals at fragments")
+    if facts.body.mesh.tangents is None:
+        return adds_nothing("the mesh has no texture coordinates, hence no tangents")
     return called_for("the material has a normal map")
 
 
@@ -196,6 +198,10 @@ def supersampling(loaded: LoadedScene, _: Sequence[Facts]) -> Decision:
     return called_for(because) if loaded.settings.samples > 1 else not_asked(because)
 
 
+def _is_grey(texture: Texture | None) -> bool:
+    return texture is None or texture.image is Pattern.CHECKER
+
+
 RECIPES: dict[Effect, Recipe] = {
     Effect.AMBIENT: Recipe(
         "light from everywhere",
@@ -231,6 +237,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SPECULAR: Recipe(
         "highlights",
         specular,
+        settings=("specular", "shininess"),
         influence=highlight,
         needs=(Effect.EYE,),
         per_light=6 + 3 + 2,
@@ -240,6 +247,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.TOON: Recipe(
         "bands in place of a smooth shade",
         toon,
+        settings=("toon_steps",),
         influence=BANDS,
         per_light=2,
         glsl=glsl.toon,
@@ -247,6 +255,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.OUTLINE: Recipe(
         "a black line around the body: its swollen hull, seen from the inside",
         outline,
+        settings=("outline",),
         influence=STEADY,
         passes=("outline",),
     ),
@@ -334,8 +343,9 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.TEXTURE: Recipe(
         "an image or a pattern on the surface",
         texture,
+        settings=("texture",),
         influence=lambda facts: replace(
-            STEADY, reads_place=True, brings_colour=facts.material.texture != CHECKER
+            STEADY, reads_place=True, brings_colour=not _is_grey(facts.material.texture)
         ),
         attributes=("uv",),
         per_sample=8 + 18,
@@ -344,6 +354,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.NORMAL_MAP: Recipe(
         "normals from an image",
         normal_map,
+        settings=("normal_map",),
         influence=replace(
             STEADY, per_length=inf, reads_place=True, because="a normal map turns normals"
         ),
@@ -355,6 +366,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.VERTEX_COLOURS: Recipe(
         "colours of the vertices",
         vertex_colours,
+        settings=("vertex_colours",),
         influence=replace(STEADY, reads_place=True, brings_colour=True),
         attributes=("colour",),
         per_sample=12,

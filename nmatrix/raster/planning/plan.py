@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from nmatrix.enums import Effect, Effort, LeftOut, NormalRule
+from nmatrix.errors import printable, shortlist
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
@@ -20,9 +21,11 @@ from nmatrix.raster.planning.recipe import Decision
 from nmatrix.raster.planning.shadow_casting import light_views
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.light import PlacedLight
+from nmatrix.scene.material import DEFAULT_MATERIAL
 from nmatrix.scene.words import Sides
 
 BUDGET = 0.5 / 255
+MOST_NAMED = 4  # bodies that a remark names
 
 
 @dataclass(frozen=True)
@@ -36,12 +39,16 @@ class LightDecision:
 
 @dataclass(frozen=True)
 class BodyPlan:
-    """The effects and the lights that are computed for one body."""
+    """The effects and the lights that are computed for one body.
+
+    `ineffective` holds the settings of its material that change nothing here, and why.
+    """
 
     body: Body
     decisions: Mapping[Effect, Decision]
     light_decisions: tuple[LightDecision, ...]
     effects: frozenset[Effect]
+    ineffective: Mapping[str, str]
 
     @property
     def lights(self) -> tuple[PlacedLight, ...]:
@@ -94,6 +101,21 @@ class Plan:
         }
         return {name: views for name, views in found.items() if views}
 
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """The scene's remarks, and a sentence for all that a setting says in vain."""
+        bodies: dict[tuple[str, str, str], list[str]] = {}
+        for one in self.bodies:
+            for setting, because in one.ineffective.items():
+                names = bodies.setdefault((setting, one.body.material.name, because), [])
+                names.append(one.body.name)
+        vain = (
+            f"{setting} of material {printable(material)} changes nothing on "
+            f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
+            for (setting, material, because), names in bodies.items()
+        )
+        return (*self.loaded.remarks, *vain)
+
 
 def plan_for(loaded: LoadedScene) -> Plan:
     """Return the plan that the loaded scene's settings ask for."""
@@ -125,7 +147,17 @@ def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
     named = {effect for effect, one in facts.decisions.items() if one.on}
     on = closure(_for_shading(named | _shortcuts(facts.body), facts))
     decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
-    return BodyPlan(facts.body, decisions, lights, on)
+    return BodyPlan(facts.body, decisions, lights, on, _ineffective(facts))
+
+
+def _ineffective(facts: Facts) -> dict[str, str]:
+    """Return the settings of a material, other than the default, that no effect on here reads."""
+    return {
+        setting: one.because
+        for effect, one in facts.decisions.items()
+        for setting in RECIPES[effect].settings
+        if not one.on and getattr(facts.material, setting) != getattr(DEFAULT_MATERIAL, setting)
+    }
 
 
 def _shortcuts(body: Body) -> AbstractSet[Effect]:
@@ -157,7 +189,7 @@ def _planned_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
         if effect in on and not found.on:
             found = Decision(on=True, because=f"{', '.join(sorted(users))} needs it")
         decisions[effect] = found
-    return BodyPlan(facts.body, decisions, lights, on)
+    return BodyPlan(facts.body, decisions, lights, on, _ineffective(facts))
 
 
 def _read_by_others() -> list[Effect]:

@@ -128,6 +128,8 @@ class Recipe:
         How colours depend on normals and places through it.
     attributes, passes
         Its inputs by name, and the passes over the picture that it takes.
+    settings
+        The fields of a material that it alone reads: where it is left out, they change nothing.
     needs
         The effects whose results it reads.
     per_vertex, per_sample, per_light
@@ -147,6 +149,7 @@ class Recipe:
     influence: Influence | Callable[[Facts], Influence] = Influence()
     attributes: tuple[str, ...] = ()
     passes: tuple[str, ...] = ()
+    settings: tuple[str, ...] = ()
     needs: tuple[Effect, ...] = ()
     per_vertex: int = 0
     per_sample: int = 0

@@ -172,9 +172,9 @@ class Surface:
         return normals
 
     def _bumped(self, normals: Array, fragments: Fragments) -> Array:
-        file = self.space.body.material.normal_map
-        assert file is not None  # the plan has it on where the material names one
-        texels = sample(file, fragments["uv"], linear=False)
+        image = self.space.body.material.normal_map
+        assert image is not None  # the plan has it on where the material names one
+        texels = sample(image, fragments["uv"], linear=False)
         signs = fragments["bitangent_sign"] * self.space.handed
         return bumped(normals, fragments["tangent"], signs, texels, self.space.measure)
 
