@@ -103,7 +103,11 @@ class ShadowMap:
 
 @dataclass(frozen=True, eq=False)
 class Occluded:
-    """The shadow maps of one lamp, as one body's shading space reaches them."""
+    """The shadow maps of one lamp, as one body's shading space reaches them.
+
+    Points are asked where the round surface is that a body's normals feign: the triangles below it
+    would stand in their own light where it grazes them.
+    """
 
     maps: Sequence[ShadowMap]
     space: ShadingSpace
@@ -113,8 +117,10 @@ class Occluded:
         """Return the map from the shading space to each view."""
         return tuple(self.space.light_from_space(one.view.light_from_world) for one in self.maps)
 
-    def __call__(self, positions: Array, cosine: Array) -> Array:
-        """Return the share of light, 0 to 1, that arrives at positions (3, m)."""
+    def __call__(self, positions: Array, normals: Array, cosine: Array) -> Array:
+        """Return the share of light, 0 to 1, that arrives at positions (3, m) with unit normals."""
+        if self.space.body.sagitta:
+            positions = self.space.raised(positions, normals, self.space.body.sagitta)
         found = np.ones(positions.shape[1])
         for one, matrix in zip(self.maps, self.light_from_space, strict=True):
             found = np.minimum(found, one.arriving(multiply(matrix, positions), cosine))
