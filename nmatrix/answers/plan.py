@@ -60,7 +60,7 @@ def plan(found: Plan) -> Report:
         Code("glsl", vertex, "vertex shader"),
         Code("glsl", fragment, "fragment shader"),
     )
-    return Report("plan", data, blocks, found.loaded.remarks)
+    return Report("plan", data, blocks, found.remarks)
 
 
 def _counted(count: int, what: str) -> str:

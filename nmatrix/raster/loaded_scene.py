@@ -109,7 +109,7 @@ class Body:
 
     @cached_property
     def sagitta(self) -> float:
-        """Return the most that the round surface of its normals rises above the body's triangles."""
+        """Return the most that the surface of its normals rises above its triangles."""
         linear = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
         return self.mesh.sagitta * float(np.linalg.norm(linear, 2))
 

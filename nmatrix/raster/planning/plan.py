@@ -17,7 +17,7 @@ from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import Decision
-from nmatrix.raster.planning.shadow_casting import light_views
+from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.words import Sides
 
@@ -75,17 +75,38 @@ class Plan:
     @cached_property
     def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
         """Return the views for shadow maps, by the names of the lamps that have any."""
-        receivers: dict[PlacedLight, list[Body]] = {}
-        for one in self.bodies:
-            if Effect.SHADOWS in one.effects:
-                for placed in one.lights:
-                    if placed.light.shadows:
-                        receivers.setdefault(placed, []).append(one.body)
         found = {
-            placed.light.name: light_views(self.loaded, placed, bodies)
-            for placed, bodies in receivers.items()
+            placed.light.name: light_views(
+                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
+            )
+            for placed, lit in self._lit_by_casting_lamps.items()
         }
         return {name: views for name, views in found.items() if views}
+
+    @property
+    def _lit_by_casting_lamps(self) -> Mapping[PlacedLight, Sequence[BodyPlan]]:
+        """Return the lamps that cast shadows, and the bodies that each can light."""
+        lit: dict[PlacedLight, list[BodyPlan]] = {}
+        for one in self.bodies:
+            for placed in one.lights:
+                if placed.light.shadows:
+                    lit.setdefault(placed, []).append(one)
+        return lit
+
+    @cached_property
+    def remarks(self) -> tuple[str, ...]:
+        """Return the scene's remarks, and those on shadows that are coarse or not cast."""
+        found = [
+            remark
+            for placed, lit in self._lit_by_casting_lamps.items()
+            for remark in shadow_remarks(
+                self.loaded,
+                placed,
+                [one.body for one in lit],
+                self.light_views.get(placed.light.name, ()),
+            )
+        ]
+        return (*self.loaded.remarks, *dict.fromkeys(found))
 
 
 def plan_for(loaded: LoadedScene) -> Plan:

@@ -42,7 +42,8 @@ class LightView:
 
     The rows of `light_from_world` are x, y, the distance along the lamp's axis, and w: what lies in
     the view has −w < x < w and −w < y < w. w is the distance in a perspective, and 1 in a parallel
-    view. `near` and `far` hold all that casts; `texel` is a texel's width where w is 1.
+    view. All that casts, and all that it falls on, is between `near` and `far`;
+    `texel` is a texel's width where w is 1.
     """
 
     light_from_world: RationalMatrix
@@ -56,9 +57,9 @@ class LightView:
         """True where w grows with the distance."""
         return any(self.light_from_world[3][:3])
 
-    def clip_from_object(self, body: Body) -> Array:
+    def clip_from(self, world_from_space: RationalMatrix) -> Array:
         """Return the map to a clip space whose depth is 0 at `near` and 1 at `far`."""
-        matrix = as_array(rational.product(self.light_from_world, body.world_from_object.exact))
+        matrix = as_array(rational.product(self.light_from_world, world_from_space))
         scale = (self.far if self.is_perspective else 1.0) / (self.far - self.near)
         matrix[2] = (matrix[2] - (0.0, 0.0, 0.0, self.near)) * scale
         return matrix
@@ -132,7 +133,7 @@ def shadow_map(view: LightView, size: int) -> ShadowMap:
     canvas = Canvas(size, size)
     tile = Tile.empty((0, size), size, DepthBuffer.FULL)
     for one in view.casters:
-        tile.add(project(one.mesh, view.clip_from_object(one), canvas, CLIP), 0)
+        tile.add(project(one.mesh, view.clip_from(one.world_from_object.exact), canvas, CLIP), 0)
     keys = tile.keys.reshape(size, size)
     depth = (keys >> TRIANGLE_BITS) / STEPS[DepthBuffer.FULL]
     return ShadowMap(view, np.where(keys == EMPTY, np.inf, view.distances(depth)))
