@@ -108,6 +108,12 @@ class Body:
         """Return the box of the object's own axes, carried to the world."""
         return box_around(*self.mesh.box, np.array(to_floats(self.world_from_object.exact)))
 
+    @cached_property
+    def sagitta(self) -> float:
+        """Return the most that the surface of its normals rises above its triangles."""
+        linear = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        return self.mesh.sagitta * float(np.linalg.norm(linear, 2))
+
     @property
     def ball(self) -> Ball:
         """Return the centre and the radius of a ball that holds the body."""

@@ -223,6 +223,7 @@ float share_of_light(highp sampler2DArray map, int layer, vec4 seen, float slack
 def shadows(shaded: Shaded) -> Glsl:
     """Keep light off where a lamp's maps end before the point, by the share of the four texels."""
     return Glsl(
+        (Uniform("float", "shadow_rise", shaded.sagitta),),
         functions=(SHARE_OF_LIGHT,),
         of_light=lambda placed: _shadow(placed, shaded),
     )
@@ -242,7 +243,7 @@ def _shadow(placed: PlacedLight, shaded: Shaded) -> Glsl:
         "light_from_world": [view.light_from_world for view in views],
     }
     share = (
-        "share_of_light(shadow_map, k, shadow_from_space[k] * vec4(p, 1.0),\n"
+        "share_of_light(shadow_map, k, shadow_from_space[k] * vec4(asked, 1.0),\n"
         f"    shadow_slack[k] / max(n_dot_l, {LEAST_COSINE}))"
     )
     return Glsl(
@@ -255,11 +256,21 @@ def _shadow(placed: PlacedLight, shaded: Shaded) -> Glsl:
         ),
         (Sampler("shadow_map", bind, "highp sampler2DArray"),),
         arriving=(
+            f"vec3 asked = {_raised(shaded)};",
             "float share = 1.0;",
             f"for (int k = 0; k < {len(views)}; k++)\n    share = min(share, {share});",
             "light *= share;",
         ),
     )
+
+
+def _raised(shaded: Shaded) -> str:
+    """Return the place on the round surface that normals feign, above the triangles."""
+    if not shaded.sagitta:
+        return "p"
+    if Effect.METRIC not in shaded.effects:
+        return "p + shadow_rise * n"
+    return "p + shadow_rise * (transpose(normal_world_from_space) * (normal_world_from_space * n))"
 
 
 RENORMALISE = Glsl(normal=("n = unit_normal(n);  // interpolation shortened it",))

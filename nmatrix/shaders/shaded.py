@@ -63,6 +63,8 @@ class Shaded:
         The rule that carries normals.
     shadows
         The views of each light that has shadow maps, by its name.
+    sagitta
+        How far the round surface that normals feign rises above the triangles, in the world.
     has_zero_normals
         True if the mesh has vertices without a normal.
     target
@@ -82,6 +84,7 @@ class Shaded:
     fog: Fog | None = None
     rule: NormalRule = NormalRule.EXACT
     shadows: Mapping[str, tuple[ShadowView, ...]] = field(default_factory=dict)
+    sagitta: float = 0.0
     has_zero_normals: bool = False
     target: str = PLAIN_TARGET
     swollen_by: float = 0.0

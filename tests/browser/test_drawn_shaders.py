@@ -25,9 +25,9 @@ from nmatrix.raster.planning.plan import Plan, everything, planned
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import CHECKER
-from nmatrix.scene.scene import Fog, Scene
-from nmatrix.scene.words import LightKind, Shape, Sides
+from nmatrix.scene.material import CHECKER, Texture
+from nmatrix.scene.scene import Fog, Scene, SceneObject
+from nmatrix.scene.words import LightKind, Shape, Sides, Wrap
 from nmatrix.scene.world import World
 
 ENOUGH = 0.999
@@ -158,17 +158,37 @@ def ambient(kind: str, color: tuple[float, float, float]) -> SceneLight:
     return SceneLight(kind, LightKind.AMBIENT, color=color)
 
 
+TILES, BUMPS = (Texture(IMAGES / name) for name in ("tiles.png", "bumps.png"))
+MOVED = {"scale": (2.3, 1.7), "rotation_degrees": 25, "offset": (0.3, -0.4)}
+WRAPS = [(one, other) for one in Wrap for other in Wrap if one is not other]
+
+
+def wrapped(plain: Texture, i: int) -> Texture:
+    return replace(plain, **MOVED, wrap=WRAPS[i])
+
+
 HAZE = Fog((0.7, 0.8, 0.9), 2.5, 5.5)
 SEEN_FROM_BEHIND = World(rotate_degrees=(-70, 10, 5), scale=(1.4, 1, 1))
 GLASS = replace(BLINN, opacity=0.4)
 FEATURES: dict[str, dict[str, object]] = {
-    "an image": {"material": replace(BLINN, texture=IMAGES / "tiles.png")},
+    "an image": {"material": replace(BLINN, texture=TILES)},
     "an image in sRGB": {
-        "material": replace(BLINN, texture=IMAGES / "tiles.png"),
+        "material": replace(BLINN, texture=TILES),
         "gamma": True,
     },
     "a checker": {"material": replace(BLINN, texture=CHECKER), "size": (320, 240)},
-    "a normal map": {"material": replace(BLINN, normal_map=IMAGES / "bumps.png")},
+    **{
+        f"{name}, {' '.join(WRAPS[i])}": {
+            "material": replace(BLINN, texture=wrapped(plain, i)),
+            "shape": SHEET,
+            "world": World(rotate_degrees=(60, 0, 5), scale=(1.5, 1, 1)),
+            "size": (320, 240),
+        }
+        for name, plain in (("moved image", TILES), ("moved checker", CHECKER))
+        for i in range(len(WRAPS))
+    },
+    "a moved normal map": {"material": replace(PHONG, normal_map=wrapped(BUMPS, 4))},
+    "a normal map": {"material": replace(BLINN, normal_map=BUMPS)},
     "colours of vertices": {
         "material": replace(BLINN, vertex_colours=True),
         "shape": coloured(),
@@ -188,6 +208,8 @@ FEATURES: dict[str, dict[str, object]] = {
     "light from everywhere": {"lights": (ambient("sky", (0.5, 0.7, 0.2)), SUN)},
     "no lamp": {"lights": ()},
     "no normals at some vertices": {"shape": without_some_normals()},
+    "an outline": {"material": TOON},
+    "an outline in fog": {"material": TOON, "fog": HAZE},
     "a coarse ball": {"shape": BALL, "material": PHONG},
 }
 
@@ -203,6 +225,38 @@ def test_every_feature_agrees(blank, name: str) -> None:
 def test_every_feature_agrees_in_every_space_and_shading(blank, name: str) -> None:
     for case, which in product(LIT, MAPS):
         must_agree_with(blank, replace(case, map=which), FEATURES[name])
+
+
+SHADOWS = {
+    "the sun's": (SUN,),
+    "a bulb's": (replace(BULB, range=20),),
+    "a spot's": (replace(SPOT, cone_degrees=(20, 40)),),
+    "both": (SUN, replace(BULB, range=20)),
+}
+
+
+def over_a_floor(scene: Scene) -> Scene:
+    place = World(translate=(0, -1.2, 0), scale=(5, 1, 5), rotate_degrees=(8, 10, 0))
+    floor = SceneObject("floor", SHEET, place.world_from_object, LAMBERT)
+    return replace(scene, objects=(*scene.objects, floor))
+
+
+def must_agree_in_shadow(page, case: Case, name: str) -> None:
+    lights = tuple(replace(one, shadows=True) for one in SHADOWS[name])
+    must_agree(page, over_a_floor(case.scene(lights=lights)), 3000, (case, name))
+
+
+@pytest.mark.parametrize("name", SHADOWS)
+def test_shadows_agree(blank, name: str) -> None:
+    for case in random.Random(name).sample(LIT, 3):
+        must_agree_in_shadow(blank, case, name)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SHADOWS)
+def test_shadows_agree_in_every_space_and_shading(blank, name: str) -> None:
+    for case, which in product(LIT, MAPS):
+        must_agree_in_shadow(blank, replace(case, map=which), name)
 
 
 def must_agree_with(page, case: Case, feature: dict[str, object]) -> None:
@@ -242,6 +296,8 @@ def test_a_wrong_value_would_be_seen(blank, monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_every_effect_with_lines_is_drawn_in_some_case() -> None:
     scenes = [case.scene() for case in EVERY[:: len(MAPS)] if case.space is Space.WORLD]
+    shaded = [replace(SUN, shadows=True)]
+    scenes.append(over_a_floor(Case(Space.WORLD, Shading.PHONG).scene(lights=tuple(shaded))))
     for feature in FEATURES.values():
         more = {name: value for name, value in feature.items() if name != "least"}
         scenes.append(Case(Space.OBJECT, Shading.PHONG).scene(**more))

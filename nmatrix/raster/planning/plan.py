@@ -6,7 +6,7 @@ is a mixture of bodies, so each body has the whole budget to itself.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -18,7 +18,7 @@ from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import Decision
-from nmatrix.raster.planning.shadow_casting import light_views
+from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import DEFAULT_MATERIAL
@@ -89,32 +89,51 @@ class Plan:
     @cached_property
     def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
         """Return the views for shadow maps, by the names of the lamps that have any."""
-        receivers: dict[PlacedLight, list[Body]] = {}
-        for one in self.bodies:
-            if Effect.SHADOWS in one.effects:
-                for placed in one.lights:
-                    if placed.light.shadows:
-                        receivers.setdefault(placed, []).append(one.body)
         found = {
-            placed.light.name: light_views(self.loaded, placed, bodies)
-            for placed, bodies in receivers.items()
+            placed.light.name: light_views(
+                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
+            )
+            for placed, lit in self._lit_by_casting_lamps.items()
         }
         return {name: views for name, views in found.items() if views}
 
     @property
+    def _lit_by_casting_lamps(self) -> Mapping[PlacedLight, Sequence[BodyPlan]]:
+        """Return the lamps that cast shadows, and the bodies that each can light."""
+        lit: dict[PlacedLight, list[BodyPlan]] = {}
+        for one in self.bodies:
+            for placed in one.lights:
+                if placed.light.shadows:
+                    lit.setdefault(placed, []).append(one)
+        return lit
+
+    @cached_property
     def remarks(self) -> tuple[str, ...]:
-        """The scene's remarks, and a sentence for all that a setting says in vain."""
+        """The scene's remarks, what a setting says in vain, and shadows coarse or not cast."""
+        found = [
+            remark
+            for placed, lit in self._lit_by_casting_lamps.items()
+            for remark in shadow_remarks(
+                self.loaded,
+                placed,
+                [one.body for one in lit],
+                self.light_views.get(placed.light.name, ()),
+            )
+        ]
+        return (*self.loaded.remarks, *self._said_in_vain(), *dict.fromkeys(found))
+
+    def _said_in_vain(self) -> Iterator[str]:
+        """Yield a sentence for all that a setting of a material does not change."""
         bodies: dict[tuple[str, str, str], list[str]] = {}
         for one in self.bodies:
             for setting, because in one.ineffective.items():
                 names = bodies.setdefault((setting, one.body.material.name, because), [])
                 names.append(one.body.name)
-        vain = (
-            f"{setting} of material {printable(material)} changes nothing on "
-            f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
-            for (setting, material, because), names in bodies.items()
-        )
-        return (*self.loaded.remarks, *vain)
+        for (setting, material, because), names in bodies.items():
+            yield (
+                f"{setting} of material {printable(material)} changes nothing on "
+                f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
+            )
 
 
 def plan_for(loaded: LoadedScene) -> Plan:

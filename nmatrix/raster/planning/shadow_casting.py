@@ -16,13 +16,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Handedness, NormalRule
+from nmatrix.enums import DepthRange, Handedness, NormalRule
+from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.view import looking_along
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.raster.shading.space import as_array, column
-from nmatrix.raster.triangles.convex import NEAR_CORNERS
+from nmatrix.raster.triangles.convex import NEAR_CORNERS, frustum
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import Sides
 
@@ -32,6 +33,7 @@ FLAT = 1e-9  # of the radius: what lies this close to a plane cannot stand in it
 TOUCHING = 1e-6  # of the radius: what sinks in no deeper stands on a plane; texels are larger
 NEAREST = 1e-3  # of the farthest distance: what stands closer to a lamp casts no shadow
 WIDEST = 60.0  # degrees from the axis: wider cones are seen in six ways, as points are
+COARSE = 2.0  # pixels: the steps of wider texels are seen
 BORDER = 2  # texels around what is fitted, so that all that have a say are there
 UP: RationalVector = rational_vector((0, 1, 0))
 SIX_WAYS = tuple(
@@ -191,6 +193,8 @@ def light_views(
     loaded: LoadedScene, placed: PlacedLight, receivers: Sequence[Body]
 ) -> tuple[LightView, ...]:
     """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow there."""
+    if not receivers:
+        return ()
     casting = {
         body: [one for one in occluders(loaded, placed, body) if one.material.opacity == 1.0]
         for body in receivers
@@ -202,7 +206,7 @@ def light_views(
 def _aims(placed: PlacedLight, receivers: Sequence[Body]) -> list[Aim]:
     place, half = placed.position, None
     if place is None:
-        assert placed.direction is not None and receivers  # a light is somewhere or from somewhere
+        assert placed.direction is not None  # a light is somewhere or from somewhere
         return [Aim(_axes(rational_vector(receivers[0].centre.tolist()), placed.direction), None)]
     if placed.direction is not None and placed.light.cone_degrees[1] <= WIDEST:
         half = tan(radians(placed.light.cone_degrees[1]))
@@ -221,7 +225,7 @@ def _fitted(loaded: LoadedScene, aim: Aim, casting: dict[Body, list[Body]]) -> L
     of_casters = {
         one: aim.footprint(one.hull.corners) for casters in casting.values() for one in casters
     }
-    low, high, casters = np.full(2, inf), np.full(2, -inf), {}
+    low, high, far, casters = np.full(2, inf), np.full(2, -inf), -inf, {}
     for body, ones in casting.items():
         seen = aim.footprint(body.hull.meeting(loaded.frustum)) if ones else None
         for one in ones:
@@ -230,29 +234,57 @@ def _fitted(loaded: LoadedScene, aim: Aim, casting: dict[Body, list[Body]]) -> L
                 low = np.minimum(low, np.maximum(footprint.low, seen.low))
                 high = np.maximum(high, np.minimum(footprint.high, seen.high))
                 casters[one] = footprint
+                far = max(far, footprint.farthest, seen.farthest)
     if not casters:
         return None
-    return _view(aim, low, high, casters, loaded.settings.shadow_map)
-
-
-def _view(
-    aim: Aim, low: Array, high: Array, casters: dict[Body, Footprint], size: int
-) -> LightView:
-    """Return the view of a rectangle, and of a border around it."""
-    half = (high - low) / 2 * (size / max(size - 2 * BORDER, 1))
     near = min(one.nearest for one in casters.values())
-    far = max(one.farthest for one in casters.values())
-    texel = 2 * float(half.max()) / size
-    pad = texel * (1.0 if aim.half is None else near)
+    return _view(aim, Footprint(low, high, near, far), tuple(casters), loaded.settings.shadow_map)
+
+
+def _view(aim: Aim, shadows: Footprint, casters: tuple[Body, ...], size: int) -> LightView:
+    """Return the view of a footprint, and of a border around it."""
+    reach = (shadows.high - shadows.low) / 2 * (size / max(size - 2 * BORDER, 1))
+    middle = (shadows.low + shadows.high) / 2
+    texel = 2 * float(reach.max()) / size
+    pad = texel * (1.0 if aim.half is None else shadows.nearest) / 2
     right, up, ahead, last = aim.axes
     w = last if aim.half is None else ahead
-    rows = [
-        tuple(
-            entry / Fraction(reach) - Fraction(middle) / Fraction(reach) * bottom
-            for entry, bottom in zip(row, w, strict=True)
+    rows = (
+        tuple((a - Fraction(c) * b) / Fraction(r) for a, b in zip(axis, w, strict=True))
+        for axis, c, r in zip((right, up), middle.tolist(), reach.tolist(), strict=True)
+    )
+    near, far = shadows.nearest - pad, shadows.farthest + pad
+    return LightView((*rows, ahead, w), near, far, texel, casters)
+
+
+def texel_in_pixels(loaded: LoadedScene, view: LightView, receivers: Sequence[Body]) -> float:
+    """Return the most pixels that a texel is wide where shadows may be seen."""
+    clip = view.clip_from(rational.identity(4))
+    lit = frustum(clip, np.linalg.inv(clip), DepthRange.ZERO_TO_ONE)
+    x, y, _, w = as_array(loaded.clip_from_world)
+    width, height = loaded.settings.size
+    scale = max(
+        width * float(np.sqrt(x @ x - x[3] ** 2)), height * float(np.sqrt(y @ y - y[3] ** 2))
+    )
+    most = 0.0
+    for body in receivers:
+        seen = body.hull.meeting(loaded.frustum, lit)
+        if len(seen):
+            most = max(most, float(((seen @ clip[3]) / (seen @ w)).max()))
+    return most * view.texel * scale / 2
+
+
+def shadow_remarks(
+    loaded: LoadedScene, placed: PlacedLight, receivers: Sequence[Body], views: Sequence[LightView]
+) -> Iterator[str]:
+    """Yield what a lamp's shadows lack: fine texels, and the shadows of what is not opaque."""
+    coarsest = max((texel_in_pixels(loaded, one, receivers) for one in views), default=0.0)
+    if coarsest > COARSE:
+        yield (
+            f"Shadows of {placed.light.name}: a texel is {coarsest:.2g} pixels wide; "
+            "a larger shadow_map makes them finer."
         )
-        for row, reach, middle in zip(
-            (right, up), half.tolist(), ((low + high) / 2).tolist(), strict=True
-        )
-    ]
-    return LightView((*rows, ahead, w), near - pad / 2, far + pad, texel, tuple(casters))
+    for body in receivers:
+        for one in occluders(loaded, placed, body):
+            if one.material.opacity < 1.0 and one is not body:
+                yield f"The shadow of {one.name} is not cast: its opacity is below 1."

@@ -42,7 +42,8 @@ class LightView:
 
     The rows of `light_from_world` are x, y, the distance along the lamp's axis, and w: what lies in
     the view has −w < x < w and −w < y < w. w is the distance in a perspective, and 1 in a parallel
-    view. `near` and `far` hold all that casts; `texel` is a texel's width where w is 1.
+    view. All that casts, and all that it falls on, is between `near` and `far`;
+    `texel` is a texel's width where w is 1.
     """
 
     light_from_world: RationalMatrix
@@ -61,9 +62,9 @@ class LightView:
         """The distance that light may lack where it falls in straight and w is 1."""
         return SLACK * self.texel
 
-    def clip_from_object(self, body: Body) -> Array:
+    def clip_from(self, world_from_space: RationalMatrix) -> Array:
         """Return the map to a clip space whose depth is 0 at `near` and 1 at `far`."""
-        matrix = as_array(rational.product(self.light_from_world, body.world_from_object.exact))
+        matrix = as_array(rational.product(self.light_from_world, world_from_space))
         scale = (self.far if self.is_perspective else 1.0) / (self.far - self.near)
         matrix[2] = (matrix[2] - (0.0, 0.0, 0.0, self.near)) * scale
         return matrix
@@ -108,7 +109,11 @@ class ShadowMap:
 
 @dataclass(frozen=True, eq=False)
 class Occluded:
-    """The shadow maps of one lamp, as one body's shading space reaches them."""
+    """The shadow maps of one lamp, as one body's shading space reaches them.
+
+    Points are asked where the round surface is that a body's normals feign: the triangles below it
+    would stand in their own light where it grazes them.
+    """
 
     maps: Sequence[ShadowMap]
     space: ShadingSpace
@@ -118,8 +123,10 @@ class Occluded:
         """Return the map from the shading space to each view."""
         return tuple(self.space.light_from_space(one.view.light_from_world) for one in self.maps)
 
-    def __call__(self, positions: Array, cosine: Array) -> Array:
-        """Return the share of light, 0 to 1, that arrives at positions (3, m)."""
+    def __call__(self, positions: Array, normals: Array, cosine: Array) -> Array:
+        """Return the share of light, 0 to 1, that arrives at positions (3, m) with unit normals."""
+        if self.space.body.sagitta:
+            positions = self.space.raised(positions, normals, self.space.body.sagitta)
         found = np.ones(positions.shape[1])
         for one, matrix in zip(self.maps, self.light_from_space, strict=True):
             found = np.minimum(found, one.arriving(multiply(matrix, positions), cosine))
@@ -131,7 +138,7 @@ def shadow_map(view: LightView, size: int) -> ShadowMap:
     canvas = Canvas(size, size)
     tile = Tile.empty((0, size), size, DepthBuffer.FULL)
     for one in view.casters:
-        tile.add(project(one.mesh, view.clip_from_object(one), canvas, CLIP), 0)
+        tile.add(project(one.mesh, view.clip_from(one.world_from_object.exact), canvas, CLIP), 0)
     keys = tile.keys.reshape(size, size)
     depth = (keys >> TRIANGLE_BITS) / STEPS[DepthBuffer.FULL]
     return ShadowMap(view, np.where(keys == EMPTY, np.inf, view.distances(depth)))

@@ -31,9 +31,18 @@ class Convex:
     corners: Array
     planes: Array
 
-    def meeting(self, other: Convex) -> Array:
-        """Return the corners (n, 4) of what two sets share; none where they do not meet."""
-        return np.concatenate([_inside(self, other.planes), _inside(other, self.planes)])
+    def meeting(self, *others: Convex) -> Array:
+        """Return the corners (n, 4) of what sets share that lie on an edge of one of them.
+
+        Of two sets these are all; of more, a corner where three faces cross is not among them.
+        """
+        sets = (self, *others)
+        return np.concatenate(
+            [
+                _inside(one, np.concatenate([other.planes for other in sets if other is not one]))
+                for one in sets
+            ]
+        )
 
 
 def _inside(one: Convex, planes: Array) -> Array:
