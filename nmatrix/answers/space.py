@@ -42,7 +42,7 @@ def space(setup: Setup, request: Request) -> Report:
     shown = program_of(maps, request, front_face)
     quantities = _quantities(setup, chosen)
     profile, counted = PROFILES[chosen], cost(maps, request)
-    rows = profile.table()
+    rows = profile.table(is_flattened=maps.world_from_object.linear_map.rank < 3)
     data: dict[str, Value] = {
         "space": chosen.value,
         **quantities,

@@ -101,7 +101,10 @@ def _spaces(setup: Setup) -> Part:
     blocks: list[Block] = [Heading("What each shading space moves")]
     for space in USUAL_SPACES:
         profile = PROFILES[space]
-        moves = ((row.data, row.by) for row in profile.table())
+        moves = (
+            (row.data, row.by)
+            for row in profile.table(is_flattened=setup.maps.world_from_object.linear_map.rank < 3)
+        )
         rows = tuple((data, "as it is" if by == UNMOVED else by) for data, by in moves)
         blocks += [
             Table(("data", "moves by"), rows, f"{space.value[:1].upper()}{space.value[1:]} space")
