@@ -99,12 +99,10 @@ def _short(vector: Sequence[float | Fraction] | None) -> str:
 def _spaces(setup: Setup) -> Part:
     """Tabulate for each space what must be moved, by what."""
     blocks: list[Block] = [Heading("What each shading space moves")]
+    is_flattened = setup.maps.world_from_object.linear_map.rank < 3
     for space in USUAL_SPACES:
         profile = PROFILES[space]
-        moves = (
-            (row.data, row.by)
-            for row in profile.table(is_flattened=setup.maps.world_from_object.linear_map.rank < 3)
-        )
+        moves = ((row.data, row.by) for row in profile.table(is_flattened=is_flattened))
         rows = tuple((data, "as it is" if by == UNMOVED else by) for data, by in moves)
         blocks += [
             Table(("data", "moves by"), rows, f"{space.value[:1].upper()}{space.value[1:]} space")
