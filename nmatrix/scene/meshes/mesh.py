@@ -84,14 +84,6 @@ class Mesh:
             own[without] = unit(given.mean(axis=1))
         return own
 
-    @cached_property
-    def hull_normals(self) -> Array:
-        """The unit normal (V, 3) along which each vertex moves if the surface swells.
-
-        Vertices in one place have the same, so a box that swells shows no gap.
-        """
-        return welded_normals(self.positions, self.triangles, self.face_normals)
-
     @property
     def degenerate_normals(self) -> int:
         """The number of normals that are no direction: zero, or not finite."""
