@@ -95,6 +95,19 @@ def test_flat_shading_does_not_read_the_normals_of_vertices() -> None:
     assert not (smooth[0] == smooth[1]).all()
 
 
+def test_lamps_are_left_out_of_flat_shading_by_the_normals_of_faces() -> None:
+    """The vertices' normals say that the lamp is behind; the face that is drawn looks to it."""
+    (plain,) = loaded(single(shape=ShapeGeometry(Shape.PLANE))).bodies
+    turned = LoadedGeometry(replace(plain.mesh, normals=-plain.mesh.normals))
+    material = replace(LAMBERT, sides=Sides.FRONT)
+    for light in (SUN, BULB):
+        scene = single(material=material, lights=(light,), shape=turned, shading=Shading.FLAT)
+        assert (drawn(scene) == render(everything(loaded(scene))).image).all()
+        assert len(np.unique(drawn(scene).round(1))) > 1
+        (body,) = planned(loaded(scene)).bodies
+        assert body.lights
+
+
 def test_a_wrong_rule_bends_the_normals_of_faces_too() -> None:
     right, wrong = (
         drawn(single(BENT, shape=TORUS, shading=Shading.FLAT, normals=rule))
