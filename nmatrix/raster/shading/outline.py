@@ -9,14 +9,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import sqrt
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Frame, NormalRule, Space
 from nmatrix.linear import rational
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.shading.space import ShadingSpace
+from nmatrix.scene.meshes.mesh import welded_normals
 from nmatrix.spaces.transform import Transform
+
+Array = NDArray[Any]
 
 # What a hull takes over from its body: where its fragments are, how far away, and their fog.
 OF_HULLS = frozenset(
@@ -42,20 +47,30 @@ def thickness(body: Body) -> float:
     return body.radius * (1.0 - sqrt(1.0 - cosine * cosine))
 
 
+def hull_normals(loaded: LoadedScene, body: Body) -> Array:
+    """Return the unit vectors (3, V) of the world along which the vertices of a hull stand off.
+
+    Each is the sum of the normals of the faces around a place, by their angles there, and one for
+    all vertices in that place. They are taken in the world: a shear turns the faces around a corner
+    by different angles, and carried together they might point into the body.
+    """
+    space = ShadingSpace(loaded, body, Space.WORLD, uses_metric=False)
+    faces = space.face_normals(NormalRule.EXACT)
+    return welded_normals(space.positions().T, body.mesh.triangles, faces.T).T
+
+
 def hull(loaded: LoadedScene, body: Body) -> Body:
     """Return the hull of a body as a body of the world, turned inside out.
 
-    A vertex p with the welded normal n of its mesh goes to
+    A vertex p goes to
 
-        clip_from_object · p + clip_from_world · (t · N n / |N n|, 0),
+        clip_from_object · p + clip_from_world · (t · h, 0),
 
-    where N carries normals from the object to the world (the inverse transpose, whatever rule the
-    light is computed by) and t is the `thickness`. Its front faces are culled; where the map is a
-    mirror, the winding is turned already.
+    where h is one of the `hull_normals` (geometry, whatever rule the light is computed by) and t
+    the `thickness`. Its front faces are culled; where the map is a mirror, the winding is turned
+    already.
     """
-    space = ShadingSpace(loaded, body, Space.WORLD, uses_metric=False)
-    outwards = space.unit_normals(space.carried(NormalRule.EXACT, body.mesh.hull_normals))
-    moved = space.positions() + thickness(body) * outwards
+    moved = body.positions_world.T + thickness(body) * hull_normals(loaded, body)
     is_mirrored = rational.determinant(rational.linear_part(body.world_from_object.exact)) < 0
     triangles = body.mesh.triangles if is_mirrored else body.mesh.triangles[:, ::-1]
     mesh = replace(body.mesh, positions=moved.T, triangles=np.ascontiguousarray(triangles), uv=None)

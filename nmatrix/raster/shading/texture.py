@@ -18,7 +18,7 @@ from nmatrix.scene.words import Pattern, Wrap
 Array = NDArray[Any]
 
 MOST_PIXELS = 8192 * 8192
-FARTHEST = 2.0**52  # texels from 0 0: beyond them a float does not tell neighbours apart
+FARTHEST = 2.0**36  # of u and v: times the pixels of an image, whole numbers still hold it
 
 
 def sample(texture: Texture, uv: Array, *, linear: bool) -> Array:
@@ -32,10 +32,10 @@ def sample(texture: Texture, uv: Array, *, linear: bool) -> Array:
     >>> sample(CHECKER, np.array([[0.01, 0.13], [0.01, 0.01]]), linear=False).tolist()
     [[1.0, 0.35]]
     """
-    uv = _placed(texture, uv)
+    uv = np.clip(_placed(texture, uv), -FARTHEST, FARTHEST)
     if isinstance(texture.image, Pattern):
         column, row = (
-            _wrapped(np.floor(_bounded(one * SQUARES)), SQUARES, how)
+            _wrapped(np.floor(one * SQUARES), SQUARES, how)
             for one, how in zip(uv, texture.wrap, strict=True)
         )
         return np.asarray(np.where((column + row) % 2 == 0, 1.0, DARK)[None])
@@ -109,11 +109,8 @@ def _placed(texture: Texture, uv: Array) -> Array:
     if rows == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
         return uv
     u, v = uv
-    return np.stack([a * u + b * v + c for a, b, c in rows])
-
-
-def _bounded(texels: Array) -> Array:
-    return np.clip(texels, -FARTHEST, FARTHEST)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.nan_to_num(np.stack([a * u + b * v + c for a, b, c in rows]))
 
 
 def _wrapped(index: Array, size: int, wrap: Wrap) -> Array:
@@ -137,7 +134,7 @@ def _between(image: Array, levels: Array, uv: Array, wrap: tuple[Wrap, Wrap]) ->
     """Return the mean (3, m) of the four texels around each place, by nearness."""
     height, width, _ = image.shape
     texels = image.reshape(-1, 3)
-    x, y = _bounded(uv[0] * width - 0.5), _bounded(uv[1] * height - 0.5)
+    x, y = uv[0] * width - 0.5, uv[1] * height - 0.5
     left, low = np.floor(x), np.floor(y)
     right_part, high_part = x - left, y - low
     columns = [_wrapped(left + i, width, wrap[0]) for i in (0, 1)]

@@ -110,14 +110,6 @@ class Mesh:
         return own
 
     @cached_property
-    def hull_normals(self) -> Array:
-        """The unit normal (V, 3) along which each vertex moves if the surface swells.
-
-        Vertices in one place have the same, so a box that swells shows no gap.
-        """
-        return welded_normals(self.positions, self.triangles, self.face_normals)
-
-    @cached_property
     def sagitta(self) -> float:
         """How far the round surface that the normals feign rises above the triangles.
 
