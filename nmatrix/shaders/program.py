@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from nmatrix.enums import NormalRule, Shading
+from nmatrix.enums import NormalRule, Shading, Space
 from nmatrix.linear import rational
 from nmatrix.linear.exact import LinearMap
 from nmatrix.report import Value
@@ -126,7 +126,6 @@ class _Assembly:
         """Write a shader: what its lines read, what it passes on, its functions and its main."""
         functions = self._called(lines)
         read = _words([*lines, *functions])
-        home = PROFILES[self.shaded.space].mesh_space
         return "\n".join(
             (
                 *HEADER,
@@ -134,13 +133,7 @@ class _Assembly:
                 *self._notes(stage),
                 *_declared(one for one in self._uniforms if one.name in read),
                 *_declared(one for one in self._samplers if one.name in read),
-                *(
-                    f"in {kind} {name};  // {home} space{_length_of(name)}"
-                    if name.endswith(("position", "normal"))
-                    else f"in {kind} {name};"
-                    for name, kind in ATTRIBUTES.items()
-                    if name in read
-                ),
+                *(self._attribute(name) for name in ATTRIBUTES if name in read),
                 *passed,
                 *functions,
                 "void main() {",
@@ -149,6 +142,15 @@ class _Assembly:
                 "",
             )
         )
+
+    def _attribute(self, name: str) -> str:
+        declared = f"in {ATTRIBUTES[name]} {name};"
+        if not name.endswith(("position", "normal")):
+            return declared
+        space = PROFILES[self.shaded.space].mesh_space
+        if name == "hull_normal":
+            space = Space.WORLD
+        return f"{declared}  // {space} space{_length_of(name)}"
 
     def _notes(self, stage: str) -> Iterator[str]:
         """Yield what a stage relies on and cannot say in its lines."""
@@ -162,7 +164,7 @@ class _Assembly:
     def _vertex(self, varyings: Sequence[str]) -> Iterator[str]:
         clip = "clip_from_object * vec4(vertex_position, 1.0)"
         if self.shaded.swollen_by:
-            yield "vec3 step_world = outline_width * normalize(outward_matrix * hull_normal);"
+            yield "vec3 step_world = outline_width * hull_normal;"
             yield f"vec3 p = {self._position('vertex')} + vector_space_from_world * step_world;"
             clip += "\n    + clip_from_world * vec4(step_world, 0.0)"
         else:
@@ -353,10 +355,8 @@ class _Assembly:
         shaded = self.shaded
         if shaded.swollen_by:
             to_space = shaded.maps.space_from_world(shaded.space).exact
-            outward = rational.inverse_transpose(rational.linear_part(shaded.world_from_vertex))
             yield Uniform("mat4", "clip_from_world", shaded.clip_from_world)
             yield Uniform("mat3", "vector_space_from_world", rational.linear_part(to_space))
-            yield Uniform("mat3", "outward_matrix", outward)
             yield Uniform("float", "outline_width", shaded.swollen_by)
 
     def _light_uniforms(self, placed: PlacedLight) -> Iterator[Uniform]:

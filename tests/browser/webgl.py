@@ -12,11 +12,12 @@ import numpy as np
 from PIL import Image
 
 from nmatrix.answers.plan import plan as report_of
-from nmatrix.enums import Format, NormalRule, Shading, Space
+from nmatrix.enums import Format, Shading, Space
 from nmatrix.linear.rational import to_floats
 from nmatrix.output.write import OutputOptions, write
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.render import render
+from nmatrix.raster.shading.outline import hull_normals
 from nmatrix.raster.shading.shadow import shadow_map
 from nmatrix.raster.shading.space import ShadingSpace
 from nmatrix.raster.shading.surface import Surface
@@ -53,20 +54,19 @@ def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
     rule = body.rule(plan.loaded.settings.normals)
     positions, normals = mesh.positions, mesh.normals
     tangents = None if mesh.tangents is None else mesh.tangents[:, :3]
-    faces, hull = mesh.face_normals, mesh.hull_normals
+    faces = mesh.face_normals
     corners = mesh.triangles.reshape(-1)
     if plan.loaded.settings.space is Space.STATIC:
         baked = ShadingSpace(plan.loaded, body.body, Space.STATIC, uses_metric=False)
         positions, normals = baked.positions().T, baked.normals(rule).T
         tangents = None if tangents is None else baked.vectors(tangents).T
         faces = baked.face_normals(rule).T
-        hull = baked.unit_normals(baked.carried(NormalRule.EXACT, hull)).T
     found = {
         "vertex_position": positions[corners],
         "vertex_normal": np.where(np.isfinite(normals), normals, 0.0)[corners],
         "face_position": np.repeat(positions[mesh.triangles].mean(axis=1), 3, axis=0),
         "face_normal": np.repeat(faces, 3, axis=0),
-        "hull_normal": hull[corners],
+        "hull_normal": hull_normals(plan.loaded, body.body).T[corners],
     }
     if mesh.uv is not None:
         found["vertex_uv"] = mesh.uv[corners]
