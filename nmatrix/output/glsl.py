@@ -92,6 +92,9 @@ def _program(found: Mapping[str, Value]) -> str:
             lines.append(_comment(f"{leaf.key}: {shown}"))
     if found.get("cull_face"):
         lines.append(f"// glEnable(GL_CULL_FACE), glCullFace(GL_{str(found['cull_face']).upper()})")
+    if "depth_range" in found:
+        lines.append(f"// clip space: depth {found['depth_range']}, y {found['clip_y']}")
+        lines.append(f"// framebuffer: {found['target']}")
     if "front_face" in found:
         lines.append(f"// glFrontFace(GL_{str(found['front_face']).upper()})")
     return "\n".join(lines)

@@ -14,6 +14,7 @@ from functools import cached_property
 from nmatrix.enums import NormalRule, Shading, Space
 from nmatrix.linear import rational
 from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.projection import ClipSpace
 from nmatrix.report import Value
 from nmatrix.scene.light import PlacedLight
 from nmatrix.shaders.glsl import SAFE_UNIT_NORMAL, Glsl, Sampler, Uniform
@@ -56,6 +57,7 @@ class Program:
     front_face: FrontFace
     cull_face: CullFace | None
     target: str
+    clip: ClipSpace
 
     def reads(self, name: str) -> bool:
         """Return True if a uniform has the name."""
@@ -72,6 +74,8 @@ class Program:
             "front_face": self.front_face.value,
             "cull_face": self.cull_face and self.cull_face.value,
             "target": self.target,
+            "depth_range": self.clip.depth.value,
+            "clip_y": self.clip.clip_y.value,
         }
 
 
@@ -112,6 +116,7 @@ class _Assembly:
             self.shaded.front_face,
             self.shaded.cull_face,
             self.shaded.target,
+            self.shaded.clip,
         )
 
     def _passed(self, way: str, varyings: Iterable[str]) -> list[str]:
@@ -263,7 +268,7 @@ class _Assembly:
             yield "}"
 
     def _of_light(self, i: int, placed: PlacedLight) -> Iterator[str]:
-        found = [*self.terms, *self._of_one(placed)]
+        own = self._of_lights[i]
         to_light = "-light_direction"
         if placed.position is not None:
             to_light = "unit_vector(light_position - p)"
@@ -272,11 +277,10 @@ class _Assembly:
             "vec3 light = light_color;",
             "float n_dot_l = dot(n, l);",
             "float shade = max(n_dot_l, 0.0);",
-            *(line for one in found for line in one.arriving),
-            *(line for one in found for line in one.lit),
+            *(line for one in (*self.terms, own) for line in one.arriving),
+            *(line for one in self.terms for line in one.lit),
         )
-        names = [one.name for one in self._light_uniforms(placed)]
-        names += [one.name for one in self._light_samplers(placed)]
+        names = [one.name for one in own.uniforms] + [one.name for one in own.samplers]
         numbered = {name: self._numbered(name, i) for name in names}
         yield from (_renamed(line, numbered) for line in lines)
 
@@ -331,8 +335,8 @@ class _Assembly:
             *(uniform for one in self.terms for uniform in one.uniforms),
             *(
                 replace(uniform, name=self._numbered(uniform.name, i))
-                for i, placed in enumerate(shaded.lights)
-                for uniform in self._light_uniforms(placed)
+                for i, one in enumerate(self._of_lights)
+                for uniform in one.uniforms
             ),
         )
 
@@ -359,19 +363,24 @@ class _Assembly:
             yield Uniform("mat3", "vector_space_from_world", rational.linear_part(to_space))
             yield Uniform("float", "outline_width", shaded.swollen_by)
 
-    def _light_uniforms(self, placed: PlacedLight) -> Iterator[Uniform]:
-        yield Uniform("vec3", "light_color", placed.colour)
+    @cached_property
+    def _of_lights(self) -> tuple[Glsl, ...]:
+        """For each light what it has of its own, under names without its number."""
+        return tuple(map(self._of_one, self.shaded.lights))
+
+    def _of_one(self, placed: PlacedLight) -> Glsl:
+        uniforms = [Uniform("vec3", "light_color", placed.colour)]
         if placed.position is not None:
-            yield Uniform("vec3", "light_position", self.shaded.point(placed.position))
+            uniforms.append(Uniform("vec3", "light_position", self.shaded.point(placed.position)))
         if placed.direction is not None:
-            yield Uniform("vec3", "light_direction", self.shaded.direction(placed.direction))
-        yield from (uniform for one in self._of_one(placed) for uniform in one.uniforms)
-
-    def _light_samplers(self, placed: PlacedLight) -> Iterator[Sampler]:
-        yield from (sampler for one in self._of_one(placed) for sampler in one.samplers)
-
-    def _of_one(self, placed: PlacedLight) -> list[Glsl]:
-        return [one.of_light(placed) for one in self.terms if one.of_light is not None]
+            direction = self.shaded.direction(placed.direction)
+            uniforms.append(Uniform("vec3", "light_direction", direction))
+        own = [one.of_light(placed) for one in self.terms if one.of_light is not None]
+        return Glsl(
+            (*uniforms, *(uniform for one in own for uniform in one.uniforms)),
+            tuple(sampler for one in own for sampler in one.samplers),
+            arriving=tuple(line for one in own for line in one.arriving),
+        )
 
     @cached_property
     def _samplers(self) -> tuple[Sampler, ...]:
@@ -379,8 +388,8 @@ class _Assembly:
             *(sampler for one in self.terms for sampler in one.samplers),
             *(
                 replace(sampler, name=self._numbered(sampler.name, i))
-                for i, placed in enumerate(self.shaded.lights)
-                for sampler in self._light_samplers(placed)
+                for i, one in enumerate(self._of_lights)
+                for sampler in one.samplers
             ),
         )
 

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from nmatrix.enums import Effect, NormalRule, Shading, Space
 from nmatrix.linear import rational
+from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, ClipSpace
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.linear.rules import NormalTransform, normal_transform
@@ -17,6 +18,7 @@ from nmatrix.scene.material import WHITE, Colour, Material
 from nmatrix.scene.scene import Fog
 from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.shading_spaces import PROFILES
+from nmatrix.spaces.transform import Transform
 
 # Of light on a surface that asks a shadow map: flatter light would need more slack there, and shows
 # nothing any more.
@@ -69,6 +71,8 @@ class Shaded:
         True if the mesh has vertices without a normal.
     target
         The format of the framebuffer.
+    clip
+        The clip space that `maps.clip_from_camera` leads to.
     swollen_by
         How far the vertices move outwards in the world, for a hull that is seen from inside.
     """
@@ -87,6 +91,7 @@ class Shaded:
     sagitta: float = 0.0
     has_zero_normals: bool = False
     target: str = PLAIN_TARGET
+    clip: ClipSpace = DEFAULT_CLIP_SPACE
     swollen_by: float = 0.0
 
     @property
@@ -163,18 +168,22 @@ class Shaded:
         of = self.maps.world_from_object.exact if measured else self.space_from_vertex
         return rational.determinant(rational.linear_part(of)) < 0
 
+    @cached_property
+    def _space_from_world(self) -> Transform:
+        return self.maps.space_from_world(self.space)
+
     def point(self, point: RationalVector) -> RationalVector:
         """Bring a point of the world into the space."""
-        return self.maps.space_from_world(self.space).exact_point(point)
+        return self._space_from_world.exact_point(point)
 
     def direction(self, vector: RationalVector) -> RationalVector:
         """Bring a direction of the world into the space, at true length one."""
         of_length_one = rational_vector(unit(integers(vector)[0]))
-        return self.maps.space_from_world(self.space).exact_vector(of_length_one)
+        return self._space_from_world.exact_vector(of_length_one)
 
     def from_space(self, of_world: RationalMatrix) -> RationalMatrix:
         """Return the matrix that does to points of the space what one does to the world's."""
         if self.space is Space.OBJECT:
             return rational.product(of_world, self.maps.world_from_object.exact)
-        back = rational.inverse(self.maps.space_from_world(self.space).exact)
+        back = rational.inverse(self._space_from_world.exact)
         return rational.product(of_world, back)

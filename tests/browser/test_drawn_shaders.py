@@ -16,16 +16,19 @@ import pytest
 from browser import webgl
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
-from nmatrix.enums import NormalRule, Reflection, Shading, Space
+from nmatrix.enums import Api, DepthRange, NormalRule, Reflection, Shading, Space
 from nmatrix.errors import NoAnswerError
+from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import Plan, everything, planned
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import CHECKER, Texture
+from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Fog, Scene, SceneObject
 from nmatrix.scene.words import LightKind, Shape, Sides, Wrap
 from nmatrix.scene.world import World
@@ -280,6 +283,41 @@ def test_a_flattened_body_agrees_where_it_has_a_space(blank) -> None:
                 webgl.printed_objects(planned(loaded(scene)))
             continue
         must_agree(blank, scene, 300, case)
+
+
+@pytest.mark.parametrize("api", Api)
+def test_every_interface_sees_the_same(blank, api: Api) -> None:
+    lens = Lens(fov_degrees=45, near=0.5, far=40, clip=api)
+    for which in ("turned", "mirrored"):
+        view = View(eye=(1.0, 1.4, 3.4), handed=lens.clip.handed)
+        scene = Case(Space.CAMERA, Shading.GOURAUD, map=which).scene(view=view)
+        must_agree(blank, replace(scene, lens=lens), what=api)
+
+
+def test_reversed_depth_sees_the_same(blank) -> None:
+    lens = Lens(fov_degrees=45, near=0.5, far=40, clip=ClipSpace(DepthRange.REVERSED))
+    must_agree(blank, replace(Case(Space.OBJECT, Shading.PHONG).scene(), lens=lens))
+
+
+SCENES = sorted(IMAGES.glob("*.toml"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", SCENES, ids=[path.stem for path in SCENES])
+def test_the_example_scenes_agree(blank, path: Path) -> None:
+    scene = scene_of(path).sized(200, 150)
+    scene = replace(scene, settings=replace(scene.settings, samples=1))
+    opaque = tuple(one for one in scene.objects if one.material.opacity == 1.0)
+    must_agree(blank, replace(scene, objects=opaque), what=path.name)
+
+
+def test_equal_cones_have_an_edge(blank) -> None:
+    must_agree(blank, Case(Space.WORLD, Shading.PHONG, lights="equal cones").scene())
+    text = webgl.printed_objects(
+        planned(loaded(Case(Space.WORLD, Shading.PHONG, lights="equal cones").scene()))
+    )[0]["fragment_shader"]
+    assert "smoothstep" not in text
+    assert "max(cone_cosines.x - cone_cosines.y, 1e-9)" in text
 
 
 def test_a_wrong_value_would_be_seen(blank, monkeypatch: pytest.MonkeyPatch) -> None:

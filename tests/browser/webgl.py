@@ -105,6 +105,22 @@ def shadow_maps_bound(plan: Plan, bind: dict) -> dict:
     }
 
 
+# What an interface of another clip space does, in that of WebGL.
+TO_WEBGL = {
+    "minus-one-to-one": "",
+    "zero-to-one": "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;",
+    "reversed": "gl_Position.z = gl_Position.w - 2.0 * gl_Position.z;",
+    "up": "",
+    "down": "gl_Position.y = -gl_Position.y;",
+}
+
+
+def in_webgl(printed: dict) -> str:
+    """The vertex shader for WebGL's own clip space."""
+    more = TO_WEBGL[printed["depth_range"]] + TO_WEBGL[printed["clip_y"]]
+    return printed["vertex_shader"].rstrip().removesuffix("}") + more + "}\n"
+
+
 def drawn(page, plan: Plan) -> np.ndarray:
     """The picture (height, width, 3) in levels, as a browser draws it."""
     bodies = []
@@ -112,6 +128,7 @@ def drawn(page, plan: Plan) -> np.ndarray:
         bodies += [
             {
                 **printed,
+                "vertex_shader": in_webgl(printed),
                 "images": {
                     name: image_bound(plan, one) for name, one in printed["samplers"].items()
                 },

@@ -58,6 +58,7 @@ def shaded_of(plan: Plan, body: BodyPlan) -> Shaded:
         body.body.sagitta if Effect.SHADOWS in body.effects else 0.0,
         has_zero_normals=body.body.mesh.degenerate_normals > 0,
         target=target,
+        clip=loaded.clip,
     )
 
 
