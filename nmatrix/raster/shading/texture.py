@@ -110,7 +110,7 @@ def _placed(texture: Texture, uv: Array) -> Array:
         return uv
     u, v = uv
     with np.errstate(over="ignore", invalid="ignore"):
-        return np.nan_to_num(np.stack([a * u + b * v + c for a, b, c in rows]))
+        return np.asarray(np.nan_to_num(np.stack([a * u + b * v + c for a, b, c in rows])))
 
 
 def _wrapped(index: Array, size: int, wrap: Wrap) -> Array:
