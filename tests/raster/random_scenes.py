@@ -200,6 +200,8 @@ def nearly_rigid(dice: Dice) -> Scene:
     )
     fine = dice.whole(4, 30)
     mesh = dice.one_of((sphere(fine, 2 * fine), torus(fine, fine), box(2), plane(3)))
+    if dice.chance(0.3):
+        mesh = with_wild_normals(dice, mesh)
     kinds = (LightKind.DIRECTIONAL, LightKind.DIRECTIONAL, LightKind.AMBIENT, LightKind.POINT)
     lights = tuple(
         replace(
