@@ -184,7 +184,8 @@ def loaded(scene: Scene) -> LoadedScene:
     meshes: dict[object, Mesh] = {}
     bodies = tuple(_body(one, meshes) for one in scene.objects)
     balls = [body.ball for body in bodies]
-    remarks = scene.remarks
+    made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
+    remarks = (*scene.remarks, *made)
     if not scene.has_camera:
         scene = fitted(scene, balls)
         remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")

@@ -33,6 +33,8 @@ class Mesh:
         (V, 3) linear colours in [0, 1], if it has them.
     tangents
         (V, 4) tangent vectors and the sign of the bitangent, if it has them.
+    remarks
+        What was made because the file lacks it.
     """
 
     positions: Array
@@ -41,6 +43,7 @@ class Mesh:
     uv: Array | None = None
     colours: Array | None = None
     tangents: Array | None = None
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.positions.shape != self.normals.shape:
@@ -89,6 +92,7 @@ def joined(parts: Sequence[Mesh]) -> Mesh:
         np.concatenate([part.triangles + s for part, s in zip(parts, starts, strict=False)]),
         uv=np.concatenate(uv) if len(uv) == len(parts) else None,
         colours=np.concatenate(colours) if len(colours) == len(parts) else None,
+        remarks=tuple(dict.fromkeys(one for part in parts for one in part.remarks)),
     )
 
 
@@ -121,6 +125,11 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
         length = np.sqrt((total * total).sum(axis=1, keepdims=True))
         unit = total / length
     return np.where(np.isfinite(unit), unit, 0.0)
+
+
+def normals_made(source: str) -> str:
+    """Tell that the normals are area-weighted ones, and not those of the file."""
+    return f"Normals were made, area-weighted: {source} does not have one for every vertex."
 
 
 def _check_finite(values: Array, what: str) -> None:
