@@ -14,7 +14,10 @@ from PIL import Image
 from nmatrix.cli.app import run
 from nmatrix.enums import Space
 from nmatrix.output import files
+from nmatrix.output.files import PICTURES
+from nmatrix.raster.image import IMAGE_DESCRIPTION
 from nmatrix.raster.proofs.catalogue import PROOFS
+from nmatrix.raster.proofs.frames import PictureFrame
 
 pytestmark = pytest.mark.usefixtures("own_folder")
 
@@ -96,13 +99,59 @@ def test_spaces_are_an_option(nmatrix, scene: str, space: Space) -> None:
     assert Path("a.png").read_bytes()[-200:] == Path("b.png").read_bytes()[-200:]
 
 
-def test_frames_are_numbered_or_one_gif(nmatrix) -> None:
-    line = f"render normals {SMALL} --frames 3 --turn"
-    assert nmatrix(f"{line} -o walk.png").code == 0
-    assert sorted(one.name for one in Path().iterdir()) == [f"walk-{i}.png" for i in range(3)]
-    assert nmatrix(f"{line} -o walk.gif").code == 0
-    assert Image.open("walk.gif").n_frames == 3
-    assert nmatrix(f"{line} -o walk.png").code == 2
+def told_in(name: str) -> dict[str, str]:
+    """Return the numbers that a picture's file tells."""
+    image = Image.open(name)
+    if image.format == "PNG":
+        return image.text
+    told = image.getexif().get(IMAGE_DESCRIPTION) or image.info["comment"].decode()
+    return json.loads(told)
+
+
+@pytest.mark.parametrize("ending", [*PICTURES, *(one.upper() for one in PICTURES)])
+def test_a_file_is_what_its_name_says_and_tells_its_numbers(nmatrix, ending: str) -> None:
+    found = nmatrix(f"render normals {SMALL} -o a{ending} -f json")
+    assert found.code == 0, found.err
+    assert Image.open(f"a{ending}").format.lower() == PICTURES[ending.lower()]
+    told = told_in(f"a{ending}")
+    assert told["max_angle_error_deg"] == repr(found.data["max_angle_error_deg"])
+    nmatrix(f"render normals {SMALL} -o b.png")
+    exact, own = (np.asarray(Image.open(name).convert("RGB")) for name in ("b.png", f"a{ending}"))
+    apart = np.abs(exact.astype(int) - own).mean()
+    assert apart < 2
+    assert apart == 0 or ending.lower() not in (".png", ".webp")
+
+
+@pytest.mark.parametrize("ending", PICTURES)
+def test_frames_are_numbered_files_or_one_animation(nmatrix, ending: str) -> None:
+    line = f"render normals {SMALL} --frames 3 --turn -o walk{ending}"
+    assert nmatrix(line).code == 0
+    animated = PICTURES[ending].is_animated
+    names = [f"walk{ending}"] if animated else [f"walk-{i}{ending}" for i in range(3)]
+    assert sorted(one.name for one in Path().iterdir()) == names
+    for name in names:
+        with Image.open(name) as image:
+            assert image.format.lower() == PICTURES[ending]
+            assert getattr(image, "n_frames", 1) == (3 if animated else 1)
+            assert told_in(name)["Title"] == "nmatrix normals"
+    assert nmatrix(line).code == 2
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.pdf", "a.mp4", "a.exr", "a", ".png", "a.png.txt"])
+@pytest.mark.parametrize("frames", ["", "--frames 2 --turn"])
+def test_another_ending_is_refused_before_anything_is_drawn(
+    nmatrix, monkeypatch, name: str, frames: str
+) -> None:
+    monkeypatch.setattr(PictureFrame, "draw", None)
+    found = nmatrix(f"render normals {SMALL} {frames} -o {name}")
+    assert found.code == 2
+    assert found.is_one_line
+    assert all(ending in found.err for ending in PICTURES)
+    assert not list(Path().iterdir())
+
+
+def test_a_device_may_be_called_anything(nmatrix) -> None:
+    assert nmatrix(f"render normals {SMALL} -o /dev/null").code == 0
 
 
 def test_two_workers_write_the_same_frames(nmatrix) -> None:

@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
-from PIL import Image
 
 from nmatrix.raster.proofs.catalogue import catalogued
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.scene.scene import Scene
-
-Array = NDArray[Any]
-
-GIF_MILLISECONDS = 60
 
 
 @dataclass(frozen=True)
@@ -67,11 +57,3 @@ def drawn(frames: Sequence[PictureFrame], executor: Executor | None) -> Iterator
     waiting = [executor.submit(PictureFrame.draw, one) for one in frames]
     for one in waiting:
         yield one.result()
-
-
-def gif(images: Sequence[Array]) -> bytes:
-    """Return images of one size as an endless GIF."""
-    first, *rest = (Image.fromarray(np.ascontiguousarray(one)) for one in images)
-    out = io.BytesIO()
-    first.save(out, "GIF", save_all=True, append_images=rest, duration=GIF_MILLISECONDS, loop=0)
-    return out.getvalue()

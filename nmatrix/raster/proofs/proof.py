@@ -109,9 +109,10 @@ class Proof:
         remarks = last.loaded.remarks
         return cls(image, subject, verdict, work, last.effects, remarks=remarks, **measured)
 
-    def png(self) -> bytes:
-        """Return the picture as PNG, its numbers in text chunks; never a time."""
-        texts = {
+    @property
+    def texts(self) -> dict[str, str]:
+        """Return what a file of the picture tells beside it: its numbers, never a time."""
+        return {
             "Title": f"nmatrix {self.subject}",
             "Description": self.verdict,
             "max_angle_error_deg": repr(self.max_angle_error_deg),
@@ -120,7 +121,10 @@ class Proof:
             **{name: str(count) for name, count in asdict(self.work).items()},
             **{k: repr(v) for k, v in self.numbers.items() if not k.startswith("milliseconds")},
         }
-        return png(self.image, texts)
+
+    def png(self) -> bytes:
+        """Return the picture as a PNG file, its numbers in text chunks."""
+        return png(self.image, self.texts)
 
 
 @dataclass(frozen=True, eq=False)
