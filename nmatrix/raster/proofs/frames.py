@@ -1,4 +1,4 @@
-"""Picture frames: one picture after another while the camera walks around."""
+"""Picture frames: one picture after another while what a picture is about goes once around."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ class PictureFrame:
     scene: Scene | None = None
 
     def turned(self, degrees: float) -> PictureFrame:
-        """Return the picture frame with the camera some way around."""
-        if self.settings is not None:
-            turned = replace(self.settings.picture, turn_degrees=degrees)
-            return replace(self, settings=replace(self.settings, picture=turned))
+        """Return the picture frame some way around: what the proof is about, or a scene's eye."""
+        entry = catalogued(self.name)
+        if self.settings is not None and entry is not None:
+            return replace(self, settings=self.settings.turned(entry.turns, degrees))
         assert self.scene is not None  # what has no settings of a proof has a scene
         settings = replace(self.scene.settings, turn_degrees=degrees)
         return replace(self, scene=replace(self.scene, settings=settings))
@@ -39,7 +39,7 @@ class PictureFrame:
 
 
 def turns(frames: int) -> list[float]:
-    """Return the angles of a full walk around, in degrees.
+    """Return the angles of a full turn, in degrees.
 
     Examples
     --------

@@ -151,7 +151,9 @@ def flatten(settings: ProofSettings) -> Proof:
     missing = found.covered[:, :, None] * UNDEFINED + _paper(right, found)
     lost = level_difference(without, right)
     panels = (
-        Panel(levels(missing), "inv(A): no answer", "det A = 0: it raises, nothing is drawn"),
+        Panel(
+            levels(missing), "inv(A): no answer", "det A = 0: it raises; grey is what stays empty"
+        ),
         Panel(without.levels, "A zero matrix instead", "normals of length 0: ambient light alone"),
         Panel(right.levels, "C n, two-sided", "the plane's own normal, and its shade"),
     )
