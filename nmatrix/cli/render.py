@@ -141,11 +141,10 @@ def _scene(
     moved = one
     if groups.world.given:
         moved = replace(one, world_from_object=setup.world.world_from_object)
-    own_lights = read.lights and not groups.light.given
     scene = replace(
         read,
         objects=tuple(moved if other is one else other for other in read.objects),
-        lights=read.lights if own_lights else scene_lights(setup.light),
+        lights=scene_lights(setup.light) if groups.light.given else read.lights,
         view=setup.view,
         lens=setup.lens,
         settings=replace(read.settings, space_matrix=setup.space_matrix),

@@ -107,5 +107,5 @@ def _unknown(scene: Scene, what: str, name: str, names: list[str]) -> IllegalVal
     return IllegalValueError(
         f"{quantity(what)} ({name[:40]})",
         f"{scene.path} has no {what} of this name",
-        f"{did_you_mean(name, names, '')} there are {shortlist(map(printable, names))}".strip(),
+        f"{did_you_mean(name, names, '')} there are {shortlist(map(printable, names)) or 'none'}".strip(),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import shlex
+from base64 import b64encode
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from nmatrix.output.files import PICTURES
 from nmatrix.raster.image import IMAGE_DESCRIPTION
 from nmatrix.raster.proofs.catalogue import PROOFS
 from nmatrix.raster.proofs.frames import PictureFrame
+from nmatrix.scene.meshes.shapes import box
 
 pytestmark = pytest.mark.usefixtures("own_folder")
 
@@ -76,6 +78,58 @@ def test_a_mesh_is_drawn_and_measured(nmatrix, tmp_path: Path) -> None:
     assert not any(
         "made" in one for one in nmatrix(f"render b.obj {SMALL} -f json").data["remarks"]
     )
+
+
+def cube_files(folder: Path) -> list[str]:
+    """Write a cube in three kinds of files, none with a light or a camera."""
+    cube = box()
+    places, normals, triangles = cube.positions, cube.normals, cube.triangles
+    lines = [f"v {' '.join(map(str, one))}\n" for one in places.tolist()]
+    lines += [f"vn {' '.join(map(str, one))}\n" for one in normals.tolist()]
+    lines += [f"f {' '.join(f'{i}//{i}' for i in one)}\n" for one in (triangles + 1).tolist()]
+    (folder / "cube.obj").write_text("".join(lines))
+    parts = [places.astype("<f4").tobytes(), normals.astype("<f4").tobytes()]
+    parts.append(triangles.astype("<u2").tobytes())
+    starts = [0, len(parts[0]), len(parts[0]) + len(parts[1])]
+    rows, indices = len(places), triangles.size
+    document = {
+        "asset": {"version": "2.0"},
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": rows, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5126, "count": rows, "type": "VEC3"},
+            {"bufferView": 2, "componentType": 5123, "count": indices, "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": start, "byteLength": len(part)}
+            for start, part in zip(starts, parts, strict=True)
+        ],
+        "buffers": [
+            {
+                "byteLength": sum(map(len, parts)),
+                "uri": f"data:;base64,{b64encode(b''.join(parts)).decode()}",
+            }
+        ],
+    }
+    (folder / "cube.gltf").write_text(json.dumps(document))
+    (folder / "cube.toml").write_text("[[object]]\nshape = 'box'\n")
+    return ["cube.obj", "cube.gltf", "cube.toml"]
+
+
+def test_the_three_sides_of_a_cube_have_three_greys(nmatrix, tmp_path: Path) -> None:
+    for name in cube_files(tmp_path):
+        found = nmatrix(f"render {name} --size 200 200 -o a.png --force -f json").data["remarks"]
+        assert sum("No camera was given" in one for one in found) == 1
+        assert sum("No light was given" in one for one in found) == 1
+        pixels = np.asarray(Image.open("a.png"))[:, :, 0].astype(int)
+        paper = pixels[0, 0]
+        levels, counts = np.unique(pixels[pixels != paper], return_counts=True)
+        sides = sorted(levels[counts > 0.05 * counts.sum()].tolist())
+        assert len(sides) == 3
+        assert min(np.diff(sides)) > 40
+        lit = nmatrix(f"render {name} {SMALL} --light-direction 0 0 -1 -o b.png --force -f json")
+        assert not any("No light was given" in one for one in lit.data["remarks"])
 
 
 def test_a_wrong_rule_shows_in_the_levels(nmatrix, scene: str) -> None:

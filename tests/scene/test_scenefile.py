@@ -51,12 +51,13 @@ def refusal(folder: Path, text: str) -> str:
     return message.removeprefix(str(folder / "scene.toml"))
 
 
-def test_one_shape_is_a_scene_with_daylight_and_without_a_camera(tmp_path: Path) -> None:
+def test_one_shape_is_a_scene_without_a_light_and_without_a_camera(tmp_path: Path) -> None:
     scene = read(tmp_path, BALL)
     (ball,) = scene.objects
     assert ball.geometry == ShapeGeometry(Shape.SPHERE)
     assert not scene.has_camera
-    (light,) = scene.lights
+    assert scene.lights == ()
+    (light,) = read(tmp_path, f"{BALL}[[light]]\n").lights
     assert light.kind is LightKind.DIRECTIONAL
     assert light.direction == normalize((-1, -1, -1))
 

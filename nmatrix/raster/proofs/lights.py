@@ -37,7 +37,7 @@ SQUEEZED = World(scale=(1, 0.25, 1))
 FROM_ABOVE = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.3, -0.9, -0.2))
 UPRIGHT = World(rotate_degrees=(40, 0, 0))
 WALK = 120  # degrees
-SPUN = World(rotate_degrees=(40, 105, 0))  # about its own axis: the outline is the same
+SPUN = World(rotate_degrees=(40, 120, 0))  # about its own axis: the outline is the same
 
 
 def object_rule(settings: ProofSettings) -> Proof:
