@@ -95,8 +95,8 @@ def interpolation(settings: ProofSettings) -> Proof:
     )
     surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
     bent = angle_map(
-        right.loaded,
-        *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
+        right.plan,
+        *([_normalised(surface, before=b, after=True).vertex_normals] for b in (False, True)),
     )
     floor = drawn_scene(_checkered(settings))
     affine = floor.redrawn(_affine)
