@@ -77,7 +77,9 @@ class FrameOptions(WorkerOptions):
         str | None,
         in_frames(metavar="N", help="So many pictures: a GIF or WebP, or numbered files."),
     ] = None
-    turn: Annotated[bool, in_frames("--turn", help="Walk once around what is drawn.")] = False
+    turn: Annotated[
+        bool, in_frames("--turn", help="Turn what the picture is about once around.")
+    ] = False
 
     @property
     def count(self) -> int:

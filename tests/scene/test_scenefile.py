@@ -431,6 +431,16 @@ def test_every_example_reads_and_says_what_it_shows(path: Path) -> None:
     assert read_scene(path).objects
 
 
+@pytest.mark.parametrize("name", ["classroom", "stretched", "hierarchy", "glass", "everything"])
+def test_what_stands_on_the_floor_of_an_example_touches_it_and_pokes_not_through(name: str) -> None:
+    lowest = []
+    for one in read_scene(SCENES / f"{name}.toml").objects:
+        row = [float(x) for x in one.world_from_object[1]]
+        lowest.append(float((one.geometry.mesh().positions @ row[:3] + row[3]).min()))
+    assert min(lowest) > -0.01
+    assert sum(low < 0.02 for low in lowest) >= 2
+
+
 def test_the_robots_hand_is_sheared_by_its_forearm() -> None:
     hand = read_scene(SCENES / "hierarchy.toml").objects[-1]
     x, y = (tuple(row[i] for row in hand.world_from_object[:3]) for i in (0, 1))
