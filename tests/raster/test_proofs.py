@@ -18,6 +18,7 @@ from nmatrix.raster.proofs import angles
 from nmatrix.raster.proofs.angles import Scale, normals_by
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame, turns
+from nmatrix.raster.proofs.lights import SPUN
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import sphere, torus
@@ -258,7 +259,7 @@ def test_each_frame_of_a_proof_shows_again_what_it_is_about(name: str) -> None:
 
 
 def test_of_a_stuck_light_the_torus_turns_and_neither_the_eye_nor_the_light() -> None:
-    """The first panel stays as it is; the two others differ from frame to frame."""
+    """The first panel stays as it is; a third of a turn about (1, 1, 1) exchanges the axes."""
     frame = PictureFrame("stuck-light", ProofSettings("torus", picture=SMALL))
     images = [frame.turned(angle).draw().image for angle in turns(6)]
     panel = images[0].shape[1] // 3
@@ -267,6 +268,9 @@ def test_of_a_stuck_light_the_torus_turns_and_neither_the_eye_nor_the_light() ->
         assert not apart[:panel].any()
         assert apart[panel : 2 * panel].any()
         assert apart[2 * panel :].any()
+    third = SPUN.under(((0, 0, 1, 0), (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
+    placed = PictureFrame("stuck-light", ProofSettings("torus", world=third, picture=SMALL))
+    assert (placed.draw().image == images[2]).all()
 
 
 def test_of_a_flattened_object_the_light_turns() -> None:
