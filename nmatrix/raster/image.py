@@ -20,12 +20,14 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
 
 from nmatrix.enums import PixelFormat
+from nmatrix.errors import IllegalValueError
 
 Array = NDArray[Any]
 
 PAPER, INK, FAINT = (255, 255, 255), (24, 24, 28), (96, 96, 104)
 MARGIN = 16
 FRAME_MILLISECONDS = 60  # while an animation shows one
+LARGEST_WEBP = 16383  # pixels on a side
 IMAGE_DESCRIPTION = 0x010E  # the tag of Exif
 NARROWEST = 220  # pixels for a panel's captions to be legible in
 
@@ -119,7 +121,19 @@ def picture_file(images: Sequence[Array], texts: Mapping[str, str], kind: PixelF
 
     Its numbers stand in the text chunks of a PNG, as JSON in the comment of a GIF or a JPEG, and as
     JSON in the Exif description of a WebP. PNG and WebP keep every level; a GIF has 256 colours.
+
+    Raises
+    ------
+    IllegalValueError
+        For a picture that is too large for a WebP.
     """
+    height, width = images[0].shape[:2]
+    if kind is PixelFormat.WEBP and max(width, height) > LARGEST_WEBP:
+        raise IllegalValueError(
+            f"a picture of {width} × {height} pixels",
+            f"a WebP has {LARGEST_WEBP} on a side at the most",
+            "end its name in .png, or draw it smaller",
+        )
     first, *others = (Image.fromarray(np.ascontiguousarray(one)) for one in images)
     told = json.dumps(texts, ensure_ascii=False)
     how: dict[str, Any] = {}

@@ -13,10 +13,11 @@ import pytest
 from PIL import Image
 
 from nmatrix.cli.app import run
-from nmatrix.enums import Space
+from nmatrix.enums import PixelFormat, Space
+from nmatrix.errors import IllegalValueError
 from nmatrix.output import files
 from nmatrix.output.files import PICTURES
-from nmatrix.raster.image import IMAGE_DESCRIPTION
+from nmatrix.raster.image import IMAGE_DESCRIPTION, picture_file
 from nmatrix.raster.proofs.catalogue import PROOFS
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.scene.meshes.shapes import box
@@ -202,6 +203,13 @@ def test_another_ending_is_refused_before_anything_is_drawn(
     assert found.is_one_line
     assert all(ending in found.err for ending in PICTURES)
     assert not list(Path().iterdir())
+
+
+def test_a_picture_too_large_for_a_webp_is_refused_in_one_line() -> None:
+    wide = np.zeros((1, 16384, 3), np.uint8)
+    with pytest.raises(IllegalValueError, match="16384 × 1 pixels: a WebP has 16383"):
+        picture_file([wide], {}, PixelFormat.WEBP)
+    assert picture_file([wide[:, 1:]], {}, PixelFormat.WEBP)[8:12] == b"WEBP"
 
 
 def test_a_device_may_be_called_anything(nmatrix) -> None:
