@@ -35,6 +35,8 @@ class Mesh:
         (V, 4) tangent vectors and the sign of the bitangent, if it has them.
     built_as
         The kind of shell, if those who built it know: `known` sets it.
+    remarks
+        What was made because the file lacks it.
     """
 
     positions: Array
@@ -43,6 +45,7 @@ class Mesh:
     uv: Array | None = None
     colours: Array | None = None
     tangents: Array | None = None
+    remarks: tuple[str, ...] = ()
     built_as: Shell | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
@@ -94,6 +97,7 @@ def joined(parts: Sequence[Mesh]) -> Mesh:
         np.concatenate([part.triangles + s for part, s in zip(parts, starts, strict=False)]),
         uv=np.concatenate(uv) if len(uv) == len(parts) else None,
         colours=np.concatenate(colours) if len(colours) == len(parts) else None,
+        remarks=tuple(dict.fromkeys(one for part in parts for one in part.remarks)),
     )
 
 
@@ -126,6 +130,11 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
         length = np.sqrt((total * total).sum(axis=1, keepdims=True))
         unit = total / length
     return np.where(np.isfinite(unit), unit, 0.0)
+
+
+def normals_made(source: str) -> str:
+    """Tell that the normals are area-weighted ones, and not those of the file."""
+    return f"Normals were made, area-weighted: {source} does not have one for every vertex."
 
 
 def _check_finite(values: Array, what: str) -> None:
