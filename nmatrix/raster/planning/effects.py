@@ -334,7 +334,13 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
         geometry.shadows,
-        influence=replace(STEADY, per_unit=inf),
+        influence=replace(
+            STEADY,
+            per_length=inf,
+            per_unit=inf,
+            jumps=True,
+            because="shadows have edges, and ask how light falls in",
+        ),
         uniforms=("light_from_space",),
         passes=("shadow map",),
         needs=(Effect.POSITION,),

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import inf, prod
+from math import inf, prod, radians
 from typing import Any
 
 from numpy.typing import NDArray
@@ -176,6 +176,21 @@ class Facts:
                 moved = product(strength.per_unit, most) + product(strength.most, turns)
                 fixed += product(brightest, moved)
         return product(fixed, self.gain)
+
+    @cached_property
+    def bend(self) -> float:
+        """The angle in radians that normals may bend by because the matrix itself carries them.
+
+        Bounds of what is left out besides start from normals that are bent already.
+        """
+        if self.decision(Effect.INVERSE_TRANSPOSE).on:
+            return 0.0
+        return radians(self.seen.map_to_space.worst_angle_deg or 0.0)
+
+    @property
+    def shortest_normal(self) -> float:
+        """The length that interpolation can shrink a normal to, as normals are carried."""
+        return self.seen.shortest_normal(self.bend)
 
     @cached_property
     def why_lengths_matter(self) -> str | None:

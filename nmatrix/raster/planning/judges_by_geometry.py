@@ -41,6 +41,11 @@ def inverse_transpose(facts: Facts) -> Decision:
     if not worst and _is_power_of_two(facts):
         return adds_nothing("the map is a turn times a power of two: it carries normals itself")
     bound = product(radians(worst), facts.max_change_per_radian)
+    if not facts.seen.is_rigid and worst:
+        bound = inf  # the angle is one between coordinates, not one of the world
+    if bound and facts.loaded.settings.shading is Shading.PHONG:
+        shortest = facts.seen.shortest_normal()  # a mixture of bent normals bends by θ/|mixture|
+        bound = bound / shortest if shortest else inf
     if facts.has_jumps and max(bound, radians(worst)) > ROUNDING:
         bound = inf
     return by_bound(bound, f"κ = {found.condition_text}: without it normals bend by {worst:.3g}°")
@@ -90,7 +95,7 @@ def renormalise(facts: Facts) -> Decision:
         return called_for(facts.why_lengths_matter)
     if facts.body.linear_map.rank < 3:
         return called_for("normals of a flattened body can cancel")
-    short = 1.0 - facts.seen.shortest_normal
+    short = 1.0 - facts.shortest_normal
     bound = facts.max_change_by_shortening(short)
     return by_bound(bound, f"interpolation shortens normals by up to {short:.2g}")
 
@@ -123,10 +128,10 @@ def _change_by_affine_weights(facts: Facts, ratio: float) -> float:
     if not facts.is_lit_at_fragments:
         is_flat = facts.loaded.settings.shading is Shading.FLAT
         return by_place + (0.0 if is_flat else product(wrong, facts.max_light))
-    if not facts.seen.shortest_normal:
+    if not facts.shortest_normal:
         return inf
-    chord = sqrt(max(0.0, 2.0 - 2.0 * facts.seen.normal_cosine))
-    turned = product(wrong * chord / facts.seen.shortest_normal, facts.max_change_per_radian)
+    chord = sqrt(max(0.0, 2.0 - 2.0 * facts.seen.normal_cosine)) + 2.0 * facts.bend
+    turned = product(wrong * chord / facts.shortest_normal, facts.max_change_per_radian)
     return by_place + turned
 
 

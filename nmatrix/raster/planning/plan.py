@@ -17,12 +17,10 @@ from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.planning.recipe import Decision
+from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
-
-BUDGET = 0.5 / 255
 
 
 @dataclass(frozen=True)
@@ -226,7 +224,7 @@ def _within_budget(
         if one.bound <= left:
             left -= one.bound
             continue
-        because = f"{one.because}; it could move a channel by {one.bound * 255:.2g} of 255 levels"
+        because = too_dear(one.because, one.bound)
         decisions[effect] = replace(one, on=True, because=because, bound=0.0)
     return decisions
 

@@ -16,16 +16,19 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Shading
 from nmatrix.linear.classify import Classification, classify
-from nmatrix.linear.rational import RationalMatrix
+from nmatrix.linear.rational import RationalMatrix, linear_part
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.shading.space import ShadingSpace, as_array, column, dot
 from nmatrix.raster.triangles.clip import PLANES, all_beyond, inside
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.vertices import front_sign
+from nmatrix.raster.triangles.visibility import STEPS
+from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
 
-THINNEST = 1e6  # of length to thickness, for fronts and backs to be told apart by depth
+NO_SPREAD = 1e-12  # of the largest spread, squared: float64 tells nothing of less
+MANY_STEPS = 2.0**10  # of depth, between a front and a back that are told apart
 OUTWARDS = 1e-9  # of a distance: rounding is less
 
 
@@ -91,11 +94,24 @@ class SeenBody:
                 return None
         return f"is {PLANES[int(beyond.argmax())]}"
 
-    @property
+    @cached_property
     def is_thin(self) -> bool:
-        """True if the map all but flattens the body: a front and a back in one place."""
-        kappa = self.body.kind.condition
-        return kappa is None or kappa > THINNEST
+        """True if fronts and backs may share a place: by the snap to 1/256 sample, or in depth.
+
+        The thickness is the least spread of the vertices about their middle. Far away it must
+        still take a sample on the canvas, and many steps of depth.
+        """
+        A = as_array(linear_part(self.body.world_from_object.exact))
+        spread = np.linalg.eigvalsh(A @ self.body.mesh.spread @ A.T)
+        if spread[0] <= spread[2] * NO_SPREAD:
+            return True
+        thickness = float(np.sqrt(spread[0]))
+        canvas, rows = self.loaded.canvas, as_array(self.loaded.clip_from_camera)
+        w = max(float(part[3].max()) for part in self._clip_parts())
+        across = min(abs(rows[0, 0]) * canvas.columns, abs(rows[1, 1]) * canvas.rows) / 2 / w
+        inwards = abs(rows[2, 2] * rows[3, 3] - rows[2, 3] * rows[3, 2]) / w / w
+        steps = inwards * STEPS[DepthBuffer.FULL]
+        return not (thickness * across >= 1.0 and thickness * steps >= MANY_STEPS)
 
     @property
     def is_parallel(self) -> bool:
@@ -134,10 +150,13 @@ class SeenBody:
             found = min(found, *(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a))))
         return found
 
-    @property
-    def shortest_normal(self) -> float:
-        """The length that interpolation can shrink a normal to: √((1 + 2 cos θ)/3)."""
-        return sqrt(max(0.0, (1.0 + 2.0 * self.normal_cosine) / 3.0))
+    def shortest_normal(self, bend: float = 0.0) -> float:
+        """Bound how short interpolation makes a normal: √((1 + 2 cos θ)/3), at the least.
+
+        Normals that each bend by an angle in radians open θ by twice that.
+        """
+        cosine = self.normal_cosine - 2.0 * bend
+        return sqrt(max(0.0, (1.0 + 2.0 * cosine) / 3.0))
 
     @cached_property
     def longest_edge(self) -> float:

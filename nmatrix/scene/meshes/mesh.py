@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.meshes.shell import Shell, shell_of
+from nmatrix.scene.meshes.watertight import PART
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -70,6 +71,16 @@ class Mesh:
     def shell(self) -> Shell:
         """What is known of the surface as a whole; vertices in the same place count as one."""
         return self.built_as or shell_of(self.positions, self.triangles)
+
+    @cached_property
+    def spread(self) -> Array:
+        """The covariance (3, 3) of the vertices about their middle."""
+        middle = self.positions.mean(axis=0)
+        total = np.zeros((3, 3))
+        for first in range(0, len(self.positions), PART):
+            away = self.positions[first : first + PART] - middle
+            total += away.T @ away
+        return total / len(self.positions)
 
     @property
     def degenerate_normals(self) -> int:
