@@ -31,7 +31,7 @@ def why_dark(facts: Facts, placed: PlacedLight) -> str | None:
         return "is black"
     if placed.position is not None:
         nearest, _ = facts.seen.distances(column(placed.position)[:, 0])
-        if nearest > placed.light.range:
+        if nearest > placed.light.range * (1.0 + EDGE):
             return f"ends at {placed.light.range:g}, and the body begins at {nearest:.4g}"
         if placed.light.kind is LightKind.SPOT and _is_outside_of_cone(facts.seen, placed):
             return f"shines past it: its cone ends at {placed.light.cone_degrees[1]:g}°"

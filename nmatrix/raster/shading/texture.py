@@ -16,6 +16,7 @@ from nmatrix.scene.material import CHECKER, ImageSource
 Array = NDArray[Any]
 
 SQUARES = 8  # of the checker, along a unit of u and of v
+EDGE = 1e-6  # of a square: they begin beside round numbers, on which the last bit would decide
 DARK = 0.35
 MOST_PIXELS = 1 << 26
 
@@ -31,7 +32,7 @@ def sample(texture: ImageSource | str, uv: Array, *, linear: bool) -> Array:
     [[1.0, 0.35]]
     """
     if texture == CHECKER:
-        squares = np.floor(uv * SQUARES)
+        squares = np.floor(uv * SQUARES + EDGE)
         return np.asarray(np.where((squares[0] + squares[1]) % 2 == 0, 1.0, DARK)[None])
     image = read_image(Path(texture) if isinstance(texture, str) else texture)
     return _between(from_srgb(image) if linear else image, uv)
