@@ -12,6 +12,7 @@ from nmatrix.enums import Effect
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.shading.lighting import EDGE
 from nmatrix.raster.shading.space import column, dot
 from nmatrix.raster.triangles.products import chunks
 from nmatrix.scene.words import LightKind
