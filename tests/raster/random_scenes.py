@@ -139,13 +139,17 @@ def near_lamps(dice: Dice) -> Scene:
 
 
 def spots(dice: Dice) -> Scene:
-    """Spots in every direction, many at the body and many away from it."""
+    """Spots in every direction, many at the middle of a body and many away from it."""
+    things = []
+    for _ in range(dice.whole(1, 2)):
+        upright = World(translate=dice.vector(0.8)) if dice.chance(0.5) else None
+        things.append(body(dice, any_mesh(dice), upright))
     lights = []
     for one in lamps(dice, dice.whole(1, 5)):
-        x, y, z = one.position
-        aimed = dice.one_of((one.direction, (-x, -y, -z), (x, y, z)))
+        middle = [float(row[3]) for row in dice.one_of(things).world_from_object[:3]]
+        x, y, z = (to - here for to, here in zip(middle, one.position, strict=True))
+        aimed = dice.one_of((one.direction, (x, y, z), (-x, -y, -z)))
         lights.append(replace(one, kind=LightKind.SPOT, direction=aimed, intensity=1.0))
-    things = [body(dice, any_mesh(dice)) for _ in range(dice.whole(1, 2))]
     return scene_of(dice, *things, lights=tuple(lights))
 
 
