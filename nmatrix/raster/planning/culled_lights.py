@@ -73,10 +73,13 @@ def _is_behind(facts: Facts, placed: PlacedLight) -> bool:
         return False
     if facts.decision(Effect.BACK_FACES).on or body.material.normal_map is not None:
         return False
-    space, normals = seen.space, seen.normals
+    space = seen.space
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
-        return bool((dot(normals, space.direction(placed.direction)) >= EDGE_ON).all())
+        travel = space.direction(placed.direction)
+        some = dot(seen.few_normals, travel) >= EDGE_ON
+        return bool(some.all() and (dot(seen.normals, travel) >= EDGE_ON).all())
+    normals = seen.normals
     way = space.point(placed.position) - space.positions()
     margin = -EDGE_ON * float(space.measure.vector_length(way).max())
     if not (dot(normals, way) <= margin).all():

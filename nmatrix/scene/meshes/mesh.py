@@ -73,6 +73,11 @@ class Mesh:
         return self.built_as or shell_of(self.positions, self.triangles)
 
     @cached_property
+    def normal_cosine(self) -> float:
+        """The smallest cosine between the normals of one triangle's corners."""
+        return least_cosine(self.normals.T, self.triangles)
+
+    @cached_property
     def spread(self) -> Array:
         """The covariance (3, 3) of the vertices about their middle."""
         middle = self.positions.mean(axis=0)
@@ -87,6 +92,27 @@ class Mesh:
         """The number of normals that are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)
         return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+
+
+def least_cosine(normals: NDArray[Any], triangles: NDArray[Any]) -> float:
+    """Find the smallest cosine between two normals (3, V) of one triangle.
+
+    It is −1, the worst, where some normal is not of length one, to 1e-9.
+
+    Examples
+    --------
+    >>> least_cosine(np.eye(3), np.array([[0, 1, 2], [0, 0, 1]]))
+    0.0
+    """
+    x, y, z = normals
+    if not bool((np.abs(x * x + y * y + z * z - 1.0) <= 1e-9).all()):
+        return -1.0
+    found = 1.0
+    for first in range(0, len(triangles), PART):
+        a, b, c = ([one.take(corner) for one in normals] for corner in triangles[first:][:PART].T)
+        for p, q in ((a, b), (b, c), (c, a)):
+            found = min(found, float((p[0] * q[0] + p[1] * q[1] + p[2] * q[2]).min()))
+    return found
 
 
 def known(mesh: Mesh, shell: Shell) -> Mesh:
