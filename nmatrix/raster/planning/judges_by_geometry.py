@@ -11,7 +11,6 @@ from math import inf, radians, sqrt
 from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear.classify import condition_text, most_excess, worst_angle_deg
 from nmatrix.linear.exact import LinearMap
-from nmatrix.raster.planning.culled_lights import occluders
 from nmatrix.raster.planning.facts import Facts, product
 from nmatrix.raster.planning.recipe import (
     ROUNDING,
@@ -21,6 +20,7 @@ from nmatrix.raster.planning.recipe import (
     called_for,
     not_asked,
 )
+from nmatrix.raster.planning.shadow_casting import occluders
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import DepthBuffer, Sides
 
@@ -92,12 +92,11 @@ def shadows(facts: Facts) -> Decision:
     casting = [one for one in facts.lights if one.light.shadows]
     if not casting:
         return not_asked("no lamp that reaches it casts shadows")
-    found = {one.light.name: occluders(facts.loaded, one, facts.body) for one in casting}
-    blocked = {name: bodies for name, bodies in found.items() if bodies}
-    if not blocked:
-        return adds_nothing("nothing stands between it and a lamp")
-    name, bodies = next(iter(blocked.items()))
-    return called_for(f"{bodies[0]} can keep {name}'s light off")
+    for placed in casting:
+        for one in occluders(facts.loaded, placed, facts.body):
+            if one.material.opacity == 1.0:
+                return called_for(f"{one.name} can keep {placed.light.name}'s light off")
+    return adds_nothing("nothing stands between what is seen of it and a lamp")
 
 
 def renormalise(facts: Facts) -> Decision:

@@ -164,6 +164,13 @@ class ShadingSpace:
         scaled = column([one / largest for one in found])
         return np.asarray(scaled / self.measure.vector_length(scaled))
 
+    def raised(self, positions: Array, normals: Array, height: float) -> Array:
+        """Return positions (3, m) moved along unit normals by a height in the world."""
+        if self.uses_metric:
+            along = self.measure.normal_in_world(normals)
+            normals = multiply(as_array(self.exact_from_world)[:3, :3], along)
+        return np.asarray(positions + height * normals)
+
     def light_from_space(self, light_from_world: RationalMatrix) -> Array:
         """Return the map from this space to a light's clip space."""
         world_from_space = (
