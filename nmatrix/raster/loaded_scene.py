@@ -22,6 +22,7 @@ from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.scene.fitting import DAYLIGHT, Ball, enclosing, fitted
@@ -101,6 +102,17 @@ class Body:
         middle = self.centre[:, None]
         return float(np.sqrt(max(((p - middle) ** 2).sum(0).max() for p in self.parts_world())))
 
+    @cached_property
+    def hull(self) -> Convex:
+        """Return the box of the object's own axes, carried to the world."""
+        return box_around(*self.mesh.box, np.array(to_floats(self.world_from_object.exact)))
+
+    @cached_property
+    def sagitta(self) -> float:
+        """Return the most that the surface of its normals rises above its triangles."""
+        linear = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        return self.mesh.sagitta * float(np.linalg.norm(linear, 2))
+
     @property
     def ball(self) -> Ball:
         """Return the centre and the radius of a ball that holds the body."""
@@ -144,6 +156,13 @@ class LoadedScene:
     def clip_from_world(self) -> RationalMatrix:
         """Return P · V exactly."""
         return rational.product(self.clip_from_camera, self.camera_from_world.exact)
+
+    @cached_property
+    def frustum(self) -> Convex:
+        """Return what the camera sees of the world."""
+        clip_from_world = np.array(to_floats(self.clip_from_world))
+        world_from_clip = np.array(to_floats(rational.inverse(self.clip_from_world)))
+        return frustum(clip_from_world, world_from_clip, self.clip.depth)
 
     def clip_from_object(self, body: Body) -> RationalMatrix:
         """Return P · V · M exactly."""

@@ -15,7 +15,7 @@ from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
-from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_maps
+from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
 from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
@@ -82,15 +82,10 @@ def render(
 
 def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
     """Return the maps of every light whose shadows some body asks for."""
-    asked = {
-        placed.light.name: placed
-        for body in plan.drawn
-        if Effect.SHADOWS in body.effects
-        for placed in body.lights
-        if placed.light.shadows
+    size = plan.loaded.settings.shadow_map
+    return {
+        name: [shadow_map(view, size) for view in views] for name, views in plan.light_views.items()
     }
-    size, bodies = plan.loaded.settings.shadow_map, plan.loaded.bodies
-    return {name: shadow_maps(placed, bodies, size) for name, placed in asked.items()}
 
 
 def _drawable(

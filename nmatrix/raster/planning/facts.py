@@ -14,6 +14,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Space
+from nmatrix.linear.classify import most_excess
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe, Strength
 from nmatrix.raster.planning.seen_body import SeenBody
@@ -185,7 +186,8 @@ class Facts:
         """
         if self.decision(Effect.INVERSE_TRANSPOSE).on:
             return 0.0
-        return radians(self.seen.map_to_space.worst_angle_deg or 0.0)
+        excess = most_excess(self.seen.map_to_space)
+        return min(excess / 2, radians(90))
 
     @property
     def shortest_normal(self) -> float:

@@ -19,6 +19,8 @@ from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
+from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
@@ -89,7 +91,28 @@ class Plan:
         on = {effect for effect, one in self.picture.items() if one.on}
         return frozenset(on.union(*(body.effects for body in self.bodies)))
 
+    @cached_property
+    def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
+        """Return the views for shadow maps, by the names of the lamps that have any."""
+        found = {
+            placed.light.name: light_views(
+                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
+            )
+            for placed, lit in self._lit_by_casting_lamps.items()
+        }
+        return {name: views for name, views in found.items() if views}
+
     @property
+    def _lit_by_casting_lamps(self) -> Mapping[PlacedLight, Sequence[BodyPlan]]:
+        """Return the lamps that cast shadows, and the bodies that each can light."""
+        lit: dict[PlacedLight, list[BodyPlan]] = {}
+        for one in self.drawn:
+            for placed in one.lights:
+                if placed.light.shadows:
+                    lit.setdefault(placed, []).append(one)
+        return lit
+
+    @cached_property
     def remarks(self) -> tuple[str, ...]:
         """What a reader should know: of the scene, of meshes that are inside out, of no picture."""
         found = [*self.loaded.remarks]
@@ -99,10 +122,13 @@ class Plan:
             for one in self.bodies
             if Effect.BACK_FACES in one.effects and one.body.mesh.shell is Shell.INSIDE_OUT
         ]
+        for placed, lit in self._lit_by_casting_lamps.items():
+            views = self.light_views.get(placed.light.name, ())
+            found += shadow_remarks(self.loaded, placed, [one.body for one in lit], views)
         if not self.drawn:
             reasons = "; ".join(f"{one.body.name} {one.why_unseen}" for one in self.bodies[:3])
             found.append(f"Nothing can be seen: {reasons}.")
-        return tuple(found)
+        return tuple(dict.fromkeys(found))
 
 
 def plan_for(loaded: LoadedScene) -> Plan:

@@ -20,7 +20,7 @@ from nmatrix.raster.shading.space import Measure, dot, quotient
 from nmatrix.scene.material import Material
 
 Array = NDArray[Any]
-Occlusion = Callable[[Array, Array], Array]  # of positions and cosines; 1 where light arrives
+Occlusion = Callable[[Array, Array, Array], Array]  # of positions, normals, cosines; 1 where lit
 
 # Bands, highlights and ranges end this far beside round numbers: on them, where boxes and lamps
 # like to stand, the last bit would decide, and differently in each space and on each machine.
@@ -81,7 +81,7 @@ class Lighting:
             to_light, strength = self._reaching(light, positions)
             cosine = dot(normals, to_light)
             if light.occlusion is not None and positions is not None:
-                strength = strength * light.occlusion(positions, cosine)
+                strength = strength * light.occlusion(positions, normals, cosine)
             if Effect.DIFFUSE in self.effects:
                 matte += (light.colour * diffuse) * (self._diffuse(cosine) * strength)
             if gloss is not None and to_eye is not None:

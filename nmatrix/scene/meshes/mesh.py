@@ -73,6 +73,11 @@ class Mesh:
         return self.built_as or shell_of(self.positions, self.triangles)
 
     @cached_property
+    def normal_cosine(self) -> float:
+        """The smallest cosine between the normals of one triangle's corners."""
+        return least_cosine(self.normals.T, self.triangles)
+
+    @cached_property
     def spread(self) -> Array:
         """The covariance (3, 3) of the vertices about their middle."""
         middle = self.positions.mean(axis=0)
@@ -82,11 +87,80 @@ class Mesh:
             total += away.T @ away
         return total / len(self.positions)
 
+    @cached_property
+    def box(self) -> tuple[Array, Array]:
+        """The lowest and the highest coordinates."""
+        return self.positions.min(axis=0), self.positions.max(axis=0)
+
+    @cached_property
+    def is_box(self) -> bool:
+        """True if all triangles lie in faces of the box around them, and normals point out of it.
+
+        Examples
+        --------
+        >>> from nmatrix.scene.meshes import shapes
+        >>> shapes.box(3).is_box, shapes.cone().is_box
+        (True, False)
+        """
+        corners, normals = self.positions[self.triangles], self.normals[self.triangles]
+        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        found = np.zeros(len(self.triangles), bool)
+        for side, sign in zip(self.box, (-1.0, 1.0), strict=True):
+            for axis in range(3):
+                on_face = (corners[:, :, axis] == side[axis]).all(axis=1)
+                along = (normals[:, :, axis] == sign).all(axis=1)
+                found |= on_face & along & (areas[:, axis] * sign > 0)
+        return bool(found.all())
+
+    @cached_property
+    def sagitta(self) -> float:
+        """How far the round surface that the normals feign rises above the triangles.
+
+        An arc over an edge e, with normals m and n at its ends, rises by (n − m) · e / 8, and the
+        surface over the middle of a triangle by a third more.
+
+        Examples
+        --------
+        >>> from nmatrix.scene.meshes import shapes
+        >>> shapes.box().sagitta
+        0.0
+        >>> 0.001 < shapes.sphere(48, 96).sagitta < 0.002
+        True
+        """
+        normals = np.where(np.isfinite(self.normals), self.normals, 0.0)
+        rise = 0.0
+        for i in range(3):
+            a, b = self.triangles[:, i - 1], self.triangles[:, i]
+            turns = (normals[b] - normals[a]) * (self.positions[b] - self.positions[a])
+            rise = max(rise, float(turns.sum(axis=1).max()))
+        return rise / 6
+
     @property
     def degenerate_normals(self) -> int:
         """The number of normals that are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)
         return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+
+
+def least_cosine(normals: NDArray[Any], triangles: NDArray[Any]) -> float:
+    """Find the smallest cosine between two normals (3, V) of one triangle.
+
+    It is −1, the worst, where some normal is not of length one, to 1e-9.
+
+    Examples
+    --------
+    >>> least_cosine(np.eye(3), np.array([[0, 1, 2], [0, 0, 1]]))
+    0.0
+    """
+    x, y, z = normals
+    if not bool((np.abs(x * x + y * y + z * z - 1.0) <= 1e-9).all()):
+        return -1.0
+    found = 1.0
+    for first in range(0, len(triangles), PART):
+        a, b, c = ([one.take(corner) for one in normals] for corner in triangles[first:][:PART].T)
+        for p, q in ((a, b), (b, c), (c, a)):
+            found = min(found, float((p[0] * q[0] + p[1] * q[1] + p[2] * q[2]).min()))
+    return found
 
 
 def known(mesh: Mesh, shell: Shell) -> Mesh:
