@@ -206,7 +206,7 @@ def most_excess(linear_map: LinearMap) -> float:
     around = [sum(abs(G[i][j]) for j in range(3) if j != i) for i in range(3)]
     high = max(G[i][i] + around[i] for i in range(3))
     low = min(G[i][i] - around[i] for i in range(3))
-    if low <= 0:
+    if low <= 0 or high > low << 1000:
         return inf
     return nextafter(nearest(Fraction(high - low, low)), inf) if high > low else 0.0
 

@@ -42,7 +42,7 @@ from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import WORLD
-from nmatrix.scene.material import CHECKER, grey
+from nmatrix.scene.material import grey
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import box, plane, sphere, torus
 from nmatrix.scene.meshes.tangents import with_tangents
@@ -335,7 +335,7 @@ def straight(dice: Dice) -> Scene:
             scale=grey(dice.one_of((1.0, 1.0, 0.5, 2.0))),
         )
         thing = solid(dice, dice.one_of((box(2), plane(2), sphere(6, 8), torus(4, 8))), where)
-        texture = CHECKER if dice.chance(0.5) else None
+        texture = PATTERNS[0] if dice.chance(0.5) else None
         shininess = dice.one_of((0.0, 1.0, 20.0))
         material = replace(thing.material, texture=texture, toon_steps=2, shininess=shininess)
         things.append(replace(thing, material=material))

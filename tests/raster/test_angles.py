@@ -39,7 +39,7 @@ def test_the_worst_is_that_of_the_worst_body_and_the_mean_is_over_all(rule: Norm
     alone = [measured(one, normals=rule) for one in objects]
     together = measured(*objects, normals=rule)
     assert together.max_angle_error_deg == max(one.max_angle_error_deg for one in alone)
-    fragments = [one.work.fragments for one in alone]  # they do not hide each other
+    fragments = [one.work.shaded_samples for one in alone]  # they do not hide each other
     total = sum(n * one.mean_angle_error_deg for n, one in zip(fragments, alone, strict=True))
     assert together.mean_angle_error_deg == pytest.approx(total / sum(fragments))
 

@@ -21,7 +21,7 @@ from nmatrix.raster.render import Rendered, render
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import EmbeddedImage, Material, grey
+from nmatrix.scene.material import EmbeddedImage, Material, Texture, grey
 from nmatrix.scene.meshes.shapes import sphere
 from nmatrix.scene.meshes.tangents import with_tangents
 from nmatrix.scene.open import scene_of
@@ -39,7 +39,7 @@ def bumpy_and_coloured() -> Scene:
     slanted = EmbeddedImage("slanted", png(np.full((2, 2, 3), (160, 110, 240), np.uint8), {}))
     mesh = with_tangents(sphere(12, 24))
     painted = replace(mesh, colours=0.5 + 0.5 * np.abs(mesh.normals))
-    material = Material("bumpy", normal_map=slanted, vertex_colours=True)
+    material = Material("bumpy", normal_map=Texture(slanted), vertex_colours=True)
     return single(TINY_SHEAR, material, shape=LoadedGeometry(painted))
 
 

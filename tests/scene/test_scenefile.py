@@ -18,6 +18,7 @@ from nmatrix.linear.rational import inverse_transpose, linear_part, product, to_
 from nmatrix.linear.rounding import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.material import CHECKER, Texture
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.toml.file import read_scene
 from nmatrix.scene.toml.records import (
@@ -29,7 +30,7 @@ from nmatrix.scene.toml.records import (
     ObjectRecord,
     RenderRecord,
 )
-from nmatrix.scene.words import DepthBuffer, LightKind, Shape
+from nmatrix.scene.words import DepthBuffer, LightKind, Pattern, Shape, Wrap
 from nmatrix.scene.world import World
 
 SCENES = Path(__file__).parents[2] / "docs" / "scenes"
@@ -153,7 +154,24 @@ def test_files_are_relative_to_the_scene(tmp_path: Path) -> None:
     (one,) = read(tmp_path, text).objects
     # a normal map needs tangents
     assert one.geometry == TangentGeometry(FileGeometry(tmp_path / "a.obj"))
-    assert one.material.texture == one.material.normal_map == tmp_path / "b.png"
+    assert one.material.texture == one.material.normal_map == Texture(tmp_path / "b.png")
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ('wrap = "clamp"', Texture(Pattern.CHECKER, (Wrap.CLAMP, Wrap.CLAMP))),
+        ('wrap = ["mirror", "repeat"]', Texture(Pattern.CHECKER, (Wrap.MIRROR, Wrap.REPEAT))),
+        ("uv_scale = 2", Texture(Pattern.CHECKER, scale=(2, 2))),
+        (
+            "uv_scale = [2, 3]\nuv_rotation = 30\nuv_offset = [0.5, 1]",
+            Texture(Pattern.CHECKER, scale=(2, 3), rotation_degrees=30, offset=(0.5, 1)),
+        ),
+    ],
+)
+def test_textures_are_wrapped_and_placed(tmp_path: Path, keys: str, expected: Texture) -> None:
+    text = BALL + f'material = "m"\n[materials.m]\ntexture = "checker"\n{keys}\n'
+    assert read(tmp_path, text).objects[0].material.texture == expected
 
 
 def test_materials_have_grey_levels_or_colours(tmp_path: Path) -> None:
@@ -165,7 +183,7 @@ def test_materials_have_grey_levels_or_colours(tmp_path: Path) -> None:
     assert found.diffuse == (1, 0, 0)
     assert found.ambient == (0.15, 0, 0)
     assert found.specular == (0.5, 0.5, 0.5)
-    assert (found.texture, found.opacity, found.shininess) == ("checker", 0, 0)
+    assert (found.texture, found.opacity, found.shininess) == (CHECKER, 0, 0)
 
 
 def test_camera_by_target_and_by_angles(tmp_path: Path) -> None:
@@ -275,6 +293,9 @@ FAULTS = [
     (MATERIAL + 'texture = "chequer"', 'texture ("chequer"): there is no such file'),
     (MATERIAL + 'normal_map = "n.png"', 'normal_map ("n.png"): there is no such file'),
     (MATERIAL + 'reflection = "phon"', 'reflection ("phon"): …; did you mean phong?'),
+    (MATERIAL + 'wrap = "clamp"', 'wrap ("clamp"): there is no image to place; add texture'),
+    (MATERIAL + "uv_scale = 2", "uv_scale (2): there is no image to place; add texture"),
+    (MATERIAL + 'texture = "checker"\nwrap = "tile"', 'wrap ("tile"): …; there are repeat, clamp'),
     (MATERIAL + "toon_steps = 0", "toon_steps (0): …1; mend toon_steps"),
     ("[materials]\nm = 3", "[materials.m] (3): it is not a table"),
     (LAMP + "range = -3", '[[light]] 1 "lamp": range (-3): …0.0; mend range'),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect
+from nmatrix.enums import Effect, Shading
 from nmatrix.raster.loaded_scene import PlacedLight
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.seen_body import SeenBody
@@ -72,15 +72,18 @@ def _is_behind(facts: Facts, placed: PlacedLight) -> bool:
         return False
     if facts.decision(Effect.BACK_FACES).on or body.material.normal_map is not None:
         return False
-    space = seen.space
+    space, is_flat = seen.space, facts.loaded.settings.shading is Shading.FLAT
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
         travel = space.direction(placed.direction)
-        some = dot(seen.few_normals, travel) >= EDGE_ON
-        return bool(some.all() and (dot(seen.normals, travel) >= EDGE_ON).all())
-    normals = seen.normals
+        some = is_flat or (dot(seen.few_normals, travel) >= EDGE_ON).all()
+        return bool(some and (dot(seen.lit_normals, travel) >= EDGE_ON).all())
+    normals = seen.lit_normals
     way = space.point(placed.position) - space.positions()
     margin = -EDGE_ON * float(space.measure.vector_length(way).max())
+    if is_flat:
+        corners = body.mesh.triangles.T
+        return all(bool((dot(normals, way.take(one, 1)) <= margin).all()) for one in corners)
     if not (dot(normals, way) <= margin).all():
         return False
     return all(

@@ -202,7 +202,7 @@ class Facts:
 
     @cached_property
     def has_jumps(self) -> bool:
-        """True if colours may jump: highlights at n·l = 0, bands and outlines."""
+        """True if colours may jump: highlights at n·l = 0, bands, shadows."""
         return self._any(lambda one: one.jumps)
 
     @cached_property

@@ -165,6 +165,8 @@ class Recipe:
         How colours depend on normals and places through it.
     attributes, uniforms, passes
         Its inputs by name, and the passes over the picture that it takes.
+    settings
+        The fields of a material that it alone reads: where it is left out, they change nothing.
     needs
         The effects whose results it reads.
     per_vertex, per_sample, per_light
@@ -185,6 +187,7 @@ class Recipe:
     attributes: tuple[str, ...] = ()
     uniforms: tuple[str, ...] = ()
     passes: tuple[str, ...] = ()
+    settings: tuple[str, ...] = ()
     needs: tuple[Effect, ...] = ()
     per_vertex: int = 0
     per_sample: int = 0

@@ -147,6 +147,13 @@ class SeenBody:
         """The normals (3, V) of the vertices in the shading space, by the rule of the settings."""
         return self.space.normals(self.loaded.settings.normals)
 
+    @property
+    def lit_normals(self) -> Array:
+        """The normals that light falls on: of vertices (3, V), or of faces (3, F) that are flat."""
+        if self.loaded.settings.shading is Shading.FLAT:
+            return self.space.face_normals(self.loaded.settings.normals)
+        return self.normals
+
     @cached_property
     def few_normals(self) -> Array:
         """Some of the normals (3, n), from all over the mesh: enough to find that they vary."""

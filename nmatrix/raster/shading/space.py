@@ -125,22 +125,30 @@ class ShadingSpace:
         """Return tangents (V, 3) and their like in the space, as (3, V)."""
         return multiply(as_array(self.exact_from_object)[:3, :3], of_object.T)
 
-    def carried_normals(self, rule: NormalRule, of: Array | None = None) -> Array:
-        """Carry normals (n, 3), all of the mesh by default, by a rule: (3, n) at any length."""
-        given = (self.body.mesh.normals if of is None else of).T
+    def carried(self, rule: NormalRule, of_object: Array) -> Array:
+        """Carry normals (n, 3) of the object by a rule: (3, n) at any length."""
         found = normal_transform(rule, self.exact_from_object)
         if found is None:
-            return np.zeros(given.shape)
+            return np.zeros((3, len(of_object)))
+        given = of_object.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
         return _transformed(found, given)
+
+    def carried_normals(self, rule: NormalRule) -> Array:
+        """Carry the vertices' normals by a rule: (3, V) at any length."""
+        return self.carried(rule, self.body.mesh.normals)
+
+    def face_normals(self, rule: NormalRule) -> Array:
+        """Carry the triangles' own normals by a rule, to true length one: (3, F)."""
+        return self.unit_normals(self.carried(rule, self.body.mesh.face_normals))
 
     def normals(self, rule: NormalRule, of: Array | None = None) -> Array:
         """Carry normals (n, 3), all of the mesh by default, to true length one, or zero: (3, n).
 
         A rule that measures four components has its own idea of length, and keeps it.
         """
-        carried = self.carried_normals(rule, of)
+        carried = self.carried(rule, self.body.mesh.normals if of is None else of)
         return carried if rule is NormalRule.FOUR_COMPONENT else self.unit_normals(carried)
 
     def unit_normals(self, normals: Array) -> Array:
@@ -193,6 +201,11 @@ def _transformed(found: NormalTransform, normals: Array) -> Array:
 def world_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
     """Return the vertices' normals (3, V) in the world as a rule carries them."""
     return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
+
+
+def world_face_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return the triangles' own normals (3, F) in the world as a rule carries them."""
+    return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).face_normals(rule)
 
 
 def as_array(matrix: RationalMatrix) -> Array:

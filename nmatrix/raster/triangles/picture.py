@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from itertools import chain
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs, interpolate
-from nmatrix.raster.triangles.layers import layers
+from nmatrix.raster.triangles.layers import Layers, layers
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile, visible_runs
@@ -106,28 +106,40 @@ class Drawing:
         samples = np.empty((len(self.background), (rows[1] - rows[0]) * columns))
         samples[:] = self.background[:, None]
         counts = np.zeros(len(self.drawables), np.int64)
-        opaque = [i for i, one in enumerate(self.drawables) if one.opacity == 1.0]
+        runs = visible_runs(tile, rows)
+        for i, one in enumerate(self.drawables):
+            mine = runs.of(self._first[i], self._first[i + 1]) if one.opacity == 1.0 else None
+            if mine is not None and len(mine.triangle):
+                found = self._fragments(i, mine)
+                for channel, values in zip(samples, one.fragment(found), strict=True):
+                    channel[found.sample - rows[0] * columns] = values
+                counts[i] += len(found)
         glass = [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
         triangles = [(self.drawables[i].projected, self._first[i]) for i in glass]
-        in_front = ((glass, runs) for runs in layers(triangles, tile, rows))
-        for which, runs in chain([(opaque, visible_runs(tile, rows))], in_front):
-            for i in which:
-                mine = runs.of(self._first[i], self._first[i + 1])
-                if len(mine.triangle):
-                    counts[i] += self._colour(samples, i, mine, rows[0] * columns)
+        for some in layers(triangles, tile, rows):
+            counts[glass] += np.diff(some.first)
+            self._blend(samples, glass, some, rows[0])
         return samples, counts
 
-    def _colour(self, samples: Array, i: int, runs: Runs, before: int) -> int:
-        """Colour the samples of one drawable's runs, and return how many they are."""
+    def _fragments(self, i: int, runs: Runs) -> Fragments:
         one = self.drawables[i]
-        found = interpolate(one.projected, runs, self.canvas.columns, one.outputs)
-        place = found.sample - before
-        colours = one.fragment(found)
-        if one.opacity < 1.0:
-            colours = one.opacity * colours + (1.0 - one.opacity) * samples[:, place]
-        for channel, values in zip(samples, colours, strict=True):
-            channel[place] = values
-        return len(found)
+        return interpolate(one.projected, runs, self.canvas.columns, one.outputs)
+
+    def _blend(self, samples: Array, glass: Sequence[int], some: Layers, top: int) -> None:
+        """Colour every transparent fragment, some of one drawable at a time, and lay them over."""
+        row, column = np.divmod(some.place, self.canvas.columns)
+        runs = Runs(some.triangle, row + top, column, np.ones_like(row))
+        own, through = np.empty((len(samples), len(row))), np.empty(len(row))
+        for i, (begin, end) in zip(glass, pairwise(some.first), strict=True):
+            opacity = self.drawables[i].opacity
+            through[begin:end] = 1.0 - opacity
+            for first in range(begin, end, STRIPE_SAMPLES):
+                part = slice(first, min(first + STRIPE_SAMPLES, end))
+                mine = Runs(*(one[part] for one in runs)).of(self._first[i], self._first[i + 1])
+                own[:, part] = opacity * self.drawables[i].fragment(self._fragments(i, mine))
+        for which in some.levels:
+            place = some.place[which]
+            samples[:, place] = own[:, which] + through[which] * samples[:, place]
 
     def _resolved(self, samples: Array) -> Array:
         """Return pixels (rows, width, channels): the mean of their samples."""

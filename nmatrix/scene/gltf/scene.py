@@ -11,7 +11,7 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, TangentGeometry
 from nmatrix.scene.gltf.file import GltfFile, Node, read_gltf
 from nmatrix.scene.gltf.lights import LIGHTS, camera, carried_lights, radius_of, read_lights, unique
-from nmatrix.scene.gltf.materials import Materials
+from nmatrix.scene.gltf.materials import TEXTURE_TRANSFORM, Materials
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from nmatrix.scene.meshes.mesh import Mesh
 
 SIDE = 512  # pixels, the longer one
+DRAWN = (LIGHTS, TEXTURE_TRANSFORM)  # extensions
 # Their meshes cannot be read without them.
 PACKED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression")
 
@@ -160,7 +161,7 @@ class _Reading:
         document = self.file.document
         primitives = [p for mesh in document.meshes for p in mesh.primitives]
         others = sum(not one.has_triangles for one in primitives)
-        unknown = [one for one in document.extensions_used if one != LIGHTS]
+        unknown = [one for one in document.extensions_used if one not in DRAWN]
         outside = len(document.nodes) - len(self.drawn)
         spoken = {
             f"Of {len(self._cameras)} cameras the first is used.": len(self._cameras) > 1,

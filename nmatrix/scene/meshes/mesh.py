@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.meshes.shell import Shell, shell_of
-from nmatrix.scene.meshes.watertight import PART
+from nmatrix.scene.meshes.watertight import PART, same_place
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -57,6 +57,8 @@ class Mesh:
                 "export it again",
             )
         _check_finite(self.positions, "position")
+        if self.uv is not None:
+            _check_finite(self.uv, "texture coordinate")
         if len(self.triangles) == 0:
             raise IllegalValueError("a mesh", "it has no triangles", "nothing can be drawn")
         low, high = int(self.triangles.min()), int(self.triangles.max())
@@ -134,6 +136,19 @@ class Mesh:
             turns = (normals[b] - normals[a]) * (self.positions[b] - self.positions[a])
             rise = max(rise, float(turns.sum(axis=1).max()))
         return rise / 6
+
+    @cached_property
+    def face_normals(self) -> Array:
+        """The unit normal (F, 3) of each triangle, by its winding.
+
+        A triangle without area has none of its own: it takes the mean of its vertices'.
+        """
+        own = unit(_cross_products(self.positions, self.triangles))
+        without = np.flatnonzero(~own.any(axis=1))
+        if len(without):
+            given = np.nan_to_num(self.normals[self.triangles[without]], posinf=0.0, neginf=0.0)
+            own[without] = unit(given.mean(axis=1))
+        return own
 
     @property
     def degenerate_normals(self) -> int:
@@ -220,6 +235,42 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
 def normals_made(source: str) -> str:
     """Tell that the normals are area-weighted ones, and not those of the file."""
     return f"Normals were made, area-weighted: {source} does not have one for every vertex."
+
+
+def welded_normals(
+    positions: NDArray[Any], triangles: NDArray[Any], face_normals: NDArray[Any]
+) -> Array:
+    """Return one unit normal (V, 3) for each place: its faces' normals, by their angles there.
+
+    By angles and not by areas, so that it does not depend on how a face is cut into triangles.
+
+    Examples
+    --------
+    >>> corner = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0], [0, 0, 1]])
+    >>> faces = np.array([[0, 1, 2], [3, 4, 5]])
+    >>> welded_normals(corner, faces, np.array([[0.0, 0, 1], [1, 0, 0]])).round(2).tolist()[0]
+    [0.71, 0.0, 0.71]
+    """
+    place = same_place(positions)
+    if place is None:
+        place = np.unique(positions, axis=0, return_inverse=True)[1].reshape(-1)
+    total = np.zeros((int(place.max()) + 1, 3))
+    for i in range(3):
+        corner, after, before = (triangles[:, (i + j) % 3] for j in range(3))
+        a, b = (unit(positions[other] - positions[corner]) for other in (after, before))
+        sine = np.sqrt((np.cross(a, b) ** 2).sum(axis=1))
+        angle = np.arctan2(sine, (a * b).sum(axis=1))
+        np.add.at(total, place[corner], face_normals * angle[:, None])
+    return unit(total)[place]
+
+
+def _cross_products(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:
+    """Return the cross products (F, 3) of triangles' edges, scaled so that nothing overflows."""
+    corners = positions[triangles]
+    edges = corners[:, 1:] - corners[:, :1]
+    _, exponents = np.frexp(np.abs(edges).max(axis=(1, 2), keepdims=True))
+    edges = np.ldexp(edges, -exponents)
+    return np.asarray(np.cross(edges[:, 0], edges[:, 1]))
 
 
 def _check_finite(values: Array, what: str) -> None:
