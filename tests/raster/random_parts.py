@@ -33,7 +33,7 @@ PATTERNS = tuple(
     for one in (Pattern.CHECKER, _image(1, 0, 255), _image(2, 60, 200))
     for wrap in ((Wrap.REPEAT, Wrap.REPEAT), (Wrap.MIRROR, Wrap.CLAMP))
 )
-BUMPS = (_image(3, 100, 255), _image(4, 120, 136), _image(5, 0, 255))
+BUMPS = tuple(Texture(_image(*one)) for one in ((3, 100, 255), (4, 120, 136), (5, 0, 255)))
 ATTENUATIONS = (
     (1.0, 0.0, 0.0),
     (0.0, 0.0, 1.0),
