@@ -101,13 +101,17 @@ class Plan:
 
     @cached_property
     def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
-        """Return the views for shadow maps, by the names of the lamps that have any."""
-        found = {
-            placed.light.name: light_views(
-                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
-            )
-            for placed, lit in self._lit_by_casting_lamps.items()
-        }
+        """The views for shadow maps, by the names of the lamps that have any.
+
+        They are fitted to all bodies that anything can shade, whatever else is left out: so one
+        scene has one set of maps.
+        """
+        found = {}
+        for placed, lit in self._lit_by_casting_lamps.items():
+            if any(Effect.SHADOWS in one.effects for one in lit):
+                casters = {one.body: one.seen.casters(placed) for one in self.bodies}
+                casting = {body: some for body, some in casters.items() if some}
+                found[placed.light.name] = light_views(self.loaded, placed, casting)
         return {name: views for name, views in found.items() if views}
 
     @property
@@ -182,7 +186,8 @@ def everything(loaded: LoadedScene) -> Plan:
 
 
 def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
-    named = {effect for effect, one in facts.decisions.items() if one.on}
+    decided = facts.decisions.items()
+    named = {effect for effect, one in decided if one.on or (one.is_asked and one.is_possible)}
     on = closure(_for_shading(named | _shortcuts(facts.body), facts))
     decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
     return BodyPlan(facts.seen, decisions, lights, on, _ineffective(facts))
