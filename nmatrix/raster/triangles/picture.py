@@ -9,18 +9,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from itertools import chain
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs, interpolate
+from nmatrix.raster.triangles.fragments import Fragments, Grid, VertexOutputs, interpolate
 from nmatrix.raster.triangles.layers import layers
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile, visible_runs
+from nmatrix.raster.triangles.visibility import NOTHING, TRIANGLE_MASK, Runs, Tile, runs_of
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
@@ -34,13 +33,15 @@ LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 class Drawable:
     """Projected triangles, the outputs of their vertices, and their fragment shader.
 
-    Opaque ones hide what is behind; others let 1 − `opacity` of it through.
+    Opaque ones hide what is behind; others let 1 − `opacity` of it through. `even` is a mask (F,)
+    of triangles whose colour at a pixel's middle may stand for that of all its samples.
     """
 
     projected: Projected
     outputs: VertexOutputs
     fragment: Callable[[Fragments], Array]
     opacity: float = 1.0
+    even: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +57,13 @@ class Picture:
     shaded: tuple[int, ...]
 
 
+class Window(NamedTuple):
+    """Rows and columns of samples, whole pixels: first and one more than the last of each."""
+
+    rows: tuple[int, int]
+    columns: tuple[int, int]
+
+
 @dataclass(frozen=True, eq=False)
 class Drawing:
     """Some drawables on a canvas, over a background (channels,)."""
@@ -66,7 +74,7 @@ class Drawing:
     depth: DepthBuffer = DepthBuffer.FULL
 
     def picture(self, finish: Callable[[Array], Array] = np.asarray) -> Picture:
-        """Draw everything; `finish` turns rows of pixels into what is kept of them.
+        """Draw everything; `finish` turns pixels, each by itself, into what is kept of them.
 
         Raises
         ------
@@ -74,17 +82,28 @@ class Drawing:
             For more triangles than a key can name.
         """
         _keep_freed_memory()
-        kept, fragments, shaded = [], 0, np.zeros(len(self.drawables), np.int64)
-        for rows in _steps((0, self.canvas.rows), TILE_SAMPLES, self.canvas):
-            tile = Tile.empty(rows, self.canvas.columns, self.depth)
+        blank = finish(self.background[None, None])
+        image = np.empty((self.canvas.height, self.canvas.width, blank.shape[2]), blank.dtype)
+        rows, columns = self._touched(self.drawables)
+        left, right = (column // self.canvas.per_side for column in columns)
+        top, bottom = (row // self.canvas.per_side for row in rows)
+        for empty in (
+            *(image[:top], image[bottom:]),
+            *(image[top:bottom, :left], image[top:bottom, right:]),
+        ):
+            empty[:] = blank
+        fragments, shaded = 0, np.zeros(len(self.drawables), np.int64)
+        for some in _steps(rows, TILE_SAMPLES, self.canvas):
+            tile = Tile.empty(some, self.canvas.columns, self.depth)
             for one, first in zip(self.drawables, self._first, strict=False):
                 if one.opacity == 1.0:
                     fragments += tile.add(one.projected, first)
-            for some in _steps(rows, STRIPE_SAMPLES, self.canvas):
-                samples, counts = self._stripe(tile, some)
+            for few in _steps(some, STRIPE_SAMPLES, self.canvas):
+                pixels, counts = self._stripe(tile, Window(few, columns))
                 shaded += counts
-                kept.append(finish(self._resolved(samples)))
-        return Picture(np.concatenate(kept), fragments, tuple(shaded.tolist()))
+                top, bottom = (row // self.canvas.per_side for row in few)
+                image[top:bottom, left:right] = finish(pixels)
+        return Picture(image, fragments, tuple(shaded.tolist()))
 
     @cached_property
     def _first(self) -> list[int]:
@@ -100,45 +119,105 @@ class Drawing:
             )
         return first
 
-    def _stripe(self, tile: Tile, rows: tuple[int, int]) -> tuple[Array, Array]:
-        """Return the samples (channels, n) of some rows, and how many each drawable coloured."""
-        columns = self.canvas.columns
-        samples = np.empty((len(self.background), (rows[1] - rows[0]) * columns))
+    def _touched(self, drawables: Sequence[Drawable]) -> Window:
+        """Return the window outside of which no sample is covered: empty where none is at all."""
+        boxes = [one.projected.box for one in drawables if one.projected.triangles.size]
+        if not boxes:
+            return Window((0, 0), (0, 0))
+        low, high = (np.array(ends) for ends in zip(*boxes, strict=True))
+        k, limits = self.canvas.per_side, (self.canvas.columns, self.canvas.rows)
+        first = np.clip(np.ceil(low.min(axis=0)) // k * k, 0, limits).astype(int)
+        last = np.clip(-(-np.ceil(high.max(axis=0)) // k) * k, first, limits).astype(int)
+        (left, top), (right, bottom) = first.tolist(), last.tolist()
+        if left == right:
+            bottom = top
+        return Window((top, bottom), (left, right))
+
+    @cached_property
+    def _glass(self) -> list[int]:
+        """The drawables that let light through."""
+        return [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
+
+    @cached_property
+    def _even(self) -> Array | None:
+        """A mask of the triangles of all drawables that may be shaded once a pixel, then False."""
+        if self.canvas.per_side == 1 or all(one.even is None for one in self.drawables):
+            return None
+        parts = [
+            np.zeros(last - first, bool) if one.even is None or one.opacity < 1.0 else one.even
+            for one, first, last in zip(self.drawables, self._first, self._first[1:], strict=False)
+        ]
+        return np.append(np.concatenate(parts), False)
+
+    def _stripe(self, tile: Tile, window: Window) -> tuple[Array, Array]:
+        """Return the pixels (rows, width, channels) of a window, and the samples coloured.
+
+        The samples are counted for each drawable.
+        """
+        k, (top, bottom), (left, right) = self.canvas.per_side, *window
+        grid = Grid(right - left, top, left)
+        samples = np.empty((len(self.background), (bottom - top) * grid.columns))
         samples[:] = self.background[:, None]
         counts = np.zeros(len(self.drawables), np.int64)
-        opaque = [i for i, one in enumerate(self.drawables) if one.opacity == 1.0]
-        glass = [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
-        triangles = [(self.drawables[i].projected, self._first[i]) for i in glass]
-        in_front = ((glass, runs) for runs in layers(triangles, tile, rows))
-        for which, runs in chain([(opaque, visible_runs(tile, rows))], in_front):
-            for i in which:
-                mine = runs.of(self._first[i], self._first[i + 1])
-                if len(mine.triangle):
-                    counts[i] += self._colour(samples, i, mine, rows[0] * columns)
-        return samples, counts
+        names = tile.names(*window)
+        middles = self._taken_whole(names, window)
+        self._colour_all(samples, runs_of(names, top, left), grid, counts)
+        if self._glass:
+            triangles = [(self.drawables[i].projected, self._first[i]) for i in self._glass]
+            for runs in layers(triangles, tile, window.rows):
+                self._colour_all(samples, runs, grid, counts)
+        pixels = self._resolved(samples, grid.columns)
+        if middles is not None:
+            whole = Grid(grid.columns // k, top // k, left // k, spacing=k)
+            runs = runs_of(middles, whole.top, whole.left)
+            self._colour_all(pixels.reshape(len(pixels), -1), runs, whole, counts)
+        return pixels.transpose(1, 2, 0), counts
 
-    def _colour(self, samples: Array, i: int, runs: Runs, before: int) -> int:
-        """Colour the samples of one drawable's runs, and return how many they are."""
-        one = self.drawables[i]
-        found = interpolate(one.projected, runs, self.canvas.columns, one.outputs)
-        place = found.sample - before
-        colours = one.fragment(found)
-        if one.opacity < 1.0:
-            colours = one.opacity * colours + (1.0 - one.opacity) * samples[:, place]
-        for channel, values in zip(samples, colours, strict=True):
-            channel[place] = values
-        return len(found)
+    def _taken_whole(self, names: Array, window: Window) -> Array | None:
+        """Take the pixels that are shaded once out of the names; return their triangles.
 
-    def _resolved(self, samples: Array) -> Array:
-        """Return pixels (rows, width, channels): the mean of their samples."""
+        All samples of such a pixel see one triangle that is even. A stripe that glass may cover
+        has none.
+        """
+        if self._even is None:
+            return None
+        glass, _ = self._touched([self.drawables[i] for i in self._glass])
+        if glass[0] < window.rows[1] and window.rows[0] < glass[1]:
+            return None
         k = self.canvas.per_side
-        grid = samples.reshape(len(samples), -1, k, self.canvas.width, k)
+        grid = names.reshape(len(names) // k, k, -1, k)
+        middles = np.array(grid[:, 0, :, 0])
+        whole = self._even.take(middles, mode="clip")
+        for i in range(1, k * k):
+            whole &= grid[:, i // k, :, i % k] == middles
+        middles[~whole] = NOTHING
+        np.copyto(grid, NOTHING, where=whole[:, None, :, None])
+        return middles
+
+    def _colour_all(self, points: Array, runs: Runs, grid: Grid, counts: Array) -> None:
+        """Colour the points (channels, n) of runs, and count them for each drawable."""
+        for i, one in enumerate(self.drawables):
+            mine = runs.of(self._first[i], self._first[i + 1])
+            if len(mine.triangle):
+                found = interpolate(one.projected, mine, grid, one.outputs)
+                counts[i] += len(found)
+                colours = one.fragment(found)
+                if one.opacity < 1.0:
+                    behind = points[:, found.place]
+                    colours = one.opacity * colours + (1.0 - one.opacity) * behind
+                for channel, values in zip(points, colours, strict=True):
+                    channel[found.place] = values
+
+    def _resolved(self, samples: Array, columns: int) -> Array:
+        """Return pixels (channels, rows, width): the mean of their samples."""
+        k = self.canvas.per_side
+        grid = samples.reshape(len(samples), -1, k, columns // k, k)
         pixels = grid[:, :, 0, :, 0]
         for i in range(1, k * k):  # in one order everywhere: no bit depends on the stripe
             pixels = pixels + grid[:, :, i // k, :, i % k]
         if k > 1:
             pixels /= k * k
-        return np.asarray(pixels.transpose(1, 2, 0))
+        return np.asarray(pixels)
 
 
 @cache
