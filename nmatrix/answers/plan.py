@@ -9,7 +9,7 @@ from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.glsl import shaders
 from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
-from nmatrix.raster.planning.recipe import Decision
+from nmatrix.raster.planning.recipe import Decision, not_asked
 from nmatrix.report import (
     Block,
     Code,
@@ -21,8 +21,10 @@ from nmatrix.report import (
     Verdict,
 )
 from nmatrix.scene.open import scene_of
+from nmatrix.scene.words import LightKind
 
 PASSES = "main"
+NOTHING_SEEN = not_asked("no object can be seen")
 
 
 def plan_of_file(path: Path) -> Report:
@@ -38,6 +40,7 @@ def plan(found: Plan) -> Report:
     vertex, fragment = shaders(found, found.bodies[0])
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
+    rows += [_unseen_row(one) for one in found.bodies if one.why_unseen is not None]
     on = [effect for effect in Effect if effect in found.effects]
     data: dict[str, Value] = {
         "effects": rows,
@@ -60,7 +63,7 @@ def plan(found: Plan) -> Report:
         Code("glsl", vertex, "vertex shader"),
         Code("glsl", fragment, "fragment shader"),
     )
-    return Report("plan", data, blocks, found.loaded.remarks)
+    return Report("plan", data, blocks, found.remarks)
 
 
 def _counted(count: int, what: str) -> str:
@@ -88,7 +91,7 @@ def _row(effect: Effect, found: Plan) -> dict[str, Value]:
 def _decisions(effect: Effect, found: Plan) -> list[Decision]:
     if effect in found.picture:
         return [found.picture[effect]]
-    return [one.decisions[effect] for one in found.bodies]
+    return [one.decisions[effect] for one in found.drawn] or [NOTHING_SEEN]
 
 
 def _light_row(i: int, found: Plan) -> dict[str, Value]:
@@ -98,18 +101,33 @@ def _light_row(i: int, found: Plan) -> dict[str, Value]:
         one for body in found.bodies for one in body.light_decisions if one.placed is placed
     ]
     on = [one for one in decisions if one.on]
+    off = max(decisions, key=lambda one: (not one.on, one.bound), default=None)
     because = f"it can reach {len(on)} of {len(decisions)} objects"
-    if not decisions:
+    if placed.light.kind is LightKind.AMBIENT:
         because = "it comes from everywhere"
+    elif off is None:
+        because = "no object can be seen"
     elif not on:
-        because = f"it {decisions[0].because}"
+        because = f"it {off.because}"
     return {
         "name": f"light {placed.light.name}",
-        "on": bool(on) or not decisions,
+        "on": bool(on) or placed.light.kind is LightKind.AMBIENT,
         "because": because,
+        "kind": LeftOut.EXACT.value if off is None or on else off.kind.value,
+        "bound": max((one.bound for one in decisions), default=0.0),
+        "needs": ["position"] if placed.position is not None else [],
+    }
+
+
+def _unseen_row(one: BodyPlan) -> dict[str, Value]:
+    """Say why an object cannot be seen."""
+    return {
+        "name": f"object {one.body.name}",
+        "on": False,
+        "because": f"it {one.why_unseen}",
         "kind": LeftOut.EXACT.value,
         "bound": 0.0,
-        "needs": ["position"] if placed.position is not None else [],
+        "needs": [],
     }
 
 

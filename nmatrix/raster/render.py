@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, radians
 from typing import Any
 
@@ -20,7 +20,7 @@ from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
-from nmatrix.raster.triangles.vertices import front_sign, project
+from nmatrix.raster.triangles.vertices import project
 from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
@@ -72,7 +72,7 @@ def render(
     """
     loaded = plan.loaded
     maps = _shadow_maps(plan)
-    drawables = [_drawable(plan, body, maps, change) for body in plan.bodies]
+    drawables = [_drawable(plan, body, maps, change) for body in plan.drawn]
     background = np.array(loaded.settings.background[: plan.channels])
     drawing = Drawing(drawables, loaded.canvas, background, loaded.settings.depth)
     has_gamma = plan.picture[Effect.GAMMA].on
@@ -84,7 +84,7 @@ def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
     """Return the maps of every light whose shadows some body asks for."""
     asked = {
         placed.light.name: placed
-        for body in plan.bodies
+        for body in plan.drawn
         if Effect.SHADOWS in body.effects
         for placed in body.lights
         if placed.light.shadows
@@ -96,11 +96,10 @@ def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
 def _drawable(
     plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], change: Change
 ) -> Drawable:
-    loaded = plan.loaded
-    exact = loaded.clip_from_object(body.body)
-    front = front_sign(exact, loaded.clip)
+    loaded, front = plan.loaded, body.seen.front
     culled = 0 if Effect.BACK_FACES in body.effects else -front
-    projected = project(body.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
+    clip_from_object = as_array(body.seen.clip_from_object)
+    projected = project(body.body.mesh, clip_from_object, loaded.canvas, loaded.clip, culled)
     surface = change(surface_of(plan, body, maps, front))
     return Drawable(
         projected, surface.vertex(projected), surface.fragment, body.body.material.opacity
@@ -110,9 +109,10 @@ def _drawable(
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:
     """Return the surface of one body under its plan."""
     settings = plan.loaded.settings
-    space = ShadingSpace(
-        plan.loaded, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
-    )
+    space = body.seen.space
+    uses_metric = Effect.METRIC in body.effects
+    if space.uses_metric is not uses_metric:
+        space = replace(space, uses_metric=uses_metric)
     lighting = Lighting(
         body.body.material,
         tuple(_light_in_space(one, space, body, maps, plan.channels) for one in body.lights),
@@ -174,7 +174,7 @@ def _light_in_space(
 
 
 def _work(plan: Plan, picture: Picture, shadow_passes: int) -> Work:
-    bodies = plan.bodies
+    bodies = plan.drawn
     vertices = [len(one.body.mesh.positions) for one in bodies]
     layered = any(Effect.TRANSPARENCY in one.effects for one in bodies)
     at_vertices = sum(n * per_vertex(one.effects) for n, one in zip(vertices, bodies, strict=True))

@@ -7,31 +7,38 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from math import e, inf, sqrt
+from math import cos, e, inf, radians, sqrt
 
 from nmatrix.enums import Effect, Reflection
-from nmatrix.raster.loaded_scene import LoadedScene
+from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
 from nmatrix.raster.planning import judges_by_geometry as geometry
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import (
     STEADY,
+    UNCHANGED,
     Decision,
     Glsl,
     Influence,
     Recipe,
+    Strength,
     adds_nothing,
     called_for,
     not_asked,
 )
+from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.shading.space import column
 from nmatrix.scene.material import CHECKER, Material
 from nmatrix.scene.words import LightKind
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
+SMALLEST = 1e-150  # what is nearer to 0 has no useful reciprocal
 STEEPEST_SRGB = 12.92  # levels for light, near black
 EDGES = replace(
     STEADY,
+    most=1.0,
     per_length=inf,
+    follows_lights=True,
     jumps=True,
     because="bands and outlines have edges that lengths would move",
 )
@@ -56,7 +63,7 @@ def diffuse(facts: Facts) -> Decision:
 def lambert(facts: Facts) -> Influence:
     """Bound max(0, cos): its slope is 1 at the most, and the cosine grows with n's length."""
     most = max(facts.material.diffuse)
-    return replace(STEADY, per_radian=most, per_length=most, colour_range=most, follows_lights=True)
+    return replace(STEADY, most=most, per_radian=most, per_length=most, follows_lights=True)
 
 
 def specular(facts: Facts) -> Decision:
@@ -78,10 +85,10 @@ def highlight(facts: Facts) -> Influence:
         STEADY,
         per_radian=most * (2.0 if is_mirrored else 1.0) * sqrt(material.shininess / e),
         per_length=inf if material.shininess < 1 else by_length,
-        colour_range=most,
+        most=most,
+        per_unit=inf if facts.is_lit_at_fragments else 0.0,
         follows_lights=True,
         jumps=True,
-        reads_place=facts.is_lit_at_fragments,
         because="a highlight this wide has an infinite slope",
     )
 
@@ -102,11 +109,6 @@ def outline(facts: Facts) -> Decision:
     return called_for("the material has an outline")
 
 
-def read_where_lit(facts: Facts) -> Influence:
-    """Bound light from a place: fragments ask where they are, if light is evaluated there."""
-    return replace(STEADY, reads_place=facts.is_lit_at_fragments)
-
-
 def attenuation(facts: Facts) -> Decision:
     """Decide on light that fades or ends."""
     fading = [
@@ -117,12 +119,39 @@ def attenuation(facts: Facts) -> Decision:
     return not_asked("no lamp that reaches it fades or ends")
 
 
+def weakened(seen: SeenBody, placed: PlacedLight) -> Strength:
+    """Bound 1/(c + l·d + q·d²) between the least and the largest distance to the body.
+
+    It falls, by (l + 2q·d)/(…)² a unit; near the lamp it may exceed 1.
+    """
+    if placed.position is None:
+        return UNCHANGED
+    least, most = seen.distances(column(placed.position)[:, 0])
+    constant, linear, quadratic = placed.light.attenuation
+    below = constant + least * (linear + quadratic * least)
+    if not below > SMALLEST:
+        return Strength()
+    jumps = placed.light.range < most
+    falls = inf if jumps else (linear + 2 * quadratic * most) / below / below
+    return Strength(most=1.0 / below, per_unit=falls)
+
+
 def spot(facts: Facts) -> Decision:
     """Decide on cones of light."""
     spots = [one.light.name for one in facts.lights if one.light.kind is LightKind.SPOT]
     if not spots:
         return not_asked("no lamp has a cone")
     return called_for(f"{', '.join(spots)} has a cone")
+
+
+def edge_of_cone(seen: SeenBody, placed: PlacedLight) -> Strength:
+    """Bound the smooth step between the cones: 3/2 over their cosines' difference, and 1/d."""
+    if placed.light.kind is not LightKind.SPOT or placed.position is None:
+        return UNCHANGED
+    inner, outer = (cos(radians(angle)) for angle in placed.light.cone_degrees)
+    least, _ = seen.distances(column(placed.position)[:, 0])
+    across = (inner - outer) * least
+    return Strength(most=1.0, per_unit=1.5 / across if across > SMALLEST else inf)
 
 
 def texture(facts: Facts) -> Decision:
@@ -164,13 +193,24 @@ def transparency(facts: Facts) -> Decision:
 def fog(facts: Facts) -> Decision:
     """Decide on fog."""
     fog = facts.loaded.settings.fog
-    return called_for(f"fog ends at {fog.end:g}") if fog else not_asked("the scene has no fog")
+    if fog is None:
+        return not_asked("the scene has no fog")
+    _, farthest = facts.seen.eye_distances
+    if farthest <= fog.start:
+        return adds_nothing(f"fog starts at {fog.start:g}, and the body ends at {farthest:.4g}")
+    return called_for(f"fog ends at {fog.end:g}")
+
+
+def thickening(facts: Facts) -> Influence:
+    """Bound the share of fog, which grows evenly from its start to its end."""
+    fog = facts.loaded.settings.fog
+    return STEADY if fog is None else replace(STEADY, per_unit=1.0 / (fog.end - fog.start))
 
 
 def tinted(loaded: LoadedScene, bodies: Sequence[Facts]) -> Decision:
     """Decide on three channels: one is enough where everything is grey."""
     colours = [loaded.settings.background, *(light.light.color for light in loaded.lights)]
-    for one in (body.material for body in loaded.bodies):
+    for one in (facts.material for facts in bodies):
         colours += [one.ambient, one.diffuse, one.specular]
     if loaded.settings.fog:
         colours.append(loaded.settings.fog.color)
@@ -250,7 +290,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.OUTLINE: Recipe(
         "a dark line where a surface turns away",
         outline,
-        influence=lambda facts: replace(EDGES, reads_place=facts.is_lit_at_fragments),
+        influence=replace(EDGES, per_unit=inf),
         needs=(Effect.EYE,),
         per_sample=3,
         only_at_fragments=True,
@@ -259,7 +299,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.POSITION: Recipe(
         "the position of each fragment",
         geometry.position,
-        influence=replace(STEADY, reads_place=True),
+        influence=STEADY,
         attributes=("position",),
         uniforms=("space_from_object",),
         per_vertex=16,
@@ -277,7 +317,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.ATTENUATION: Recipe(
         "light that fades with distance and ends at its range",
         attenuation,
-        influence=read_where_lit,
+        influence=replace(STEADY, strength=weakened),
         uniforms=("attenuation", "range"),
         needs=(Effect.POSITION,),
         per_light=4,
@@ -286,7 +326,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SPOT: Recipe(
         "cones of light",
         spot,
-        influence=read_where_lit,
+        influence=replace(STEADY, strength=edge_of_cone),
         uniforms=("light_axis", "cone"),
         needs=(Effect.POSITION,),
         per_light=3 + 4,
@@ -294,7 +334,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
         geometry.shadows,
-        influence=replace(STEADY, reads_place=True),
+        influence=replace(STEADY, per_unit=inf),
         uniforms=("light_from_space",),
         passes=("shadow map",),
         needs=(Effect.POSITION,),
@@ -341,7 +381,7 @@ RECIPES: dict[Effect, Recipe] = {
         "an image or a pattern on the surface",
         texture,
         influence=lambda facts: replace(
-            STEADY, reads_place=True, brings_colour=facts.material.texture != CHECKER
+            STEADY, per_unit=inf, brings_colour=facts.material.texture != CHECKER
         ),
         attributes=("uv",),
         uniforms=("texture",),
@@ -355,7 +395,7 @@ RECIPES: dict[Effect, Recipe] = {
         "normals from an image",
         normal_map,
         influence=replace(
-            STEADY, per_length=inf, reads_place=True, because="a normal map turns normals"
+            STEADY, per_length=inf, per_unit=inf, because="a normal map turns normals"
         ),
         attributes=("uv", "tangent"),
         uniforms=("normal_map",),
@@ -366,7 +406,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.VERTEX_COLOURS: Recipe(
         "colours of the vertices",
         vertex_colours,
-        influence=replace(STEADY, reads_place=True, brings_colour=True),
+        influence=replace(STEADY, per_unit=inf, brings_colour=True),
         attributes=("colour",),
         per_sample=12,
         glsl=Glsl(matte=("matte *= fragment_colour;",)),
@@ -381,7 +421,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.FOG: Recipe(
         "fog that grows with distance",
         fog,
-        influence=replace(STEADY, reads_place=True),
+        influence=thickening,
         uniforms=("fog_color", "fog_range"),
         needs=(Effect.POSITION,),
         per_sample=4 + 3,

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 from nmatrix.enums import Effect, LeftOut
 
 if TYPE_CHECKING:
-    from nmatrix.raster.loaded_scene import LoadedScene
+    from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
     from nmatrix.raster.planning.facts import Facts
+    from nmatrix.raster.planning.seen_body import SeenBody
     from nmatrix.scene.material import Material
 
 ROUNDING = 1e-12
@@ -60,25 +61,40 @@ def by_bound(bound: float, because: str) -> Decision:
 
 
 @dataclass(frozen=True)
+class Strength:
+    """What an effect makes of a lamp's light: at most so many times as much, and its slope.
+
+    `per_unit` is the most that this factor changes for a place that moves by one unit.
+    """
+
+    most: float = inf
+    per_unit: float = inf
+
+
+@dataclass(frozen=True)
 class Influence:
     """The dependence of colours on normals and places by an effect; a field unsaid is at its worst.
 
     Parameters
     ----------
+    most
+        The most light that it adds to a channel.
     per_radian
         The most that a channel of linear light moves for a normal that turns by one radian.
     per_length
         The most that it moves for a normal that gets shorter, for each part of its length.
-    colour_range
-        The most that it differs between two vertices.
+    per_unit
+        The most that it moves for a fragment that moves by one unit of the world, or by as much as
+        an attribute can differ; how lamps weaken on the way and turn, apart.
     gain
         How many times more the channel moves at the end than other effects have moved it.
     follows_lights
-        The first three are for lights of brightness 1, and grow with their brightness.
+        The first three are for lights of brightness 1, and grow with their brightness; a light
+        that turns counts like a normal that turns.
     jumps
         Colours jump where a normal passes an edge; no slope bounds that.
-    reads_place
-        Fragments ask where they are, in the scene or on an image, or read more than normals.
+    strength
+        What it makes of each lamp's light on its way.
     lights_backs
         Light from behind a surface changes it.
     brings_colour
@@ -87,25 +103,29 @@ class Influence:
         The reason to renormalise where `per_length` is infinite.
     """
 
+    most: float = inf
     per_radian: float = inf
     per_length: float = inf
-    colour_range: float = inf
+    per_unit: float = inf
     gain: float = inf
     follows_lights: bool = False
     jumps: bool = True
-    reads_place: bool = True
+    strength: Callable[[SeenBody, PlacedLight], Strength] = lambda _, __: Strength()
     lights_backs: bool = True
     brings_colour: bool = True
     because: str = "what shorter normals change is not known"
 
 
+UNCHANGED = Strength(most=1.0, per_unit=0.0)
+
 STEADY = Influence(
+    most=0.0,
     per_radian=0.0,
     per_length=0.0,
-    colour_range=0.0,
+    per_unit=0.0,
     gain=1.0,
     jumps=False,
-    reads_place=False,
+    strength=lambda _, __: UNCHANGED,
     lights_backs=False,
     brings_colour=False,
 )

@@ -60,7 +60,7 @@ def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
     (body,) = loaded.bodies
     exact = loaded.clip_from_object(body)
     front = front_sign(exact, loaded.clip)
-    culled = -front if body.mesh.is_closed else 0
+    culled = -front if body.mesh.shell.is_closed else 0
     projected = project(body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
     of_samples: list[Array] = []
 

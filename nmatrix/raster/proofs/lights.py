@@ -88,10 +88,9 @@ def wrong_lights(to_light_world: Array, M: Array) -> tuple[Array, Array]:
 
 def _by_wrong_lights(exact: DrawnScene) -> list[DrawnScene]:
     """Draw the body in object space by each of the wrong lights, without the metric."""
-    (plan,) = exact.plan.bodies
-    (light,) = plan.lights
+    (body,), (light,) = exact.loaded.bodies, exact.loaded.lights
     assert light.direction is not None  # the proof's own light
-    M = as_array(linear_part(plan.body.world_from_object.exact))
+    M = as_array(linear_part(body.world_from_object.exact))
 
     def under(to_light: Array, surface: Surface) -> Surface:
         light = ShadingLight(np.array([[1.0]]), to_light=to_light)

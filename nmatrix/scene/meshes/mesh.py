@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.watertight import is_watertight
+from nmatrix.scene.meshes.shell import Shell, shell_of
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -33,6 +33,8 @@ class Mesh:
         (V, 3) linear colours in [0, 1], if it has them.
     tangents
         (V, 4) tangent vectors and the sign of the bitangent, if it has them.
+    built_as
+        The kind of shell, if those who built it know: `known` sets it.
     """
 
     positions: Array
@@ -41,6 +43,7 @@ class Mesh:
     uv: Array | None = None
     colours: Array | None = None
     tangents: Array | None = None
+    built_as: Shell | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
         if self.positions.shape != self.normals.shape:
@@ -61,19 +64,21 @@ class Mesh:
             )
 
     @cached_property
-    def is_closed(self) -> bool:
-        """True if the surface has an inside.
-
-        Then each edge is shared by two triangles, turned against each other, once vertices in the
-        same place count as one.
-        """
-        return is_watertight(self.positions, self.triangles)
+    def shell(self) -> Shell:
+        """What is known of the surface as a whole; vertices in the same place count as one."""
+        return self.built_as or shell_of(self.positions, self.triangles)
 
     @property
     def degenerate_normals(self) -> int:
         """The number of normals that are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)
         return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+
+
+def known(mesh: Mesh, shell: Shell) -> Mesh:
+    """Put down on a new mesh what kind of shell it was built as; a changed copy forgets it."""
+    object.__setattr__(mesh, "built_as", shell)
+    return mesh
 
 
 def joined(parts: Sequence[Mesh]) -> Mesh:

@@ -1,0 +1,181 @@
+"""One body as the camera and its shading space see it: what no lamp changes.
+
+Each fact is computed when it is asked for, and once; drawing reads the same maps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf, sqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.enums import Shading
+from nmatrix.linear.classify import Classification, classify
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.shading.space import ShadingSpace, as_array, column, dot
+from nmatrix.raster.triangles.clip import PLANES, all_beyond, inside
+from nmatrix.raster.triangles.products import chunks, multiply
+from nmatrix.raster.triangles.vertices import front_sign
+
+Array = NDArray[Any]
+
+THINNEST = 1e6  # of length to thickness, for fronts and backs to be told apart by depth
+OUTWARDS = 1e-9  # of a distance: rounding is less
+
+
+@dataclass(frozen=True, eq=False)
+class SeenBody:
+    """A body of a loaded scene, under its camera and in its shading space."""
+
+    loaded: LoadedScene
+    body: Body
+
+    @cached_property
+    def clip_from_object(self) -> RationalMatrix:
+        """The exact map from the body to clip space."""
+        return self.loaded.clip_from_object(self.body)
+
+    @cached_property
+    def front(self) -> int:
+        """The sign of the area of front faces on the canvas; 0 where both sides are alike."""
+        return front_sign(self.clip_from_object, self.loaded.clip)
+
+    @cached_property
+    def is_rigid(self) -> bool:
+        """True if the shading space keeps the world's lengths and angles."""
+        return self.loaded.maps(self.body).is_rigid(self.loaded.settings.space)
+
+    @cached_property
+    def space(self) -> ShadingSpace:
+        """The body in its shading space, measured by the metric where that is not rigid."""
+        space = self.loaded.settings.space
+        return ShadingSpace(self.loaded, self.body, space, uses_metric=not self.is_rigid)
+
+    @cached_property
+    def map_to_space(self) -> Classification:
+        """The kind of the map from the body to its shading space."""
+        return classify(self.space.exact_from_object)
+
+    def _clip_parts(self) -> Iterator[Array]:
+        """Yield the vertices in clip space, some at a time (4, n)."""
+        matrix = as_array(self.clip_from_object)
+        for part in chunks(self.body.mesh.positions.T):
+            with np.errstate(over="ignore", invalid="ignore"):
+                yield multiply(matrix, part)
+
+    @cached_property
+    def is_whole(self) -> bool:
+        """True if no plane of the view cuts the body."""
+        depth, canvas = self.loaded.clip.depth, self.loaded.canvas
+        return all(bool(inside(part, depth, canvas).all()) for part in self._clip_parts())
+
+    @cached_property
+    def why_unseen(self) -> str | None:
+        """The reason why no sample of the picture can show the body, or None if one may.
+
+        All its vertices are on the outer side of one plane of the view, so all its points are; and
+        what lets all light through leaves every sample as it was.
+        """
+        if not self.body.material.opacity:
+            return "lets all light through"
+        beyond = np.ones(len(PLANES), bool)
+        for part in self._clip_parts():
+            beyond &= all_beyond(part, self.loaded.clip.depth)
+            if not beyond.any():
+                return None
+        return f"is {PLANES[int(beyond.argmax())]}"
+
+    @property
+    def is_thin(self) -> bool:
+        """True if the map all but flattens the body: a front and a back in one place."""
+        kappa = self.body.kind.condition
+        return kappa is None or kappa > THINNEST
+
+    @property
+    def is_parallel(self) -> bool:
+        """True if w is the same everywhere."""
+        return not any(self.clip_from_object[3][:3])
+
+    @cached_property
+    def w_ratio(self) -> float:
+        """The largest ratio of w between corners of one triangle; infinite if one is cut."""
+        if not self.is_whole:
+            return inf
+        w = np.concatenate([part[3] for part in self._clip_parts()])
+        low, high = float(w.min()), float(w.max())
+        if high <= 1.25 * low:  # one triangle's ratio is no larger than the whole body's
+            return high / low
+        of_corners = (w.take(part) for part in chunks(self.body.mesh.triangles.T))
+        return max(float((one.max(axis=0) / one.min(axis=0)).max()) for one in of_corners)
+
+    @cached_property
+    def normals(self) -> Array:
+        """The normals (3, V) of the vertices in the shading space, by the rule of the settings."""
+        return self.space.normals(self.loaded.settings.normals)
+
+    @cached_property
+    def normal_cosine(self) -> float:
+        """The smallest cosine between the normals of one triangle's corners.
+
+        It is −1, the worst, where some normal is not of length one: no bound holds for those.
+        """
+        normals = self.space.measure.normal_in_world(self.normals)
+        if not bool((np.abs(dot(normals, normals) - 1.0) <= OUTWARDS).all()):
+            return -1.0
+        found = inf
+        for part in chunks(self.body.mesh.triangles.T):
+            a, b, c = (normals.take(corner, 1) for corner in part)
+            found = min(found, *(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a))))
+        return found
+
+    @property
+    def shortest_normal(self) -> float:
+        """The length that interpolation can shrink a normal to: √((1 + 2 cos θ)/3)."""
+        return sqrt(max(0.0, (1.0 + 2.0 * self.normal_cosine) / 3.0))
+
+    @cached_property
+    def longest_edge(self) -> float:
+        """A length that no edge of a triangle exceeds in the world."""
+        places = self.body.positions_world
+        longest = 0.0
+        for part in chunks(self.body.mesh.triangles.T):
+            a, b, c = (places.take(corner, 0) for corner in part)
+            for p, q in ((a, b), (b, c), (c, a)):
+                longest = max(longest, float(((p - q) ** 2).sum(axis=1).max()))
+        return sqrt(longest)
+
+    def distances(self, place: Array) -> tuple[float, float]:
+        """Bound the distances from a place (3,) of the world to the body's points.
+
+        A ball and a box hold the body; each gives a bound, and the better one is taken.
+        """
+        low, high = self.body.box
+        way = place - self.body.centre
+        middle = float(np.sqrt(way @ way))
+        aside = np.maximum(np.maximum(low - place, place - high), 0.0)
+        across = np.maximum(np.abs(place - low), np.abs(place - high))
+        least = max(middle - self.body.radius, float(np.sqrt(aside @ aside)), 0.0)
+        most = min(middle + self.body.radius, float(np.sqrt(across @ across)))
+        rounding = OUTWARDS * (most + float(np.abs(place).max()))
+        return max(least - rounding, 0.0), most + rounding
+
+    @cached_property
+    def eye_distances(self) -> tuple[float, float]:
+        """Bounds of the distances from the eye."""
+        return self.distances(column(self.loaded.eye)[:, 0])
+
+    @property
+    def eye_is_outside(self) -> bool:
+        """True if the eye is outside of the box around the body."""
+        return self.eye_distances[0] > 0.0
+
+    @property
+    def is_lit_at_fragments(self) -> bool:
+        """True if light is evaluated at fragments, and not at vertices alone."""
+        return self.loaded.settings.shading is Shading.PHONG
