@@ -19,6 +19,7 @@ from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import Decision
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
@@ -49,6 +50,7 @@ class BodyPlan:
     light_decisions: tuple[LightDecision, ...]
     effects: frozenset[Effect]
     why_unseen: str | None = None
+    rate: ShadingRate | None = None
 
     @property
     def body(self) -> Body:
@@ -190,7 +192,9 @@ def _planned_body(seen: SeenBody) -> tuple[BodyPlan, Facts]:
         if effect in on and not found.on:
             found = Decision(on=True, because=f"{', '.join(sorted(users))} needs it")
         decisions[effect] = found
-    return BodyPlan(seen, decisions, lights, on), facts
+    rate = None if Effect.SAMPLE_SHADING in on else shading_rate(facts)
+    once = rate if isinstance(rate, ShadingRate) else None
+    return BodyPlan(seen, decisions, lights, on, rate=once), facts
 
 
 def _read_by_others() -> list[Effect]:

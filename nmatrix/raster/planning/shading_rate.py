@@ -24,17 +24,115 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Reflection
-from nmatrix.raster.shading.space import dot, length, quotient
+from nmatrix.enums import Effect, NormalRule, Reflection, Shading
+from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.planning.facts import Facts, product
+from nmatrix.raster.planning.recipe import (
+    STEADY,
+    Decision,
+    Influence,
+    by_bound,
+    called_for,
+    not_asked,
+)
+from nmatrix.raster.shading.space import column, dot, length, quotient, world_normals
 from nmatrix.raster.triangles.spans import SUBPIXELS
 from nmatrix.raster.triangles.vertices import Projected, signed_area
 from nmatrix.scene.material import Material
+from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 
 CURVED = sqrt(4.0 / 3.0)  # |u″| over e² at the most
 PART = 1 << 14  # triangles that are judged together
 SMOOTH = 2.0  # the least shininess for which a highlight has a bounded second derivative
+LIMIT = 0.25 / 255  # of a channel: half of the budget
+ENOUGH = 0.5  # of the triangles
+FEWEST = 8  # pixels a triangle, below which most pixels show an edge
+BENDING = frozenset({Effect.DIFFUSE, Effect.SPECULAR})  # whose second derivatives are known here
+ONE_SAMPLE = "one sample in a pixel"
+
+
+def sample_shading(facts: Facts) -> Decision:
+    """Decide on samples that are shaded each by itself, where one does for a whole pixel."""
+    if facts.loaded.settings.samples == 1:
+        return not_asked(ONE_SAMPLE)
+    rate = shading_rate(facts)
+    if isinstance(rate, str):
+        return called_for(rate)
+    return by_bound(rate.limit, "pixels inside a triangle are shaded once, where that moves little")
+
+
+def shading_rate(facts: Facts) -> ShadingRate | str:
+    """Find what bounds the colours between a body's samples, or the reason why nothing does."""
+    loaded, material = facts.loaded, facts.material
+    why = _why_samples_may_differ(facts)
+    if why is not None:
+        return why
+    is_flat = loaded.settings.shading is Shading.FLAT
+    lights = () if is_flat else facts.lights
+    lamps = tuple(_lamp(facts, one) for one in lights)
+    most = max(material.diffuse) + (max(material.specular) if material.shines else 0.0)
+    drift = sum(one.per_unit for one in _beside_bending(facts))
+    for placed in lights:
+        drift += product(max(placed.colour), product(facts.strength(placed).per_unit, most))
+    brightest = sum(one.brightness for one in lamps)
+    if inf in (drift, brightest):
+        return "a lamp's light has an edge on it"
+    return ShadingRate(
+        material,
+        lamps,
+        column(loaded.eye),
+        drift,
+        facts.gain,
+        saturates=brightest * most + _ambience(loaded) * max(material.ambient) > 1.0,
+        limit=LIMIT if lamps or drift else 0.0,
+    )
+
+
+def _why_samples_may_differ(facts: Facts) -> str | None:
+    """Find the reason why no bound is known, or None."""
+    loaded, material = facts.loaded, facts.material
+    width, height = loaded.settings.size
+    shading = loaded.settings.shading
+    is_wide = material.shines and material.shininess < SMOOTH and shading is Shading.PHONG
+    reasons = {
+        ONE_SAMPLE: loaded.settings.samples == 1,
+        "light at vertices costs little at samples": shading is Shading.GOURAUD,
+        "normals may have any length": loaded.settings.normals is not NormalRule.EXACT,
+        "normals of a flattened body can cancel": facts.body.linear_map.rank < 3,
+        "layers of glass meet at each sample": material.opacity < 1.0,
+        "most pixels show an edge of its triangles": len(facts.body.mesh.triangles) * FEWEST
+        > width * height,
+        "a highlight this wide has an edge": is_wide,
+    }
+    if any(one.jumps or one.per_radian or one.per_unit == inf for one in _beside_bending(facts)):
+        reasons["colours may change from one sample to the next"] = True
+    return next((why for why, holds in reasons.items() if holds), None)
+
+
+def _beside_bending(facts: Facts) -> list[Influence]:
+    """Find the influences of all effects but those whose second derivatives are known."""
+    return [
+        facts.influence(effect)
+        for effect, recipe in facts.recipes.items()
+        if effect not in BENDING and recipe.influence is not STEADY
+    ]
+
+
+def _lamp(facts: Facts, placed: PlacedLight) -> Lamp:
+    brightness = product(max(placed.colour), facts.strength(placed).most)
+    if placed.position is not None:
+        return Lamp(None, column(placed.position), brightness)
+    assert placed.direction is not None  # a light is somewhere or comes from somewhere
+    travel = column(placed.direction)
+    return Lamp(-travel / length(travel), None, brightness)
+
+
+def _ambience(loaded: LoadedScene) -> float:
+    """Find the most light that comes from everywhere."""
+    found = [max(one.colour) for one in loaded.lights if one.light.kind is LightKind.AMBIENT]
+    return sum(found) if found else 1.0
 
 
 @dataclass(frozen=True)
@@ -62,16 +160,14 @@ class ShadingRate:
     saturates: bool
     limit: float
 
-    def even_triangles(
-        self, projected: Projected, normals: Array, places: Array, per_side: int
-    ) -> Array:
-        """Return a mask (F,) of the triangles whose bound is within the limit.
+    def even_triangles(self, loaded: LoadedScene, body: Body, projected: Projected) -> Array | None:
+        """Find the projected triangles whose bound is within the limit: a mask (F,).
 
-        `normals` of length one and `places` are those of the mesh's vertices (3, V) in the world.
+        None where they are few: then looking for whole pixels costs more than it saves.
         """
-        near = projected.inverse_w
-        normals = projected.per_vertex(normals) * near
-        places = projected.per_vertex(places)
+        per_side, near = loaded.canvas.per_side, projected.inverse_w
+        normals = projected.per_vertex(world_normals(loaded, body, NormalRule.EXACT)) * near
+        places = projected.per_vertex(body.positions_world.T)
         found = np.zeros(projected.triangles.shape[1], bool)
         for first in range(0, len(found), PART):
             corners = np.ascontiguousarray(projected.triangles[:, first : first + PART])
@@ -80,10 +176,10 @@ class ShadingRate:
             with np.errstate(invalid="ignore", over="ignore"):
                 bound = self._bound(part, part.turning(normals.take(corners, 1)))
             found[first : first + PART] = bound <= self.limit
-        return found
+        return found if found.mean() >= ENOUGH else None
 
     def _bound(self, part: _Part, normal: _Turning) -> Array:
-        """Return the most that shading once moves a channel, for each triangle."""
+        """Find the most that shading once moves a channel, for each triangle."""
         bound, first = np.zeros_like(normal.turn), np.zeros_like(normal.turn)
         to_eye = part.turning(part.ways(self.eye)) if self.material.shines else None
         for lamp in self.lamps:
@@ -100,7 +196,7 @@ class ShadingRate:
     def _by_lamp(
         self, normal: _Turning, light: _Turning, to_eye: _Turning | None
     ) -> tuple[Array, Array]:
-        """Return how far the mean and the middle differ, and how far samples do, under one lamp."""
+        """Find how far the mean and the middle differ, and how far samples do, under one lamp."""
         material, diffuse = self.material, max(self.material.diffuse)
         is_kinked = ~_keep_their_side(normal, light)
         moved = diffuse * (normal.turn + light.turn)
@@ -121,7 +217,7 @@ class ShadingRate:
 
 @dataclass(frozen=True, eq=False)
 class _Turning:
-    """Unit vectors over triangles: what they are at corners, how they turn towards a sample.
+    """Unit vectors over triangles: their corners, and how they turn on the way to a sample.
 
     `corners` (3, 3, F) or (3, 1, 1) have any positive length, not less than `least` between them;
     `turn` bounds |u′| and `curve` |u″|, from the middle of a pixel to its farthest sample.
@@ -135,14 +231,14 @@ class _Turning:
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """Some triangles: the growth of weights (2, 3, F), 1/w (3, F) and places (3, 3, F) at corners."""
+    """Some triangles: growth of weights (2, 3, F), 1/w (3, F) and places (3, 3, F) at corners."""
 
     steps: Array
     near: Array
     places: Array
 
     def turning(self, corners: Array) -> _Turning:
-        """Return vectors that are linear on the canvas, as they turn."""
+        """Find vectors that are linear on the canvas, as they turn."""
         moved = sum(length((corners * step).sum(axis=1)) for step in self.steps)
         middle = corners.sum(axis=1)
         least = dot(corners, middle[:, None]).min(axis=0) / np.maximum(length(middle), 1e-300)
@@ -151,11 +247,11 @@ class _Part:
         return _Turning(corners, least, turn, CURVED * turn * turn)
 
     def ways(self, place: Array) -> Array:
-        """Return the ways from corners to a place (3, 1) of the world, times 1/w."""
+        """Find the ways from corners to a place (3, 1) of the world, times 1/w."""
         return np.asarray((place[:, :, None] - self.places) * self.near)
 
     def to_lamp(self, lamp: Lamp) -> _Turning:
-        """Return the ways to a lamp."""
+        """Find the ways to a lamp."""
         if lamp.position is not None:
             return self.turning(self.ways(lamp.position))
         assert lamp.to_light is not None  # a lamp is somewhere or comes from somewhere
@@ -175,7 +271,7 @@ class _Part:
 
 
 def _steps(x: Array, y: Array, per_side: int) -> Array:
-    """Return how much the corners' weights grow to the farthest sample, across and down (2, 3, F).
+    """Find how much the corners' weights grow to the farthest sample, across and down (2, 3, F).
 
     Where a triangle has no area they are infinite.
     """
@@ -194,7 +290,7 @@ def _curvature(a: _Turning, b: _Turning) -> Array:
 
 
 def _pairs(a: _Turning, b: _Turning) -> Array:
-    """Return the products of every corner of one with every corner of the other, (n, F).
+    """Find the products of every corner of one with every corner of the other, (n, F).
 
     Between corners all products are means of these.
     """
@@ -203,13 +299,13 @@ def _pairs(a: _Turning, b: _Turning) -> Array:
 
 
 def _keep_their_side(normal: _Turning, light: _Turning) -> Array:
-    """Return a mask of the triangles that face a lamp, or look away from it, all over."""
+    """Find a mask of the triangles that face a lamp, or look away from it, all over."""
     products = _pairs(normal, light)
     return np.asarray((products > 0).all(axis=0) | (products < 0).all(axis=0))
 
 
 def _halfway(light: _Turning, to_eye: _Turning) -> _Turning:
-    """Return the vectors halfway between two: (l + v)/|l + v|, as they turn."""
+    """Find the vectors halfway between two: (l + v)/|l + v|, as they turn."""
     cosine = np.minimum(_pairs(to_eye, light).min(axis=0), 0.0)
     cosine = np.maximum(cosine / (light.least * to_eye.least), -1.0)
     least = np.sqrt(2.0 + 2.0 * cosine)
@@ -219,7 +315,7 @@ def _halfway(light: _Turning, to_eye: _Turning) -> _Turning:
 
 
 def _mirrored(normal: _Turning, light: _Turning) -> _Turning:
-    """Return the mirrored light r = 2(n·l)n − l, as it turns.
+    """Find the mirrored light r = 2(n·l)n − l, as it turns.
 
     Differentiating twice, each product of n, n and l sums up its factors' turns.
     """

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.triangles.fragments import Fragments, Grid, VertexOutputs, interpolate
 from nmatrix.raster.triangles.layers import layers
+from nmatrix.raster.triangles.run_expansion import batches
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.raster.triangles.visibility import NOTHING, TRIANGLE_MASK, Runs, Tile, runs_of
@@ -26,6 +27,8 @@ Array = NDArray[Any]
 
 TILE_SAMPLES = 1 << 22
 STRIPE_SAMPLES = 1 << 16
+MOST_SHADED = 1 << 16  # samples that are shaded together: their arrays stay in the cache
+BOTH_NOTHING = np.int64(NOTHING << 32 | NOTHING)
 LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 
 
@@ -98,12 +101,17 @@ class Drawing:
             for one, first in zip(self.drawables, self._first, strict=False):
                 if one.opacity == 1.0:
                     fragments += tile.add(one.projected, first)
-            for few in _steps(some, STRIPE_SAMPLES, self.canvas):
+            for few in _steps(some, self._stripe_samples, self.canvas):
                 pixels, counts = self._stripe(tile, Window(few, columns))
                 shaded += counts
                 top, bottom = (row // self.canvas.per_side for row in few)
                 image[top:bottom, left:right] = finish(pixels)
         return Picture(image, fragments, tuple(shaded.tolist()))
+
+    @property
+    def _stripe_samples(self) -> int:
+        """The samples of a stripe: more where many make one pixel, which is shaded once."""
+        return STRIPE_SAMPLES * min(4, self.canvas.per_side**2)
 
     @cached_property
     def _first(self) -> list[int]:
@@ -160,46 +168,56 @@ class Drawing:
         samples[:] = self.background[:, None]
         counts = np.zeros(len(self.drawables), np.int64)
         names = tile.names(*window)
-        middles = self._taken_whole(names, window)
+        whole = self._taken_whole(names, window)
         self._colour_all(samples, runs_of(names, top, left), grid, counts)
+        even, uneven = self._parted(whole)
+        self._colour_all(samples, uneven.finer(k), grid, counts)
         if self._glass:
             triangles = [(self.drawables[i].projected, self._first[i]) for i in self._glass]
             for runs in layers(triangles, tile, window.rows):
                 self._colour_all(samples, runs, grid, counts)
         pixels = self._resolved(samples, grid.columns)
-        if middles is not None:
-            whole = Grid(grid.columns // k, top // k, left // k, spacing=k)
-            runs = runs_of(middles, whole.top, whole.left)
-            self._colour_all(pixels.reshape(len(pixels), -1), runs, whole, counts)
+        middles = Grid(grid.columns // k, top // k, left // k, spacing=k)
+        self._colour_all(pixels.reshape(len(pixels), -1), even, middles, counts)
         return pixels.transpose(1, 2, 0), counts
 
-    def _taken_whole(self, names: Array, window: Window) -> Array | None:
-        """Take the pixels that are shaded once out of the names; return their triangles.
+    def _parted(self, whole: Runs) -> tuple[Runs, Runs]:
+        """Part runs of pixels: those that are shaded once, and those of triangles that are not."""
+        if self._even is None:
+            return whole, whole
+        even = self._even.take(whole.triangle)
+        return whole.some(even), whole.some(~even)
 
-        All samples of such a pixel see one triangle that is even. A stripe that glass may cover
-        has none.
+    def _taken_whole(self, names: Array, window: Window) -> Runs:
+        """Take pixels whose samples all see one triangle out of the names; return their runs.
+
+        No pixel in a row that glass may touch is among them: layers meet at each sample.
         """
         if self._even is None:
-            return None
+            return Runs(*(np.zeros(0, np.intp) for _ in Runs._fields))
+        k, top = self.canvas.per_side, window.rows[0]
+        pairs = names.view(np.int64).reshape(len(names) // k, k, -1)
+        same = np.equal(pairs[:, 0], pairs[:, 1])
+        for i in range(2, k):
+            same &= pairs[:, 0] == pairs[:, i]
+        middles = names[::k, ::k].copy()
+        whole = np.asarray(same if k == 2 else same.reshape(*middles.shape, k // 2).all(axis=2))
+        for i in range(1, k):
+            whole &= middles == names[::k, i::k]
         glass, _ = self._touched([self.drawables[i] for i in self._glass])
-        if glass[0] < window.rows[1] and window.rows[0] < glass[1]:
-            return None
-        k = self.canvas.per_side
-        grid = names.reshape(len(names) // k, k, -1, k)
-        middles = np.array(grid[:, 0, :, 0])
-        whole = self._even.take(middles, mode="clip")
-        for i in range(1, k * k):
-            whole &= grid[:, i // k, :, i % k] == middles
+        whole[slice(*(max(row - top, 0) // k for row in glass))] = False
+        hidden = np.multiply(whole, BOTH_NOTHING)  # all bits of both names of a pair
+        pairs |= (hidden if k == 2 else hidden.repeat(k // 2, axis=1))[:, None]
         middles[~whole] = NOTHING
-        np.copyto(grid, NOTHING, where=whole[:, None, :, None])
-        return middles
+        return runs_of(middles, top // k, window.columns[0] // k)
 
     def _colour_all(self, points: Array, runs: Runs, grid: Grid, counts: Array) -> None:
         """Colour the points (channels, n) of runs, and count them for each drawable."""
         for i, one in enumerate(self.drawables):
             mine = runs.of(self._first[i], self._first[i + 1])
-            if len(mine.triangle):
-                found = interpolate(one.projected, mine, grid, one.outputs)
+            for part in batches(mine.length, MOST_SHADED) if len(mine.length) else ():
+                some = Runs(*(values[part] for values in mine))
+                found = interpolate(one.projected, some, grid, one.outputs)
                 counts[i] += len(found)
                 colours = one.fragment(found)
                 if one.opacity < 1.0:

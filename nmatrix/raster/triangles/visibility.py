@@ -107,9 +107,22 @@ class Runs(NamedTuple):
         mine = (self.triangle >= first) & (self.triangle < last)
         if not first and mine.all():
             return self
-        which = np.flatnonzero(mine)
-        triangle, *rest = (one.take(which) for one in self)
-        return Runs(triangle - first, *rest)
+        found = self.some(mine)
+        return found._replace(triangle=found.triangle - first)
+
+    def some(self, which: Array) -> Runs:
+        """Return the runs of a mask."""
+        if which.all():
+            return self
+        kept = np.flatnonzero(which)
+        return Runs(*(one.take(kept) for one in self))
+
+    def finer(self, k: int) -> Runs:
+        """Return the same runs of pixels as runs of their k × k samples."""
+        triangle, row, first, length = (one.repeat(k) for one in self)
+        row *= k
+        row += np.tile(np.arange(k), len(self.row))
+        return Runs(triangle, row, first * k, length * k)
 
 
 def runs_of(names: Array, top: int, left: int) -> Runs:
