@@ -20,7 +20,7 @@ from nmatrix.raster.render import render
 from nmatrix.raster.triangles import picture as picture_module
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import CHECKER
+from nmatrix.scene.material import CHECKER, grey
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
@@ -35,6 +35,8 @@ LAMP = SceneLight("lamp", LightKind.SPOT, position=(1, 2, 3), direction=(-1, -2,
 FADING = replace(BULB, attenuation=(0.2, 0.1, 0.05))
 BRIGHT = replace(SUN, intensity=3.0)
 SOFT = replace(BLINN, shininess=8)
+GLOSS = replace(BLINN, shininess=2, diffuse=grey(0))
+ASIDE = SceneLight("aside", LightKind.DIRECTIONAL, direction=(-1, 0, 0))
 SCENES = {
     "matt": {"shape": SPHERE},
     "matt, leaning": {"world": LEANING, "shape": TORUS},
@@ -43,6 +45,7 @@ SCENES = {
     "a spot": {"world": LEANING, "shape": SPHERE, "lights": (LAMP,)},
     "shiny": {"material": SOFT, "shape": SPHERE, "lights": (SUN, BULB)},
     "mirrored": {"material": replace(SOFT, reflection=Reflection.PHONG), "shape": SPHERE},
+    "a highlight that ends": {"material": GLOSS, "shape": SPHERE, "lights": (ASIDE,)},
     "too bright": {"shape": SPHERE, "lights": (BRIGHT,)},
     "gamma": {"world": LEANING, "shape": TORUS, "gamma": True},
     "fog": {"world": LEANING, "shape": BOX, "fog": Fog((0.5, 0.5, 0.5), 1.0, 9.0)},
