@@ -8,8 +8,8 @@ from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.glsl import shaders
-from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
-from nmatrix.raster.planning.recipe import Decision, not_asked
+from nmatrix.raster.planning.plan import BodyPlan, Plan, planned
+from nmatrix.raster.planning.recipe import BUDGET, Decision, not_asked
 from nmatrix.report import (
     Block,
     Code,

@@ -6,7 +6,7 @@ Nothing is decided here; what must be computed is the plan's business.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -22,9 +22,10 @@ from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
-from nmatrix.scene.fitting import Ball, enclosing, fitted
+from nmatrix.scene.fitting import DAYLIGHT, Ball, enclosing, fitted
 from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.material import Material
 from nmatrix.scene.meshes.mesh import Mesh
@@ -101,6 +102,17 @@ class Body:
         middle = self.centre[:, None]
         return float(np.sqrt(max(((p - middle) ** 2).sum(0).max() for p in self.parts_world())))
 
+    @cached_property
+    def hull(self) -> Convex:
+        """Return the box of the object's own axes, carried to the world."""
+        return box_around(*self.mesh.box, np.array(to_floats(self.world_from_object.exact)))
+
+    @cached_property
+    def sagitta(self) -> float:
+        """Return the most that the surface of its normals rises above its triangles."""
+        linear = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        return self.mesh.sagitta * float(np.linalg.norm(linear, 2))
+
     @property
     def ball(self) -> Ball:
         """Return the centre and the radius of a ball that holds the body."""
@@ -145,6 +157,13 @@ class LoadedScene:
         """Return P · V exactly."""
         return rational.product(self.clip_from_camera, self.camera_from_world.exact)
 
+    @cached_property
+    def frustum(self) -> Convex:
+        """Return what the camera sees of the world."""
+        clip_from_world = np.array(to_floats(self.clip_from_world))
+        world_from_clip = np.array(to_floats(rational.inverse(self.clip_from_world)))
+        return frustum(clip_from_world, world_from_clip, self.clip.depth)
+
     def clip_from_object(self, body: Body) -> RationalMatrix:
         """Return P · V · M exactly."""
         return rational.product(self.clip_from_world, body.world_from_object.exact)
@@ -184,10 +203,14 @@ def loaded(scene: Scene) -> LoadedScene:
     meshes: dict[object, Mesh] = {}
     bodies = tuple(_body(one, meshes) for one in scene.objects)
     balls = [body.ball for body in bodies]
-    remarks = scene.remarks
+    made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
+    remarks = (*scene.remarks, *made)
     if not scene.has_camera:
         scene = fitted(scene, balls)
         remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")
+    if not scene.lights:
+        scene = replace(scene, lights=(DAYLIGHT,))
+        remarks = (*remarks, f"No light was given: daylight was chosen, along {_typed(DAYLIGHT)}.")
     camera = scene.view.placed()
     turn = _turn(scene.settings.turn_degrees, balls)
     camera_from_world = Transform(
@@ -227,6 +250,10 @@ def _body(one: SceneObject, meshes: dict[object, Mesh]) -> Body:
         meshes[key] = one.geometry.mesh()
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
     return Body(one.name, meshes[key], place, one.material)
+
+
+def _typed(light: SceneLight) -> str:
+    return " ".join(map(str, light.direction))
 
 
 def _placed(light: SceneLight, world_from_home: Transform) -> PlacedLight:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import cos, radians
 from typing import Any
@@ -14,8 +14,10 @@ from nmatrix.enums import Effect, NormalRule
 from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
+from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
-from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_maps
+from nmatrix.raster.shading.outline import OF_HULLS, hull
+from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
 from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
@@ -72,25 +74,30 @@ def render(
     """
     loaded = plan.loaded
     maps = _shadow_maps(plan)
-    drawables = [_drawable(plan, body, maps, change) for body in plan.drawn]
+    outlined = [one for one in plan.drawn if Effect.OUTLINE in one.effects]
+    drawn = [*plan.drawn, *(_hull_plan(loaded, one) for one in outlined)]
+    drawables = [_drawable(plan, body, maps, change) for body in drawn]
     background = np.array(loaded.settings.background[: plan.channels])
     drawing = Drawing(drawables, loaded.canvas, background, loaded.settings.depth)
     has_gamma = plan.picture[Effect.GAMMA].on
     picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))
-    return Rendered(picture.image, _work(plan, picture, sum(map(len, maps.values()))))
+    passes = 1 + sum(map(len, maps.values())) + bool(outlined)
+    return Rendered(picture.image, _work(drawn, picture, passes))
 
 
 def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
     """Return the maps of every light whose shadows some body asks for."""
-    asked = {
-        placed.light.name: placed
-        for body in plan.drawn
-        if Effect.SHADOWS in body.effects
-        for placed in body.lights
-        if placed.light.shadows
+    size = plan.loaded.settings.shadow_map
+    return {
+        name: [shadow_map(view, size) for view in views] for name, views in plan.light_views.items()
     }
-    size, bodies = plan.loaded.settings.shadow_map, plan.loaded.bodies
-    return {name: shadow_maps(placed, bodies, size) for name, placed in asked.items()}
+
+
+def _hull_plan(loaded: LoadedScene, body: BodyPlan) -> BodyPlan:
+    """Return the plan of a body's outline: no light, so it is black, and the body's fog."""
+    effects = body.effects & OF_HULLS
+    seen = SeenBody(loaded, hull(loaded, body.body))
+    return replace(body, seen=seen, light_decisions=(), effects=effects)
 
 
 def _drawable(
@@ -175,8 +182,8 @@ def _light_in_space(
     )
 
 
-def _work(plan: Plan, picture: Picture, shadow_passes: int) -> Work:
-    bodies = plan.drawn
+def _work(bodies: Sequence[BodyPlan], picture: Picture, passes: int) -> Work:
+    """Count the work of everything that was drawn; layers of glass are a pass of their own."""
     vertices = [len(one.body.mesh.positions) for one in bodies]
     layered = any(Effect.TRANSPARENCY in one.effects for one in bodies)
     at_vertices = sum(n * per_vertex(one.effects) for n, one in zip(vertices, bodies, strict=True))
@@ -189,6 +196,6 @@ def _work(plan: Plan, picture: Picture, shadow_passes: int) -> Work:
         triangles=sum(len(one.body.mesh.triangles) for one in bodies),
         fragments=picture.fragments,
         shaded_samples=sum(picture.shaded),
-        passes=1 + shadow_passes + layered,
+        passes=passes + layered,
         multiplications=at_vertices + at_samples,
     )

@@ -68,5 +68,4 @@ class SceneLight:
         return self.kind in (LightKind.DIRECTIONAL, LightKind.SPOT)
 
 
-# What lights a scene that says nothing of lights.
-DAYLIGHT = SceneLight("light", LightKind.DIRECTIONAL, direction=normalize((-1, -1, -1)))
+USUAL_DIRECTION = normalize((-1, -1, -1))  # of a light that says nothing of it

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nmatrix.enums import Reflection
-from nmatrix.scene.words import Sides
+from nmatrix.linear.angle import Angle
+from nmatrix.scene.words import Pattern, Sides, Wrap
 
 Colour = tuple[float, float, float]
 
@@ -26,8 +27,42 @@ class EmbeddedImage:
 
 
 ImageSource = Path | EmbeddedImage
+Two = tuple[float, float]
 
-CHECKER = "checker"  # the built-in texture: eight squares to the unit of u and v
+
+@dataclass(frozen=True)
+class Texture:
+    """An image, and where coordinates (u, v) of a mesh fall on it, v upwards.
+
+    Coordinates are scaled, turned counter-clockwise about 0 0, and moved, in this order. What then
+    lies outside of the unit square is wrapped, along u and along v.
+    """
+
+    image: ImageSource | Pattern
+    wrap: tuple[Wrap, Wrap] = (Wrap.REPEAT, Wrap.REPEAT)
+    scale: Two = (1.0, 1.0)
+    rotation_degrees: float = 0.0
+    offset: Two = (0.0, 0.0)
+
+    @property
+    def uv_map(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """The rows of the map from the mesh's coordinates (u, v, 1) to those on the image.
+
+        Examples
+        --------
+        >>> Texture(Pattern.CHECKER, scale=(2, 3), rotation_degrees=90, offset=(5, 7)).uv_map
+        ((0.0, -3.0, 5.0), (2.0, 0.0, 7.0))
+        """
+        angle = Angle.degrees(self.rotation_degrees)
+        sine, cosine = float(angle.sine), float(angle.cosine)
+        (across, up), (right, above) = self.scale, self.offset
+        return (
+            (cosine * across, -sine * up, float(right)),
+            (sine * across, cosine * up, float(above)),
+        )
+
+
+CHECKER = Texture(Pattern.CHECKER)
 
 
 def grey(level: float) -> Colour:
@@ -70,13 +105,14 @@ class Material:
     opacity
         1 hides what is behind, 0 is glass.
     texture
-        An image file, or `CHECKER`; it multiplies ambient and diffuse.
+        An image, or `CHECKER`; it multiplies ambient and diffuse.
     normal_map
         An image of normals in tangent space.
     toon_steps
         Bands of toon reflection, 1 at least.
     outline
-        A surface whose normal makes a cosine below this with the way to the eye is drawn black.
+        A black line around the body, as thick as the rim of a ball of its size where the cosine of
+        normal and eye is below this; 0 draws none.
     vertex_colours
         Whether the mesh's own colours multiply ambient and diffuse.
     sides
@@ -90,8 +126,8 @@ class Material:
     shininess: float = 32.0
     reflection: Reflection = Reflection.LAMBERT
     opacity: float = 1.0
-    texture: ImageSource | str | None = None
-    normal_map: ImageSource | None = None
+    texture: Texture | None = None
+    normal_map: Texture | None = None
     toon_steps: int = 3
     outline: float = 0.0
     vertex_colours: bool = False

@@ -1,4 +1,4 @@
-"""The words of a scene: lights, shapes, sides, depth buffers, endings of files; free of NumPy."""
+"""The words of a scene: lights, shapes, sides, textures, depth, endings of files; free of NumPy."""
 
 from __future__ import annotations
 
@@ -33,6 +33,20 @@ class Sides(StrEnum):
     AS_NEEDED = "as-needed"
     FRONT = "front"
     BOTH = "both"
+
+
+class Pattern(StrEnum):
+    """Textures that are built in: eight squares to the unit of u and of v."""
+
+    CHECKER = "checker"
+
+
+class Wrap(StrEnum):
+    """What a texture shows outside of the unit square: itself again, its border, its mirror."""
+
+    REPEAT = "repeat"
+    CLAMP = "clamp"
+    MIRROR = "mirror"
 
 
 class DepthBuffer(StrEnum):

@@ -16,10 +16,10 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import EYE, WORLD, SceneLight
-from nmatrix.scene.material import CHECKER, EmbeddedImage, Material, grey
+from nmatrix.scene.material import EmbeddedImage, Material, Texture, grey
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Fog, Scene, SceneObject, Settings
-from nmatrix.scene.words import DepthBuffer, LightKind, Sides
+from nmatrix.scene.words import DepthBuffer, LightKind, Pattern, Sides, Wrap
 from nmatrix.scene.world import World
 
 
@@ -28,8 +28,12 @@ def _image(seed: int, low: int, high: int) -> EmbeddedImage:
     return EmbeddedImage(f"image {seed}", png(pixels, {}))
 
 
-PATTERNS = (CHECKER, _image(1, 0, 255), _image(2, 60, 200))
-BUMPS = (_image(3, 100, 255), _image(4, 120, 136), _image(5, 0, 255))
+PATTERNS = tuple(
+    Texture(one, wrap=wrap)
+    for one in (Pattern.CHECKER, _image(1, 0, 255), _image(2, 60, 200))
+    for wrap in ((Wrap.REPEAT, Wrap.REPEAT), (Wrap.MIRROR, Wrap.CLAMP))
+)
+BUMPS = tuple(Texture(_image(*one)) for one in ((3, 100, 255), (4, 120, 136), (5, 0, 255)))
 ATTENUATIONS = (
     (1.0, 0.0, 0.0),
     (0.0, 0.0, 1.0),

@@ -42,7 +42,7 @@ from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import WORLD
-from nmatrix.scene.material import CHECKER, grey
+from nmatrix.scene.material import grey
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import box, plane, sphere, torus
 from nmatrix.scene.meshes.tangents import with_tangents
@@ -139,13 +139,17 @@ def near_lamps(dice: Dice) -> Scene:
 
 
 def spots(dice: Dice) -> Scene:
-    """Spots in every direction, many at the body and many away from it."""
+    """Spots in every direction, many at the middle of a body and many away from it."""
+    things = []
+    for _ in range(dice.whole(1, 2)):
+        upright = World(translate=dice.vector(0.8)) if dice.chance(0.5) else None
+        things.append(body(dice, any_mesh(dice), upright))
     lights = []
     for one in lamps(dice, dice.whole(1, 5)):
-        x, y, z = one.position
-        aimed = dice.one_of((one.direction, (-x, -y, -z), (x, y, z)))
+        middle = [float(row[3]) for row in dice.one_of(things).world_from_object[:3]]
+        x, y, z = (to - here for to, here in zip(middle, one.position, strict=True))
+        aimed = dice.one_of((one.direction, (x, y, z), (-x, -y, -z)))
         lights.append(replace(one, kind=LightKind.SPOT, direction=aimed, intensity=1.0))
-    things = [body(dice, any_mesh(dice)) for _ in range(dice.whole(1, 2))]
     return scene_of(dice, *things, lights=tuple(lights))
 
 
@@ -331,7 +335,7 @@ def straight(dice: Dice) -> Scene:
             scale=grey(dice.one_of((1.0, 1.0, 0.5, 2.0))),
         )
         thing = solid(dice, dice.one_of((box(2), plane(2), sphere(6, 8), torus(4, 8))), where)
-        texture = CHECKER if dice.chance(0.5) else None
+        texture = PATTERNS[0] if dice.chance(0.5) else None
         shininess = dice.one_of((0.0, 1.0, 20.0))
         material = replace(thing.material, texture=texture, toon_steps=2, shininess=shininess)
         things.append(replace(thing, material=material))

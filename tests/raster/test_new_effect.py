@@ -14,8 +14,8 @@ from nmatrix.enums import Effect, Shading
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.glsl import shaders
-from nmatrix.raster.planning.plan import BUDGET, Plan, everything, planned
-from nmatrix.raster.planning.recipe import STEADY, Glsl, Influence, Recipe, called_for
+from nmatrix.raster.planning.plan import Plan, everything, planned
+from nmatrix.raster.planning.recipe import BUDGET, STEADY, Glsl, Influence, Recipe, called_for
 from nmatrix.raster.render import render
 from nmatrix.raster.shading.lighting import Lighting, Lit
 from nmatrix.scene.geometry import ShapeGeometry

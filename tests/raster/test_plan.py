@@ -14,14 +14,14 @@ from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
 from nmatrix.raster.image import png
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.plan import BUDGET, everything, planned
-from nmatrix.raster.planning.recipe import Decision, by_bound
+from nmatrix.raster.planning.plan import everything, planned
+from nmatrix.raster.planning.recipe import BUDGET, Decision, by_bound
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import Rendered, render
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import EmbeddedImage, Material, grey
+from nmatrix.scene.material import EmbeddedImage, Material, Texture, grey
 from nmatrix.scene.meshes.shapes import sphere
 from nmatrix.scene.meshes.tangents import with_tangents
 from nmatrix.scene.open import scene_of
@@ -39,7 +39,7 @@ def bumpy_and_coloured() -> Scene:
     slanted = EmbeddedImage("slanted", png(np.full((2, 2, 3), (160, 110, 240), np.uint8), {}))
     mesh = with_tangents(sphere(12, 24))
     painted = replace(mesh, colours=0.5 + 0.5 * np.abs(mesh.normals))
-    material = Material("bumpy", normal_map=slanted, vertex_colours=True)
+    material = Material("bumpy", normal_map=Texture(slanted), vertex_colours=True)
     return single(TINY_SHEAR, material, shape=LoadedGeometry(painted))
 
 

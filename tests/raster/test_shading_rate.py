@@ -50,6 +50,7 @@ SCENES = {
     "gamma": {"world": LEANING, "shape": TORUS, "gamma": True},
     "fog": {"world": LEANING, "shape": BOX, "fog": Fog((0.5, 0.5, 0.5), 1.0, 9.0)},
     "box": {"world": LEANING, "shape": BOX},
+    "outlined": {"material": replace(LAMBERT, outline=0.2), "shape": SPHERE},
     "flat": {"material": PHONG, "world": LEANING, "shape": TORUS, "shading": Shading.FLAT},
 }
 
@@ -102,7 +103,6 @@ def test_no_stripe_changes_a_bit(monkeypatch: pytest.MonkeyPatch) -> None:
 CALLED_FOR = {
     "a texture": {"material": replace(LAMBERT, texture=CHECKER)},
     "bands": {"material": replace(LAMBERT, reflection=Reflection.TOON)},
-    "an outline": {"material": replace(LAMBERT, outline=0.3)},
     "a shadow": {"lights": (replace(SUN, shadows=True),)},
     "glass": {"material": replace(LAMBERT, opacity=0.5)},
     "a sharp cone": {"lights": (replace(LAMP, cone_degrees=(20, 20)),)},

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from nmatrix.errors import IllegalValueError
+from nmatrix.raster.triangles import layers as layers_module
 from nmatrix.raster.triangles import picture as picture_module
 from nmatrix.raster.triangles import visibility as visibility_module
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
@@ -234,6 +235,40 @@ def test_many_layers_of_glass_are_sorted_at_every_sample() -> None:
     parts = [flat(0, off_samples(12, 14), 0.3), flat(1, off_samples(12, 15), 0.5)]
     expected = blended(parts, np.array([0.1, 0.2, 0.3]))
     assert np.abs(drawn(*parts).image - expected).max() < 1e-14
+
+
+@pytest.mark.parametrize("most", [1, SIZE * 3, SIZE * SIZE])
+def test_layers_that_do_not_fit_are_blended_some_rows_at_a_time(
+    most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parts = [
+        flat(0, pane(0.2, 0.8), 0.3),
+        drawable(loose(30, 12), 0.4),
+        flat(1, pane(0.8, 0.1), 0.6),
+        flat(2, pane(0.5, 0.5), 1.0),
+    ]
+    whole = drawn(*parts)
+    monkeypatch.setattr(layers_module, "MOST_LAYERED", most)
+    cut = drawn(*parts)
+    assert (whole.image == cut.image).all()
+    assert whole.shaded == cut.shaded
+
+
+def test_a_pane_is_coloured_once_however_many_cross_it() -> None:
+    """Its layers differ from sample to sample; coloured level by level it would be often."""
+    calls = []
+
+    def counted(one: Drawable) -> Drawable:
+        def fragment(found: Fragments) -> np.ndarray:
+            calls.append(len(found))
+            return one.fragment(found)
+
+        return replace(one, fragment=fragment)
+
+    panes = [flat(i % 3, pane(0.1 + 0.02 * i, 0.9 - 0.03 * i), 0.3) for i in range(20)]
+    found = drawn(*(counted(one) for one in panes))
+    assert calls == [SIZE * SIZE] * 20
+    assert np.abs(found.image).max() <= 1
 
 
 def test_more_triangles_than_a_key_can_name_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:

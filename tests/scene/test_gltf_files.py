@@ -16,7 +16,8 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf.accessors import primitive_mesh
 from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.gltf.scene import gltf_scene
-from nmatrix.scene.material import EmbeddedImage
+from nmatrix.scene.material import EmbeddedImage, Texture
+from nmatrix.scene.words import Wrap
 
 TRIANGLE = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 JSON_CHUNK, BINARY_CHUNK = b"JSON", b"BIN\0"
@@ -154,7 +155,9 @@ def test_an_image_lies_in_the_container_in_the_text_or_beside(tmp_path: Path, wh
         saved(tmp_path, "a b.png", content)
     chunk = json_chunk(**textured(image, bufferViews=views))
     whole = container(chunk, (BINARY_CHUNK, TRIANGLE + content + b"after"))
-    texture = gltf_scene(saved(tmp_path, "a.glb", whole)).objects[0].material.texture
+    found = gltf_scene(saved(tmp_path, "a.glb", whole)).objects[0].material.texture
+    assert found == Texture(found.image)
+    texture = found.image
     if where == "beside":
         assert texture == tmp_path / "a b.png"
     else:
@@ -224,6 +227,40 @@ def test_what_is_not_drawn_of_a_material_is_a_remark(
     scene = gltf_scene(saved(tmp_path, "a.glb", whole))
     assert f"Not drawn of the materials: {left_out}." in scene.remarks
     assert scene.objects[0].material.normal_map is None
+
+
+def test_samplers_and_the_transform_of_a_texture_are_read(tmp_path: Path) -> None:
+    """Checked where v runs down, by the rule of the extension: moved · turned · scaled."""
+    given = {"offset": [0.3, -0.2], "rotation": 0.7, "scale": [2, -1.5]}
+    reference = {"index": 0, "extensions": {"KHR_texture_transform": given}}
+    changes = textured(
+        {"uri": data_uri(picture(0))},
+        materials=[{"pbrMetallicRoughness": {"baseColorTexture": reference}}],
+        textures=[{"source": 0, "sampler": 0}],
+        samplers=[{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}],
+        extensionsUsed=["KHR_texture_transform"],
+    )
+    whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
+    scene = gltf_scene(saved(tmp_path, "a.glb", whole))
+    found = scene.objects[0].material.texture
+    assert found.wrap == (Wrap.CLAMP, Wrap.MIRROR)
+    assert not any("Extensions" in one for one in scene.remarks)
+    assert any("filters that take the nearest texel" in one for one in scene.remarks)
+    c, s = np.cos(0.7), np.sin(0.7)
+    for u, v in [(0, 0), (0.2, 0.9), (-1, 3)]:
+        across, down = 2 * u, -1.5 * v
+        right = (c * across + s * down + 0.3, -s * across + c * down - 0.2)
+        mine = np.array(found.uv_map) @ (u, 1 - v, 1)
+        assert np.abs(mine - (right[0], 1 - right[1])).max() < 1e-12
+
+
+def test_a_transform_may_name_other_coordinates(tmp_path: Path) -> None:
+    reference = {"index": 0, "extensions": {"KHR_texture_transform": {"texCoord": 1}}}
+    changes = textured({"uri": data_uri(picture(0))}, materials=[{"normalTexture": reference}])
+    whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
+    scene = gltf_scene(saved(tmp_path, "a.glb", whole))
+    assert scene.objects[0].material.normal_map is None
+    assert any("second set of coordinates" in one for one in scene.remarks)
 
 
 def test_a_texture_without_an_image_is_none(tmp_path: Path) -> None:

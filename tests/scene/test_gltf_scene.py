@@ -21,6 +21,7 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import FileGeometry
 from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import Texture
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.words import LightKind, Sides
@@ -209,7 +210,7 @@ def test_materials(tmp_path: Path) -> None:
     assert (found.name, found.opacity, found.sides) == ("glass", 0.25, Sides.BOTH)
     assert found.diffuse == (1, 0.5, 0)
     assert found.ambient == (0.15, 0.075, 0)
-    assert (found.texture, found.normal_map) == (tmp_path / "a b.png", None)
+    assert (found.texture, found.normal_map) == (Texture(tmp_path / "a b.png"), None)
     assert "Images are missing: none.png." in scene.remarks
     assert "Not drawn of the materials: emission, metallic and roughness." in scene.remarks
 

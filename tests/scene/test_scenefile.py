@@ -18,6 +18,7 @@ from nmatrix.linear.rational import inverse_transpose, linear_part, product, to_
 from nmatrix.linear.rounding import normalize
 from nmatrix.scene.camera import FirstPerson
 from nmatrix.scene.geometry import FileGeometry, ShapeGeometry, TangentGeometry
+from nmatrix.scene.material import CHECKER, Texture
 from nmatrix.scene.scene import Fog, Scene
 from nmatrix.scene.toml.file import read_scene
 from nmatrix.scene.toml.records import (
@@ -29,7 +30,7 @@ from nmatrix.scene.toml.records import (
     ObjectRecord,
     RenderRecord,
 )
-from nmatrix.scene.words import DepthBuffer, LightKind, Shape
+from nmatrix.scene.words import DepthBuffer, LightKind, Pattern, Shape, Wrap
 from nmatrix.scene.world import World
 
 SCENES = Path(__file__).parents[2] / "docs" / "scenes"
@@ -51,12 +52,13 @@ def refusal(folder: Path, text: str) -> str:
     return message.removeprefix(str(folder / "scene.toml"))
 
 
-def test_one_shape_is_a_scene_with_daylight_and_without_a_camera(tmp_path: Path) -> None:
+def test_one_shape_is_a_scene_without_a_light_and_without_a_camera(tmp_path: Path) -> None:
     scene = read(tmp_path, BALL)
     (ball,) = scene.objects
     assert ball.geometry == ShapeGeometry(Shape.SPHERE)
     assert not scene.has_camera
-    (light,) = scene.lights
+    assert scene.lights == ()
+    (light,) = read(tmp_path, f"{BALL}[[light]]\n").lights
     assert light.kind is LightKind.DIRECTIONAL
     assert light.direction == normalize((-1, -1, -1))
 
@@ -152,7 +154,24 @@ def test_files_are_relative_to_the_scene(tmp_path: Path) -> None:
     (one,) = read(tmp_path, text).objects
     # a normal map needs tangents
     assert one.geometry == TangentGeometry(FileGeometry(tmp_path / "a.obj"))
-    assert one.material.texture == one.material.normal_map == tmp_path / "b.png"
+    assert one.material.texture == one.material.normal_map == Texture(tmp_path / "b.png")
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ('wrap = "clamp"', Texture(Pattern.CHECKER, (Wrap.CLAMP, Wrap.CLAMP))),
+        ('wrap = ["mirror", "repeat"]', Texture(Pattern.CHECKER, (Wrap.MIRROR, Wrap.REPEAT))),
+        ("uv_scale = 2", Texture(Pattern.CHECKER, scale=(2, 2))),
+        (
+            "uv_scale = [2, 3]\nuv_rotation = 30\nuv_offset = [0.5, 1]",
+            Texture(Pattern.CHECKER, scale=(2, 3), rotation_degrees=30, offset=(0.5, 1)),
+        ),
+    ],
+)
+def test_textures_are_wrapped_and_placed(tmp_path: Path, keys: str, expected: Texture) -> None:
+    text = BALL + f'material = "m"\n[materials.m]\ntexture = "checker"\n{keys}\n'
+    assert read(tmp_path, text).objects[0].material.texture == expected
 
 
 def test_materials_have_grey_levels_or_colours(tmp_path: Path) -> None:
@@ -164,7 +183,7 @@ def test_materials_have_grey_levels_or_colours(tmp_path: Path) -> None:
     assert found.diffuse == (1, 0, 0)
     assert found.ambient == (0.15, 0, 0)
     assert found.specular == (0.5, 0.5, 0.5)
-    assert (found.texture, found.opacity, found.shininess) == ("checker", 0, 0)
+    assert (found.texture, found.opacity, found.shininess) == (CHECKER, 0, 0)
 
 
 def test_camera_by_target_and_by_angles(tmp_path: Path) -> None:
@@ -274,6 +293,9 @@ FAULTS = [
     (MATERIAL + 'texture = "chequer"', 'texture ("chequer"): there is no such file'),
     (MATERIAL + 'normal_map = "n.png"', 'normal_map ("n.png"): there is no such file'),
     (MATERIAL + 'reflection = "phon"', 'reflection ("phon"): …; did you mean phong?'),
+    (MATERIAL + 'wrap = "clamp"', 'wrap ("clamp"): there is no image to place; add texture'),
+    (MATERIAL + "uv_scale = 2", "uv_scale (2): there is no image to place; add texture"),
+    (MATERIAL + 'texture = "checker"\nwrap = "tile"', 'wrap ("tile"): …; there are repeat, clamp'),
     (MATERIAL + "toon_steps = 0", "toon_steps (0): …1; mend toon_steps"),
     ("[materials]\nm = 3", "[materials.m] (3): it is not a table"),
     (LAMP + "range = -3", '[[light]] 1 "lamp": range (-3): …0.0; mend range'),
@@ -428,6 +450,16 @@ def test_names_cannot_break_the_line(tmp_path: Path) -> None:
 def test_every_example_reads_and_says_what_it_shows(path: Path) -> None:
     assert path.read_text(encoding="utf-8").startswith("# ")
     assert read_scene(path).objects
+
+
+@pytest.mark.parametrize("name", ["classroom", "stretched", "hierarchy", "glass", "everything"])
+def test_what_stands_on_the_floor_of_an_example_touches_it_and_pokes_not_through(name: str) -> None:
+    lowest = []
+    for one in read_scene(SCENES / f"{name}.toml").objects:
+        row = [float(x) for x in one.world_from_object[1]]
+        lowest.append(float((one.geometry.mesh().positions @ row[:3] + row[3]).min()))
+    assert min(lowest) > -0.01
+    assert sum(low < 0.02 for low in lowest) >= 2
 
 
 def test_the_robots_hand_is_sheared_by_its_forearm() -> None:

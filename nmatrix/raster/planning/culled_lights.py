@@ -1,4 +1,4 @@
-"""Lights that cannot light a body, and the bodies that can stand between it and a light."""
+"""Lights that cannot light a body."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.enums import Effect, Shading
+from nmatrix.raster.loaded_scene import PlacedLight
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.shading.lighting import EDGE
 from nmatrix.raster.shading.space import column, dot
 from nmatrix.raster.triangles.products import chunks
 from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 
-FLAT = 1e-9  # of the radius: what lies this close to a plane cannot stand in its own light
 EDGE_ON = 1e-9  # cosines nearer to 0 than this are left to the picture
 
 
@@ -31,7 +31,7 @@ def why_dark(facts: Facts, placed: PlacedLight) -> str | None:
         return "is black"
     if placed.position is not None:
         nearest, _ = facts.seen.distances(column(placed.position)[:, 0])
-        if nearest > placed.light.range:
+        if nearest > placed.light.range * (1.0 + EDGE):
             return f"ends at {placed.light.range:g}, and the body begins at {nearest:.4g}"
         if placed.light.kind is LightKind.SPOT and _is_outside_of_cone(facts.seen, placed):
             return f"shines past it: its cone ends at {placed.light.cone_degrees[1]:g}°"
@@ -72,12 +72,18 @@ def _is_behind(facts: Facts, placed: PlacedLight) -> bool:
         return False
     if facts.decision(Effect.BACK_FACES).on or body.material.normal_map is not None:
         return False
-    space, normals = seen.space, seen.normals
+    space, is_flat = seen.space, facts.loaded.settings.shading is Shading.FLAT
     if placed.position is None:
         assert placed.direction is not None  # a light is somewhere or comes from somewhere
-        return bool((dot(normals, space.direction(placed.direction)) >= EDGE_ON).all())
+        travel = space.direction(placed.direction)
+        some = is_flat or (dot(seen.few_normals, travel) >= EDGE_ON).all()
+        return bool(some and (dot(seen.lit_normals, travel) >= EDGE_ON).all())
+    normals = seen.lit_normals
     way = space.point(placed.position) - space.positions()
     margin = -EDGE_ON * float(space.measure.vector_length(way).max())
+    if is_flat:
+        corners = body.mesh.triangles.T
+        return all(bool((dot(normals, way.take(one, 1)) <= margin).all()) for one in corners)
     if not (dot(normals, way) <= margin).all():
         return False
     return all(
@@ -87,46 +93,3 @@ def _is_behind(facts: Facts, placed: PlacedLight) -> bool:
         for j in range(3)
         if i != j
     )
-
-
-def occluders(loaded: LoadedScene, placed: PlacedLight, body: Body) -> list[str]:
-    """Return the names of bodies that can stand between a light and a body, never one too few.
-
-    Bounding spheres decide.
-    """
-    return [
-        one.name
-        for one in loaded.bodies
-        if one.material.opacity == 1.0
-        and (_can_shade_itself(one) if one is body else _is_between(placed, one, body))
-    ]
-
-
-def _can_shade_itself(body: Body) -> bool:
-    """Return True if a body has any thickness: its least spread about its middle.
-
-    The triangular factor of all vertices follows part by part, and has their singular values.
-    """
-    factor = np.zeros((3, 3))
-    for part in body.parts_world():
-        stacked = np.vstack([factor, part.T - body.centre])
-        factor = np.asarray(np.linalg.qr(stacked, mode="r"))
-    thickness = float(np.linalg.svd(factor, compute_uv=False)[-1])
-    return thickness > FLAT * body.radius * float(np.sqrt(len(body.mesh.positions)))
-
-
-def _is_between(placed: PlacedLight, caster: Body, body: Body) -> bool:
-    reach = caster.radius + body.radius
-    way = caster.centre - body.centre
-    if placed.position is None:
-        assert placed.direction is not None  # a light is somewhere or comes from somewhere
-        travel = column(placed.direction)[:, 0]
-        travel /= np.sqrt(travel @ travel)
-        ahead = -float(way @ travel)
-        aside = float(np.sqrt(max(0.0, way @ way - ahead * ahead)))
-        return ahead > -reach and aside < reach
-    to_light = column(placed.position)[:, 0] - body.centre
-    size = float(to_light @ to_light)
-    share = float(np.clip(way @ to_light / size, 0.0, 1.0)) if size else 0.0
-    nearest = way - share * to_light
-    return float(np.sqrt(nearest @ nearest)) < reach

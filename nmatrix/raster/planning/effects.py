@@ -28,20 +28,20 @@ from nmatrix.raster.planning.recipe import (
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.planning.shading_rate import sample_shading
 from nmatrix.raster.shading.space import column
-from nmatrix.scene.material import CHECKER, Material
-from nmatrix.scene.words import LightKind
+from nmatrix.scene.material import Texture
+from nmatrix.scene.words import LightKind, Pattern, Sides
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
 SMALLEST = 1e-150  # what is nearer to 0 has no useful reciprocal
 STEEPEST_SRGB = 12.92  # levels for light, near black
-EDGES = replace(
+BANDS = replace(
     STEADY,
     most=1.0,
     per_length=inf,
     follows_lights=True,
     jumps=True,
-    because="bands and outlines have edges that lengths would move",
+    because="bands have edges that lengths would move",
 )
 
 
@@ -102,11 +102,15 @@ def toon(facts: Facts) -> Decision:
 
 
 def outline(facts: Facts) -> Decision:
-    """Decide on lines where a surface turns away."""
+    """Decide on the black hull around a body."""
     if not facts.material.outline:
         return not_asked("the material has no outline")
-    if not facts.is_lit_at_fragments:
-        return adds_nothing("an outline is drawn only where normals reach the fragments")
+    if facts.material.opacity < 1.0:
+        return adds_nothing("the hull of an outline would show through glass")
+    if facts.body.linear_map.rank < 3:
+        return adds_nothing("a flattened body has no hull")
+    if facts.material.sides is Sides.FRONT and not facts.body.mesh.shell.is_closed:
+        return adds_nothing("the mesh is open and has no backs: its hull would show there")
     return called_for("the material has an outline")
 
 
@@ -168,8 +172,10 @@ def normal_map(facts: Facts) -> Decision:
     """Decide on normals from an image."""
     if facts.material.normal_map is None:
         return not_asked("the material has no normal map")
-    if facts.body.mesh.tangents is None or not facts.is_lit_at_fragments:
-        return adds_nothing("the mesh has no tangents, or light is not evaluated at fragments")
+    if not facts.is_lit_at_fragments:
+        return adds_nothing(f"{facts.loaded.settings.shading} shading has no normals at fragments")
+    if facts.body.mesh.tangents is None:
+        return adds_nothing("the mesh has no texture coordinates, hence no tangents")
     return called_for("the material has a normal map")
 
 
@@ -233,10 +239,8 @@ def supersampling(loaded: LoadedScene, _: Sequence[Facts]) -> Decision:
     return called_for(because) if loaded.settings.samples > 1 else not_asked(because)
 
 
-def outline_lines(material: Material) -> Glsl:
-    """Return the line that draws an outline."""
-    width = float(material.outline)
-    return Glsl(color=(f"if (abs(dot(n, v)) < {width!r}) color = vec3(0.0);",))
+def _is_grey(texture: Texture | None) -> bool:
+    return texture is None or texture.image is Pattern.CHECKER
 
 
 RECIPES: dict[Effect, Recipe] = {
@@ -275,6 +279,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SPECULAR: Recipe(
         "highlights",
         specular,
+        settings=("specular", "shininess"),
         influence=highlight,
         uniforms=("specular_color", "shininess"),
         needs=(Effect.EYE,),
@@ -284,18 +289,17 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.TOON: Recipe(
         "bands in place of a smooth shade",
         toon,
-        influence=EDGES,
+        settings=("toon_steps",),
+        influence=BANDS,
         uniforms=("toon_steps",),
         per_light=2,
     ),
     Effect.OUTLINE: Recipe(
-        "a dark line where a surface turns away",
+        "a black line around the body: its swollen hull, seen from the inside",
         outline,
-        influence=replace(EDGES, per_unit=inf),
-        needs=(Effect.EYE,),
-        per_sample=3,
-        only_at_fragments=True,
-        glsl=outline_lines,
+        settings=("outline",),
+        influence=STEADY,
+        passes=("outline",),
     ),
     Effect.POSITION: Recipe(
         "the position of each fragment",
@@ -335,7 +339,13 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
         geometry.shadows,
-        influence=replace(STEADY, per_unit=inf),
+        influence=replace(
+            STEADY,
+            per_length=inf,
+            per_unit=inf,
+            jumps=True,
+            because="shadows have edges, and ask how light falls in",
+        ),
         uniforms=("light_from_space",),
         passes=("shadow map",),
         needs=(Effect.POSITION,),
@@ -381,8 +391,9 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.TEXTURE: Recipe(
         "an image or a pattern on the surface",
         texture,
+        settings=("texture",),
         influence=lambda facts: replace(
-            STEADY, per_unit=inf, brings_colour=facts.material.texture != CHECKER
+            STEADY, per_unit=inf, brings_colour=not _is_grey(facts.material.texture)
         ),
         attributes=("uv",),
         uniforms=("texture",),
@@ -395,6 +406,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.NORMAL_MAP: Recipe(
         "normals from an image",
         normal_map,
+        settings=("normal_map",),
         influence=replace(
             STEADY, per_length=inf, per_unit=inf, because="a normal map turns normals"
         ),
@@ -407,6 +419,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.VERTEX_COLOURS: Recipe(
         "colours of the vertices",
         vertex_colours,
+        settings=("vertex_colours",),
         influence=replace(STEADY, per_unit=inf, brings_colour=True),
         attributes=("colour",),
         per_sample=12,

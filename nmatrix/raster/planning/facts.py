@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import inf, prod
+from math import inf, prod, radians
 from typing import Any
 
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Space
+from nmatrix.linear.classify import most_excess
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe, Strength
 from nmatrix.raster.planning.seen_body import SeenBody
@@ -178,6 +179,22 @@ class Facts:
         return product(fixed, self.gain)
 
     @cached_property
+    def bend(self) -> float:
+        """The angle in radians that normals may bend by because the matrix itself carries them.
+
+        Bounds of what is left out besides start from normals that are bent already.
+        """
+        if self.decision(Effect.INVERSE_TRANSPOSE).on:
+            return 0.0
+        excess = most_excess(self.seen.map_to_space)
+        return min(excess / 2, radians(90))
+
+    @property
+    def shortest_normal(self) -> float:
+        """The length that interpolation can shrink a normal to, as normals are carried."""
+        return self.seen.shortest_normal(self.bend)
+
+    @cached_property
     def why_lengths_matter(self) -> str | None:
         """The reason why no bound holds for shorter normals, or None if one does."""
         reasons = [one.because for one in self._influences(lambda one: one.per_length == inf)]
@@ -185,7 +202,7 @@ class Facts:
 
     @cached_property
     def has_jumps(self) -> bool:
-        """True if colours may jump: highlights at n·l = 0, bands and outlines."""
+        """True if colours may jump: highlights at n·l = 0, bands, shadows."""
         return self._any(lambda one: one.jumps)
 
     @cached_property

@@ -9,7 +9,8 @@ from __future__ import annotations
 from math import inf, radians, sqrt
 
 from nmatrix.enums import NormalRule, Shading
-from nmatrix.raster.planning.culled_lights import occluders
+from nmatrix.linear.classify import condition_text, most_excess, worst_angle_deg
+from nmatrix.linear.exact import LinearMap
 from nmatrix.raster.planning.facts import Facts, product
 from nmatrix.raster.planning.recipe import (
     ROUNDING,
@@ -19,6 +20,7 @@ from nmatrix.raster.planning.recipe import (
     called_for,
     not_asked,
 )
+from nmatrix.raster.planning.shadow_casting import occluders
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import DepthBuffer, Sides
 
@@ -34,24 +36,40 @@ def inverse_transpose(facts: Facts) -> Decision:
     """Decide on the inverse transpose, or the matrix itself."""
     if facts.loaded.settings.normals is not NormalRule.EXACT:
         return called_for(f"normals are carried by the rule “{facts.loaded.settings.normals}”")
-    found = facts.seen.map_to_space
-    if found.rank < 3:
-        return called_for(f"the map has rank {found.rank}: only the cofactors are left")
-    worst = found.worst_angle_deg or 0.0
-    if not worst and _is_power_of_two(facts):
+    linear_map = facts.seen.map_to_space
+    if linear_map.rank < 3:
+        return called_for(f"the map has rank {linear_map.rank}: only the cofactors are left")
+    if _is_power_of_two(linear_map):
         return adds_nothing("the map is a turn times a power of two: it carries normals itself")
-    bound = product(radians(worst), facts.max_change_per_radian)
-    if facts.has_jumps and max(bound, radians(worst)) > ROUNDING:
-        bound = inf
-    return by_bound(bound, f"κ = {found.condition_text}: without it normals bend by {worst:.3g}°")
+    excess = most_excess(linear_map)
+    if excess <= ROUNDING:
+        bound = _change_by_bent_normals(facts, excess / 2)
+        return by_bound(bound, f"κ = 1 to {excess / 2:.2g}: the matrix itself carries normals")
+    worst = worst_angle_deg(linear_map) or 0.0
+    bound = _change_by_bent_normals(facts, radians(worst))
+    because = f"κ = {condition_text(linear_map)}: without it normals bend by {worst:.3g}°"
+    return by_bound(bound, because)
 
 
-def _is_power_of_two(facts: Facts) -> bool:
+def _change_by_bent_normals(facts: Facts, angle: float) -> float:
+    """Bound what a channel moves if each normal of a vertex bends by an angle in radians."""
+    if not facts.seen.is_rigid:
+        return inf  # the angle is one between coordinates, not one of the world
+    if facts.has_jumps and angle > ROUNDING:
+        return inf
+    bound = product(angle, facts.max_change_per_radian)
+    if bound and facts.loaded.settings.shading is Shading.PHONG:
+        shortest = facts.seen.shortest_normal()  # a mixture of bent normals bends by θ/|mixture|
+        bound = bound / shortest if shortest else inf
+    return inf if facts.has_jumps and bound > ROUNDING else bound
+
+
+def _is_power_of_two(linear_map: LinearMap) -> bool:
     """Return True if AᵀA = 4ᵏ·I exactly: then A and its cofactors differ by a power of two."""
-    linear_map = facts.seen.map_to_space.linear_map
-    square = sum(entry * entry for entry in linear_map.entries[0])
-    size = square.bit_length() - 1
-    return square == 1 << size and size % 2 == 0
+    G = linear_map.gram
+    size = G[0][0].bit_length() - 1
+    is_even = G[0][0] == 1 << size and size % 2 == 0
+    return is_even and all(G[i][j] == G[0][0] * (i == j) for i in range(3) for j in range(3))
 
 
 def metric(facts: Facts) -> Decision:
@@ -74,12 +92,11 @@ def shadows(facts: Facts) -> Decision:
     casting = [one for one in facts.lights if one.light.shadows]
     if not casting:
         return not_asked("no lamp that reaches it casts shadows")
-    found = {one.light.name: occluders(facts.loaded, one, facts.body) for one in casting}
-    blocked = {name: bodies for name, bodies in found.items() if bodies}
-    if not blocked:
-        return adds_nothing("nothing stands between it and a lamp")
-    name, bodies = next(iter(blocked.items()))
-    return called_for(f"{bodies[0]} can keep {name}'s light off")
+    for placed in casting:
+        for one in occluders(facts.loaded, placed, facts.body):
+            if one.material.opacity == 1.0:
+                return called_for(f"{one.name} can keep {placed.light.name}'s light off")
+    return adds_nothing("nothing stands between what is seen of it and a lamp")
 
 
 def renormalise(facts: Facts) -> Decision:
@@ -90,7 +107,7 @@ def renormalise(facts: Facts) -> Decision:
         return called_for(facts.why_lengths_matter)
     if facts.body.linear_map.rank < 3:
         return called_for("normals of a flattened body can cancel")
-    short = 1.0 - facts.seen.shortest_normal
+    short = 1.0 - facts.shortest_normal
     bound = facts.max_change_by_shortening(short)
     return by_bound(bound, f"interpolation shortens normals by up to {short:.2g}")
 
@@ -123,10 +140,10 @@ def _change_by_affine_weights(facts: Facts, ratio: float) -> float:
     if not facts.is_lit_at_fragments:
         is_flat = facts.loaded.settings.shading is Shading.FLAT
         return by_place + (0.0 if is_flat else product(wrong, facts.max_light))
-    if not facts.seen.shortest_normal:
+    if not facts.shortest_normal:
         return inf
-    chord = sqrt(max(0.0, 2.0 - 2.0 * facts.seen.normal_cosine))
-    turned = product(wrong * chord / facts.seen.shortest_normal, facts.max_change_per_radian)
+    chord = sqrt(max(0.0, 2.0 - 2.0 * facts.seen.normal_cosine)) + 2.0 * facts.bend
+    turned = product(wrong * chord / facts.shortest_normal, facts.max_change_per_radian)
     return by_place + turned
 
 

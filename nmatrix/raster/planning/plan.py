@@ -13,17 +13,21 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from nmatrix.enums import Effect, Effort, LeftOut
+from nmatrix.errors import printable, shortlist
 from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
 from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.planning.recipe import Decision
+from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
+from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
+from nmatrix.raster.shading.shadow import LightView
+from nmatrix.scene.material import DEFAULT_MATERIAL
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
-BUDGET = 0.5 / 255
+MOST_NAMED = 4  # bodies that a remark names
 
 
 @dataclass(frozen=True)
@@ -43,12 +47,16 @@ class LightDecision:
 
 @dataclass(frozen=True)
 class BodyPlan:
-    """The effects and the lights that are computed for one body: none if it cannot be seen."""
+    """The effects and the lights that are computed for one body: none if it cannot be seen.
+
+    `ineffective` holds the settings of its material that change nothing here, and why.
+    """
 
     seen: SeenBody
     decisions: Mapping[Effect, Decision]
     light_decisions: tuple[LightDecision, ...]
     effects: frozenset[Effect]
+    ineffective: Mapping[str, str]
     why_unseen: str | None = None
     rate: ShadingRate | None = None
 
@@ -93,7 +101,28 @@ class Plan:
         on = {effect for effect, one in self.picture.items() if one.on}
         return frozenset(on.union(*(body.effects for body in self.bodies)))
 
+    @cached_property
+    def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
+        """Return the views for shadow maps, by the names of the lamps that have any."""
+        found = {
+            placed.light.name: light_views(
+                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
+            )
+            for placed, lit in self._lit_by_casting_lamps.items()
+        }
+        return {name: views for name, views in found.items() if views}
+
     @property
+    def _lit_by_casting_lamps(self) -> Mapping[PlacedLight, Sequence[BodyPlan]]:
+        """Return the lamps that cast shadows, and the bodies that each can light."""
+        lit: dict[PlacedLight, list[BodyPlan]] = {}
+        for one in self.drawn:
+            for placed in one.lights:
+                if placed.light.shadows:
+                    lit.setdefault(placed, []).append(one)
+        return lit
+
+    @cached_property
     def remarks(self) -> tuple[str, ...]:
         """What a reader should know: of the scene, of meshes that are inside out, of no picture."""
         found = [*self.loaded.remarks]
@@ -103,10 +132,27 @@ class Plan:
             for one in self.bodies
             if Effect.BACK_FACES in one.effects and one.body.mesh.shell is Shell.INSIDE_OUT
         ]
+        for placed, lit in self._lit_by_casting_lamps.items():
+            views = self.light_views.get(placed.light.name, ())
+            found += shadow_remarks(self.loaded, placed, [one.body for one in lit], views)
+        found += self._said_in_vain()
         if not self.drawn:
             reasons = "; ".join(f"{one.body.name} {one.why_unseen}" for one in self.bodies[:3])
             found.append(f"Nothing can be seen: {reasons}.")
-        return tuple(found)
+        return tuple(dict.fromkeys(found))
+
+    def _said_in_vain(self) -> list[str]:
+        """Say which settings of materials change nothing, on which objects, and why."""
+        bodies: dict[tuple[str, str, str], list[str]] = {}
+        for one in self.bodies:
+            for setting, because in one.ineffective.items():
+                names = bodies.setdefault((setting, one.body.material.name, because), [])
+                names.append(one.body.name)
+        return [
+            f"{setting} of material {printable(material)} changes nothing on "
+            f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
+            for (setting, material, because), names in bodies.items()
+        ]
 
 
 def plan_for(loaded: LoadedScene) -> Plan:
@@ -141,7 +187,17 @@ def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
     named = {effect for effect, one in facts.decisions.items() if one.on}
     on = closure(_for_shading(named | _shortcuts(facts.body), facts))
     decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
-    return BodyPlan(facts.seen, decisions, lights, on)
+    return BodyPlan(facts.seen, decisions, lights, on, _ineffective(facts))
+
+
+def _ineffective(facts: Facts) -> dict[str, str]:
+    """Find the settings of a material, other than the default, that no effect on here reads."""
+    return {
+        setting: one.because
+        for effect, one in facts.decisions.items()
+        for setting in RECIPES[effect].settings
+        if not one.on and getattr(facts.material, setting) != getattr(DEFAULT_MATERIAL, setting)
+    }
 
 
 def _shortcuts(body: Body) -> AbstractSet[Effect]:
@@ -181,7 +237,7 @@ def _planned_body(seen: SeenBody) -> tuple[BodyPlan, Facts]:
     """Plan one body, and return the facts under the lights that it needs."""
     if seen.why_unseen is not None:
         unlit = Facts(seen, (), RECIPES)
-        return BodyPlan(seen, {}, (), frozenset(), seen.why_unseen), unlit
+        return BodyPlan(seen, {}, (), frozenset(), {}, seen.why_unseen), unlit
     facts, lights = _facts_under_needed_lights(seen)
     spent = sum(one.bound for one in lights)
     decisions = _within_budget(facts.decisions, len(facts.lights), BUDGET - spent)
@@ -194,7 +250,7 @@ def _planned_body(seen: SeenBody) -> tuple[BodyPlan, Facts]:
         decisions[effect] = found
     rate = None if Effect.SAMPLE_SHADING in on else shading_rate(facts)
     once = rate if isinstance(rate, ShadingRate) else None
-    return BodyPlan(seen, decisions, lights, on, rate=once), facts
+    return BodyPlan(seen, decisions, lights, on, _ineffective(facts), rate=once), facts
 
 
 def _read_by_others() -> list[Effect]:
@@ -230,7 +286,7 @@ def _within_budget(
         if one.bound <= left:
             left -= one.bound
             continue
-        because = f"{one.because}; it could move a channel by {one.bound * 255:.2g} of 255 levels"
+        because = too_dear(one.because, one.bound)
         decisions[effect] = replace(one, on=True, because=because, bound=0.0)
     return decisions
 

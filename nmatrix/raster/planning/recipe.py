@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from nmatrix.raster.planning.seen_body import SeenBody
     from nmatrix.scene.material import Material
 
+BUDGET = 0.5 / 255  # that all that is left out of one object may move a channel by, together
 ROUNDING = 1e-12
 
 
@@ -52,12 +53,17 @@ def adds_nothing(because: str) -> Decision:
 
 
 def by_bound(bound: float, because: str) -> Decision:
-    """Leave out what moves channels by rounding; propose to leave out what has a bound at all."""
+    """Leave out what moves channels by rounding; propose to leave out what the budget can pay."""
     if bound <= ROUNDING:
         return Decision(on=False, because=because, kind=LeftOut.ROUNDING, bound=bound)
-    if bound < inf:
+    if bound <= BUDGET:
         return Decision(on=False, because=because, kind=LeftOut.BOUNDED, bound=bound)
-    return called_for(because)
+    return called_for(because if bound == inf else too_dear(because, bound))
+
+
+def too_dear(because: str, bound: float) -> str:
+    """Add to a reason what leaving the effect out could cost."""
+    return f"{because}; it could move a channel by {bound * 255:.2g} of 255 levels"
 
 
 @dataclass(frozen=True)
@@ -159,6 +165,8 @@ class Recipe:
         How colours depend on normals and places through it.
     attributes, uniforms, passes
         Its inputs by name, and the passes over the picture that it takes.
+    settings
+        The fields of a material that it alone reads: where it is left out, they change nothing.
     needs
         The effects whose results it reads.
     per_vertex, per_sample, per_light
@@ -179,6 +187,7 @@ class Recipe:
     attributes: tuple[str, ...] = ()
     uniforms: tuple[str, ...] = ()
     passes: tuple[str, ...] = ()
+    settings: tuple[str, ...] = ()
     needs: tuple[Effect, ...] = ()
     per_vertex: int = 0
     per_sample: int = 0

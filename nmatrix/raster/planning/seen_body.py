@@ -14,19 +14,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Shading
-from nmatrix.linear.classify import Classification, classify
-from nmatrix.linear.rational import RationalMatrix
+from nmatrix.enums import NormalRule, Shading
+from nmatrix.linear.classify import most_excess
+from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rational import RationalMatrix, linear_part
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.shading.space import ShadingSpace, as_array, column, dot
+from nmatrix.raster.shading.space import ShadingSpace, as_array, column
 from nmatrix.raster.triangles.clip import PLANES, all_beyond, inside
-from nmatrix.raster.triangles.products import chunks, multiply
+from nmatrix.raster.triangles.products import PART, chunks, multiply
 from nmatrix.raster.triangles.vertices import front_sign
+from nmatrix.raster.triangles.visibility import STEPS
+from nmatrix.scene.meshes.mesh import least_cosine
+from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
 
-THINNEST = 1e6  # of length to thickness, for fronts and backs to be told apart by depth
-OUTWARDS = 1e-9  # of a distance: rounding is less
+NO_SPREAD = 1e-12  # of the largest spread, squared: float64 tells nothing of less
+MANY_STEPS = 2.0**10  # of depth, between a front and a back that are told apart
+OUTWARDS = 1e-9  # of a distance, and of a cosine: rounding is less
+FEW = 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,12 +64,21 @@ class SeenBody:
         return ShadingSpace(self.loaded, self.body, space, uses_metric=not self.is_rigid)
 
     @cached_property
-    def map_to_space(self) -> Classification:
-        """The kind of the map from the body to its shading space."""
-        return classify(self.space.exact_from_object)
+    def map_to_space(self) -> LinearMap:
+        """The 3×3 block of the map from the body to its shading space, exactly."""
+        return LinearMap.of(linear_part(self.space.exact_from_object))
+
+    @cached_property
+    def _clip(self) -> Array:
+        """The vertices (4, V) in clip space."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            return multiply(as_array(self.clip_from_object), self.body.mesh.positions.T)
 
     def _clip_parts(self) -> Iterator[Array]:
-        """Yield the vertices in clip space, some at a time (4, n)."""
+        """Yield the vertices in clip space, some at a time (4, n); few are computed once."""
+        if len(self.body.mesh.positions) <= PART:
+            yield self._clip
+            return
         matrix = as_array(self.clip_from_object)
         for part in chunks(self.body.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
@@ -91,11 +106,24 @@ class SeenBody:
                 return None
         return f"is {PLANES[int(beyond.argmax())]}"
 
-    @property
+    @cached_property
     def is_thin(self) -> bool:
-        """True if the map all but flattens the body: a front and a back in one place."""
-        kappa = self.body.kind.condition
-        return kappa is None or kappa > THINNEST
+        """True if fronts and backs may share a place: by the snap to 1/256 sample, or in depth.
+
+        The thickness is the least spread of the vertices about their middle. Far away it must
+        still take a sample on the canvas, and many steps of depth.
+        """
+        A = as_array(linear_part(self.body.world_from_object.exact))
+        spread = np.linalg.eigvalsh(A @ self.body.mesh.spread @ A.T)
+        if spread[0] <= spread[2] * NO_SPREAD:
+            return True
+        thickness = float(np.sqrt(spread[0]))
+        canvas, rows = self.loaded.canvas, as_array(self.loaded.clip_from_camera)
+        w = max(float(part[3].max()) for part in self._clip_parts())
+        across = min(abs(rows[0, 0]) * canvas.columns, abs(rows[1, 1]) * canvas.rows) / 2 / w
+        inwards = abs(rows[2, 2] * rows[3, 3] - rows[2, 3] * rows[3, 2]) / w / w
+        steps = inwards * STEPS[DepthBuffer.FULL]
+        return not (thickness * across >= 1.0 and thickness * steps >= MANY_STEPS)
 
     @property
     def is_parallel(self) -> bool:
@@ -119,25 +147,45 @@ class SeenBody:
         """The normals (3, V) of the vertices in the shading space, by the rule of the settings."""
         return self.space.normals(self.loaded.settings.normals)
 
+    @property
+    def lit_normals(self) -> Array:
+        """The normals that light falls on: of vertices (3, V), or of faces (3, F) that are flat."""
+        if self.loaded.settings.shading is Shading.FLAT:
+            return self.space.face_normals(self.loaded.settings.normals)
+        return self.normals
+
+    @cached_property
+    def few_normals(self) -> Array:
+        """Some of the normals (3, n), from all over the mesh: enough to find that they vary."""
+        mesh = self.body.mesh
+        few = mesh.normals[:: 1 + len(mesh.normals) // FEW]
+        return self.space.normals(self.loaded.settings.normals, few)
+
+    @cached_property
+    def keeps_angles(self) -> bool:
+        """True if the angles between the mesh's normals are those between the picture's."""
+        linear_map = self.body.linear_map
+        is_exact = self.loaded.settings.normals is NormalRule.EXACT
+        return is_exact and linear_map.rank == 3 and most_excess(linear_map) <= OUTWARDS
+
     @cached_property
     def normal_cosine(self) -> float:
         """The smallest cosine between the normals of one triangle's corners.
 
         It is −1, the worst, where some normal is not of length one: no bound holds for those.
         """
+        if self.keeps_angles:
+            return self.body.mesh.normal_cosine - OUTWARDS
         normals = self.space.measure.normal_in_world(self.normals)
-        if not bool((np.abs(dot(normals, normals) - 1.0) <= OUTWARDS).all()):
-            return -1.0
-        found = inf
-        for part in chunks(self.body.mesh.triangles.T):
-            a, b, c = (normals.take(corner, 1) for corner in part)
-            found = min(found, *(float(dot(p, q).min()) for p, q in ((a, b), (b, c), (c, a))))
-        return found
+        return least_cosine(normals, self.body.mesh.triangles)
 
-    @property
-    def shortest_normal(self) -> float:
-        """The length that interpolation can shrink a normal to: √((1 + 2 cos θ)/3)."""
-        return sqrt(max(0.0, (1.0 + 2.0 * self.normal_cosine) / 3.0))
+    def shortest_normal(self, bend: float = 0.0) -> float:
+        """Bound how short interpolation makes a normal: √((1 + 2 cos θ)/3), at the least.
+
+        Normals that each bend by an angle in radians open θ by twice that.
+        """
+        cosine = self.normal_cosine - 2.0 * bend
+        return sqrt(max(0.0, (1.0 + 2.0 * cosine) / 3.0))
 
     @cached_property
     def longest_edge(self) -> float:

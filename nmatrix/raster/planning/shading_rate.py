@@ -35,6 +35,7 @@ from nmatrix.raster.planning.recipe import (
     called_for,
     not_asked,
 )
+from nmatrix.raster.shading.lighting import EDGE
 from nmatrix.raster.shading.space import column, dot, length, quotient, world_normals
 from nmatrix.raster.triangles.spans import SUBPIXELS
 from nmatrix.raster.triangles.vertices import Projected, signed_area
@@ -301,7 +302,8 @@ def _pairs(a: _Turning, b: _Turning) -> Array:
 def _keep_their_side(normal: _Turning, light: _Turning) -> Array:
     """Find a mask of the triangles that face a lamp, or look away from it, all over."""
     products = _pairs(normal, light)
-    return np.asarray((products > 0).all(axis=0) | (products < 0).all(axis=0))
+    edge = 2 * EDGE * length(normal.corners).max(axis=0) * length(light.corners).max(axis=0)
+    return np.asarray((products > edge).all(axis=0) | (products < -edge).all(axis=0))
 
 
 def _halfway(light: _Turning, to_eye: _Turning) -> _Turning:

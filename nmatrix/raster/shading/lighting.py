@@ -20,8 +20,12 @@ from nmatrix.raster.shading.space import Measure, dot, quotient
 from nmatrix.scene.material import Material
 
 Array = NDArray[Any]
+Occlusion = Callable[[Array, Array, Array], Array]  # of positions, normals, cosines; 1 where lit
+
+# Bands, highlights and ranges end this far beside round numbers: on them, where boxes and lamps
+# like to stand, the last bit would decide, and differently in each space and on each machine.
+EDGE = 1e-6
 MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
-Occlusion = Callable[[Array, Array], Array]  # of positions and cosines; 1 where light arrives
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +82,7 @@ class Lighting:
             to_light, strength = self._reaching(light, positions)
             cosine = dot(normals, to_light)
             if light.occlusion is not None and positions is not None:
-                strength = strength * light.occlusion(positions, cosine)
+                strength = strength * light.occlusion(positions, normals, cosine)
             if Effect.DIFFUSE in self.effects:
                 matte += (light.colour * diffuse) * (self._diffuse(cosine) * strength)
             if gloss is not None and to_eye is not None:
@@ -110,8 +114,9 @@ class Lighting:
         strength: Array | float = 1.0
         if Effect.ATTENUATION in self.effects:
             constant, linear, quadratic = light.attenuation
-            strength = 1.0 / (constant + distance * (linear + quadratic * distance))
-            strength = strength * (distance <= light.range)
+            weakened = constant + distance * (linear + quadratic * distance)
+            # On the lamp itself light has no direction, and so no strength.
+            strength = quotient(1.0 * (distance <= light.range * (1.0 + EDGE)), weakened)
         if Effect.SPOT in self.effects and light.cone is not None:
             strength = strength * self._inside_cone(light, to_light)
         return to_light, strength
@@ -129,7 +134,7 @@ class Lighting:
         found = np.maximum(cosine, 0.0)
         if Effect.TOON in self.effects:
             steps = self.material.toon_steps
-            return np.asarray(np.ceil(found * steps) / steps)
+            return np.asarray(np.ceil(np.maximum(found * steps - EDGE, 0.0)) / steps)
         return np.asarray(found)
 
     def _highlight(self, n: Array, to_light: Array, to_eye: Array, cosine: Array) -> Array:
@@ -139,27 +144,10 @@ class Lighting:
         else:
             world = self.measure.vector_in_world
             found = 2.0 * cosine * dot(n, to_eye) - dot(world(to_light), world(to_eye))
-        return power(np.clip(found, 0.0, 1.0), self.material.shininess) * (cosine > 0)
+        return np.asarray(np.clip(found, 0.0, 1.0) ** self.material.shininess * (cosine > EDGE))
 
 
-def power(base: Array, exponent: float) -> Array:
-    """Return base^exponent; whole exponents by squarings, which lose about as many roundings.
-
-    Examples
-    --------
-    >>> power(np.array([0.5, 1.0]), 5.0).tolist()
-    [0.03125, 1.0]
-    """
-    if exponent != int(exponent) or not 1 <= exponent <= MOST_SQUARED:
-        return np.asarray(base**exponent)
-    rest, square, found = int(exponent), base, None
-    while True:
-        if rest & 1:
-            found = square if found is None else found * square
-        rest >>= 1
-        if not rest:
-            return np.asarray(found)
-        square = square * square
+MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
 
 
 def colour(channels: tuple[float, ...], count: int) -> Array:

@@ -1,14 +1,15 @@
-"""Shadow maps: the distance that light gets, seen from the light, by the same rasterizer.
+"""Shadow maps: how far a lamp's light gets, seen from the lamp, by the same rasterizer.
 
-A map holds distances along the light's axis. A point is in shadow where the map ends before it, by
-more than what one texel of a slanted surface spans.
+A map holds distances along the lamp's axis. Where a point looks into it, the four texels around it
+are compared with the point's own distance, and weighted bilinearly: the share of them that is lit
+is the share of light that arrives.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import radians, tan
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -16,43 +17,52 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import DepthRange, Handedness
 from nmatrix.linear import rational
-from nmatrix.linear.angle import Angle
-from nmatrix.linear.projection import ClipSpace, Window, orthographic, perspective
-from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
-from nmatrix.linear.view import looking_along
-from nmatrix.raster.loaded_scene import Body, PlacedLight
-from nmatrix.raster.shading.space import ShadingSpace, as_array, column
+from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.raster.loaded_scene import Body
+from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.triangles.products import multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
-from nmatrix.scene.fitting import Ball
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
 
 CLIP = ClipSpace(DepthRange.ZERO_TO_ONE, Handedness.RIGHT)
-UP: RationalVector = rational_vector((0, 1, 0))
-NEAREST = 1e-3  # of the farthest distance: what stands closer to a light casts no shadow
-STEEPEST = 8.0  # texels of depth that a slanted surface may span
-SIX_WAYS = tuple(
-    rational_vector(way)
-    for way in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-)
+# A texel that has a say is less than √2 texels away. On a plane that light meets with the cosine c,
+# distances differ there by less than √2/c texels, under a parallel view and a perspective alike.
+SLACK = 1.5
+LEAST_COSINE = 1.0 / 64.0  # flatter light would need more slack, and shows nothing any more
 
 
 @dataclass(frozen=True)
 class LightView:
-    """One view from a light: its clip space, and the distances along its axis that it reaches.
+    """One view from a lamp, fitted to what is seen and what can cast a shadow there.
 
-    `texel` is a texel's width, at distance 1 where the view is a perspective.
+    The rows of `light_from_world` are x, y, the distance along the lamp's axis, and w: what lies in
+    the view has −w < x < w and −w < y < w. w is the distance in a perspective, and 1 in a parallel
+    view. All that casts, and all that it falls on, is between `near` and `far`;
+    `texel` is a texel's width where w is 1.
     """
 
     light_from_world: RationalMatrix
     near: float
     far: float
     texel: float
-    is_perspective: bool
+    casters: tuple[Body, ...]
+
+    @property
+    def is_perspective(self) -> bool:
+        """True where w grows with the distance."""
+        return any(self.light_from_world[3][:3])
+
+    def clip_from(self, world_from_space: RationalMatrix) -> Array:
+        """Return the map to a clip space whose depth is 0 at `near` and 1 at `far`."""
+        matrix = as_array(rational.product(self.light_from_world, world_from_space))
+        scale = (self.far if self.is_perspective else 1.0) / (self.far - self.near)
+        matrix[2] = (matrix[2] - (0.0, 0.0, 0.0, self.near)) * scale
+        return matrix
 
     def distances(self, depth: Array) -> Array:
         """Return distances along the axis for depths from 0 to 1."""
@@ -63,97 +73,67 @@ class LightView:
 
 @dataclass(frozen=True, eq=False)
 class ShadowMap:
-    """A view from a light, and the distance (size, size) that its light gets in each texel."""
+    """A view from a lamp, and the distance (size, size) that its light gets in each texel."""
 
     view: LightView
     distance: Array
 
-    def arrives(self, in_clip: Array, cosine: Array) -> tuple[Array, Array]:
-        """Return two masks for points (4, m) of the light's clip space: in its view, and lit by it.
+    def arriving(self, in_light: Array, cosine: Array) -> Array:
+        """Return the share of light, 0 to 1, that arrives at points (4, m) of the view.
 
-        `cosine` is that of the angle at which light falls in: the flatter, the more depth a texel
-        spans.
+        `cosine` is that of the angle at which light falls in. All of it arrives outside the view.
         """
-        w = np.where(in_clip[3] > 0, in_clip[3], np.inf)
-        x, y, z = in_clip[:3] / w
-        inside = (in_clip[3] > 0) & (np.abs(x) < 1) & (np.abs(y) < 1)
+        x, y, here, w = in_light
+        found = np.ones(len(w))
+        which = np.flatnonzero((w > 0) & (np.abs(x) < w) & (np.abs(y) < w))
+        x, y, here, w, cosine = (one.take(which) for one in (x, y, here, w, cosine))
         size = len(self.distance)
-        column = np.clip((x + 1) / 2 * size, 0, size - 1).astype(np.intp)
-        row = np.clip((1 - y) / 2 * size, 0, size - 1).astype(np.intp)
-        here = self.view.distances(z)
-        slope = np.sqrt(np.maximum(1 - cosine * cosine, 0.0)) / np.maximum(np.abs(cosine), 1e-9)
-        texel = self.view.texel * (here if self.view.is_perspective else 1.0)
-        slack = texel * (1.0 + np.minimum(slope, STEEPEST))
-        return inside, here - slack <= self.distance[row, column]
+        right, column = np.modf((x / w + 1.0) * (size / 2) + 0.5)
+        down, row = np.modf((1.0 - y / w) * (size / 2) + 0.5)
+        limit = here - (SLACK * self.view.texel) * w / np.maximum(cosine, LEAST_COSINE)
+        columns = [np.clip(column - step, 0, size - 1).astype(np.intp) for step in (1, 0)]
+        rows = [size * np.clip(row - step, 0, size - 1).astype(np.intp) for step in (1, 0)]
+        texels = self.distance.ravel()
+        (a, b), (c, d) = (
+            [limit <= texels.take(down_to + across) for across in columns] for down_to in rows
+        )
+        above, below = a + right * (b * 1.0 - a), c + right * (d * 1.0 - c)
+        found[which] = above + down * (below - above)
+        return found
 
 
 @dataclass(frozen=True, eq=False)
 class Occluded:
-    """The shadow maps of one light, as one body's shading space reaches them."""
+    """The shadow maps of one lamp, as one body's shading space reaches them.
+
+    Points are asked where the round surface is that a body's normals feign: the triangles below it
+    would stand in their own light where it grazes them.
+    """
 
     maps: Sequence[ShadowMap]
     space: ShadingSpace
 
-    def __call__(self, positions: Array, cosine: Array) -> Array:
-        """Return 1 where light arrives at positions (3, m), else 0."""
-        found = np.ones(positions.shape[1], bool)
-        for one in self.maps:
-            matrix = self.space.light_from_space(one.view.light_from_world)
-            inside, arrives = one.arrives(multiply(matrix, positions), cosine)
-            found &= arrives | ~inside
-        return found.astype(np.float64)
+    @cached_property
+    def light_from_space(self) -> tuple[Array, ...]:
+        """Return the map from the shading space to each view."""
+        return tuple(self.space.light_from_space(one.view.light_from_world) for one in self.maps)
+
+    def __call__(self, positions: Array, normals: Array, cosine: Array) -> Array:
+        """Return the share of light, 0 to 1, that arrives at positions (3, m) with unit normals."""
+        if self.space.body.sagitta:
+            positions = self.space.raised(positions, normals, self.space.body.sagitta)
+        found = np.ones(positions.shape[1])
+        for one, matrix in zip(self.maps, self.light_from_space, strict=True):
+            found = np.minimum(found, one.arriving(multiply(matrix, positions), cosine))
+        return found
 
 
-def shadow_maps(placed: PlacedLight, bodies: Sequence[Body], size: int) -> list[ShadowMap]:
-    """Return the shadow maps of a light: one for a direction or a cone, six for a point."""
-    casters = [one for one in bodies if one.material.opacity == 1.0]
-    views = _views(placed, [one.ball for one in bodies], size)
-    return [ShadowMap(view, _drawn(view, casters, size)) for view in views]
-
-
-def _views(placed: PlacedLight, balls: Sequence[Ball], size: int) -> list[LightView]:
-    if placed.position is None:
-        assert placed.direction is not None  # a light is somewhere or comes from somewhere
-        return [_parallel(placed.direction, balls, size)]
-    place = column(placed.position)[:, 0]
-    far = max(float(np.sqrt(((c - place) ** 2).sum())) + r for c, r in balls)
-    ways, half = SIX_WAYS, 45.0
-    if placed.direction is not None:
-        ways, half = (placed.direction,), min(placed.light.cone_degrees[1] + 1.0, 89.0)
-    near, texel = far * NEAREST, 2 * tan(radians(half)) / size
-    cone = perspective(Angle.degrees(half), 1.0, near, far, CLIP)
-    return [
-        LightView(
-            _light_from_world(cone, placed.position, way), near, far, texel, is_perspective=True
-        )
-        for way in ways
-    ]
-
-
-def _parallel(direction: RationalVector, balls: Sequence[Ball], size: int) -> LightView:
-    low = np.min([c - r for c, r in balls], axis=0)
-    high = np.max([c + r for c, r in balls], axis=0)
-    centre = rational_vector(((low + high) / 2).tolist())
-    reach = float(np.sqrt(((high - low) ** 2).sum())) / 2
-    box = orthographic(Window(-reach, reach, -reach, reach), -reach, reach, CLIP)
-    light = _light_from_world(box, centre, direction)
-    return LightView(light, -reach, reach, 2 * reach / size, is_perspective=False)
-
-
-def _light_from_world(
-    projection: RationalMatrix, place: RationalVector, direction: RationalVector
-) -> RationalMatrix:
-    view = looking_along(place, direction, UP, Handedness.RIGHT)
-    return rational.product(projection, view.camera_from_world)
-
-
-def _drawn(view: LightView, casters: Sequence[Body], size: int) -> Array:
-    """Return the distance to what the light sees in each texel, infinite where it sees nothing."""
+def shadow_map(view: LightView, size: int) -> ShadowMap:
+    """Draw what a lamp sees of the casters: infinite distances where it sees none."""
     canvas = Canvas(size, size)
     tile = Tile.empty((0, size), size, DepthBuffer.FULL)
-    for one in casters:
-        light = as_array(rational.product(view.light_from_world, one.world_from_object.exact))
-        tile.add(project(one.mesh, light, canvas, CLIP), 0)
+    for one in view.casters:
+        tile.add(project(one.mesh, view.clip_from(one.world_from_object.exact), canvas, CLIP), 0)
     keys = tile.keys.reshape(size, size)
     depth = (keys >> TRIANGLE_BITS) / STEPS[DepthBuffer.FULL]
-    return np.where(keys == EMPTY, np.inf, view.distances(depth))
+    return ShadowMap(view, np.where(keys == EMPTY, np.inf, view.distances(depth)))

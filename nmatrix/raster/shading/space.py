@@ -97,6 +97,8 @@ class ShadingSpace:
         if self.space is Space.OBJECT:
             self.maps.space_from_world(self.space)
             return rational.identity(4)
+        if self.space in (Space.WORLD, Space.STATIC):
+            return self.body.world_from_object.exact
         return rational.product(self.exact_from_world, self.body.world_from_object.exact)
 
     @cached_property
@@ -123,22 +125,30 @@ class ShadingSpace:
         """Return tangents (V, 3) and their like in the space, as (3, V)."""
         return multiply(as_array(self.exact_from_object)[:3, :3], of_object.T)
 
-    def carried_normals(self, rule: NormalRule) -> Array:
-        """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
+    def carried(self, rule: NormalRule, of_object: Array) -> Array:
+        """Carry normals (n, 3) of the object by a rule: (3, n) at any length."""
         found = normal_transform(rule, self.exact_from_object)
         if found is None:
-            return np.zeros((3, len(self.body.mesh.normals)))
-        given = self.body.mesh.normals.T
+            return np.zeros((3, len(of_object)))
+        given = of_object.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
         return _transformed(found, given)
 
-    def normals(self, rule: NormalRule) -> Array:
-        """Return the vertices' normals (3, V) at true length one, or zero where none is left.
+    def carried_normals(self, rule: NormalRule) -> Array:
+        """Carry the vertices' normals by a rule: (3, V) at any length."""
+        return self.carried(rule, self.body.mesh.normals)
+
+    def face_normals(self, rule: NormalRule) -> Array:
+        """Carry the triangles' own normals by a rule, to true length one: (3, F)."""
+        return self.unit_normals(self.carried(rule, self.body.mesh.face_normals))
+
+    def normals(self, rule: NormalRule, of: Array | None = None) -> Array:
+        """Carry normals (n, 3), all of the mesh by default, to true length one, or zero: (3, n).
 
         A rule that measures four components has its own idea of length, and keeps it.
         """
-        carried = self.carried_normals(rule)
+        carried = self.carried(rule, self.body.mesh.normals if of is None else of)
         return carried if rule is NormalRule.FOUR_COMPONENT else self.unit_normals(carried)
 
     def unit_normals(self, normals: Array) -> Array:
@@ -162,6 +172,13 @@ class ShadingSpace:
         scaled = column([one / largest for one in found])
         return np.asarray(scaled / self.measure.vector_length(scaled))
 
+    def raised(self, positions: Array, normals: Array, height: float) -> Array:
+        """Return positions (3, m) moved along unit normals by a height in the world."""
+        if self.uses_metric:
+            along = self.measure.normal_in_world(normals)
+            normals = multiply(as_array(self.exact_from_world)[:3, :3], along)
+        return np.asarray(positions + height * normals)
+
     def light_from_space(self, light_from_world: RationalMatrix) -> Array:
         """Return the map from this space to a light's clip space."""
         world_from_space = (
@@ -184,6 +201,11 @@ def _transformed(found: NormalTransform, normals: Array) -> Array:
 def world_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
     """Return the vertices' normals (3, V) in the world as a rule carries them."""
     return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).normals(rule)
+
+
+def world_face_normals(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return the triangles' own normals (3, F) in the world as a rule carries them."""
+    return ShadingSpace(loaded, body, Space.WORLD, uses_metric=False).face_normals(rule)
 
 
 def as_array(matrix: RationalMatrix) -> Array:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, NormalRule, Shading
 from nmatrix.raster.shading.lighting import Lighting, Lit, colour
 from nmatrix.raster.shading.normals import bumped, turned_towards
-from nmatrix.raster.shading.space import ShadingSpace, dot, quotient
+from nmatrix.raster.shading.space import ShadingSpace, quotient
 from nmatrix.raster.shading.texture import sample
 from nmatrix.raster.triangles.fragments import Fragments, Interpolation, VertexOutputs
 from nmatrix.raster.triangles.vertices import Projected
@@ -79,8 +79,6 @@ class Surface:
         if "colour" in fragments.values:
             matte = matte * fragments["colour"]
         found = matte if gloss is None else matte + gloss
-        if Effect.OUTLINE in self.effects:
-            found = found * ~self._is_edge(fragments)
         found = np.minimum(found, 1.0)
         return self._in_fog(found, fragments) if Effect.FOG in self.effects else found
 
@@ -108,16 +106,19 @@ class Surface:
 
     @cached_property
     def vertex_normals(self) -> Array:
-        """Return the normals (3, V) of the vertices.
-
-        A flattened body has two sides and shows one to the eye. Its normals are turned there at
-        the vertices: between opposite ones interpolation would find none.
-        """
+        """Return the normals (3, V) of the vertices."""
         carry = self.space.normals if self.style.unit_vertices else self.space.carried_normals
-        normals = carry(self.style.rule)
+        return self._on_seen_side(carry(self.style.rule), self._positions)
+
+    def _on_seen_side(self, normals: Array, positions: Array) -> Array:
+        """Return normals (3, n), turned to the eye if the body is flattened.
+
+        It has two sides then and shows one. Normals turn where light or interpolation begins:
+        between opposite ones interpolation would find none.
+        """
         if self.space.body.linear_map.rank == 3:
             return normals
-        return turned_towards(normals, self.lighting.eye - self._positions)
+        return turned_towards(normals, self.lighting.eye - positions)
 
     def _light_inputs(
         self, projected: Projected
@@ -130,9 +131,9 @@ class Surface:
         if self.style.shading is Shading.GOURAUD:
             found = self._evaluated(self.vertex_normals, self._positions)
             return {name: projected.per_vertex(one) for name, one in found.items()}, {}, {}
-        corners = self.space.body.mesh.triangles.T
-        of_faces = self.space.unit_normals(self.vertex_normals[:, corners].mean(axis=1))
-        flat = self._evaluated(of_faces, self._positions[:, corners].mean(axis=1))
+        middles = self._positions[:, self.space.body.mesh.triangles.T].mean(axis=1)
+        of_faces = self._on_seen_side(self.space.face_normals(self.style.rule), middles)
+        flat = self._evaluated(of_faces, middles)
         return {}, {}, {name: projected.per_triangle(one) for name, one in flat.items()}
 
     def _evaluated(self, normals: Array, positions: Array) -> dict[str, Array]:
@@ -171,18 +172,11 @@ class Surface:
         return normals
 
     def _bumped(self, normals: Array, fragments: Fragments) -> Array:
-        file = self.space.body.material.normal_map
-        assert file is not None  # the plan has it on where the material names one
-        texels = sample(file, fragments["uv"], linear=False)
+        image = self.space.body.material.normal_map
+        assert image is not None  # the plan has it on where the material names one
+        texels = sample(image, fragments["uv"], linear=False)
         signs = fragments["bitangent_sign"] * self.space.handed
         return bumped(normals, fragments["tangent"], signs, texels, self.space.measure)
-
-    def _is_edge(self, fragments: Fragments) -> Array:
-        """Return a mask of the fragments that face so far aside that the outline covers them."""
-        if self.style.shading is not Shading.PHONG:
-            return np.zeros(len(fragments), bool)
-        cosine = dot(self._normals(fragments), self.lighting.to_eye(fragments["position"]))
-        return np.asarray(np.abs(cosine) < self.space.body.material.outline)
 
     def _in_fog(self, colours: Array, fragments: Fragments) -> Array:
         fog = self.style.fog

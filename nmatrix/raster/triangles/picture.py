@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.raster.triangles.fragments import Fragments, Grid, VertexOutputs, interpolate
-from nmatrix.raster.triangles.layers import layers
+from nmatrix.raster.triangles.layers import Layers, layers
 from nmatrix.raster.triangles.run_expansion import batches
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
@@ -172,10 +173,10 @@ class Drawing:
         self._colour_all(samples, runs_of(names, top, left), grid, counts)
         even, uneven = self._parted(whole)
         self._colour_all(samples, uneven.finer(k), grid, counts)
-        if self._glass:
-            triangles = [(self.drawables[i].projected, self._first[i]) for i in self._glass]
-            for runs in layers(triangles, tile, window.rows):
-                self._colour_all(samples, runs, grid, counts)
+        triangles = [(self.drawables[i].projected, self._first[i]) for i in self._glass]
+        for some in layers(triangles, tile, window.rows):
+            counts[self._glass] += np.diff(some.first)
+            self._blend(samples, some, grid)
         pixels = self._resolved(samples, grid.columns)
         middles = Grid(grid.columns // k, top // k, left // k, spacing=k)
         self._colour_all(pixels.reshape(len(pixels), -1), even, middles, counts)
@@ -219,12 +220,26 @@ class Drawing:
                 some = Runs(*(values[part] for values in mine))
                 found = interpolate(one.projected, some, grid, one.outputs)
                 counts[i] += len(found)
-                colours = one.fragment(found)
-                if one.opacity < 1.0:
-                    behind = points[:, found.place]
-                    colours = one.opacity * colours + (1.0 - one.opacity) * behind
-                for channel, values in zip(points, colours, strict=True):
+                for channel, values in zip(points, one.fragment(found), strict=True):
                     channel[found.place] = values
+
+    def _blend(self, samples: Array, some: Layers, grid: Grid) -> None:
+        """Colour every transparent fragment, some of one drawable at a time, and lay them over."""
+        row, column = np.divmod(some.place, self.canvas.columns)
+        runs = Runs(some.triangle, row + grid.top, column, np.ones_like(row))
+        places = row * grid.columns + column - grid.left
+        own, through = np.empty((len(samples), len(row))), np.empty(len(row))
+        for i, (begin, end) in zip(self._glass, pairwise(some.first), strict=True):
+            one = self.drawables[i]
+            through[begin:end] = 1.0 - one.opacity
+            for first in range(begin, end, MOST_SHADED):
+                part = slice(first, min(first + MOST_SHADED, end))
+                mine = Runs(*(one[part] for one in runs)).of(self._first[i], self._first[i + 1])
+                found = interpolate(one.projected, mine, grid, one.outputs)
+                own[:, part] = one.opacity * one.fragment(found)
+        for which in some.levels:
+            place = places[which]
+            samples[:, place] = own[:, which] + through[which] * samples[:, place]
 
     def _resolved(self, samples: Array, columns: int) -> Array:
         """Return pixels (channels, rows, width): the mean of their samples."""

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import cos, degrees, sin
 from urllib.parse import unquote
 
 from nmatrix.errors import shortlist
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.gltf.file import LONGEST_URI, GltfFile
-from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, TextureReference
-from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material
-from nmatrix.scene.words import Sides
+from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, Sampler, TextureReference
+from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material, Texture
+from nmatrix.scene.words import Sides, Wrap
 
 MOST_NAMED = 4  # files that a remark names
+TEXTURE_TRANSFORM = "KHR_texture_transform"
+NEAREST = 9728
+WRAPS = {10497: Wrap.REPEAT, 33071: Wrap.CLAMP, 33648: Wrap.MIRROR}
 
 
 @dataclass
@@ -42,8 +46,8 @@ class Materials:
             ambient=(AMBIENT_SHARE * red, AMBIENT_SHARE * green, AMBIENT_SHARE * blue),
             diffuse=(red, green, blue),
             opacity=alpha if record.alpha_mode == "BLEND" else 1.0,
-            texture=self._image(surface.base_color_texture),
-            normal_map=self._image(record.normal_texture),
+            texture=self._texture(surface.base_color_texture),
+            normal_map=self._texture(record.normal_texture),
             vertex_colours=vertex_colours,
             sides=Sides.BOTH if record.double_sided else Sides.FRONT,
         )
@@ -68,17 +72,40 @@ class Materials:
         if record.alpha_mode == "MASK":
             self.left_out.add("alpha cut-outs")
         for one in (surface.base_color_texture, record.normal_texture):
-            if one is not None and one.tex_coord != 0:
+            if one is not None and one.coordinates != 0:
                 self.left_out.add("textures by a second set of coordinates")
 
-    def _image(self, reference: TextureReference | None) -> ImageSource | None:
-        """Return a texture's image, inside the file or beside it, if it is there."""
-        if reference is None or reference.tex_coord != 0:
+    def _texture(self, reference: TextureReference | None) -> Texture | None:
+        """Return a texture as its reference and its sampler place it, if its image is there.
+
+        The file's v runs down and ours up: both the extension's turn and the place that it turns
+        about are told in v upwards.
+        """
+        if reference is None or reference.coordinates != 0:
             return None
         document = self.file.document
-        source = self.file.entry("texture", document.textures, reference.index).source
-        if source is None:
+        record = self.file.entry("texture", document.textures, reference.index)
+        image = None if record.source is None else self._image(record.source)
+        if image is None:
             return None
+        sampler = Sampler()
+        if record.sampler is not None:
+            sampler = self.file.entry("sampler", document.samplers, record.sampler)
+        if sampler.mag_filter == NEAREST:
+            self.left_out.add("filters that take the nearest texel")
+        given = reference.extensions.transform
+        (right, down), (across, up) = given.offset, given.scale
+        return Texture(
+            image,
+            (WRAPS.get(sampler.wrap_s, Wrap.REPEAT), WRAPS.get(sampler.wrap_t, Wrap.REPEAT)),
+            (across, up),
+            degrees(given.rotation),
+            (right + up * sin(given.rotation), 1.0 - down - up * cos(given.rotation)),
+        )
+
+    def _image(self, source: int) -> ImageSource | None:
+        """Return an image, inside the file or beside it, if it is there."""
+        document = self.file.document
         record = self.file.entry("image", document.images, source)
         uri = record.uri
         if uri is None or uri.startswith("data:"):

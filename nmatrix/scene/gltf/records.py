@@ -100,11 +100,35 @@ class CameraRecord(msgspec.Struct):
     orthographic: Orthographic | None = None
 
 
+class TextureTransform(msgspec.Struct, rename="camel"):
+    """Where coordinates fall on an image, by KHR_texture_transform; v runs down."""
+
+    offset: tuple[float, float] = (0.0, 0.0)
+    rotation: float = 0.0
+    scale: tuple[float, float] = (1.0, 1.0)
+    tex_coord: int | None = None
+
+
+class TextureExtensions(msgspec.Struct):
+    """The extension of references to textures that is read."""
+
+    transform: TextureTransform = msgspec.field(
+        default_factory=TextureTransform, name="KHR_texture_transform"
+    )
+
+
 class TextureReference(msgspec.Struct, rename="camel"):
-    """A material's texture, and the set of coordinates that it is read by."""
+    """A material's texture, the set of coordinates that it is read by, and where they fall."""
 
     index: int
     tex_coord: int = 0
+    extensions: TextureExtensions = msgspec.field(default_factory=TextureExtensions)
+
+    @property
+    def coordinates(self) -> int:
+        """The set of coordinates in the end: the extension may name another one."""
+        own = self.extensions.transform.tex_coord
+        return self.tex_coord if own is None else own
 
 
 class MetallicRoughness(msgspec.Struct, rename="camel"):
@@ -128,9 +152,18 @@ class MaterialRecord(msgspec.Struct, rename="camel"):
 
 
 class TextureRecord(msgspec.Struct):
-    """A texture: its image."""
+    """A texture: its image, and how it is read."""
 
     source: int | None = None
+    sampler: int | None = None
+
+
+class Sampler(msgspec.Struct, rename="camel"):
+    """How an image is read, in the numbers of OpenGL."""
+
+    mag_filter: int | None = None
+    wrap_s: int = 10497
+    wrap_t: int = 10497
 
 
 class ImageRecord(msgspec.Struct, rename="camel"):
@@ -190,6 +223,7 @@ class Document(msgspec.Struct, rename="camel"):
     cameras: list[CameraRecord] = []
     materials: list[MaterialRecord] = []
     textures: list[TextureRecord] = []
+    samplers: list[Sampler] = []
     images: list[ImageRecord] = []
     animations: list[msgspec.Raw] = []
     extensions: dict[str, object] = {}

@@ -11,10 +11,9 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, TangentGeometry
 from nmatrix.scene.gltf.file import GltfFile, Node, read_gltf
 from nmatrix.scene.gltf.lights import LIGHTS, camera, carried_lights, radius_of, read_lights, unique
-from nmatrix.scene.gltf.materials import Materials
+from nmatrix.scene.gltf.materials import TEXTURE_TRANSFORM, Materials
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.material import Material
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.world import World
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
     from nmatrix.scene.meshes.mesh import Mesh
 
 SIDE = 512  # pixels, the longer one
+DRAWN = (LIGHTS, TEXTURE_TRANSFORM)  # extensions
 # Their meshes cannot be read without them.
 PACKED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression")
 
@@ -99,7 +99,7 @@ class _Reading:
         view, lens, has_camera = self._camera()
         return Scene(
             objects=objects,
-            lights=lights or (DAYLIGHT,),
+            lights=lights,
             view=view,
             lens=lens,
             settings=Settings(size=_size(lens.aspect)),
@@ -161,11 +161,10 @@ class _Reading:
         document = self.file.document
         primitives = [p for mesh in document.meshes for p in mesh.primitives]
         others = sum(not one.has_triangles for one in primitives)
-        unknown = [one for one in document.extensions_used if one != LIGHTS]
+        unknown = [one for one in document.extensions_used if one not in DRAWN]
         outside = len(document.nodes) - len(self.drawn)
         spoken = {
             f"Of {len(self._cameras)} cameras the first is used.": len(self._cameras) > 1,
-            "The file has no light: daylight takes its place.": not lights,
             "Intensities of light are relative: the brightest light is 1.": lights,
             "Animations are not played.": document.animations,
             "Skins are not applied: meshes stand as they were modelled.": any(

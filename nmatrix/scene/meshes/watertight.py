@@ -32,7 +32,7 @@ def is_watertight(positions: Array, triangles: Array) -> bool:
     >>> is_watertight(corners, faces), is_watertight(corners, faces[:3])
     (True, False)
     """
-    place = _same_place(positions)
+    place = same_place(positions)
     if place is None or not _is_balanced(place, triangles):
         return False
     count, groups = len(positions), 1 + 3 * len(triangles) // MOST_KEYS
@@ -75,7 +75,7 @@ def _edges(place: Array, triangles: Array) -> Iterator[tuple[Array, Array]]:
         yield corners.ravel(), np.roll(corners, -1, axis=1).ravel()
 
 
-def _same_place(positions: Array) -> Array | None:
+def same_place(positions: Array) -> Array | None:
     """Return a number for each vertex, alike where positions are; None if hashes collide."""
     bits = (positions + 0.0).view(np.uint64)  # −0 becomes 0
     hashed = bits[:, 0] * _ODD[0] ^ np.bitwise_right_shift(bits[:, 0], 29)

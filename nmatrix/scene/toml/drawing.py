@@ -17,12 +17,13 @@ from nmatrix.linear.projection import (
 )
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.material import AMBIENT_SHARE, CHECKER, Colour, Material, colour
+from nmatrix.scene.material import AMBIENT_SHARE, Colour, Material, Texture, colour
 from nmatrix.scene.scene import Fog, Settings
 from nmatrix.scene.toml.records import CameraRecord, FogRecord, MaterialRecord, RenderRecord
 from nmatrix.scene.toml.table import SceneTable
-from nmatrix.scene.words import DepthBuffer, Sides
+from nmatrix.scene.words import DepthBuffer, Pattern, Sides, Wrap
 
+PLACING = ("wrap", "uv_scale", "uv_rotation", "uv_offset")
 SIDES = {None: Sides.AS_NEEDED, True: Sides.BOTH, False: Sides.FRONT}
 
 
@@ -99,19 +100,35 @@ def material(table: SceneTable, name: str) -> Material:
         For levels out of bounds and for images that are missing.
     """
     record = table.checked(MaterialRecord)
+    placing = [key for key in PLACING if key in table.raw]
+    if placing and record.texture is None and record.normal_map is None:
+        raise table.fault(placing[0], "there is no image to place", "add texture or normal_map")
     own = Material(
         name=name,
         shininess=record.shininess,
         reflection=record.reflection,
         opacity=record.opacity,
-        texture=record.texture if record.texture in (None, CHECKER) else table.file("texture"),
-        normal_map=None if record.normal_map is None else table.file("normal_map"),
+        texture=None if record.texture is None else _texture(table, record, "texture"),
+        normal_map=None if record.normal_map is None else _texture(table, record, "normal_map"),
         toon_steps=record.toon_steps,
         outline=record.outline,
         vertex_colours=record.vertex_colours,
         sides=SIDES[record.two_sided],
     )
     return replace(own, **_colours(record))
+
+
+def _texture(table: SceneTable, record: MaterialRecord, key: str) -> Texture:
+    """Return the image of a key, placed as all images of the material are."""
+    is_pattern = key == "texture" and record.texture in set(Pattern)
+    wrap, scale = record.wrap, record.uv_scale
+    return Texture(
+        Pattern(table.raw[key]) if is_pattern else table.file(key),
+        (wrap, wrap) if isinstance(wrap, Wrap) else (wrap[0], wrap[1]),
+        scale if isinstance(scale, tuple) else (scale, scale),
+        record.uv_rotation,
+        record.uv_offset,
+    )
 
 
 def _colours(record: MaterialRecord) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from nmatrix.enums import (
     Shading,
     Space,
 )
-from nmatrix.scene.words import LightKind, Shape
+from nmatrix.scene.words import LightKind, Shape, Wrap
 
 MOST_PIXELS = 8192  # on a side
 FINEST = 2000  # cells on a side of a shape
@@ -167,11 +167,27 @@ class MaterialRecord(Record, frozen=True):
         str | None, Meta(description='"checker", or an image file relative to the scene file.')
     ] = None
     normal_map: Annotated[str | None, Meta(description="An image of normals.")] = None
+    wrap: Annotated[
+        Wrap | Annotated[list[Wrap], Meta(min_length=2, max_length=2)],
+        Meta(description="What images show outside of the unit square, along u (and v)."),
+    ] = Wrap.REPEAT
+    uv_scale: Annotated[
+        float | tuple[float, float],
+        Meta(description="Multiplies u and v: 2 shows an image twice as often."),
+    ] = 1.0
+    uv_rotation: Annotated[
+        float, Meta(description="Then turns u and v counter-clockwise, in degrees.")
+    ] = 0.0
+    uv_offset: Annotated[tuple[float, float], Meta(description="Then is added to u and v.")] = (
+        0.0,
+        0.0,
+    )
     toon_steps: Annotated[
         Annotated[int, Meta(ge=1, le=64)], Meta(description="Bands of toon reflection.")
     ] = 3
     outline: Annotated[
-        Level, Meta(description="Cosine with the way to the eye below which all is black.")
+        Level,
+        Meta(description="A black line, as thick as a ball's rim with cosines below this."),
     ] = 0.0
     two_sided: Annotated[
         bool | None,
