@@ -27,6 +27,7 @@ from nmatrix.raster.planning.recipe import (
     not_asked,
 )
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import sample_shading
 from nmatrix.raster.shading.space import column
 from nmatrix.scene.material import Texture
 from nmatrix.scene.words import LightKind, Pattern, Sides
@@ -462,6 +463,12 @@ RECIPES: dict[Effect, Recipe] = {
                 "color = mix(12.92 * color, bright, step(0.0031308, color));",
             )
         ),
+    ),
+    Effect.SAMPLE_SHADING: Recipe(
+        "each sample shaded by itself, and not once a pixel",
+        sample_shading,
+        influence=STEADY,
+        is_shortcut=True,
     ),
     Effect.SUPERSAMPLING: Recipe(
         "several samples in a pixel",

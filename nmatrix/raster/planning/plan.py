@@ -20,6 +20,7 @@ from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.material import DEFAULT_MATERIAL
@@ -57,6 +58,7 @@ class BodyPlan:
     effects: frozenset[Effect]
     ineffective: Mapping[str, str]
     why_unseen: str | None = None
+    rate: ShadingRate | None = None
 
     @property
     def body(self) -> Body:
@@ -251,7 +253,9 @@ def _planned_body(seen: SeenBody) -> tuple[BodyPlan, Facts]:
         if effect in on and not found.on:
             found = Decision(on=True, because=f"{', '.join(sorted(users))} needs it")
         decisions[effect] = found
-    return BodyPlan(seen, decisions, lights, on, _ineffective(facts)), facts
+    rate = None if Effect.SAMPLE_SHADING in on else shading_rate(facts)
+    once = rate if isinstance(rate, ShadingRate) else None
+    return BodyPlan(seen, decisions, lights, on, _ineffective(facts), rate=once), facts
 
 
 def _read_by_others() -> list[Effect]:
