@@ -246,6 +246,7 @@ class Effect(StrEnum):
     FOG = "fog"
     COLOUR = "colour"
     GAMMA = "gamma"
+    SAMPLE_SHADING = "sample-shading"
     SUPERSAMPLING = "supersampling"
 
 
@@ -277,3 +278,24 @@ class NormalMatrixKind(StrEnum):
 
     INVERSE_TRANSPOSE = "inverse-transpose"
     ORIENTED = "oriented"
+
+
+class PixelFormat(StrEnum):
+    """The files that hold the pixels of a picture."""
+
+    PNG = "png"
+    GIF = "gif"
+    WEBP = "webp"
+    JPEG = "jpeg"
+
+    @property
+    def is_animated(self) -> bool:
+        """Whether such a file can hold several pictures, one after the other."""
+        return self in (PixelFormat.GIF, PixelFormat.WEBP)
+
+
+class VectorFormat(StrEnum):
+    """The files that hold the lines and letters of a picture."""
+
+    SVG = "svg"
+    PDF = "pdf"

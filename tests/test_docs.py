@@ -6,12 +6,15 @@ import doctest
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 import reference
 import transcripts
+from PIL import Image
 
 import nmatrix
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.raster.proofs.catalogue import PROOFS
 
 DOCS = Path(__file__).parents[1] / "docs"
 
@@ -32,6 +35,26 @@ def test_python_blocks_hold(page: Path) -> None:
 def test_links_lead_somewhere(page: Path) -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
         assert (page.parent / target).exists(), target
+
+
+@pytest.mark.parametrize("proof", [one.name for one in PROOFS])
+def test_pictures_are_what_the_proofs_draw(proof: str) -> None:
+    drawn = transcripts.picture(proof).image
+    with Image.open(transcripts.PICTURES / f"{proof}.png") as kept:
+        assert kept.size == drawn.shape[1::-1], "run python tests/transcripts.py"
+        apart = np.abs(np.asarray(kept).astype(int) - drawn).max(axis=2)
+    assert (apart > 2).mean() < 0.001, "run python tests/transcripts.py"
+
+
+def test_each_example_scene_is_drawn_wrongly_by_the_rule_beside_it() -> None:
+    text = (DOCS / "scenes.md").read_text()
+    rows = re.findall(r"^\| \[(\w+\.toml)\]\(.*\| (nothing by )?`([\w-]+)` \|$", text, re.MULTILINE)
+    assert {file for file, _, _ in rows} == {one.name for one in (DOCS / "scenes").glob("*.toml")}
+    for file, harmless, rule in rows:
+        found = nmatrix.render(DOCS / "scenes" / file, size=(160, 120), samples=1, normals=rule)
+        worst, difference = found.data["max_angle_error_deg"], found.data["max_level_difference"]
+        assert found.data["mean_angle_error_deg"] < worst
+        assert (worst < 1e-6 and difference == 0) if harmless else (worst > 20 and difference > 50)
 
 
 @pytest.mark.parametrize("mistake", MistakeId)

@@ -1,4 +1,4 @@
-"""The console transcripts and the sample pages of the documentation: what the commands make.
+"""The transcripts, the sample pages and the pictures of the documentation: what the commands make.
 
 `python tests/transcripts.py` writes them anew; the tests compare.
 """
@@ -12,12 +12,16 @@ import sys
 import tempfile
 from pathlib import Path
 
+from nmatrix import Picture, render
+from nmatrix.raster.proofs.catalogue import PROOFS
+
 ROOT = Path(__file__).resolve().parents[1]
 REFERENCE = ROOT / "docs" / "reference.md"  # made of docstrings, which run where they stand
 PAGES = (
     ROOT / "README.md",
     *(page for page in sorted((ROOT / "docs").glob("*.md")) if page != REFERENCE),
 )
+PICTURES = ROOT / "docs" / "pictures"
 SAMPLES = ROOT / "docs" / "samples"
 SHEET = 'nmatrix handout --scale 1 2 1 --seed 7 --student "Ada Lovelace" --key -o handout.html'
 EXPLORER = "nmatrix explore --scale 1 2 1 --light-direction -1 -2 -1 -o explorer.html"
@@ -67,7 +71,14 @@ def sampled(folder: Path) -> list[Path]:
     return sorted(folder.glob("*.html"))
 
 
+def picture(proof: str) -> Picture:
+    """Draw a proof as the documentation shows it: the first one is the README's, and larger."""
+    return render(proof, size=None if proof == PROOFS[0].name else (240, 240))
+
+
 if __name__ == "__main__":
+    for one in PROOFS:
+        (PICTURES / f"{one.name}.png").write_bytes(picture(one.name).png)
     with tempfile.TemporaryDirectory() as name:
         for sample in sampled(Path(name)):
             (SAMPLES / sample.name).write_bytes(sample.read_bytes())

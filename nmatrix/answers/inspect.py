@@ -94,7 +94,7 @@ def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
             sheared_by_ancestors=False,
             degenerate_normals=mesh.degenerate_normals,
         )
-        return Inspection(path, (node,), ())
+        return Inspection(path, (node,), mesh.remarks)
     return _inspect_gltf(path, tolerance)
 
 

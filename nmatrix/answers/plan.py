@@ -8,8 +8,8 @@ from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.glsl import outline_of, program_of
-from nmatrix.raster.planning.plan import BUDGET, BodyPlan, Plan, planned
-from nmatrix.raster.planning.recipe import Decision
+from nmatrix.raster.planning.plan import BodyPlan, Plan, planned
+from nmatrix.raster.planning.recipe import BUDGET, Decision, not_asked
 from nmatrix.report import (
     Block,
     Code,
@@ -21,9 +21,11 @@ from nmatrix.report import (
     Verdict,
 )
 from nmatrix.scene.open import scene_of
+from nmatrix.scene.words import LightKind
 from nmatrix.shaders.program import Program
 
 PASSES = "main"
+NOTHING_SEEN = not_asked("no object can be seen")
 
 
 def plan_of_file(path: Path) -> Report:
@@ -40,6 +42,7 @@ def plan(found: Plan) -> Report:
     outlines = [outline_of(found, one) for one in found.bodies]
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
+    rows += [_unseen_row(one) for one in found.bodies if one.why_unseen is not None]
     on = [effect for effect in Effect if effect in found.effects]
     data: dict[str, Value] = {
         "effects": rows,
@@ -90,7 +93,7 @@ def _row(effect: Effect, found: Plan) -> dict[str, Value]:
 def _decisions(effect: Effect, found: Plan) -> list[Decision]:
     if effect in found.picture:
         return [found.picture[effect]]
-    return [one.decisions[effect] for one in found.bodies]
+    return [one.decisions[effect] for one in found.drawn] or [NOTHING_SEEN]
 
 
 def _light_row(i: int, found: Plan) -> dict[str, Value]:
@@ -100,18 +103,33 @@ def _light_row(i: int, found: Plan) -> dict[str, Value]:
         one for body in found.bodies for one in body.light_decisions if one.placed is placed
     ]
     on = [one for one in decisions if one.on]
+    off = max(decisions, key=lambda one: (not one.on, one.bound), default=None)
     because = f"it can reach {len(on)} of {len(decisions)} objects"
-    if not decisions:
+    if placed.light.kind is LightKind.AMBIENT:
         because = "it comes from everywhere"
+    elif off is None:
+        because = "no object can be seen"
     elif not on:
-        because = f"it {decisions[0].because}"
+        because = f"it {off.because}"
     return {
         "name": f"light {placed.light.name}",
-        "on": bool(on) or not decisions,
+        "on": bool(on) or placed.light.kind is LightKind.AMBIENT,
         "because": because,
+        "kind": LeftOut.EXACT.value if off is None or on else off.kind.value,
+        "bound": max((one.bound for one in decisions), default=0.0),
+        "needs": ["position"] if placed.position is not None else [],
+    }
+
+
+def _unseen_row(one: BodyPlan) -> dict[str, Value]:
+    """Say why an object cannot be seen."""
+    return {
+        "name": f"object {one.body.name}",
+        "on": False,
+        "because": f"it {one.why_unseen}",
         "kind": LeftOut.EXACT.value,
         "bound": 0.0,
-        "needs": ["position"] if placed.position is not None else [],
+        "needs": [],
     }
 
 

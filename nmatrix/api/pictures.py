@@ -86,4 +86,4 @@ def render(
     else:
         frame = scene_frame(scene_of(Path(name)), Path(name).stem, choices)
     proof = frame.draw()
-    return Picture(answer(proof), proof.image, proof.png())
+    return Picture(answer(proof), proof.image, proof.texts)

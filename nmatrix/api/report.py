@@ -119,32 +119,40 @@ class Picture(Report):
     ----------
     image
         (height, width, 3) bytes of sRGB, the top row first.
-    png
-        The same as a PNG file, with its numbers in text chunks.
+    texts
+        The numbers that a file of it tells, by their names.
     """
 
     image: Any
-    png: bytes
+    texts: Mapping[str, str]
+
+    @cached_property
+    def png(self) -> bytes:
+        """The picture as a PNG file, with its numbers in text chunks."""
+        from nmatrix.raster.image import png
+
+        return png(self.image, self.texts)
 
     def save(self, path: str | Path, *, force: bool = False) -> None:
-        """Write the PNG file, whole or not at all; over another file only by `force`.
+        """Write a .png, .gif, .webp or .jpg file, whole or not at all, with its numbers inside.
 
         Raises
         ------
         IllegalValueError
-            For another ending than .png, a file that exists, or a place that cannot be written.
+            For another ending, a file that exists unless `force`, or a place that cannot be
+            written.
         """
-        from nmatrix.output.files import write_file
+        from nmatrix.output.files import PICTURES, kind_of, write_file
+        from nmatrix.raster.image import picture_file
 
         target = named_file(path, "path")
-        if target.suffix.lower() != ".png":
-            raise IllegalValueError(f"path ({target})", "a picture is a .png file", "end it so")
+        kind = kind_of(target, PICTURES, "path")
         if target.exists() and not flag(force, "force"):
             next_step = "give force=True, or another path"
             raise IllegalValueError(f"path ({target})", "the file exists", next_step)
         if not target.parent.is_dir():
             raise IllegalValueError(f"path ({target})", "there is no such folder", "make it first")
-        write_file(target, self.png, force=True)
+        write_file(target, picture_file([self.image], self.texts, kind), force=True)
 
     def _repr_png_(self) -> bytes:
         return self.png

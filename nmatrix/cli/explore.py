@@ -11,7 +11,7 @@ from typer import Option
 from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
-from nmatrix.output.files import refuse_existing, write_file
+from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.report import Report, Text, Verdict
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
@@ -42,6 +42,7 @@ def explore(
     from nmatrix.output.explorer.page import page
 
     path = Path(output)
+    written = kind_of(path, {".html": page, ".htm": page})
     refuse_existing([path], force=force)
     setup = groups.setup(common)
     if groups.scene.scene is None:
@@ -51,6 +52,6 @@ def explore(
             view=setup.view if groups.view.given else replace(setup.view, eye=FROM_ABOVE),
             light=setup.light if groups.light.given else SHORT_LIGHT,
         )
-    write_file(path, page(setup), force=force)
+    write_file(path, written(setup), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), common)

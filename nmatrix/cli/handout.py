@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,8 +16,8 @@ from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.errors import IllegalValueError
-from nmatrix.output.files import refuse_existing, write_file
-from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, PageFormat, Paper
+from nmatrix.output.files import kind_of, refuse_existing, write_file
+from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
 from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
 
@@ -46,7 +47,9 @@ USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 class HandoutOptions:
     """What stands on the sheet, and what it is printed on."""
 
-    to: Annotated[PageFormat, Option("--to", help="The format of the file.")] = PageFormat.HTML
+    to: Annotated[
+        PageFormat | None, Option("--to", help="The format of the file (html, or by its ending).")
+    ] = None
     topics: Annotated[
         str | None,
         Option(metavar="WORDS", help="rule, worked, spaces, proofs, pitfalls, cost, exercises."),
@@ -63,6 +66,20 @@ class HandoutOptions:
         str | None, Option("--output", "-o", metavar="FILE", help="A folder with --roster.")
     ] = None
     force: Annotated[bool, Option("--force", help="Overwrite what is there.")] = False
+
+    @cached_property
+    def kind(self) -> PageFormat:
+        """The format that --to names, or the ending of the sheet's own file."""
+        if self.output is None or self.roster is not None:
+            return self.to or PageFormat.HTML
+        named = kind_of(Path(self.output), PAGES)
+        if self.to not in (None, named):
+            raise IllegalValueError(
+                f"--to {self.to} with --output ({self.output[:60]})",
+                "they name two formats",
+                "keep one of them",
+            )
+        return named
 
     def chosen_topics(self) -> tuple[Topic, ...]:
         """Choose the topics, in the order in which they are printed."""
@@ -107,13 +124,13 @@ def handout(
     has_exercises = Topic.EXERCISES in topics
     if options.key and not has_exercises:
         raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
-    if options.to is PageFormat.PDF:
+    if options.kind is PageFormat.PDF:
         from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
     setup = groups.setup(common)
     count = options.count() if has_exercises else 0
-    plan = HandoutPlan(topics, setup, count, options.to, options.paper, options.key)
+    plan = HandoutPlan(topics, setup, count, options.kind, options.paper, options.key)
     if options.roster is None:
         files = _one(plan, options, sheet)
         made = len(files)
@@ -237,7 +254,7 @@ def _report(files: Sequence[Path], made: int, options: HandoutOptions) -> Report
     if made < len(names):
         told = f"Complete: {shown}; {made} of {len(names)} files were missing and are written"
     blocks: list[Block] = [Verdict(told)]
-    if options.to is PageFormat.HTML:
+    if options.kind is PageFormat.HTML:
         them = "it" if len(names) == 1 else "them"
         blocks.append(Text(f"Open {them} in a browser and print {them}."))
     return Report("handout", {"files": names}, tuple(blocks))

@@ -11,7 +11,7 @@ from typer import Option
 
 from nmatrix.cli.shared_options import whole_number
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading
+from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading
 from nmatrix.reading.numbers import number, numbers
 
 if TYPE_CHECKING:
@@ -60,7 +60,10 @@ class FileOptions:
     """Where a picture goes."""
 
     output: Annotated[
-        str | None, Option("--output", "-o", metavar="FILE", help="PNG or GIF; - is stdout.")
+        str | None,
+        Option(
+            "--output", "-o", metavar="FILE", help="FILE.png, .gif, .webp or .jpg; - is stdout."
+        ),
     ] = None
     force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False
     preview: Annotated[bool, Option("--preview", help="Show it in the terminal too.")] = False
@@ -71,9 +74,12 @@ class FrameOptions(WorkerOptions):
     """How many pictures, and who draws them."""
 
     frames: Annotated[
-        str | None, in_frames(metavar="N", help="So many pictures: a GIF, or numbered files.")
+        str | None,
+        in_frames(metavar="N", help="So many pictures: a GIF or WebP, or numbered files."),
     ] = None
-    turn: Annotated[bool, in_frames("--turn", help="Walk once around what is drawn.")] = False
+    turn: Annotated[
+        bool, in_frames("--turn", help="Turn what the picture is about once around.")
+    ] = False
 
     @property
     def count(self) -> int:
@@ -82,16 +88,17 @@ class FrameOptions(WorkerOptions):
         return whole_number(self.frames or default, "--frames", range(1, MOST_FRAMES + 1), 2)
 
 
-def frame_names(target: str, count: int) -> list[Path]:
+def frame_names(path: Path, count: int, kind: PixelFormat) -> list[Path]:
     """Name the files of so many frames: one file, or numbered ones where a file holds one picture.
 
     Examples
     --------
-    >>> [str(one) for one in frame_names("a.png", 2)], frame_names("a.gif", 2)[0].name
-    (['a-0.png', 'a-1.png'], 'a.gif')
+    >>> [str(one) for one in frame_names(Path("a.png"), 2, PixelFormat.PNG)]
+    ['a-0.png', 'a-1.png']
+    >>> [str(one) for one in frame_names(Path("a.gif"), 2, PixelFormat.GIF)]
+    ['a.gif']
     """
-    path = Path(target)
-    if count == 1 or target == "-" or path.suffix.lower() == ".gif":
+    if count == 1 or kind.is_animated:
         return [path]
     digits = len(str(count - 1))
     return [path.with_stem(f"{path.stem}-{i:0{digits}}") for i in range(count)]

@@ -13,7 +13,8 @@ from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, fram
 from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
-from nmatrix.output.files import refuse_existing, write_file
+from nmatrix.enums import PixelFormat
+from nmatrix.output.files import PICTURES, kind_of, refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS
 
 if TYPE_CHECKING:
@@ -57,16 +58,20 @@ def _write(
     frame: PictureFrame, frames: FrameOptions, file: FileOptions, common: CommonOptions
 ) -> None:
     """Draw, write the files, and show the numbers."""
-    target = file.output or f"{frame.name}.{'gif' if frames.count > 1 else 'png'}"
-    names = frame_names(target, frames.count)
+    usual = PixelFormat.GIF if frames.count > 1 else PixelFormat.PNG
+    target = Path(file.output or f"{frame.name}.{usual}")
+    is_stdout = str(target) == "-"
+    kind = usual if is_stdout else kind_of(target, PICTURES)
+    names = frame_names(target, frames.count, kind)
     refuse_existing(names, force=file.force)
     started = time.perf_counter()
     proofs = _draw(frame, frames)
     milliseconds = (time.perf_counter() - started) * 1000
-    if target == "-":
-        put_bytes(_content(proofs, "-")[0])
+    files = _files(proofs, kind)
+    if is_stdout:
+        put_bytes(files[0])
         return
-    for name, content in zip(names, _content(proofs, target), strict=True):
+    for name, content in zip(names, files, strict=True):
         write_file(name, content, force=file.force)
     from nmatrix.answers.render import render as answer
 
@@ -136,11 +141,10 @@ def _scene(
     moved = one
     if groups.world.given:
         moved = replace(one, world_from_object=setup.world.world_from_object)
-    own_lights = read.lights and not groups.light.given
     scene = replace(
         read,
         objects=tuple(moved if other is one else other for other in read.objects),
-        lights=read.lights if own_lights else scene_lights(setup.light),
+        lights=scene_lights(setup.light) if groups.light.given else read.lights,
         view=setup.view,
         lens=setup.lens,
         settings=replace(read.settings, space_matrix=setup.space_matrix),
@@ -160,12 +164,13 @@ def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
         return list(progress(drawn(pictures, executor), len(pictures), "frames"))
 
 
-def _content(proofs: Sequence[Proof], target: str) -> list[bytes]:
-    from nmatrix.raster.proofs.frames import gif
+def _files(proofs: Sequence[Proof], kind: PixelFormat) -> list[bytes]:
+    """Encode the pictures: one file of all, or one each; an animation tells the first's numbers."""
+    from nmatrix.raster.image import picture_file
 
-    if Path(target).suffix.lower() == ".gif" or (target == "-" and len(proofs) > 1):
-        return [gif([one.image for one in proofs])]
-    return [one.png() for one in proofs]
+    if kind.is_animated:
+        return [picture_file([one.image for one in proofs], proofs[0].texts, kind)]
+    return [picture_file([one.image], one.texts, kind) for one in proofs]
 
 
 def _named(names: Sequence[Path]) -> str:

@@ -16,11 +16,12 @@ from typer import Argument, Option
 from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.show import progress, show
 from nmatrix.errors import IllegalValueError
-from nmatrix.output.files import refuse_existing, write_file
+from nmatrix.output.files import CHARTS, kind_of, refuse_existing, write_file
 from nmatrix.reading.numbers import number
 from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
+    from nmatrix.enums import PixelFormat, VectorFormat
     from nmatrix.studies.hardcases.case import Case
     from nmatrix.studies.harness import Harness, Timed
     from nmatrix.studies.measurements import Target, Task
@@ -66,13 +67,14 @@ def cost(
     ] = None,
     quick: Annotated[bool, Option("--quick", help="Fewer cases, within ten seconds.")] = False,
     chart: Annotated[
-        str | None, Option(metavar="FILE", help="Draw it: FILE.svg or FILE.png.")
+        str | None,
+        Option(metavar="FILE", help="Draw it: FILE.svg, .pdf, .png, .gif, .webp or .jpg."),
     ] = None,
     force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False,
 ) -> None:
     """Measure what accuracy costs."""
     target = _target(study, tolerance, budget)
-    chart_file = None if chart is None else _chart_file(chart, force=force)
+    drawing = None if chart is None else _chart_file(Path(chart), force=force)
     from nmatrix.studies.harness import Harness, untimed
     from nmatrix.studies.measurements import with_fronts, without_times
     from nmatrix.studies.report import WORDINGS, report
@@ -84,12 +86,11 @@ def cost(
     measured = list(progress(done, len(tasks), f"measuring {study}"))
     test = test.with_rows([row.timing for row in measured if row.is_reference and row.timing])
     rows = with_fronts(without_times(measured) if test.objection else measured)
-    if chart_file is not None:
-        from nmatrix.studies.chart import ChartFormat
+    if drawing is not None:
         from nmatrix.studies.chart import chart as drawn
 
-        kind = ChartFormat(chart_file.suffix.lower().removeprefix("."))
-        write_file(chart_file, drawn(rows, WORDINGS[study].title, kind), force=force)
+        path, kind = drawing
+        write_file(path, drawn(rows, WORDINGS[study].title, kind), force=force)
     show(report(study, rows, test, target), common)
 
 
@@ -138,17 +139,11 @@ def _quantity(text: str, option: str, units: Mapping[str, float], example: str) 
     return value * units[unit]
 
 
-def _chart_file(name: str, *, force: bool) -> Path:
-    from nmatrix.studies.chart import ChartFormat
-
-    path = Path(name)
-    endings = [f".{one}" for one in ChartFormat]
-    if path.suffix.lower() not in endings:
-        raise IllegalValueError(
-            f"--chart ({name[:60]})", f"charts end in {' or '.join(endings)}", "try chart.svg"
-        )
+def _chart_file(path: Path, *, force: bool) -> tuple[Path, PixelFormat | VectorFormat]:
+    """Choose what the chart's file is, before the study runs."""
+    kind = kind_of(path, CHARTS, "chart")
     refuse_existing([path], force=force)
-    return path
+    return path, kind
 
 
 def stress(

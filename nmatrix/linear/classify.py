@@ -14,7 +14,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, localcontext
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
+from math import inf, nextafter
 
 from nmatrix.enums import Kind
 from nmatrix.linear.angle import DEGREES, arctangent
@@ -94,11 +95,7 @@ class Classification:
 
         Where these would be 1 and κ is not, what is above 1 is written by itself.
         """
-        kappa = self.condition
-        if kappa is None:
-            return "∞"
-        short = short_text(kappa, 4)
-        return f"1 + {short_text(kappa - 1, 3)}" if short == "1" != str(kappa) else short
+        return condition_text(self.linear_map)
 
     @cached_property
     def worst_angle_deg(self) -> float | None:
@@ -184,6 +181,36 @@ def condition(linear_map: LinearMap) -> Decimal | None:
         return (1 + _excess(linear_map)).sqrt()
 
 
+def condition_text(linear_map: LinearMap) -> str:
+    """Write κ in four digits, ∞ for a singular map; next to 1, what is above 1 by itself."""
+    found = condition(linear_map)
+    if found is None:
+        return "∞"
+    kappa = Fraction(found)
+    short = short_text(kappa, 4)
+    return f"1 + {short_text(kappa - 1, 3)}" if short == "1" != str(kappa) else short
+
+
+def most_excess(linear_map: LinearMap) -> float:
+    """Bound κ² − 1 from above, fast, by Gershgorin's discs around the entries of AᵀA.
+
+    It is far too large for a shear, and sharp where A is all but a turn; infinite where the discs
+    reach 0. What A itself does to a normal is at most half of it, in radians.
+
+    Examples
+    --------
+    >>> most_excess(LinearMap.of([[2, 0, 0], [0, 2, 0], [0, 0, 2]]))
+    0.0
+    """
+    G = linear_map.gram
+    around = [sum(abs(G[i][j]) for j in range(3) if j != i) for i in range(3)]
+    high = max(G[i][i] + around[i] for i in range(3))
+    low = min(G[i][i] - around[i] for i in range(3))
+    if low <= 0 or high > low << 1000:
+        return inf
+    return nextafter(nearest(Fraction(high - low, low)), inf) if high > low else 0.0
+
+
 def worst_angle_deg(linear_map: LinearMap) -> float | None:
     """Compute the largest angle between A n and the right normal, over all n, in degrees.
 
@@ -203,6 +230,7 @@ def worst_angle_deg(linear_map: LinearMap) -> float | None:
     return nearest(arctangent(Fraction(tangent)) * DEGREES)
 
 
+@lru_cache(maxsize=1)  # κ and the worst angle of one map are asked for one after the other
 def _excess(linear_map: LinearMap) -> Decimal:
     """Return κ² − 1 = (λ₁ − λ₃)/λ₃, to 30 digits of itself, however small it is."""
     G = linear_map.gram

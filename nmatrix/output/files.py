@@ -1,13 +1,53 @@
-"""Files that are written whole or not at all, and never over another one by accident."""
+"""Files that are what their names say, written whole or not at all, never over another one."""
 
 from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TypeVar
 
-from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.enums import PixelFormat, VectorFormat
+from nmatrix.errors import IllegalValueError, printable, quantity
+
+Kind = TypeVar("Kind")
+
+PICTURES: Mapping[str, PixelFormat] = {
+    **{f".{one}": one for one in PixelFormat},
+    ".jpg": PixelFormat.JPEG,
+}
+CHARTS: Mapping[str, PixelFormat | VectorFormat] = {
+    **{f".{one}": one for one in VectorFormat},
+    **PICTURES,
+}
+
+
+def kind_of(path: Path, kinds: Mapping[str, Kind], name: str = "output") -> Kind:
+    """Choose what is written into a file by the ending of its name, in upper case or lower.
+
+    A device or a pipe may be called anything and gets the first of the kinds.
+
+    Raises
+    ------
+    IllegalValueError
+        For another ending, or none; it lists those of the kinds.
+
+    Examples
+    --------
+    >>> kind_of(Path("a.JPG"), PICTURES).value
+    'jpeg'
+    """
+    if path.exists() and not _is_taken(path):
+        return next(iter(kinds.values()))
+    found = kinds.get(path.suffix.lower())
+    if found is None:
+        raise IllegalValueError(
+            f"{quantity(name)} ({printable(str(path)[-60:])})",
+            f"its ending says what is written: {', '.join(kinds)}",
+            f"end it in {next(iter(kinds))}",
+        )
+    return found
 
 
 def refuse_existing(paths: Sequence[Path], *, force: bool) -> None:

@@ -1,4 +1,4 @@
-"""Pictures with captions: panels side by side, set in a legible font, written as PNG.
+"""Pictures with captions: panels side by side, set in a legible font, and the files of pictures.
 
 The font is the DejaVu Sans that matplotlib ships, found without importing matplotlib: Pillow's own
 lacks ᵀ, ⁻¹ and κ.
@@ -7,21 +7,28 @@ lacks ᵀ, ⁻¹ and κ.
 from __future__ import annotations
 
 import io
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
 
+from nmatrix.enums import PixelFormat
+from nmatrix.errors import IllegalValueError
+
 Array = NDArray[Any]
 
 PAPER, INK, FAINT = (255, 255, 255), (24, 24, 28), (96, 96, 104)
 MARGIN = 16
+FRAME_MILLISECONDS = 60  # while an animation shows one
+LARGEST_WEBP = 16383  # pixels on a side
+IMAGE_DESCRIPTION = 0x010E  # the tag of Exif
 NARROWEST = 220  # pixels for a panel's captions to be legible in
 
 
@@ -105,12 +112,50 @@ class _Grid:
 
 
 def png(image: Array, texts: Mapping[str, str]) -> bytes:
-    """Return an image as PNG bytes, with its numbers as text chunks."""
-    chunks = PngImagePlugin.PngInfo()
-    for key, value in texts.items():
-        chunks.add_itxt(key, value)
+    """Return an image as a PNG file, with its numbers as text chunks."""
+    return picture_file([image], texts, PixelFormat.PNG)
+
+
+def picture_file(images: Sequence[Array], texts: Mapping[str, str], kind: PixelFormat) -> bytes:
+    """Return images of one size as one file; several are an endless animation.
+
+    Its numbers stand in the text chunks of a PNG, as JSON in the comment of a GIF or a JPEG, and as
+    JSON in the Exif description of a WebP. PNG and WebP keep every level; a GIF has 256 colours.
+
+    Raises
+    ------
+    IllegalValueError
+        For a picture that is too large for a WebP.
+    """
+    height, width = images[0].shape[:2]
+    if kind is PixelFormat.WEBP and max(width, height) > LARGEST_WEBP:
+        raise IllegalValueError(
+            f"a picture of {width} × {height} pixels",
+            f"a WebP has {LARGEST_WEBP} on a side at the most",
+            "end its name in .png, or draw it smaller",
+        )
+    first, *others = (Image.fromarray(np.ascontiguousarray(one)) for one in images)
+    told = json.dumps(texts, ensure_ascii=False)
+    how: dict[str, Any] = {}
+    if others:
+        how = {"save_all": True, "append_images": others, "duration": FRAME_MILLISECONDS, "loop": 0}
+    match kind:
+        case PixelFormat.PNG:
+            how["pnginfo"] = chunks = PngImagePlugin.PngInfo()
+            for key, value in texts.items():
+                chunks.add_itxt(key, value)
+        case PixelFormat.GIF:
+            how["comment"] = told.encode()
+        case PixelFormat.WEBP:
+            exif = Image.Exif()
+            exif[IMAGE_DESCRIPTION] = told
+            how |= {"lossless": True, "exif": exif}
+        case PixelFormat.JPEG:
+            how |= {"comment": told.encode(), "quality": 95, "subsampling": 0}
+        case _:
+            assert_never(kind)
     out = io.BytesIO()
-    Image.fromarray(image).save(out, format="PNG", pnginfo=chunks)
+    first.save(out, kind.upper(), **how)
     return out.getvalue()
 
 

@@ -6,7 +6,7 @@ Nothing is decided here; what must be computed is the plan's business.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -25,7 +25,7 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vec
 from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
-from nmatrix.scene.fitting import Ball, enclosing, fitted
+from nmatrix.scene.fitting import DAYLIGHT, Ball, enclosing, fitted
 from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
 from nmatrix.scene.material import WHITE, Colour, Material
 from nmatrix.scene.meshes.mesh import Mesh
@@ -200,10 +200,14 @@ def loaded(scene: Scene) -> LoadedScene:
     meshes: dict[object, Mesh] = {}
     bodies = tuple(_body(one, meshes) for one in scene.objects)
     balls = [body.ball for body in bodies]
-    remarks = scene.remarks
+    made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
+    remarks = (*scene.remarks, *made)
     if not scene.has_camera:
         scene = fitted(scene, balls)
         remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")
+    if not scene.lights:
+        scene = replace(scene, lights=(DAYLIGHT,))
+        remarks = (*remarks, f"No light was given: daylight was chosen, along {_typed(DAYLIGHT)}.")
     camera = scene.view.placed()
     turn = _turn(scene.settings.turn_degrees, balls)
     camera_from_world = Transform(
@@ -243,6 +247,10 @@ def _body(one: SceneObject, meshes: dict[object, Mesh]) -> Body:
         meshes[key] = one.geometry.mesh()
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
     return Body(one.name, meshes[key], place, one.material)
+
+
+def _typed(light: SceneLight) -> str:
+    return " ".join(map(str, light.direction))
 
 
 def _placed(light: SceneLight, world_from_home: Transform) -> PlacedLight:

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect
-from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import LoadedScene
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
+from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
 from nmatrix.raster.shading.outline import OF_HULLS, hull
 from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
@@ -74,8 +74,8 @@ def render(
     """
     loaded = plan.loaded
     maps = _shadow_maps(plan)
-    outlined = [one for one in plan.bodies if Effect.OUTLINE in one.effects]
-    drawn = [*plan.bodies, *(_hull_plan(loaded, one) for one in outlined)]
+    outlined = [one for one in plan.drawn if Effect.OUTLINE in one.effects]
+    drawn = [*plan.drawn, *(_hull_plan(loaded, one) for one in outlined)]
     drawables = [_drawable(plan, body, maps, change) for body in drawn]
     background = np.array(loaded.settings.background[: plan.channels])
     drawing = Drawing(drawables, loaded.canvas, background, loaded.settings.depth)
@@ -96,29 +96,32 @@ def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
 def _hull_plan(loaded: LoadedScene, body: BodyPlan) -> BodyPlan:
     """Return the plan of a body's outline: no light, so it is black, and the body's fog."""
     effects = body.effects & OF_HULLS
-    return replace(body, body=hull(loaded, body.body), light_decisions=(), effects=effects)
+    seen = SeenBody(loaded, hull(loaded, body.body))
+    return replace(body, seen=seen, light_decisions=(), effects=effects)
 
 
 def _drawable(
     plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], change: Change
 ) -> Drawable:
-    loaded = plan.loaded
-    exact = loaded.clip_from_object(body.body)
-    front = front_sign(exact, loaded.clip)
+    loaded, front = plan.loaded, body.seen.front
     culled = 0 if Effect.BACK_FACES in body.effects else -front
-    projected = project(body.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
-    surface = change(surface_of(plan, body, maps, front))
-    return Drawable(
-        projected, surface.vertex(projected), surface.fragment, body.body.material.opacity
-    )
+    clip_from_object = as_array(body.seen.clip_from_object)
+    projected = project(body.body.mesh, clip_from_object, loaded.canvas, loaded.clip, culled)
+    right = surface_of(plan, body, maps, front)
+    surface, even = change(right), None
+    if body.rate is not None and surface is right:
+        even = body.rate.even_triangles(loaded, body.body, projected)
+    opacity = body.body.material.opacity
+    return Drawable(projected, surface.vertex(projected), surface.fragment, opacity, even)
 
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:
     """Return the surface of one body under its plan."""
     settings = plan.loaded.settings
-    space = ShadingSpace(
-        plan.loaded, body.body, settings.space, uses_metric=Effect.METRIC in body.effects
-    )
+    space = body.seen.space
+    uses_metric = Effect.METRIC in body.effects
+    if space.uses_metric is not uses_metric:
+        space = replace(space, uses_metric=uses_metric)
     lighting = Lighting(
         body.body.material,
         tuple(_light_in_space(one, space, body, maps, plan.channels) for one in body.lights),

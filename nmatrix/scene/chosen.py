@@ -104,8 +104,9 @@ def _carried(light: Light, world_from_home: RationalMatrix) -> Light:
 
 
 def _unknown(scene: Scene, what: str, name: str, names: list[str]) -> IllegalValueError:
+    known = shortlist(map(printable, names)) or "none"
     return IllegalValueError(
         f"{quantity(what)} ({name[:40]})",
         f"{scene.path} has no {what} of this name",
-        f"{did_you_mean(name, names, '')} there are {shortlist(map(printable, names))}".strip(),
+        f"{did_you_mean(name, names, '')} there are {known}".strip(),
     )

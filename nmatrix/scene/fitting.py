@@ -1,4 +1,4 @@
-"""A camera that sees everything, for files that bring none."""
+"""A camera that sees everything and a light that parts what it sees, for files without them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
+from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 Ball = tuple[Array, float]
 
-TOWARDS_EYE = (0.45, 0.35, 1.0)  # from the front, a little from the right and above
+# From above and from the left: on a cube, top, front and right side differ by more than 50 levels.
+DAYLIGHT = SceneLight("daylight", LightKind.DIRECTIONAL, direction=(-1, -3, -2))
+TOWARDS_EYE = (0.6, 0.6, 1.0)  # from the front, a little from the right and above
 ROOM = 1.05
 NEAREST = 1e-3  # of the radius, for an eye that stands inside
 

@@ -91,5 +91,4 @@ class PlacedLight:
         return red * strength, green * strength, blue * strength
 
 
-# What lights a scene that says nothing of lights.
-DAYLIGHT = SceneLight("light", LightKind.DIRECTIONAL, direction=normalize((-1, -1, -1)))
+USUAL_DIRECTION = normalize((-1, -1, -1))  # of a light that says nothing of it

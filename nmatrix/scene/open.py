@@ -7,7 +7,6 @@ from pathlib import Path
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import FileGeometry
-from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.scene import Scene, SceneObject
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
@@ -39,4 +38,4 @@ def scene_of(path: Path) -> Scene:
     if not path.is_file():
         raise IllegalValueError(f"{path}", "there is no such file", "check the name")
     still = SceneObject(path.stem, FileGeometry(path), identity(4), place=World())
-    return Scene((still,), (DAYLIGHT,), has_camera=False, path=path)
+    return Scene((still,), has_camera=False, path=path)

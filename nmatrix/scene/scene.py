@@ -105,7 +105,8 @@ def _read_samples(samples: object, name: str) -> int:
 class Scene:
     """Everything that a scene file says.
 
-    `has_camera` tells whether the file chose the view; if not, it is fitted to what is drawn.
+    Without lights it is drawn in daylight. `has_camera` tells whether the file chose the view; if
+    not, it is fitted to what is drawn.
     `has_aspect` tells whether it chose the lens's width over height; if not, the picture's is used.
     """
 

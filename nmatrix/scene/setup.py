@@ -21,7 +21,7 @@ from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.light import DAYLIGHT
+from nmatrix.scene.light import USUAL_DIRECTION
 from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
@@ -47,7 +47,7 @@ class Light:
         refuse_beside(self, "angles_degrees", ("direction",), both, names=names)
 
     def placed(self) -> WorldLight:
-        """Return the light in world space; nothing given means daylight.
+        """Return the light in world space; nothing given means along −1 −1 −1.
 
         Raises
         ------
@@ -64,7 +64,7 @@ class Light:
             alpha, beta = map(Angle.degrees, self.angles_degrees)
             return rational_vector(direction_from_angles(alpha, beta))
         if self.direction is None:
-            return None if self.position is not None else rational_vector(DAYLIGHT.direction)
+            return None if self.position is not None else rational_vector(USUAL_DIRECTION)
         if not any(self.direction):
             raise NoAnswerError(
                 "light direction (0 0 0)",

@@ -15,7 +15,7 @@ from nmatrix.report import Matrix, Number, Value, Vector
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import DARK, SQUARES, Texture
 from nmatrix.scene.words import LightKind, Pattern, Wrap
-from nmatrix.shaders.shaded import LEAST_COSINE, Shaded
+from nmatrix.shaders.shaded import EDGE, LEAST_COSINE, Shaded
 
 FLOATS = {"mat4": 16, "mat3": 9, "vec4": 4, "vec3": 3, "vec2": 2, "float": 1}
 FLOAT_BYTES = 4
@@ -151,7 +151,7 @@ def specular(shaded: Shaded) -> Glsl:
         ),
         lit=(
             f"float highlight = {cosine};",
-            f"if (n_dot_l > 0.0)\n    gloss += light * specular_color * {shine};",
+            f"if (n_dot_l > {EDGE})\n    gloss += light * specular_color * {shine};",
         ),
     )
 
@@ -159,7 +159,9 @@ def specular(shaded: Shaded) -> Glsl:
 def toon(shaded: Shaded) -> Glsl:
     """Put bands in place of a smooth shade."""
     steps = Uniform("float", "toon_steps", float(shaded.material.toon_steps))
-    return Glsl((steps,), arriving=("shade = ceil(shade * toon_steps) / toon_steps;",))
+    return Glsl(
+        (steps,), arriving=(f"shade = ceil(max(shade * toon_steps - {EDGE}, 0.0)) / toon_steps;",)
+    )
 
 
 def attenuation(shaded: Shaded) -> Glsl:
@@ -180,7 +182,7 @@ def _fading(placed: PlacedLight) -> Glsl:
         arriving=(
             "float d = vector_length(light_position - p);",
             "light /= attenuation.x + d * (attenuation.y + attenuation.z * d);",
-            *(["light *= step(d, light_range);"] if ends else ()),
+            *([f"light *= step(d, light_range * {1.0 + EDGE});"] if ends else ()),
         ),
     )
 
@@ -306,11 +308,13 @@ def texture(shaded: Shaded) -> Glsl:
     uv, uniforms = _placed("surface_texture", found)
     if isinstance(found.image, Pattern):
         column, row = (
-            CHECKER_WRAPS[how].format(index=f"floor(uv.{axis} * {SQUARES}.0)", size=SQUARES)
+            CHECKER_WRAPS[how].format(
+                index=f"floor(uv.{axis} * {SQUARES}.0 + {EDGE})", size=SQUARES
+            )
             for axis, how in zip("xy", found.wrap, strict=True)
         )
         lines = (f"matte *= mod({column} + {row}, 2.0) < 0.5 ? 1.0 : {DARK};",)
-        return Glsl(uniforms, matte=(f"vec2 uv = {uv};", *lines))
+        return Glsl(uniforms, matte=(f"vec2 square = {uv} * {SQUARES}.0 + {EDGE};", *lines))
     return Glsl(
         uniforms,
         (_image("surface_texture", found, is_srgb=shaded.is_linear),),

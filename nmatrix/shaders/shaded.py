@@ -20,6 +20,9 @@ from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.shading_spaces import PROFILES
 from nmatrix.spaces.transform import Transform
 
+# Bands, highlights, ranges and squares end this far beside round numbers: on them, where boxes and
+# lamps like to stand, the last bit would decide, and differently in each space and on each machine.
+EDGE = 1e-6
 # Of light on a surface that asks a shadow map: flatter light would need more slack there, and shows
 # nothing any more.
 LEAST_COSINE = 1.0 / 64.0

@@ -81,6 +81,8 @@ class ExactMaps:
 
     def is_rigid(self, space: Space) -> bool:
         """Recognise a space whose coordinates keep the lengths and angles of the world."""
+        if space in (Space.WORLD, Space.STATIC):
+            return True
         maps = self.to_digits or self
         return classify(maps.space_from_world(space).exact, self.tolerance).is_rigid
 
@@ -161,7 +163,8 @@ def _custom_from_world(maps: ExactMaps) -> Transform:
 
 
 def _unmoved(to: Frame) -> Callable[[ExactMaps], Transform]:
-    return lambda maps: Transform(to, Frame.WORLD, rational.identity(4))
+    found = Transform(to, Frame.WORLD, rational.identity(4))
+    return lambda maps: found
 
 
 _FROM_WORLD: Mapping[Space, Callable[[ExactMaps], Transform]] = {

@@ -10,30 +10,27 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from nmatrix.enums import PixelFormat, VectorFormat
 from nmatrix.studies.measurements import Measurement, Unit, by_setting
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SMALLEST = 1e-17  # where errors of zero, or below the resolution of float64, are drawn
 EPSILONS = {"float64": 2.0**-53, "float32": 2.0**-24, "float16": 2.0**-11}
+PIXELS_AN_INCH = 150
 PANEL = (3.2, 2.6)  # inches
 KEY, KEY_LINE = 2.3, 0.155
 ACROSS = 3
 LETTER, HIGH = 0.023, 0.06  # of the panel: the width of a digit, the height of a line
 ROOM_OF_TEXT = 0.15  # labels that start closer to the right edge are written to the left
 FRONT, BEATEN = "black", "0.55"
-
-
-class ChartFormat(StrEnum):
-    """The files that a chart can be."""
-
-    SVG = "svg"
-    PNG = "png"
 
 
 @dataclass(frozen=True)
@@ -83,7 +80,7 @@ class Numbered:
         return ", ".join(f"{r[0]}–{r[-1]}" if len(r) > 2 else ", ".join(map(str, r)) for r in runs)
 
 
-def chart(rows: Sequence[Measurement], title: str, kind: ChartFormat) -> bytes:
+def chart(rows: Sequence[Measurement], title: str, kind: PixelFormat | VectorFormat) -> bytes:
     """Draw the chart and return its file; equal rows give equal bytes."""
     from matplotlib import rc_context
     from matplotlib.figure import Figure
@@ -111,10 +108,23 @@ def chart(rows: Sequence[Measurement], title: str, kind: ChartFormat) -> bytes:
         panels.supxlabel("counted work" if rows[0].timing is None else "time ratio")
         panels.supylabel(rows[0].unit)
         side.text(0.0, 0.97, "\n".join(numbered.key), va="top", family="monospace", fontsize=7.5)
-        out = io.BytesIO()
-        undated = {"Date": None} if kind is ChartFormat.SVG else None
-        figure.savefig(out, format=kind.value, dpi=150, metadata=undated)
-    return out.getvalue()
+        return _file(figure, title, kind)
+
+
+def _file(figure: Figure, title: str, kind: PixelFormat | VectorFormat) -> bytes:
+    """Return a figure's file, without the date that would make each one another."""
+    out = io.BytesIO()
+    if isinstance(kind, VectorFormat):
+        date = "Date" if kind is VectorFormat.SVG else "CreationDate"
+        figure.savefig(out, format=kind, metadata={"Title": title, date: None})
+        return out.getvalue()
+    from PIL import Image
+
+    from nmatrix.raster.image import picture_file
+
+    figure.savefig(out, format="png", dpi=PIXELS_AN_INCH)
+    pixels = np.asarray(Image.open(out).convert("RGB"))
+    return picture_file([pixels], {"Title": title}, kind)
 
 
 def _marks(axis: Axes, rows: Sequence[Measurement]) -> None:

@@ -375,6 +375,12 @@ def test_slugs_are_plain_and_never_paths() -> None:
         assert re.fullmatch(r"[a-z0-9-]+", slug(name))
 
 
+def test_the_ending_of_a_sheet_chooses_its_format(nmatrix) -> None:
+    for kind, begins in ((PageFormat.TEX, "\\documentclass"), (PageFormat.MD, "# "), ("HTM", "<!")):
+        assert nmatrix(f"handout --topics rule -o sheet.{kind}")[0] == 0
+        assert Path(f"sheet.{kind}").read_text().startswith(begins)
+
+
 MISUSE = [
     ("handout --topics nothing", 2, "choose from them"),
     ("handout --exercises 0", 2, "1 to 100"),
@@ -383,6 +389,9 @@ MISUSE = [
     ("handout --roster none.csv", 2, "no such file"),
     ("handout --to docx", 2, "docx"),
     ("handout -o nowhere/x.html", 2, "no folder"),
+    ("handout -o x.docx", 2, ".html, .pdf, .typ, .tex, .md, .htm"),
+    ("handout -o x", 2, ".html, .pdf, .typ, .tex, .md, .htm"),
+    ("handout -o x.pdf --to html", 2, "two formats"),
     ("handout --topics rule --exercises 1 --salt none", 2, "no such file"),
 ]
 

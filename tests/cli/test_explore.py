@@ -57,7 +57,12 @@ def test_a_matrix_is_taken_apart_for_the_sliders(nmatrix) -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "words"), [("explore", "the file exists"), ("explore -o no/x.html", "no folder")]
+    ("line", "words"),
+    [
+        ("explore", "the file exists"),
+        ("explore -o no/x.html", "no folder"),
+        ("explore -o x.pdf", ".html"),
+    ],
 )
 def test_nothing_is_overwritten_or_put_nowhere(nmatrix, line: str, words: str) -> None:
     Path("explore.html").write_text("mine")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import shlex
+from base64 import b64encode
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +13,14 @@ import pytest
 from PIL import Image
 
 from nmatrix.cli.app import run
-from nmatrix.enums import Space
+from nmatrix.enums import PixelFormat, Space
+from nmatrix.errors import IllegalValueError
 from nmatrix.output import files
+from nmatrix.output.files import PICTURES
+from nmatrix.raster.image import IMAGE_DESCRIPTION, picture_file
 from nmatrix.raster.proofs.catalogue import PROOFS
+from nmatrix.raster.proofs.frames import PictureFrame
+from nmatrix.scene.meshes.shapes import box
 
 pytestmark = pytest.mark.usefixtures("own_folder")
 
@@ -66,6 +72,65 @@ def test_a_mesh_is_drawn_and_measured(nmatrix, tmp_path: Path) -> None:
     assert found.code == 0, found.err
     assert found.data["triangles"] == 1
     assert found.data["max_angle_error_deg"] > 1
+    assert (
+        sum("Normals were made, area-weighted: a.obj" in one for one in found.data["remarks"]) == 1
+    )
+    (tmp_path / "b.obj").write_text(TRIANGLE.replace("f 1 2 3", "vn 0 1 1\nf 1//1 2//1 3//1"))
+    assert not any(
+        "made" in one for one in nmatrix(f"render b.obj {SMALL} -f json").data["remarks"]
+    )
+
+
+def cube_files(folder: Path) -> list[str]:
+    """Write a cube in three kinds of files, none with a light or a camera."""
+    cube = box()
+    places, normals, triangles = cube.positions, cube.normals, cube.triangles
+    lines = [f"v {' '.join(map(str, one))}\n" for one in places.tolist()]
+    lines += [f"vn {' '.join(map(str, one))}\n" for one in normals.tolist()]
+    lines += [f"f {' '.join(f'{i}//{i}' for i in one)}\n" for one in (triangles + 1).tolist()]
+    (folder / "cube.obj").write_text("".join(lines))
+    parts = [places.astype("<f4").tobytes(), normals.astype("<f4").tobytes()]
+    parts.append(triangles.astype("<u2").tobytes())
+    starts = [0, len(parts[0]), len(parts[0]) + len(parts[1])]
+    rows, indices = len(places), triangles.size
+    document = {
+        "asset": {"version": "2.0"},
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": rows, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5126, "count": rows, "type": "VEC3"},
+            {"bufferView": 2, "componentType": 5123, "count": indices, "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": start, "byteLength": len(part)}
+            for start, part in zip(starts, parts, strict=True)
+        ],
+        "buffers": [
+            {
+                "byteLength": sum(map(len, parts)),
+                "uri": f"data:;base64,{b64encode(b''.join(parts)).decode()}",
+            }
+        ],
+    }
+    (folder / "cube.gltf").write_text(json.dumps(document))
+    (folder / "cube.toml").write_text("[[object]]\nshape = 'box'\n")
+    return ["cube.obj", "cube.gltf", "cube.toml"]
+
+
+def test_the_three_sides_of_a_cube_have_three_greys(nmatrix, tmp_path: Path) -> None:
+    for name in cube_files(tmp_path):
+        found = nmatrix(f"render {name} --size 200 200 -o a.png --force -f json").data["remarks"]
+        assert sum("No camera was given" in one for one in found) == 1
+        assert sum("No light was given" in one for one in found) == 1
+        pixels = np.asarray(Image.open("a.png"))[:, :, 0].astype(int)
+        paper = pixels[0, 0]
+        levels, counts = np.unique(pixels[pixels != paper], return_counts=True)
+        sides = sorted(levels[counts > 0.05 * counts.sum()].tolist())
+        assert len(sides) == 3
+        assert min(np.diff(sides)) > 40
+        lit = nmatrix(f"render {name} {SMALL} --light-direction 0 0 -1 -o b.png --force -f json")
+        assert not any("No light was given" in one for one in lit.data["remarks"])
 
 
 def test_a_wrong_rule_shows_in_the_levels(nmatrix, scene: str) -> None:
@@ -89,13 +154,66 @@ def test_spaces_are_an_option(nmatrix, scene: str, space: Space) -> None:
     assert Path("a.png").read_bytes()[-200:] == Path("b.png").read_bytes()[-200:]
 
 
-def test_frames_are_numbered_or_one_gif(nmatrix) -> None:
-    line = f"render normals {SMALL} --frames 3 --turn"
-    assert nmatrix(f"{line} -o walk.png").code == 0
-    assert sorted(one.name for one in Path().iterdir()) == [f"walk-{i}.png" for i in range(3)]
-    assert nmatrix(f"{line} -o walk.gif").code == 0
-    assert Image.open("walk.gif").n_frames == 3
-    assert nmatrix(f"{line} -o walk.png").code == 2
+def told_in(name: str) -> dict[str, str]:
+    """Return the numbers that a picture's file tells."""
+    image = Image.open(name)
+    if image.format == "PNG":
+        return image.text
+    told = image.getexif().get(IMAGE_DESCRIPTION) or image.info["comment"].decode()
+    return json.loads(told)
+
+
+@pytest.mark.parametrize("ending", [*PICTURES, *(one.upper() for one in PICTURES)])
+def test_a_file_is_what_its_name_says_and_tells_its_numbers(nmatrix, ending: str) -> None:
+    found = nmatrix(f"render normals {SMALL} -o a{ending} -f json")
+    assert found.code == 0, found.err
+    assert Image.open(f"a{ending}").format.lower() == PICTURES[ending.lower()]
+    told = told_in(f"a{ending}")
+    assert told["max_angle_error_deg"] == repr(found.data["max_angle_error_deg"])
+    nmatrix(f"render normals {SMALL} -o b.png")
+    exact, own = (np.asarray(Image.open(name).convert("RGB")) for name in ("b.png", f"a{ending}"))
+    apart = np.abs(exact.astype(int) - own).mean()
+    assert apart < 2
+    assert apart == 0 or ending.lower() not in (".png", ".webp")
+
+
+@pytest.mark.parametrize("ending", PICTURES)
+def test_frames_are_numbered_files_or_one_animation(nmatrix, ending: str) -> None:
+    line = f"render normals {SMALL} --frames 3 --turn -o walk{ending}"
+    assert nmatrix(line).code == 0
+    animated = PICTURES[ending].is_animated
+    names = [f"walk{ending}"] if animated else [f"walk-{i}{ending}" for i in range(3)]
+    assert sorted(one.name for one in Path().iterdir()) == names
+    for name in names:
+        with Image.open(name) as image:
+            assert image.format.lower() == PICTURES[ending]
+            assert getattr(image, "n_frames", 1) == (3 if animated else 1)
+            assert told_in(name)["Title"] == "nmatrix normals"
+    assert nmatrix(line).code == 2
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.pdf", "a.mp4", "a.exr", "a", ".png", "a.png.txt"])
+@pytest.mark.parametrize("frames", ["", "--frames 2 --turn"])
+def test_another_ending_is_refused_before_anything_is_drawn(
+    nmatrix, monkeypatch, name: str, frames: str
+) -> None:
+    monkeypatch.setattr(PictureFrame, "draw", None)
+    found = nmatrix(f"render normals {SMALL} {frames} -o {name}")
+    assert found.code == 2
+    assert found.is_one_line
+    assert all(ending in found.err for ending in PICTURES)
+    assert not list(Path().iterdir())
+
+
+def test_a_picture_too_large_for_a_webp_is_refused_in_one_line() -> None:
+    wide = np.zeros((1, 16384, 3), np.uint8)
+    with pytest.raises(IllegalValueError, match="16384 × 1 pixels: a WebP has 16383"):
+        picture_file([wide], {}, PixelFormat.WEBP)
+    assert picture_file([wide[:, 1:]], {}, PixelFormat.WEBP)[8:12] == b"WEBP"
+
+
+def test_a_device_may_be_called_anything(nmatrix) -> None:
+    assert nmatrix(f"render normals {SMALL} -o /dev/null").code == 0
 
 
 def test_two_workers_write_the_same_frames(nmatrix) -> None:

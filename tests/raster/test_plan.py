@@ -14,8 +14,8 @@ from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
 from nmatrix.raster.image import png
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.plan import BUDGET, everything, planned
-from nmatrix.raster.planning.recipe import Decision, by_bound
+from nmatrix.raster.planning.plan import everything, planned
+from nmatrix.raster.planning.recipe import BUDGET, Decision, by_bound
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import Rendered, render
 from nmatrix.scene.camera import View

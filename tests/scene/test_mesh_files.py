@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from struct import pack
 
@@ -13,6 +14,7 @@ from nmatrix.scene.meshes.file import read_mesh
 from nmatrix.scene.meshes.mesh import Mesh, joined, unit
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"  # its geometric normal is (0, 0, 1)
+MADE = ("Normals were made, area-weighted: a.obj does not have one for every vertex.",)
 UP, RIGHT, BACK = [0, 1, 0], [1, 0, 0], [0, 0, 1]
 NORMALS = "vn 0 2 0\nvn 3 0 0\n"  # not of length one, and not those of the square
 PLY = (
@@ -41,9 +43,11 @@ def header(vertex: str, face: str, *, form: str = "ascii", faces: int = 1, count
 
 
 def test_normals_of_an_obj_are_those_of_the_file(tmp_path: Path) -> None:
-    mesh = mesh_of(tmp_path, "a.obj", SQUARE + NORMALS + "f 1//1 2//1 3//2\n")
-    assert at_corners(mesh, mesh.positions) == [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
-    assert at_corners(mesh, mesh.normals) == [UP, UP, RIGHT]
+    for face in ("f 1//1 2//1 3//2\n", "f -4//-2 -3//-2 -2//-1\n"):
+        mesh = mesh_of(tmp_path, "a.obj", SQUARE + NORMALS + face)
+        assert at_corners(mesh, mesh.positions) == [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
+        assert at_corners(mesh, mesh.normals) == [UP, UP, RIGHT]
+        assert mesh.remarks == ()
 
 
 def test_a_vertex_with_two_normals_is_split(tmp_path: Path) -> None:
@@ -77,6 +81,7 @@ def test_a_part_without_normals_gets_area_weighted_ones(tmp_path: Path) -> None:
     given = {(0, 0, 0, *UP), (1, 0, 0, *UP), (1, 1, 0, *UP)}
     made = {(0, 0, 0, *BACK), (1, 1, 0, *BACK), (0, 1, 0, *BACK)}
     assert found == given | made
+    assert mesh.remarks == MADE
 
 
 @pytest.mark.parametrize(
@@ -92,6 +97,7 @@ def test_a_part_without_normals_gets_area_weighted_ones(tmp_path: Path) -> None:
 def test_normals_that_are_not_all_there_are_made(tmp_path: Path, text: str) -> None:
     mesh = mesh_of(tmp_path, "a.obj", text)
     assert at_corners(mesh, mesh.normals) == [BACK] * 3 * len(mesh.triangles)
+    assert mesh.remarks == MADE
 
 
 def test_a_normal_of_zero_is_kept_and_counted(tmp_path: Path) -> None:
@@ -119,6 +125,7 @@ def test_normals_of_a_ply_are_those_of_the_file(tmp_path: Path, form: str) -> No
     mesh = mesh_of(tmp_path, "a.ply", header(PLACES, LIST, form=form).encode() + body)
     assert at_corners(mesh, mesh.positions) == [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     assert at_corners(mesh, mesh.normals) == [UP, RIGHT, UP]
+    assert mesh.remarks == ()
 
 
 def test_a_ply_with_coordinates_of_vertices_keeps_its_normals(tmp_path: Path) -> None:
@@ -182,6 +189,8 @@ def test_joined_parts_keep_only_what_every_part_has() -> None:
     assert both.triangles.tolist() == [[0, 1, 2], [3, 4, 5]]
     assert both.positions[3:].tolist() == (places + 5).tolist()
     assert both.uv is both.colours is None
+    made, other = (replace(full, remarks=(words,)) for words in ("a", "b"))
+    assert joined([made, made, full, other]).remarks == ("a", "b")
     twice = joined([full, full])
     assert twice.uv is not None
     assert twice.colours is not None

@@ -52,12 +52,13 @@ def refusal(folder: Path, text: str) -> str:
     return message.removeprefix(str(folder / "scene.toml"))
 
 
-def test_one_shape_is_a_scene_with_daylight_and_without_a_camera(tmp_path: Path) -> None:
+def test_one_shape_is_a_scene_without_a_light_and_without_a_camera(tmp_path: Path) -> None:
     scene = read(tmp_path, BALL)
     (ball,) = scene.objects
     assert ball.geometry == ShapeGeometry(Shape.SPHERE)
     assert not scene.has_camera
-    (light,) = scene.lights
+    assert scene.lights == ()
+    (light,) = read(tmp_path, f"{BALL}[[light]]\n").lights
     assert light.kind is LightKind.DIRECTIONAL
     assert light.direction == normalize((-1, -1, -1))
 
@@ -449,6 +450,16 @@ def test_names_cannot_break_the_line(tmp_path: Path) -> None:
 def test_every_example_reads_and_says_what_it_shows(path: Path) -> None:
     assert path.read_text(encoding="utf-8").startswith("# ")
     assert read_scene(path).objects
+
+
+@pytest.mark.parametrize("name", ["classroom", "stretched", "hierarchy", "glass", "everything"])
+def test_what_stands_on_the_floor_of_an_example_touches_it_and_pokes_not_through(name: str) -> None:
+    lowest = []
+    for one in read_scene(SCENES / f"{name}.toml").objects:
+        row = [float(x) for x in one.world_from_object[1]]
+        lowest.append(float((one.geometry.mesh().positions @ row[:3] + row[3]).min()))
+    assert min(lowest) > -0.01
+    assert sum(low < 0.02 for low in lowest) >= 2
 
 
 def test_the_robots_hand_is_sheared_by_its_forearm() -> None:

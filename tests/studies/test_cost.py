@@ -5,15 +5,18 @@ from __future__ import annotations
 import json
 import random
 from collections.abc import Callable
+from enum import StrEnum
+from io import BytesIO
 from math import pi
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from nmatrix.cli import studies as command
-from nmatrix.enums import Shading
+from nmatrix.enums import PixelFormat, Shading, VectorFormat
 from nmatrix.studies import chart, methods, normals, shading, spaces
 from nmatrix.studies.hardcases.case import CaseVerdict
 from nmatrix.studies.harness import SEED, Ratio, Run, SelfTest, untimed
@@ -200,15 +203,18 @@ def test_counted_costs_stand_beside_times() -> None:
 def test_a_chart_of_pictures_numbers_each_dial_by_itself(pictures: dict) -> None:
     numbered = chart.Numbered(tuple(pictures.values()))
     assert numbered.numbers["samples", "64"] != numbered.numbers["shadow map", "64"]
-    assert chart.chart(numbered.rows, "title", chart.ChartFormat.SVG).count(b"<svg") == 1
+    assert chart.chart(numbered.rows, "title", VectorFormat.SVG).count(b"<svg") == 1
 
 
-def test_a_chart_is_drawn_in_both_kinds(rows: tuple) -> None:
-    few = [row for row in rows if row.setting.startswith("one matrix")]
-    assert chart.chart(few, "title", chart.ChartFormat.PNG).startswith(b"\x89PNG")
-    svg = chart.chart(few, "title", chart.ChartFormat.SVG)
-    assert b"<svg" in svg
-    assert svg == chart.chart(few, "title", chart.ChartFormat.SVG)
+@pytest.mark.parametrize("kind", [*PixelFormat, *VectorFormat])
+def test_a_chart_is_a_file_of_its_kind_and_twice_the_same(rows: tuple, kind: StrEnum) -> None:
+    few = [row for row in rows if row.setting.startswith("one matrix")][:3]
+    found = chart.chart(few, "title", kind)
+    if isinstance(kind, PixelFormat):
+        assert Image.open(BytesIO(found)).format.lower() == kind
+    else:
+        assert found.startswith({VectorFormat.SVG: b"<?xml", VectorFormat.PDF: b"%PDF"}[kind])
+    assert found == chart.chart(few, "title", kind)
 
 
 def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
@@ -248,7 +254,7 @@ def test_on_a_busy_machine_errors_failures_and_work_are_told(rows: tuple) -> Non
     assert found.failure is None
     budget = report(Study.NORMALS, bare, BUSY, Target(seconds=1e9))
     assert budget.data["cheapest"] is None
-    assert chart.chart(bare[:17], "title", chart.ChartFormat.SVG).count(b"<svg") == 1
+    assert chart.chart(bare[:17], "title", VectorFormat.SVG).count(b"<svg") == 1
 
 
 def report_of(rows: tuple):
@@ -417,7 +423,7 @@ MISUSE = [
     ("cost normals --budget 5", "ns, us, ms, s"),
     ("cost normals --budget -5ms", "positive"),
     ("cost normals --budget 5ms --tolerance 1deg", "keep one"),
-    ("cost --chart a.pdf", ".svg or .png"),
+    ("cost --chart a.mp4", ".svg, .pdf, .png, .gif, .webp, .jpeg, .jpg; end it in .svg"),
     ("cost everything", "normals"),
 ]
 

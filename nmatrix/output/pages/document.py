@@ -28,6 +28,10 @@ class PageFormat(StrEnum):
     MD = "md"
 
 
+PAGES: Mapping[str, PageFormat] = {
+    **{f".{one}": one for one in PageFormat},
+    ".htm": PageFormat.HTML,
+}
 WITH_PICTURES_BESIDE = (PageFormat.TYP, PageFormat.TEX, PageFormat.MD)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from math import e, inf, sqrt
+from math import cos, e, inf, radians, sqrt
 
 from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.loaded_scene import LoadedScene
@@ -15,23 +15,33 @@ from nmatrix.raster.planning import judges_by_geometry as geometry
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import (
     STEADY,
+    UNCHANGED,
     Decision,
     Influence,
     Recipe,
+    Strength,
     adds_nothing,
     called_for,
+    impossible,
     not_asked,
 )
+from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import sample_shading
+from nmatrix.raster.shading.space import column
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import Texture
 from nmatrix.scene.words import LightKind, Pattern, Sides
 from nmatrix.shaders import glsl
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
+SMALLEST = 1e-150  # what is nearer to 0 has no useful reciprocal
 STEEPEST_SRGB = 12.92  # levels for light, near black
 BANDS = replace(
     STEADY,
+    most=1.0,
     per_length=inf,
+    follows_lights=True,
     jumps=True,
     because="bands have edges that lengths would move",
 )
@@ -56,7 +66,7 @@ def diffuse(facts: Facts) -> Decision:
 def lambert(facts: Facts) -> Influence:
     """Bound max(0, cos): its slope is 1 at the most, and the cosine grows with n's length."""
     most = max(facts.material.diffuse)
-    return replace(STEADY, per_radian=most, per_length=most, colour_range=most, follows_lights=True)
+    return replace(STEADY, most=most, per_radian=most, per_length=most, follows_lights=True)
 
 
 def specular(facts: Facts) -> Decision:
@@ -78,10 +88,10 @@ def highlight(facts: Facts) -> Influence:
         STEADY,
         per_radian=most * (2.0 if is_mirrored else 1.0) * sqrt(material.shininess / e),
         per_length=inf if material.shininess < 1 else by_length,
-        colour_range=most,
+        most=most,
+        per_unit=inf if facts.is_lit_at_fragments else 0.0,
         follows_lights=True,
         jumps=True,
-        reads_place=facts.is_lit_at_fragments,
         because="a highlight this wide has an infinite slope",
     )
 
@@ -98,17 +108,12 @@ def outline(facts: Facts) -> Decision:
     if not facts.material.outline:
         return not_asked("the material has no outline")
     if facts.material.opacity < 1.0:
-        return adds_nothing("the hull of an outline would show through glass")
+        return impossible("the hull of an outline would show through glass")
     if facts.body.linear_map.rank < 3:
-        return adds_nothing("a flattened body has no hull")
-    if facts.material.sides is Sides.FRONT and not facts.body.mesh.is_closed:
-        return adds_nothing("the mesh is open and has no backs: its hull would show there")
+        return impossible("a flattened body has no hull")
+    if facts.material.sides is Sides.FRONT and not facts.body.mesh.shell.is_closed:
+        return impossible("the mesh is open and has no backs: its hull would show there")
     return called_for("the material has an outline")
-
-
-def read_where_lit(facts: Facts) -> Influence:
-    """Bound light from a place: fragments ask where they are, if light is evaluated there."""
-    return replace(STEADY, reads_place=facts.is_lit_at_fragments)
 
 
 def attenuation(facts: Facts) -> Decision:
@@ -121,6 +126,23 @@ def attenuation(facts: Facts) -> Decision:
     return not_asked("no lamp that reaches it fades or ends")
 
 
+def weakened(seen: SeenBody, placed: PlacedLight) -> Strength:
+    """Bound 1/(c + l·d + q·d²) between the least and the largest distance to the body.
+
+    It falls, by (l + 2q·d)/(…)² a unit; near the lamp it may exceed 1.
+    """
+    if placed.position is None:
+        return UNCHANGED
+    least, most = seen.distances(column(placed.position)[:, 0])
+    constant, linear, quadratic = placed.light.attenuation
+    below = constant + least * (linear + quadratic * least)
+    if not below > SMALLEST:
+        return Strength()
+    jumps = placed.light.range < most
+    falls = inf if jumps else (linear + 2 * quadratic * most) / below / below
+    return Strength(most=1.0 / below, per_unit=falls)
+
+
 def spot(facts: Facts) -> Decision:
     """Decide on cones of light."""
     spots = [one.light.name for one in facts.lights if one.light.kind is LightKind.SPOT]
@@ -129,12 +151,22 @@ def spot(facts: Facts) -> Decision:
     return called_for(f"{', '.join(spots)} has a cone")
 
 
+def edge_of_cone(seen: SeenBody, placed: PlacedLight) -> Strength:
+    """Bound the smooth step between the cones: 3/2 over their cosines' difference, and 1/d."""
+    if placed.light.kind is not LightKind.SPOT or placed.position is None:
+        return UNCHANGED
+    inner, outer = (cos(radians(angle)) for angle in placed.light.cone_degrees)
+    least, _ = seen.distances(column(placed.position)[:, 0])
+    across = (inner - outer) * least
+    return Strength(most=1.0, per_unit=1.5 / across if across > SMALLEST else inf)
+
+
 def texture(facts: Facts) -> Decision:
     """Decide on images and patterns."""
     if facts.material.texture is None:
         return not_asked("the material has no texture")
     if facts.body.mesh.uv is None:
-        return adds_nothing("the mesh has no texture coordinates")
+        return impossible("the mesh has no texture coordinates")
     return called_for("the material has a texture")
 
 
@@ -143,9 +175,9 @@ def normal_map(facts: Facts) -> Decision:
     if facts.material.normal_map is None:
         return not_asked("the material has no normal map")
     if not facts.is_lit_at_fragments:
-        return adds_nothing(f"{facts.loaded.settings.shading} shading has no normals at fragments")
+        return impossible(f"{facts.loaded.settings.shading} shading has no normals at fragments")
     if facts.body.mesh.tangents is None:
-        return adds_nothing("the mesh has no texture coordinates, hence no tangents")
+        return impossible("the mesh has no texture coordinates, hence no tangents")
     return called_for("the material has a normal map")
 
 
@@ -155,7 +187,7 @@ def vertex_colours(facts: Facts) -> Decision:
     if not facts.material.vertex_colours:
         return not_asked(why_not)
     if facts.body.mesh.colours is None:
-        return adds_nothing(why_not)
+        return impossible(why_not)
     return called_for("the mesh has colours")
 
 
@@ -170,13 +202,24 @@ def transparency(facts: Facts) -> Decision:
 def fog(facts: Facts) -> Decision:
     """Decide on fog."""
     fog = facts.loaded.settings.fog
-    return called_for(f"fog ends at {fog.end:g}") if fog else not_asked("the scene has no fog")
+    if fog is None:
+        return not_asked("the scene has no fog")
+    _, farthest = facts.seen.eye_distances
+    if farthest <= fog.start:
+        return adds_nothing(f"fog starts at {fog.start:g}, and the body ends at {farthest:.4g}")
+    return called_for(f"fog ends at {fog.end:g}")
+
+
+def thickening(facts: Facts) -> Influence:
+    """Bound the share of fog, which grows evenly from its start to its end."""
+    fog = facts.loaded.settings.fog
+    return STEADY if fog is None else replace(STEADY, per_unit=1.0 / (fog.end - fog.start))
 
 
 def tinted(loaded: LoadedScene, bodies: Sequence[Facts]) -> Decision:
     """Decide on three channels: one is enough where everything is grey."""
     colours = [loaded.settings.background, *(light.light.color for light in loaded.lights)]
-    for one in (body.material for body in loaded.bodies):
+    for one in (facts.material for facts in bodies):
         colours += [one.ambient, one.diffuse, one.specular]
     if loaded.settings.fog:
         colours.append(loaded.settings.fog.color)
@@ -262,7 +305,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.POSITION: Recipe(
         "the position of each fragment",
         geometry.position,
-        influence=replace(STEADY, reads_place=True),
+        influence=STEADY,
         attributes=("position",),
         per_vertex=16,
         per_sample=12,
@@ -278,7 +321,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.ATTENUATION: Recipe(
         "light that fades with distance and ends at its range",
         attenuation,
-        influence=read_where_lit,
+        influence=replace(STEADY, strength=weakened),
         needs=(Effect.POSITION,),
         per_light=4,
         is_shortcut=True,
@@ -287,7 +330,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SPOT: Recipe(
         "cones of light",
         spot,
-        influence=read_where_lit,
+        influence=replace(STEADY, strength=edge_of_cone),
         needs=(Effect.POSITION,),
         per_light=3 + 4,
         glsl=glsl.spot,
@@ -295,7 +338,13 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
         geometry.shadows,
-        influence=replace(STEADY, reads_place=True),
+        influence=replace(
+            STEADY,
+            per_length=inf,
+            per_unit=inf,
+            jumps=True,
+            because="shadows have edges, and ask how light falls in",
+        ),
         passes=("shadow map",),
         needs=(Effect.POSITION,),
         per_light=16 + 6,
@@ -345,7 +394,7 @@ RECIPES: dict[Effect, Recipe] = {
         texture,
         settings=("texture",),
         influence=lambda facts: replace(
-            STEADY, reads_place=True, brings_colour=not _is_grey(facts.material.texture)
+            STEADY, per_unit=inf, brings_colour=not _is_grey(facts.material.texture)
         ),
         attributes=("uv",),
         per_sample=8 + 18,
@@ -356,7 +405,7 @@ RECIPES: dict[Effect, Recipe] = {
         normal_map,
         settings=("normal_map",),
         influence=replace(
-            STEADY, per_length=inf, reads_place=True, because="a normal map turns normals"
+            STEADY, per_length=inf, per_unit=inf, because="a normal map turns normals"
         ),
         attributes=("uv", "tangent"),
         per_sample=8 + 18 + 6 + 6 + 9 + 6,
@@ -367,7 +416,7 @@ RECIPES: dict[Effect, Recipe] = {
         "colours of the vertices",
         vertex_colours,
         settings=("vertex_colours",),
-        influence=replace(STEADY, reads_place=True, brings_colour=True),
+        influence=replace(STEADY, per_unit=inf, brings_colour=True),
         attributes=("colour",),
         per_sample=12,
         glsl=glsl.VERTEX_COLOURS,
@@ -383,7 +432,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.FOG: Recipe(
         "fog that grows with distance",
         fog,
-        influence=replace(STEADY, reads_place=True),
+        influence=thickening,
         needs=(Effect.POSITION,),
         per_sample=4 + 3,
         glsl=glsl.fog,
@@ -397,6 +446,12 @@ RECIPES: dict[Effect, Recipe] = {
         influence=replace(STEADY, gain=STEEPEST_SRGB),
         passes=("gamma",),
         glsl=glsl.GAMMA,
+    ),
+    Effect.SAMPLE_SHADING: Recipe(
+        "each sample shaded by itself, and not once a pixel",
+        sample_shading,
+        influence=STEADY,
+        is_shortcut=True,
     ),
     Effect.SUPERSAMPLING: Recipe(
         "several samples in a pixel",

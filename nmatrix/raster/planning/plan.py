@@ -1,12 +1,13 @@
 """The plan: which effects a scene calls for, body by body, and what each of them needs.
 
 What is left out with a bound shares one budget of half a level, spent where it saves most. A sample
-is a mixture of bodies, so each body has the whole budget to itself.
+is a mixture of bodies, so each body has the whole budget to itself. Lights come first: each costs
+more than any effect saves.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -17,48 +18,64 @@ from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
-from nmatrix.raster.planning.recipe import Decision
+from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
+from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import DEFAULT_MATERIAL
+from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
-BUDGET = 0.5 / 255
 MOST_NAMED = 4  # bodies that a remark names
 
 
 @dataclass(frozen=True)
 class LightDecision:
-    """The decision on a light of a body, and the reason if it is left out."""
+    """The decision on a light of a body: why, and the most that leaving it out moves a channel."""
 
     placed: PlacedLight
     on: bool
     because: str
+    bound: float = 0.0
+
+    @property
+    def kind(self) -> LeftOut:
+        """How safely the light is left out."""
+        return LeftOut.BOUNDED if self.bound else LeftOut.EXACT
 
 
 @dataclass(frozen=True)
 class BodyPlan:
-    """The effects and the lights that are computed for one body.
+    """The effects and the lights that are computed for one body: none if it cannot be seen.
 
     `ineffective` holds the settings of its material that change nothing here, and why.
     """
 
-    body: Body
+    seen: SeenBody
     decisions: Mapping[Effect, Decision]
     light_decisions: tuple[LightDecision, ...]
     effects: frozenset[Effect]
     ineffective: Mapping[str, str]
+    why_unseen: str | None = None
+    rate: ShadingRate | None = None
+
+    @property
+    def body(self) -> Body:
+        """The body."""
+        return self.seen.body
 
     @property
     def lights(self) -> tuple[PlacedLight, ...]:
-        """Return the lights that light this body, ambient ones aside."""
+        """The lights that light this body, ambient ones aside."""
         return tuple(one.placed for one in self.light_decisions if one.on)
 
     @property
     def bound(self) -> float:
-        """Return the most that all that is left out moves a channel."""
-        return sum(one.bound for one in self.decisions.values() if not one.on)
+        """The most that all that is left out moves a channel."""
+        effects = sum(one.bound for one in self.decisions.values() if not one.on)
+        return effects + sum(one.bound for one in self.light_decisions)
 
     def rule(self, wanted: NormalRule) -> NormalRule:
         """Return the rule that carries normals: the matrix itself where that is right."""
@@ -76,32 +93,41 @@ class Plan:
     picture: Mapping[Effect, Decision]
 
     @property
+    def drawn(self) -> tuple[BodyPlan, ...]:
+        """The plans of the bodies that some sample of the picture may show."""
+        return tuple(one for one in self.bodies if one.why_unseen is None)
+
+    @property
     def channels(self) -> int:
-        """Return 1 where everything is grey, else 3."""
+        """1 where everything is grey, else 3."""
         return 3 if self.picture[Effect.COLOUR].on else 1
 
     @cached_property
     def effects(self) -> frozenset[Effect]:
-        """Return everything that is on anywhere."""
+        """Everything that is on anywhere."""
         on = {effect for effect, one in self.picture.items() if one.on}
         return frozenset(on.union(*(body.effects for body in self.bodies)))
 
     @cached_property
     def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
-        """Return the views for shadow maps, by the names of the lamps that have any."""
-        found = {
-            placed.light.name: light_views(
-                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
-            )
-            for placed, lit in self._lit_by_casting_lamps.items()
-        }
+        """The views for shadow maps, by the names of the lamps that have any.
+
+        They are fitted to all bodies that anything can shade, whatever else is left out: so one
+        scene has one set of maps.
+        """
+        found = {}
+        for placed, lit in self._lit_by_casting_lamps.items():
+            if any(Effect.SHADOWS in one.effects for one in lit):
+                casters = {one.body: one.seen.casters(placed) for one in self.bodies}
+                casting = {body: some for body, some in casters.items() if some}
+                found[placed.light.name] = light_views(self.loaded, placed, casting)
         return {name: views for name, views in found.items() if views}
 
     @property
     def _lit_by_casting_lamps(self) -> Mapping[PlacedLight, Sequence[BodyPlan]]:
         """Return the lamps that cast shadows, and the bodies that each can light."""
         lit: dict[PlacedLight, list[BodyPlan]] = {}
-        for one in self.bodies:
+        for one in self.drawn:
             for placed in one.lights:
                 if placed.light.shadows:
                     lit.setdefault(placed, []).append(one)
@@ -109,51 +135,57 @@ class Plan:
 
     @cached_property
     def remarks(self) -> tuple[str, ...]:
-        """The scene's remarks, what a setting says in vain, and shadows coarse or not cast."""
-        found = [
-            remark
-            for placed, lit in self._lit_by_casting_lamps.items()
-            for remark in shadow_remarks(
-                self.loaded,
-                placed,
-                [one.body for one in lit],
-                self.light_views.get(placed.light.name, ()),
-            )
+        """What a reader should know: of the scene, of meshes that are inside out, of no picture."""
+        found = [*self.loaded.remarks]
+        found += [
+            f"{one.body.name} is inside out: its triangles are turned inwards, so its fronts face "
+            "away; turn their winding around in the program that made the mesh."
+            for one in self.bodies
+            if Effect.BACK_FACES in one.effects and one.body.mesh.shell is Shell.INSIDE_OUT
         ]
-        return (*self.loaded.remarks, *self._said_in_vain(), *dict.fromkeys(found))
+        for placed, lit in self._lit_by_casting_lamps.items():
+            views = self.light_views.get(placed.light.name, ())
+            found += shadow_remarks(self.loaded, placed, [one.body for one in lit], views)
+        found += self._said_in_vain()
+        if not self.drawn:
+            reasons = "; ".join(f"{one.body.name} {one.why_unseen}" for one in self.bodies[:3])
+            found.append(f"Nothing can be seen: {reasons}.")
+        return tuple(dict.fromkeys(found))
 
-    def _said_in_vain(self) -> Iterator[str]:
-        """Yield a sentence for all that a setting of a material does not change."""
+    def _said_in_vain(self) -> list[str]:
+        """Say which settings of materials change nothing, on which objects, and why."""
         bodies: dict[tuple[str, str, str], list[str]] = {}
         for one in self.bodies:
             for setting, because in one.ineffective.items():
                 names = bodies.setdefault((setting, one.body.material.name, because), [])
                 names.append(one.body.name)
-        for (setting, material, because), names in bodies.items():
-            yield (
-                f"{setting} of material {printable(material)} changes nothing on "
-                f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
-            )
+        return [
+            f"{setting} of material {printable(material)} changes nothing on "
+            f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
+            for (setting, material, because), names in bodies.items()
+        ]
 
 
 def plan_for(loaded: LoadedScene) -> Plan:
-    """Return the plan that the loaded scene's settings ask for."""
+    """Make the plan that the loaded scene's settings ask for."""
     return everything(loaded) if loaded.settings.effort is Effort.ALL else planned(loaded)
 
 
 def planned(loaded: LoadedScene) -> Plan:
-    """Return the plan that computes only what the scene calls for."""
-    facts = [_facts_under_reaching_lights(loaded, one) for one in loaded.bodies]
-    bodies = tuple(_planned_body(*one) for one in facts)
-    return Plan(loaded, bodies, _picture(loaded, [one for one, _ in facts]))
+    """Make the plan that computes only what the scene calls for."""
+    found = [_planned_body(SeenBody(loaded, one)) for one in loaded.bodies]
+    return Plan(
+        loaded,
+        tuple(plan for plan, _ in found),
+        _picture(loaded, [facts for plan, facts in found if plan.why_unseen is None]),
+    )
 
 
 def everything(loaded: LoadedScene) -> Plan:
-    """Return the plan that takes no shortcut: what the scene names, and all that can be on."""
-    lights = tuple(
-        LightDecision(one, on=True, because="everything is on") for one in _lights(loaded)
-    )
-    facts = [Facts(loaded, body, _lights(loaded), RECIPES) for body in loaded.bodies]
+    """Make the plan that takes no shortcut: what the scene names, and all that can be on."""
+    lamps = _lamps(loaded)
+    lights = tuple(LightDecision(one, on=True, because="everything is on") for one in lamps)
+    facts = [Facts(SeenBody(loaded, body), lamps, RECIPES) for body in loaded.bodies]
     bodies = tuple(_full_body(one, lights) for one in facts)
     picture = {
         effect: replace(one, on=one.on or RECIPES[effect].is_shortcut)
@@ -163,14 +195,15 @@ def everything(loaded: LoadedScene) -> Plan:
 
 
 def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
-    named = {effect for effect, one in facts.decisions.items() if one.on}
+    decided = facts.decisions.items()
+    named = {effect for effect, one in decided if one.on or (one.is_asked and one.is_possible)}
     on = closure(_for_shading(named | _shortcuts(facts.body), facts))
     decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
-    return BodyPlan(facts.body, decisions, lights, on, _ineffective(facts))
+    return BodyPlan(facts.seen, decisions, lights, on, _ineffective(facts))
 
 
 def _ineffective(facts: Facts) -> dict[str, str]:
-    """Return the settings of a material, other than the default, that no effect on here reads."""
+    """Find the settings of a material, other than the default, that no effect on here reads."""
     return {
         setting: one.because
         for effect, one in facts.decisions.items()
@@ -180,18 +213,17 @@ def _ineffective(facts: Facts) -> dict[str, str]:
 
 
 def _shortcuts(body: Body) -> AbstractSet[Effect]:
-    """Return the shortcuts that apply to a body: one that has a front alone shows no back."""
+    """Find the shortcuts that apply to a body: one that has a front alone shows no back."""
     found = {effect for effect, one in RECIPES.items() if one.is_shortcut}
     return found - {Effect.BACK_FACES} if body.material.sides is Sides.FRONT else found
 
 
-def _facts_under_reaching_lights(
-    loaded: LoadedScene, body: Body
-) -> tuple[Facts, tuple[LightDecision, ...]]:
-    """Decide which lights can light a body, and return the facts that are left under those."""
-    under_all = Facts(loaded, body, _lights(loaded), RECIPES)
-    lights = tuple(_light(under_all, one) for one in under_all.lights)
-    return replace(under_all, lights=tuple(one.placed for one in lights if one.on)), lights
+def _facts_under_needed_lights(seen: SeenBody) -> tuple[Facts, tuple[LightDecision, ...]]:
+    """Decide which lights a body needs, and find the facts that are left under those."""
+    under_all = Facts(seen, _lamps(seen.loaded), RECIPES)
+    lights = _without_weak_lights(under_all, [_light(under_all, one) for one in under_all.lights])
+    lit_by = tuple(one.placed for one in lights if one.on)
+    return replace(under_all, lights=lit_by), lights
 
 
 def _light(facts: Facts, placed: PlacedLight) -> LightDecision:
@@ -199,8 +231,28 @@ def _light(facts: Facts, placed: PlacedLight) -> LightDecision:
     return LightDecision(placed, on=why is None, because=why or "it can reach the body")
 
 
-def _planned_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
-    decisions = _within_budget(facts.decisions, len(facts.lights))
+def _without_weak_lights(facts: Facts, asked: Sequence[LightDecision]) -> tuple[LightDecision, ...]:
+    """Leave out the weakest lights first, as long as all of them together stay in the budget."""
+    found = list(asked)
+    bounds = {i: facts.max_change_without(one.placed) for i, one in enumerate(asked) if one.on}
+    left = BUDGET
+    for i in sorted(bounds, key=bounds.__getitem__):
+        left -= bounds[i]
+        if left < 0:
+            break
+        because = f"adds {bounds[i] * 255:.2g} of 255 levels at the most"
+        found[i] = LightDecision(asked[i].placed, on=False, because=because, bound=bounds[i])
+    return tuple(found)
+
+
+def _planned_body(seen: SeenBody) -> tuple[BodyPlan, Facts]:
+    """Plan one body, and return the facts under the lights that it needs."""
+    if seen.why_unseen is not None:
+        unlit = Facts(seen, (), RECIPES)
+        return BodyPlan(seen, {}, (), frozenset(), {}, seen.why_unseen), unlit
+    facts, lights = _facts_under_needed_lights(seen)
+    spent = sum(one.bound for one in lights)
+    decisions = _within_budget(facts.decisions, len(facts.lights), BUDGET - spent)
     on = closure(_for_shading({one for one, found in decisions.items() if found.on}, facts))
     for effect in _read_by_others():
         users = [one.value for one in on if effect in RECIPES[one].needs]
@@ -208,7 +260,9 @@ def _planned_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
         if effect in on and not found.on:
             found = Decision(on=True, because=f"{', '.join(sorted(users))} needs it")
         decisions[effect] = found
-    return BodyPlan(facts.body, decisions, lights, on, _ineffective(facts))
+    rate = None if Effect.SAMPLE_SHADING in on else shading_rate(facts)
+    once = rate if isinstance(rate, ShadingRate) else None
+    return BodyPlan(seen, decisions, lights, on, _ineffective(facts), rate=once), facts
 
 
 def _read_by_others() -> list[Effect]:
@@ -224,25 +278,27 @@ def _for_shading(on: AbstractSet[Effect], facts: Facts) -> AbstractSet[Effect]:
     return {effect for effect in on if not RECIPES[effect].only_at_fragments}
 
 
-def _lights(loaded: LoadedScene) -> tuple[PlacedLight, ...]:
+def _lamps(loaded: LoadedScene) -> tuple[PlacedLight, ...]:
     return tuple(
         one for one in loaded.lights if one.position is not None or one.direction is not None
     )
 
 
-def _within_budget(asked: Mapping[Effect, Decision], lights: int) -> dict[Effect, Decision]:
+def _within_budget(
+    asked: Mapping[Effect, Decision], lights: int, budget: float
+) -> dict[Effect, Decision]:
     """Spend the budget where it saves most; what does not fit is computed after all."""
     decisions = dict(asked)
     proposed = [
         effect for effect, one in decisions.items() if not one.on and one.kind is LeftOut.BOUNDED
     ]
-    left = BUDGET
+    left = budget
     for effect in sorted(proposed, key=lambda it: asked[it].bound / max(1, _saving(it, lights))):
         one = decisions[effect]
         if one.bound <= left:
             left -= one.bound
             continue
-        because = f"{one.because}; it could move a channel by {one.bound * 255:.2g} of 255 levels"
+        because = too_dear(one.because, one.bound)
         decisions[effect] = replace(one, on=True, because=because, bound=0.0)
     return decisions
 

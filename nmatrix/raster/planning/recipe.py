@@ -17,7 +17,10 @@ from nmatrix.shaders.shaded import Shaded
 if TYPE_CHECKING:
     from nmatrix.raster.loaded_scene import LoadedScene
     from nmatrix.raster.planning.facts import Facts
+    from nmatrix.raster.planning.seen_body import SeenBody
+    from nmatrix.scene.light import PlacedLight
 
+BUDGET = 0.5 / 255  # that all that is left out of one object may move a channel by, together
 ROUNDING = 1e-12
 
 
@@ -26,7 +29,8 @@ class Decision:
     """The decision on an effect: on or off, why, and the most that leaving it out moves a channel.
 
     `is_asked` tells whether the scene asks for the effect at all. What is asked for counts in the
-    bounds of other effects, even where it adds nothing.
+    bounds of other effects, even where it adds nothing. `is_possible` is False where what it reads
+    is missing: then everything-on does without it too.
     """
 
     on: bool
@@ -34,6 +38,7 @@ class Decision:
     kind: LeftOut = LeftOut.EXACT
     bound: float = 0.0
     is_asked: bool = True
+    is_possible: bool = True
 
 
 def called_for(because: str) -> Decision:
@@ -51,13 +56,34 @@ def adds_nothing(because: str) -> Decision:
     return Decision(on=False, because=because)
 
 
+def impossible(because: str) -> Decision:
+    """Leave out what is asked for in vain: what it reads is missing."""
+    return Decision(on=False, because=because, is_possible=False)
+
+
 def by_bound(bound: float, because: str) -> Decision:
-    """Leave out what moves channels by rounding; propose to leave out what has a bound at all."""
+    """Leave out what moves channels by rounding; propose to leave out what the budget can pay."""
     if bound <= ROUNDING:
         return Decision(on=False, because=because, kind=LeftOut.ROUNDING, bound=bound)
-    if bound < inf:
+    if bound <= BUDGET:
         return Decision(on=False, because=because, kind=LeftOut.BOUNDED, bound=bound)
-    return called_for(because)
+    return called_for(because if bound == inf else too_dear(because, bound))
+
+
+def too_dear(because: str, bound: float) -> str:
+    """Add to a reason what leaving the effect out could cost."""
+    return f"{because}; it could move a channel by {bound * 255:.2g} of 255 levels"
+
+
+@dataclass(frozen=True)
+class Strength:
+    """What an effect makes of a lamp's light: at most so many times as much, and its slope.
+
+    `per_unit` is the most that this factor changes for a place that moves by one unit.
+    """
+
+    most: float = inf
+    per_unit: float = inf
 
 
 @dataclass(frozen=True)
@@ -66,20 +92,24 @@ class Influence:
 
     Parameters
     ----------
+    most
+        The most light that it adds to a channel.
     per_radian
         The most that a channel of linear light moves for a normal that turns by one radian.
     per_length
         The most that it moves for a normal that gets shorter, for each part of its length.
-    colour_range
-        The most that it differs between two vertices.
+    per_unit
+        The most that it moves for a fragment that moves by one unit of the world, or by as much as
+        an attribute can differ; how lamps weaken on the way and turn, apart.
     gain
         How many times more the channel moves at the end than other effects have moved it.
     follows_lights
-        The first three are for lights of brightness 1, and grow with their brightness.
+        The first three are for lights of brightness 1, and grow with their brightness; a light
+        that turns counts like a normal that turns.
     jumps
         Colours jump where a normal passes an edge; no slope bounds that.
-    reads_place
-        Fragments ask where they are, in the scene or on an image, or read more than normals.
+    strength
+        What it makes of each lamp's light on its way.
     lights_backs
         Light from behind a surface changes it.
     brings_colour
@@ -88,25 +118,29 @@ class Influence:
         The reason to renormalise where `per_length` is infinite.
     """
 
+    most: float = inf
     per_radian: float = inf
     per_length: float = inf
-    colour_range: float = inf
+    per_unit: float = inf
     gain: float = inf
     follows_lights: bool = False
     jumps: bool = True
-    reads_place: bool = True
+    strength: Callable[[SeenBody, PlacedLight], Strength] = lambda _, __: Strength()
     lights_backs: bool = True
     brings_colour: bool = True
     because: str = "what shorter normals change is not known"
 
 
+UNCHANGED = Strength(most=1.0, per_unit=0.0)
+
 STEADY = Influence(
+    most=0.0,
     per_radian=0.0,
     per_length=0.0,
-    colour_range=0.0,
+    per_unit=0.0,
     gain=1.0,
     jumps=False,
-    reads_place=False,
+    strength=lambda _, __: UNCHANGED,
     lights_backs=False,
     brings_colour=False,
 )

@@ -7,7 +7,7 @@ can fall on overlap, as the lamp sees them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, radians, tan
@@ -25,6 +25,7 @@ from nmatrix.raster.shading.shadow import LightView
 from nmatrix.raster.shading.space import as_array, column
 from nmatrix.raster.triangles.convex import NEAR_CORNERS, frustum
 from nmatrix.scene.light import PlacedLight
+from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
 Array = NDArray[Any]
@@ -102,7 +103,7 @@ def _can_shade_itself(loaded: LoadedScene, body: Body) -> bool:
     """Return False for flat bodies, and for boxes seen from outside: there n·l ≤ 0 says it all."""
     return _is_thick(body) and not (
         body.mesh.is_box
-        and body.mesh.is_closed
+        and body.mesh.shell is Shell.SOLID
         and loaded.settings.normals is NormalRule.EXACT
         and body.linear_map.rank == 3
         and body.material.sides is not Sides.BOTH
@@ -190,16 +191,12 @@ def _cut(points: Array, nearest: float) -> Array:
 
 
 def light_views(
-    loaded: LoadedScene, placed: PlacedLight, receivers: Sequence[Body]
+    loaded: LoadedScene, placed: PlacedLight, casting: Mapping[Body, Sequence[Body]]
 ) -> tuple[LightView, ...]:
-    """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow there."""
-    if not receivers:
+    """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow on each."""
+    if not casting:
         return ()
-    casting = {
-        body: [one for one in occluders(loaded, placed, body) if one.material.opacity == 1.0]
-        for body in receivers
-    }
-    found = (_fitted(loaded, aim, casting) for aim in _aims(placed, receivers))
+    found = (_fitted(loaded, aim, casting) for aim in _aims(placed, [*casting]))
     return tuple(one for one in found if one is not None)
 
 
@@ -220,7 +217,9 @@ def _axes(place: RationalVector, direction: RationalVector) -> RationalMatrix:
     return right, up, tuple(-entry for entry in back), last
 
 
-def _fitted(loaded: LoadedScene, aim: Aim, casting: dict[Body, list[Body]]) -> LightView | None:
+def _fitted(
+    loaded: LoadedScene, aim: Aim, casting: Mapping[Body, Sequence[Body]]
+) -> LightView | None:
     """Return the view that holds all shadows, or None if there are none in this direction."""
     of_casters = {
         one: aim.footprint(one.hull.corners) for casters in casting.values() for one in casters

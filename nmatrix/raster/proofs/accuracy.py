@@ -63,7 +63,7 @@ def accuracy(settings: ProofSettings) -> Proof:
         found = _normals_in(precision, exact)
         numbers[f"milliseconds_{name}"] = (settings.clock() - started) * 1000
         drawn.append(exact.redrawn(partial(_with_normals, normals=found)))
-        worst = angle_map(exact.loaded, found, true).worst_deg
+        worst = angle_map(exact.plan, [found], [true]).worst_deg
         numbers[f"worst_deg_{name}"] = worst
         told = "no normal is left" if worst is None else f"worst {worst:.3g}°"
         panels.append(

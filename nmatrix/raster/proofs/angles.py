@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import NormalRule
+from nmatrix.enums import Effect, NormalRule
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.image import Legend
 from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
 from nmatrix.raster.shading.space import as_array, column, quotient, world_normals
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
@@ -32,7 +34,8 @@ CANCELLED = 1e-12  # an interpolated normal this short is rounding, not a direct
 class AngleMap:
     """Angles over a picture (height, width), and their statistics over the samples.
 
-    `mean_deg` of a pixel is over its samples that have both normals, the part `compared` of it.
+    `pixel_deg` is the mean over a pixel's samples that have both normals, the part `compared` of
+    it; these three are of opaque bodies. The statistics count every layer of glass.
     """
 
     pixel_deg: Array
@@ -47,37 +50,26 @@ class AngleMap:
         return {"max_angle_error_deg": self.worst_deg, "mean_angle_error_deg": self.mean_deg}
 
 
-def rule_error(loaded: LoadedScene, rule: NormalRule) -> AngleMap:
-    """Measure the angle between the normals of a rule and the right ones, on the only body."""
-    (body,) = loaded.bodies
-    return angle_map(loaded, *(normals_by(loaded, body, one) for one in (rule, NormalRule.EXACT)))
+def rule_error(plan: Plan, rule: NormalRule) -> AngleMap:
+    """Measure the angle between the normals of a rule and the right ones, on all that is seen."""
+    bodies = plan.loaded.bodies
+    wrong, right = (
+        [normals_by(plan.loaded, body, one) for body in bodies] for one in (rule, NormalRule.EXACT)
+    )
+    return angle_map(plan, wrong, right)
 
 
-def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
-    """Measure the angle between normals (3, V) of the loaded scene's only body, in world space.
+def angle_map(plan: Plan, wrong: Sequence[Array], right: Sequence[Array]) -> AngleMap:
+    """Measure the angle between two sets of normals in world space, (3, V) for each body.
 
     The two sides of a flattened body are alike: there normals count up to their sign.
     """
-    (body,) = loaded.bodies
-    exact = loaded.clip_from_object(body)
-    front = front_sign(exact, loaded.clip)
-    culled = -front if body.mesh.is_closed else 0
-    projected = project(body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
+    loaded = plan.loaded
     of_samples: list[Array] = []
-
-    def colours(found: Fragments) -> Array:
-        a, b = (unit(found[name].T, CANCELLED) for name in ("wrong", "right"))
-        both = np.asarray(a.any(axis=1) & b.any(axis=1))
-        angles = angles_deg(a, b)
-        if body.linear_map.rank < 3:
-            angles = np.minimum(angles, 180 - angles)
-        of_samples.append(angles[both])
-        return np.stack([angles * both, both.astype(float), np.ones(len(both))])
-
-    outputs = VertexOutputs(
-        points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
-    )
-    drawing = Drawing([Drawable(projected, outputs, colours)], loaded.canvas, np.zeros(3))
+    drawables = [
+        _compared(loaded, *one, of_samples) for one in zip(plan.bodies, wrong, right, strict=True)
+    ]
+    drawing = Drawing(drawables, loaded.canvas, np.zeros(3), loaded.settings.depth)
     total, compared, covered = np.moveaxis(drawing.picture().image, 2, 0)
     angles = np.concatenate([np.zeros(0), *of_samples])
     return AngleMap(
@@ -87,6 +79,29 @@ def angle_map(loaded: LoadedScene, wrong: Array, right: Array) -> AngleMap:
         float(angles.max()) if len(angles) else None,
         float(angles.mean()) if len(angles) else None,
     )
+
+
+def _compared(
+    loaded: LoadedScene, plan: BodyPlan, wrong: Array, right: Array, of_samples: list[Array]
+) -> Drawable:
+    """Return a body that is drawn as its angles, which are also added to those of the samples."""
+    exact = loaded.clip_from_object(plan.body)
+    culled = 0 if Effect.BACK_FACES in plan.effects else -front_sign(exact, loaded.clip)
+    projected = project(plan.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
+
+    def colours(found: Fragments) -> Array:
+        a, b = (unit(found[name].T, CANCELLED) for name in ("wrong", "right"))
+        both = np.asarray(a.any(axis=1) & b.any(axis=1))
+        angles = angles_deg(a, b)
+        if plan.body.linear_map.rank < 3:
+            angles = np.minimum(angles, 180 - angles)
+        of_samples.append(angles[both])
+        return np.stack([angles * both, both.astype(float), np.ones(len(both))])
+
+    outputs = VertexOutputs(
+        points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
+    )
+    return Drawable(projected, outputs, colours, plan.body.material.opacity)
 
 
 def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -11,13 +12,37 @@ if TYPE_CHECKING:
     from nmatrix.raster.proofs.proof import Proof, ProofSettings
 
 
+class Turning(StrEnum):
+    """What goes once around in the frames of a proof, while all else stays."""
+
+    OBJECT = "object"
+    LIGHT = "light"
+    EYE = "eye"
+
+
+@dataclass(frozen=True)
+class Turn:
+    """What goes around, and about which axis of the world."""
+
+    what: Turning
+    axis: tuple[int, int, int] = (0, 1, 0)
+
+
+TUMBLE = Turn(Turning.OBJECT, (1, 1, 1))  # an upright shape about y would look the same throughout
+WALK = Turn(Turning.EYE)
+
+
 @dataclass(frozen=True)
 class ProofEntry:
-    """One proof: its name, the module of the function that draws it, and what it shows."""
+    """One proof: its name, the module of the function that draws it, and what it shows.
+
+    `turns` is what the proof is about, so that each frame of its animation proves it again.
+    """
 
     name: str
     module: str
     shows: str
+    turns: Turn = TUMBLE
 
     def load(self) -> Callable[[ProofSettings], Proof]:
         """Import the function that draws it."""
@@ -39,27 +64,53 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry("mirror", "rules", "cofactors without the sign, the inverse transpose, winding"),
     ProofEntry(
-        "stuck-light", "lights", "a light in model space turns with the torus; in eye space not"
+        "stuck-light",
+        "lights",
+        "a light in model space turns with the torus; in eye space not",
     ),
-    ProofEntry("flashlight", "lights", "a light fixed to the eye against one fixed to the world"),
+    ProofEntry(
+        "flashlight",
+        "lights",
+        "a light fixed to the eye against one fixed to the world",
+        WALK,
+    ),
     ProofEntry(
         "shading", "surfaces", "flat, Gouraud, Phong; Phong and Blinn-Phong highlights; toon"
     ),
     ProofEntry(
-        "interpolation", "surfaces", "normalise never, after, before and after; perspective or not"
+        "interpolation",
+        "surfaces",
+        "normalise never, after, before and after; perspective or not",
+        Turn(Turning.OBJECT),  # a floor is among the objects
     ),
-    ProofEntry("translation", "rules", "w = 1 with M, and a normalise over four components"),
     ProofEntry(
-        "flatten", "rules", "scale 1 0 1: what an inverse, a zero matrix and the cofactors draw"
+        "translation",
+        "rules",
+        "w = 1 with M, and a normalise over four components",
+        Turn(Turning.OBJECT, (0, 0, 1)),  # where it was moved to goes towards the light and away
     ),
-    ProofEntry("depth", "depth", "z-fighting in 16 and 24 bits and float32, standard and reversed"),
+    ProofEntry(
+        "flatten",
+        "rules",
+        "scale 1 0 1: what an inverse, a zero matrix and the cofactors draw",
+        Turn(Turning.LIGHT),  # the plane stays in sight, and its own normal answers
+    ),
+    ProofEntry(
+        "depth",
+        "depth",
+        "z-fighting in 16 and 24 bits and float32, standard and reversed",
+        Turn(Turning.EYE, (0, 0, 1)),  # it rolls: from everywhere above, endless floors look alike
+    ),
     ProofEntry(
         "accuracy",
         "accuracy",
         "float16, float32, float64 and exact on a hard matrix, with the work",
     ),
     ProofEntry(
-        "effects", "spaces", "everything on against the plan: the same picture for less work"
+        "effects",
+        "spaces",
+        "everything on against the plan: the same picture for less work",
+        WALK,  # there are many objects
     ),
 )
 

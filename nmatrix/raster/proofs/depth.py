@@ -74,11 +74,13 @@ def _floors(
         for i, material in enumerate(materials)
     ]
     # The lower floor is named first, so that equal depths do not hide behind the order.
-    scene = settings.with_objects(*reversed(objects), depth=buffer, samples=1)
+    scene = settings.still.with_objects(*reversed(objects), depth=buffer, samples=1)
     clip = replace(settings.lens.clip, depth=order)
     width, height = settings.picture.size
     lens = Lens(fov_degrees=50, aspect=width / height, near=NEAR, far=FAR, clip=clip)
-    view = View(eye=(0, HEIGHT, 0), target=(0, HEIGHT - 15, -60))
+    roll = np.radians(settings.picture.turn_degrees)
+    up = (float(np.sin(roll)), float(np.cos(roll)), 0.0)
+    view = View(eye=(0, HEIGHT, 0), target=(0, HEIGHT - 15, -60), up=up)
     return replace(scene, view=view, lens=lens, has_camera=True)
 
 

@@ -1,25 +1,15 @@
-"""Picture frames: one picture after another while the camera walks around."""
+"""Picture frames: one picture after another while what a picture is about goes once around."""
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
-from PIL import Image
 
 from nmatrix.raster.proofs.catalogue import catalogued
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.scene.scene import Scene
-
-Array = NDArray[Any]
-
-GIF_MILLISECONDS = 60
 
 
 @dataclass(frozen=True)
@@ -31,10 +21,10 @@ class PictureFrame:
     scene: Scene | None = None
 
     def turned(self, degrees: float) -> PictureFrame:
-        """Return the picture frame with the camera some way around."""
-        if self.settings is not None:
-            turned = replace(self.settings.picture, turn_degrees=degrees)
-            return replace(self, settings=replace(self.settings, picture=turned))
+        """Return the picture frame some way around: what the proof is about, or a scene's eye."""
+        entry = catalogued(self.name)
+        if self.settings is not None and entry is not None:
+            return replace(self, settings=self.settings.turned(entry.turns, degrees))
         assert self.scene is not None  # what has no settings of a proof has a scene
         settings = replace(self.scene.settings, turn_degrees=degrees)
         return replace(self, scene=replace(self.scene, settings=settings))
@@ -49,7 +39,7 @@ class PictureFrame:
 
 
 def turns(frames: int) -> list[float]:
-    """Return the angles of a full walk around, in degrees.
+    """Return the angles of a full turn, in degrees.
 
     Examples
     --------
@@ -67,11 +57,3 @@ def drawn(frames: Sequence[PictureFrame], executor: Executor | None) -> Iterator
     waiting = [executor.submit(PictureFrame.draw, one) for one in frames]
     for one in waiting:
         yield one.result()
-
-
-def gif(images: Sequence[Array]) -> bytes:
-    """Return images of one size as an endless GIF."""
-    first, *rest = (Image.fromarray(np.ascontiguousarray(one)) for one in images)
-    out = io.BytesIO()
-    first.save(out, "GIF", save_all=True, append_images=rest, duration=GIF_MILLISECONDS, loop=0)
-    return out.getvalue()

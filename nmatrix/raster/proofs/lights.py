@@ -36,7 +36,8 @@ SQUEEZED = World(scale=(1, 0.25, 1))
 # Light along (0.3, 0.9, 0.2), as the worked numbers of docs/course.md have it.
 FROM_ABOVE = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.3, -0.9, -0.2))
 UPRIGHT = World(rotate_degrees=(40, 0, 0))
-FLIPPED = World(rotate_degrees=(220, 0, 0))  # the same outline, seen from its other side
+WALK = 120  # degrees
+SPUN = World(rotate_degrees=(40, 120, 0))  # about its own axis: the outline is the same
 
 
 def object_rule(settings: ProofSettings) -> Proof:
@@ -88,10 +89,9 @@ def wrong_lights(to_light_world: Array, M: Array) -> tuple[Array, Array]:
 
 def _by_wrong_lights(exact: DrawnScene) -> list[DrawnScene]:
     """Draw the body in object space by each of the wrong lights, without the metric."""
-    (plan,) = exact.plan.bodies
-    (light,) = plan.lights
+    (body,), (light,) = exact.loaded.bodies, exact.loaded.lights
     assert light.direction is not None  # the proof's own light
-    M = as_array(linear_part(plan.body.world_from_object.exact))
+    M = as_array(linear_part(body.world_from_object.exact))
 
     def under(to_light: Array, surface: Surface) -> Surface:
         light = ShadingLight(np.array([[1.0]]), to_light=to_light)
@@ -115,11 +115,11 @@ def stuck_light(settings: ProofSettings) -> Proof:
     (light,) = settings.lights[:1]
     stuck = replace(settings, lights=(replace(light, fixed_to=settings.subject),))
     geometry = settings.geometry(TORUS)
-    before = drawn_scene(settings.scene(UPRIGHT, geometry))
-    turned = settings.placed(FLIPPED)
+    before = drawn_scene(settings.still.scene(UPRIGHT, geometry))
+    turned = settings.placed(SPUN)
     sticks = drawn_scene(stuck.scene(turned, geometry))
     stays = drawn_scene(settings.scene(turned, geometry))
-    carried = _shade(drawn_scene(stuck.scene(UPRIGHT, geometry)))
+    carried = _shade(drawn_scene(stuck.still.scene(UPRIGHT, geometry)))
     sticking = float(np.abs(carried - _shade(sticks)).max())
     staying = float(np.abs(_shade(before) - _shade(stays)).max())
     panels = (
@@ -149,18 +149,19 @@ def flashlight(settings: ProofSettings) -> Proof:
     """Walk around an object with a light in the world, and with one fixed to the eye."""
     torch = SceneLight("torch", LightKind.DIRECTIONAL, direction=(0, 0, -1), fixed_to=EYE)
     fixed = replace(torch, fixed_to="world")
-    world = settings.placed(World())
+    world, walked = settings.placed(World()), (WALK + settings.picture.turn_degrees) % 360
     drawn = [
-        drawn_scene(_seen_from(replace(settings, lights=(light,)).scene(world), angle))
+        drawn_scene(_seen_from(replace(settings.still, lights=(light,)).scene(world), angle))
         for light in (fixed, torch)
-        for angle in (0, 120)
+        for angle in (0, walked)
     ]
     middle = [_middle(one) for one in drawn]
+    around = f"walked {walked:.4g}° around"
     panels = [
         Panel(drawn[0].levels, "Fixed to the world", "from the front"),
-        Panel(drawn[1].levels, "Fixed to the world", "a third of the way around: the dark side"),
+        Panel(drawn[1].levels, "Fixed to the world", f"{around}: {_told(drawn[1])}"),
         Panel(drawn[2].levels, "Fixed to the eye", "from the front"),
-        Panel(drawn[3].levels, "Fixed to the eye", "a third of the way around: lit again"),
+        Panel(drawn[3].levels, "Fixed to the eye", f"{around}: {_told(drawn[3])}"),
     ]
     changed = [abs(middle[0] - middle[1]), abs(middle[2] - middle[3])]
     return Proof.of(
@@ -179,6 +180,11 @@ def _seen_from(scene: Scene, degrees: float) -> Scene:
     eye = (3.2 * float(np.sin(turn)), 0.0, 3.2 * float(np.cos(turn)))
     lens = replace(scene.lens, near=0.5, far=10.0, fov_degrees=45.0)
     return replace(scene, view=View(eye=eye), lens=lens, has_camera=True)
+
+
+def _told(found: DrawnScene) -> str:
+    height, width = found.levels.shape[:2]
+    return "the dark side" if _unlit(found)[height // 2, width // 2] else "lit"
 
 
 def _middle(found: DrawnScene) -> int:

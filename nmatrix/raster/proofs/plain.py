@@ -13,8 +13,7 @@ from nmatrix.scene.scene import Scene
 def picture(scene: Scene, subject: str) -> Proof:
     """Draw a scene; under a wrong rule for normals, compare it with the right one.
 
-    A single object is measured against A n even where the right rule draws it: that is what the
-    rule is worth here.
+    Where the right rule draws it, it is compared with A n: that is what the rule is worth here.
     """
     drawn = drawn_scene(scene)
     rule = scene.settings.normals
@@ -22,9 +21,8 @@ def picture(scene: Scene, subject: str) -> Proof:
     if rule is not NormalRule.EXACT:
         right = drawn_scene(scene, normals=NormalRule.EXACT)
         measured["max_level_difference"] = level_difference(drawn, right)
-    if len(drawn.loaded.bodies) == 1:
-        wrong = NormalRule.NONE if rule is NormalRule.EXACT else rule
-        measured |= rule_error(drawn.loaded, wrong).errors
+    wrong = NormalRule.NONE if rule is NormalRule.EXACT else rule
+    measured |= rule_error(drawn.plan, wrong).errors
     verdict = _verdict(drawn, measured.get("max_angle_error_deg"), rule)
     return Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
 
@@ -33,7 +31,7 @@ def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
     if not drawn.rendered.work.fragments:
         return "Nothing covers a sample: move the camera or make the picture larger."
     if worst is None:
-        return f"{len(drawn.loaded.bodies)} objects, drawn."
+        return "Drawn; no normal survives its map."
     if worst < INVISIBLE_DEG:
         return "Drawn; here A itself carries the normals just as well."
     if rule is NormalRule.EXACT:

@@ -5,15 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Reflection
+from nmatrix.linear.affine import rotation_about_axis
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    affine_matrix,
+    apply,
+    identity,
+    linear_part,
+    rational_vector,
+)
 from nmatrix.raster.image import levels, png
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
 from nmatrix.raster.planning.plan import Plan, plan_for
+from nmatrix.raster.proofs.catalogue import Turn, Turning
 from nmatrix.raster.render import Change, Rendered, Work, render
 from nmatrix.report import Value
 from nmatrix.scene.camera import View
@@ -31,6 +42,7 @@ Array = NDArray[Any]
 SPHERE = ShapeGeometry(Shape.SPHERE)
 TORUS = ShapeGeometry(Shape.TORUS)
 SUN = SceneLight("sun", LightKind.DIRECTIONAL)
+IDENTITY = identity(4)
 
 
 @dataclass(frozen=True)
@@ -38,7 +50,8 @@ class ProofSettings:
     """A proof's settings: the object and its place, the camera, the light, the picture.
 
     `mesh` is None for the proof's own shape, `world` None for its own map, and `view` None for a
-    camera that is fitted to what is drawn. `clock` tells seconds; by default it is always 0.
+    camera that is fitted to what is drawn. `object_turn` turns the object in the world. `clock`
+    tells seconds; by default it is always 0.
     """
 
     subject: str
@@ -49,7 +62,25 @@ class ProofSettings:
     lights: tuple[SceneLight, ...] = (SUN,)
     picture: Settings = field(default_factory=Settings)
     reflection: Reflection = Reflection.LAMBERT
+    object_turn: RationalMatrix = IDENTITY
     clock: Callable[[], float] = float
+
+    def turned(self, turn: Turn, degrees: float) -> ProofSettings:
+        """Return the settings with one thing turned from where it was."""
+        rotation = affine_matrix(rotation_about_axis(turn.axis, Angle.degrees(degrees)))
+        match turn.what:
+            case Turning.OBJECT:
+                return replace(self, object_turn=rotation)
+            case Turning.EYE:
+                return replace(self, picture=replace(self.picture, turn_degrees=degrees))
+            case Turning.LIGHT:
+                return replace(self, lights=tuple(_turned(one, rotation) for one in self.lights))
+        assert_never(turn.what)
+
+    @property
+    def still(self) -> ProofSettings:
+        """Return the settings before the object or the eye turned."""
+        return replace(self, object_turn=IDENTITY, picture=replace(self.picture, turn_degrees=0.0))
 
     def placed(self, default: World) -> World:
         """Return the world that was asked for, or the proof's own."""
@@ -59,12 +90,15 @@ class ProofSettings:
         """Return the mesh that was given, or the proof's own shape."""
         return default if self.mesh is None else LoadedGeometry(self.mesh)
 
+    def in_turn(self, world: World) -> World:
+        """Return an object's place as far around as the object has turned."""
+        return world if self.object_turn is IDENTITY else world.under(self.object_turn)
+
     def scene(self, world: World, geometry: Geometry | None = None, **picture: Any) -> Scene:  # noqa: ANN401  # fields of Settings
         """Return a scene with the one object; `picture` replaces settings of the picture."""
         material = Material(reflection=self.reflection)
-        thing = SceneObject(
-            self.subject, geometry or self.geometry(), world.world_from_object, material
-        )
+        place = self.in_turn(world).world_from_object
+        thing = SceneObject(self.subject, geometry or self.geometry(), place, material)
         return self.with_objects(thing, **picture)
 
     def with_objects(self, *objects: SceneObject, **picture: Any) -> Scene:  # noqa: ANN401  # fields of Settings
@@ -77,6 +111,15 @@ class ProofSettings:
             replace(self.picture, **picture),
             has_camera=self.view is not None,
         )
+
+
+def _turned(light: SceneLight, rotation: RationalMatrix) -> SceneLight:
+    """Return a light that has gone some way around the world's origin."""
+    position, direction = (
+        tuple(map(float, apply(linear_part(rotation), rational_vector(one))))
+        for one in (light.position, light.direction)
+    )
+    return replace(light, position=position, direction=direction)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,9 +152,10 @@ class Proof:
         remarks = last.plan.remarks
         return cls(image, subject, verdict, work, last.effects, remarks=remarks, **measured)
 
-    def png(self) -> bytes:
-        """Return the picture as PNG, its numbers in text chunks; never a time."""
-        texts = {
+    @property
+    def texts(self) -> dict[str, str]:
+        """Return what a file of the picture tells beside it: its numbers, never a time."""
+        return {
             "Title": f"nmatrix {self.subject}",
             "Description": self.verdict,
             "max_angle_error_deg": repr(self.max_angle_error_deg),
@@ -120,7 +164,10 @@ class Proof:
             **{name: str(count) for name, count in asdict(self.work).items()},
             **{k: repr(v) for k, v in self.numbers.items() if not k.startswith("milliseconds")},
         }
-        return png(self.image, texts)
+
+    def png(self) -> bytes:
+        """Return the picture as a PNG file, its numbers in text chunks."""
+        return png(self.image, self.texts)
 
 
 @dataclass(frozen=True, eq=False)

@@ -49,7 +49,7 @@ NO_RULE = ("Right: none", "no plane is left to be normal to")
 def normals(settings: ProofSettings) -> Proof:
     """Draw a mesh with wrong and with right normals, and the angle between them."""
     wrong, right = _both(settings.scene(settings.placed(TALL)))
-    found = rule_error(right.loaded, NormalRule.NONE)
+    found = rule_error(right.plan, NormalRule.NONE)
     scale = Scale.reaching(found.worst_deg)
     kind = right.loaded.bodies[0].kind
     panels = (
@@ -87,7 +87,7 @@ def bias(settings: ProofSettings) -> Proof:
         [*turned, *scaled],
         numbers={"rotation_level_difference": hidden, "scale_level_difference": seen},
         max_level_difference=seen,
-        **rule_error(scaled[1].loaded, NormalRule.NONE).errors,
+        **rule_error(scaled[1].plan, NormalRule.NONE).errors,
     )
 
 
@@ -97,7 +97,7 @@ def mirror(settings: ProofSettings) -> Proof:
     right = drawn_scene(scene)
     unsigned = drawn_scene(scene, normals=NormalRule.COFACTOR)
     inside_out = drawn_scene(_other_winding(scene))
-    found = rule_error(right.loaded, NormalRule.COFACTOR)
+    found = rule_error(right.plan, NormalRule.COFACTOR)
     panels = (
         Panel(unsigned.levels, "Cofactors, sign dropped", _angle_caption(found)),
         Panel(right.levels, "sign(det) · C = A⁻ᵀ · |det|", "normals point outwards"),
@@ -120,7 +120,7 @@ def translation(settings: ProofSettings) -> Proof:
     right = drawn_scene(scene)
     moved = drawn_scene(scene, normals=NormalRule.TRANSLATED)
     short = drawn_scene(scene, normals=NormalRule.FOUR_COMPONENT, shading=Shading.GOURAUD)
-    found = rule_error(right.loaded, NormalRule.TRANSLATED)
+    found = rule_error(right.plan, NormalRule.TRANSLATED)
     (body,) = right.loaded.bodies
     shortest = float(length(normals_by(right.loaded, body, NormalRule.FOUR_COMPONENT)).min())
     panels = (
@@ -147,11 +147,13 @@ def flatten(settings: ProofSettings) -> Proof:
     )
     right = drawn_scene(scene)
     without = drawn_scene(scene, normals=NormalRule.INVERSE)
-    found = rule_error(right.loaded, NormalRule.INVERSE)
+    found = rule_error(right.plan, NormalRule.INVERSE)
     missing = found.covered[:, :, None] * UNDEFINED + _paper(right, found)
     lost = level_difference(without, right)
     panels = (
-        Panel(levels(missing), "inv(A): no answer", "det A = 0: it raises, nothing is drawn"),
+        Panel(
+            levels(missing), "inv(A): no answer", "det A = 0: it raises; grey is what stays empty"
+        ),
         Panel(without.levels, "A zero matrix instead", "normals of length 0: ambient light alone"),
         Panel(right.levels, "C n, two-sided", "the plane's own normal, and its shade"),
     )

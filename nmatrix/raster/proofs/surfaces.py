@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, NormalRule, Reflection, Shading
+from nmatrix.linear.affine import translation_matrix
 from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.angles import angle_map
 from nmatrix.raster.proofs.proof import (
@@ -31,7 +32,8 @@ Array = NDArray[Any]
 
 COARSE = ShapeGeometry(Shape.SPHERE, (6, 12))
 TALL = World(scale=(1, 2.5, 1))
-FLOOR = World(translate=(0, -1, -3), scale=(3, 1, 6))
+FLOOR = World(scale=(3, 1, 6))
+FLOOR_AT = (0, -1, -3)
 
 
 def shading(settings: ProofSettings) -> Proof:
@@ -93,8 +95,8 @@ def interpolation(settings: ProofSettings) -> Proof:
     )
     surface = surface_of(right.plan, right.plan.bodies[0], {}, 1)
     bent = angle_map(
-        right.loaded,
-        *(_normalised(surface, before=b, after=True).vertex_normals for b in (False, True)),
+        right.plan,
+        *([_normalised(surface, before=b, after=True).vertex_normals] for b in (False, True)),
     )
     floor = drawn_scene(_checkered(settings))
     affine = floor.redrawn(_affine)
@@ -138,7 +140,8 @@ def _checkered(settings: ProofSettings) -> Scene:
     """Return a floor of two large triangles that runs away from the eye."""
     material = Material("checker", texture=CHECKER)
     geometry = ShapeGeometry(Shape.PLANE)
-    floor = SceneObject("floor", geometry, FLOOR.world_from_object, material)
+    place = settings.in_turn(FLOOR).under(translation_matrix(FLOOR_AT))
+    floor = SceneObject("floor", geometry, place.world_from_object, material)
     scene = settings.with_objects(floor)
     lens = replace(scene.lens, near=0.1, far=50.0, fov_degrees=60.0)
     return replace(

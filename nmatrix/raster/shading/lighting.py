@@ -18,9 +18,12 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.shading.space import Measure, dot, quotient
 from nmatrix.scene.material import Material
+from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 Occlusion = Callable[[Array, Array, Array], Array]  # of positions, normals, cosines; 1 where lit
+
+MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,8 +112,9 @@ class Lighting:
         strength: Array | float = 1.0
         if Effect.ATTENUATION in self.effects:
             constant, linear, quadratic = light.attenuation
-            strength = 1.0 / (constant + distance * (linear + quadratic * distance))
-            strength = strength * (distance <= light.range)
+            weakened = constant + distance * (linear + quadratic * distance)
+            # On the lamp itself light has no direction, and so no strength.
+            strength = quotient(1.0 * (distance <= light.range * (1.0 + EDGE)), weakened)
         if Effect.SPOT in self.effects and light.cone is not None:
             strength = strength * self._inside_cone(light, to_light)
         return to_light, strength
@@ -128,7 +132,7 @@ class Lighting:
         found = np.maximum(cosine, 0.0)
         if Effect.TOON in self.effects:
             steps = self.material.toon_steps
-            return np.asarray(np.ceil(found * steps) / steps)
+            return np.asarray(np.ceil(np.maximum(found * steps - EDGE, 0.0)) / steps)
         return np.asarray(found)
 
     def _highlight(self, n: Array, to_light: Array, to_eye: Array, cosine: Array) -> Array:
@@ -138,7 +142,7 @@ class Lighting:
         else:
             world = self.measure.vector_in_world
             found = 2.0 * cosine * dot(n, to_eye) - dot(world(to_light), world(to_eye))
-        return np.asarray(np.clip(found, 0.0, 1.0) ** self.material.shininess * (cosine > 0))
+        return np.asarray(np.clip(found, 0.0, 1.0) ** self.material.shininess * (cosine > EDGE))
 
 
 def colour(channels: tuple[float, ...], count: int) -> Array:

@@ -97,6 +97,8 @@ class ShadingSpace:
         if self.space is Space.OBJECT:
             self.maps.space_from_world(self.space)
             return rational.identity(4)
+        if self.space in (Space.WORLD, Space.STATIC):
+            return self.body.world_from_object.exact
         return rational.product(self.exact_from_world, self.body.world_from_object.exact)
 
     @cached_property
@@ -124,7 +126,7 @@ class ShadingSpace:
         return multiply(as_array(self.exact_from_object)[:3, :3], of_object.T)
 
     def carried(self, rule: NormalRule, of_object: Array) -> Array:
-        """Return normals (n, 3) of the object as a rule leaves them, (3, n) at any length."""
+        """Carry normals (n, 3) of the object by a rule: (3, n) at any length."""
         found = normal_transform(rule, self.exact_from_object)
         if found is None:
             return np.zeros((3, len(of_object)))
@@ -134,19 +136,19 @@ class ShadingSpace:
         return _transformed(found, given)
 
     def carried_normals(self, rule: NormalRule) -> Array:
-        """Return the vertices' normals (3, V) as a rule leaves them, at any length."""
+        """Carry the vertices' normals by a rule: (3, V) at any length."""
         return self.carried(rule, self.body.mesh.normals)
 
     def face_normals(self, rule: NormalRule) -> Array:
-        """Return the triangles' own normals (3, F) by a rule, at true length one."""
+        """Carry the triangles' own normals by a rule, to true length one: (3, F)."""
         return self.unit_normals(self.carried(rule, self.body.mesh.face_normals))
 
-    def normals(self, rule: NormalRule) -> Array:
-        """Return the vertices' normals (3, V) at true length one, or zero where none is left.
+    def normals(self, rule: NormalRule, of: Array | None = None) -> Array:
+        """Carry normals (n, 3), all of the mesh by default, to true length one, or zero: (3, n).
 
         A rule that measures four components has its own idea of length, and keeps it.
         """
-        carried = self.carried_normals(rule)
+        carried = self.carried(rule, self.body.mesh.normals if of is None else of)
         return carried if rule is NormalRule.FOUR_COMPONENT else self.unit_normals(carried)
 
     def unit_normals(self, normals: Array) -> Array:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.material import DARK, SQUARES, ImageSource, Texture
 from nmatrix.scene.words import Pattern, Wrap
+from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 
@@ -35,7 +36,7 @@ def sample(texture: Texture, uv: Array, *, linear: bool) -> Array:
     uv = np.clip(_placed(texture, uv), -FARTHEST, FARTHEST)
     if isinstance(texture.image, Pattern):
         column, row = (
-            _wrapped(np.floor(one * SQUARES), SQUARES, how)
+            _wrapped(np.floor(one * SQUARES + EDGE), SQUARES, how)
             for one, how in zip(uv, texture.wrap, strict=True)
         )
         return np.asarray(np.where((column + row) % 2 == 0, 1.0, DARK)[None])

@@ -18,6 +18,12 @@ from nmatrix.raster.triangles.spans import Canvas
 Array = NDArray[Any]
 
 GUARD = 2.0**15  # samples on either side of the middle; beyond them triangles are cut
+PLANES = (
+    "behind the eye",
+    "nearer than the near plane",
+    "beyond the far plane",
+    *("off the screen",) * 4,
+)
 SMALLEST_W = 1e-300  # a corner with w > 0 stays away from the eye plane
 
 
@@ -60,6 +66,20 @@ def inside(corners: Array, depth: DepthRange, canvas: Canvas) -> Array:
     kept &= np.abs(x) <= 2 * GUARD / canvas.columns * w
     kept &= np.abs(y) <= 2 * GUARD / canvas.rows * w
     return np.asarray(kept)
+
+
+def all_beyond(corners: Array, depth: DepthRange) -> Array:
+    """Tell for each plane of the view, named in `PLANES`, if all corners (4, V) lie beyond it.
+
+    Then no triangle between them covers a sample: the edge of the canvas is half a sample away
+    from the nearest, and the snap moves corners by a 512th at the most.
+    """
+    x, y, z, w = corners
+    near, far = (w - z, z) if depth is DepthRange.REVERSED else (z, w - z)
+    if depth is DepthRange.MINUS_ONE_TO_ONE:
+        near = z + w
+    beyond = (w <= SMALLEST_W, near < 0, far < 0, x < -w, x > w, y < -w, y > w)
+    return np.array([one.all() for one in beyond])
 
 
 def _planes(depth: DepthRange, canvas: Canvas) -> list[tuple[float, float, float, float]]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import FAN, TRIANGLES, Accessor, Primitive
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, unit
+from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, normals_made, unit
 
 TYPES = {
     5120: np.int8,
@@ -97,12 +97,14 @@ def _triangle_mesh(file: GltfFile, primitive: Primitive) -> Mesh | None:
         return None
     if triangles.min() < 0 or triangles.max() >= len(positions):
         raise file.fault(f"index {int(triangles.max())} is beyond {len(positions)} vertices")
+    remarks: tuple[str, ...] = ()
     if "NORMAL" in primitive.attributes:
         normals = unit(_vectors(file, primitive.attributes["NORMAL"]))
     else:
         normals = area_weighted_normals(positions, triangles)
+        remarks = (normals_made(file.path.name),)
     try:
-        return Mesh(positions, normals, triangles)
+        return Mesh(positions, normals, triangles, remarks=remarks)
     except IllegalValueError as error:
         raise file.fault(str(error)) from None
 

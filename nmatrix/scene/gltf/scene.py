@@ -14,7 +14,6 @@ from nmatrix.scene.gltf.lights import LIGHTS, camera, carried_lights, radius_of,
 from nmatrix.scene.gltf.materials import TEXTURE_TRANSFORM, Materials
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.light import DAYLIGHT
 from nmatrix.scene.material import Material
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.world import World
@@ -100,7 +99,7 @@ class _Reading:
         view, lens, has_camera = self._camera()
         return Scene(
             objects=objects,
-            lights=lights or (DAYLIGHT,),
+            lights=lights,
             view=view,
             lens=lens,
             settings=Settings(size=_size(lens.aspect)),
@@ -166,7 +165,6 @@ class _Reading:
         outside = len(document.nodes) - len(self.drawn)
         spoken = {
             f"Of {len(self._cameras)} cameras the first is used.": len(self._cameras) > 1,
-            "The file has no light: daylight takes its place.": not lights,
             "Intensities of light are relative: the brightest light is 1.": lights,
             "Animations are not played.": document.animations,
             "Skins are not applied: meshes stand as they were modelled.": any(

@@ -1,1 +1,1 @@
-"""Triangles: shapes, mesh files, tangents, watertightness."""
+"""Triangles: shapes, mesh files, tangents, shells."""

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, joined, unit
+from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, joined, normals_made, unit
 from nmatrix.scene.words import MESH_SUFFIXES
 
 
@@ -20,8 +20,8 @@ def read_mesh(path: Path) -> Mesh:
     """Read the triangles of a mesh file, with its own normals of vertices or area-weighted ones.
 
     A part of the file (an OBJ has one for each material) that lacks a normal for some vertex gets
-    area-weighted ones. Texture coordinates and colours of vertices come along where the file has
-    them.
+    area-weighted ones, and a remark says so. Texture coordinates and colours of vertices come along
+    where the file has them.
 
     Raises
     ------
@@ -32,7 +32,7 @@ def read_mesh(path: Path) -> Mesh:
     if not parts:
         raise _unreadable(path, "it holds no triangles")
     try:
-        return joined([_mesh(part) for part in parts])
+        return joined([_mesh(part, path.name) for part in parts])
     except IllegalValueError as error:
         raise _unreadable(path, str(error)) from None
 
@@ -81,7 +81,7 @@ def _split_alike(found: Mapping[str, Any], merged_faces: np.ndarray) -> np.ndarr
     return np.asarray(found["vertex_normals"])[origin]
 
 
-def _mesh(part: _Part) -> Mesh:
+def _mesh(part: _Part, source: str) -> Mesh:
     positions = np.asarray(part.trimesh.vertices, np.float64)
     triangles = np.asarray(part.trimesh.faces, np.intp)
     normals = _of_vertices(part.file_normals, positions.shape)
@@ -91,6 +91,7 @@ def _mesh(part: _Part) -> Mesh:
         triangles,
         uv=_of_vertices(getattr(part.trimesh.visual, "uv", None), (len(positions), 2)),
         colours=_colours(part.trimesh.visual, len(positions)),
+        remarks=(normals_made(source),) if normals is None else (),
     )
 
 

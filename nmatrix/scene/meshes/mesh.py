@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.watertight import is_watertight, same_place
+from nmatrix.scene.meshes.shell import Shell, shell_of
+from nmatrix.scene.meshes.watertight import PART, same_place
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -33,6 +34,10 @@ class Mesh:
         (V, 3) linear colours in [0, 1], if it has them.
     tangents
         (V, 4) tangent vectors and the sign of the bitangent, if it has them.
+    built_as
+        The kind of shell, if those who built it know: `known` sets it.
+    remarks
+        What was made because the file lacks it.
     """
 
     positions: Array
@@ -41,6 +46,8 @@ class Mesh:
     uv: Array | None = None
     colours: Array | None = None
     tangents: Array | None = None
+    remarks: tuple[str, ...] = ()
+    built_as: Shell | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
         if self.positions.shape != self.normals.shape:
@@ -63,13 +70,24 @@ class Mesh:
             )
 
     @cached_property
-    def is_closed(self) -> bool:
-        """True if the surface has an inside.
+    def shell(self) -> Shell:
+        """What is known of the surface as a whole; vertices in the same place count as one."""
+        return self.built_as or shell_of(self.positions, self.triangles)
 
-        Then each edge is shared by two triangles, turned against each other, once vertices in the
-        same place count as one.
-        """
-        return is_watertight(self.positions, self.triangles)
+    @cached_property
+    def normal_cosine(self) -> float:
+        """The smallest cosine between the normals of one triangle's corners."""
+        return least_cosine(self.normals.T, self.triangles)
+
+    @cached_property
+    def spread(self) -> Array:
+        """The covariance (3, 3) of the vertices about their middle."""
+        middle = self.positions.mean(axis=0)
+        total = np.zeros((3, 3))
+        for first in range(0, len(self.positions), PART):
+            away = self.positions[first : first + PART] - middle
+            total += away.T @ away
+        return total / len(self.positions)
 
     @cached_property
     def box(self) -> tuple[Array, Array]:
@@ -97,19 +115,6 @@ class Mesh:
         return bool(found.all())
 
     @cached_property
-    def face_normals(self) -> Array:
-        """The unit normal (F, 3) of each triangle, by its winding.
-
-        A triangle without area has none of its own: it takes the mean of its vertices'.
-        """
-        own = unit(_cross_products(self.positions, self.triangles))
-        without = np.flatnonzero(~own.any(axis=1))
-        if len(without):
-            given = np.nan_to_num(self.normals[self.triangles[without]], posinf=0.0, neginf=0.0)
-            own[without] = unit(given.mean(axis=1))
-        return own
-
-    @cached_property
     def sagitta(self) -> float:
         """How far the round surface that the normals feign rises above the triangles.
 
@@ -132,11 +137,51 @@ class Mesh:
             rise = max(rise, float(turns.sum(axis=1).max()))
         return rise / 6
 
+    @cached_property
+    def face_normals(self) -> Array:
+        """The unit normal (F, 3) of each triangle, by its winding.
+
+        A triangle without area has none of its own: it takes the mean of its vertices'.
+        """
+        own = unit(_cross_products(self.positions, self.triangles))
+        without = np.flatnonzero(~own.any(axis=1))
+        if len(without):
+            given = np.nan_to_num(self.normals[self.triangles[without]], posinf=0.0, neginf=0.0)
+            own[without] = unit(given.mean(axis=1))
+        return own
+
     @property
     def degenerate_normals(self) -> int:
         """The number of normals that are no direction: zero, or not finite."""
         size = np.abs(self.normals).max(axis=1)
         return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+
+
+def least_cosine(normals: NDArray[Any], triangles: NDArray[Any]) -> float:
+    """Find the smallest cosine between two normals (3, V) of one triangle.
+
+    It is −1, the worst, where some normal is not of length one, to 1e-9.
+
+    Examples
+    --------
+    >>> least_cosine(np.eye(3), np.array([[0, 1, 2], [0, 0, 1]]))
+    0.0
+    """
+    x, y, z = normals
+    if not bool((np.abs(x * x + y * y + z * z - 1.0) <= 1e-9).all()):
+        return -1.0
+    found = 1.0
+    for first in range(0, len(triangles), PART):
+        a, b, c = ([one.take(corner) for one in normals] for corner in triangles[first:][:PART].T)
+        for p, q in ((a, b), (b, c), (c, a)):
+            found = min(found, float((p[0] * q[0] + p[1] * q[1] + p[2] * q[2]).min()))
+    return found
+
+
+def known(mesh: Mesh, shell: Shell) -> Mesh:
+    """Put down on a new mesh what kind of shell it was built as; a changed copy forgets it."""
+    object.__setattr__(mesh, "built_as", shell)
+    return mesh
 
 
 def joined(parts: Sequence[Mesh]) -> Mesh:
@@ -152,6 +197,7 @@ def joined(parts: Sequence[Mesh]) -> Mesh:
         np.concatenate([part.triangles + s for part, s in zip(parts, starts, strict=False)]),
         uv=np.concatenate(uv) if len(uv) == len(parts) else None,
         colours=np.concatenate(colours) if len(colours) == len(parts) else None,
+        remarks=tuple(dict.fromkeys(one for part in parts for one in part.remarks)),
     )
 
 
@@ -184,6 +230,11 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
         length = np.sqrt((total * total).sum(axis=1, keepdims=True))
         unit = total / length
     return np.where(np.isfinite(unit), unit, 0.0)
+
+
+def normals_made(source: str) -> str:
+    """Tell that the normals are area-weighted ones, and not those of the file."""
+    return f"Normals were made, area-weighted: {source} does not have one for every vertex."
 
 
 def welded_normals(

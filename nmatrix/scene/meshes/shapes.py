@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.scene.meshes.mesh import Indices, Mesh
+from nmatrix.scene.meshes.mesh import Indices, Mesh, known
+from nmatrix.scene.meshes.shell import Shell
 
 Array = NDArray[Any]
 
@@ -29,7 +30,8 @@ def sphere(rings: int = 48, sectors: int = 96) -> Mesh:
         [away * across, np.cos(latitude) * np.ones_like(across), away * along], axis=2
     ).reshape(-1, 3)
     triangles = _without_slivers(positions, _grid(rings, sectors))
-    return Mesh(positions, positions.copy(), triangles, _unit_square(rings, sectors))
+    mesh = Mesh(positions, positions.copy(), triangles, _unit_square(rings, sectors))
+    return known(mesh, Shell.SOLID)
 
 
 def torus(rings: int = 32, sectors: int = 64, radius: float = 1.0, tube: float = 0.4) -> Mesh:
@@ -45,12 +47,13 @@ def torus(rings: int = 32, sectors: int = 64, radius: float = 1.0, tube: float =
     out = np.stack([across, 0 * across, along], axis=1)
     normals = sine * out + cosine * np.array([0.0, 1.0, 0.0])
     positions = radius * out + tube * normals
-    return Mesh(
+    mesh = Mesh(
         positions.reshape(-1, 3),
         normals.reshape(-1, 3),
         _grid(rings, sectors),
         _unit_square(rings, sectors),
     )
+    return known(mesh, Shell.SOLID) if 0 < tube < radius else mesh
 
 
 def plane(cells: int = 1) -> Mesh:
@@ -61,7 +64,8 @@ def plane(cells: int = 1) -> Mesh:
     >>> plane().normals.tolist()[0]
     [0.0, 1.0, 0.0]
     """
-    return Mesh(*_face(np.array([0.0, 1.0, 0.0]), cells), _unit_square(cells, cells))
+    mesh = Mesh(*_face(np.array([0.0, 1.0, 0.0]), cells), _unit_square(cells, cells))
+    return known(mesh, Shell.OPEN)
 
 
 def box(cells: int = 1) -> Mesh:
@@ -77,7 +81,8 @@ def box(cells: int = 1) -> Mesh:
     shifted = [t + i * len(positions[0]) for i, t in enumerate(triangles)]
     corners = np.concatenate([p + n for p, n in zip(positions, normals, strict=True)])
     uv = np.tile(_unit_square(cells, cells), (6, 1))
-    return Mesh(corners, np.concatenate(normals), np.concatenate(shifted), uv)
+    mesh = Mesh(corners, np.concatenate(normals), np.concatenate(shifted), uv)
+    return known(mesh, Shell.SOLID)
 
 
 def cone(sectors: int = 64) -> Mesh:
@@ -112,7 +117,8 @@ def cone(sectors: int = 64) -> Mesh:
             [[0.5, 0.5]],
         ]
     )
-    return Mesh(positions, normals, np.concatenate([mantle, disc]).astype(np.intp), uv)
+    mesh = Mesh(positions, normals, np.concatenate([mantle, disc]).astype(np.intp), uv)
+    return known(mesh, Shell.SOLID)
 
 
 def _around(sectors: int) -> tuple[Array, Array]:

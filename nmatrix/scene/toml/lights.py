@@ -8,7 +8,7 @@ from math import inf
 
 from nmatrix.linear.angle import Angle, direction_from_angles
 from nmatrix.report import Vector
-from nmatrix.scene.light import DAYLIGHT, EYE, WORLD, SceneLight
+from nmatrix.scene.light import EYE, USUAL_DIRECTION, WORLD, SceneLight
 from nmatrix.scene.material import colour
 from nmatrix.scene.toml.records import LightRecord
 from nmatrix.scene.toml.table import SceneTable, suggestion
@@ -29,7 +29,7 @@ _KEYS = {
 
 
 def read_lights(tables: list[SceneTable], homes: Collection[str]) -> tuple[SceneLight, ...]:
-    """Return the lights in the file's order, or daylight; `homes` are the objects they may follow.
+    """Return the lights in the file's order; `homes` are the objects they may follow.
 
     Raises
     ------
@@ -43,7 +43,7 @@ def read_lights(tables: list[SceneTable], homes: Collection[str]) -> tuple[Scene
         if light.name in found:
             raise table.fault("name", "another light has it already", "choose another")
         found[light.name] = light
-    return tuple(found.values()) or (DAYLIGHT,)
+    return tuple(found.values())
 
 
 def _light(
@@ -109,7 +109,7 @@ def _direction(table: SceneTable, record: LightRecord) -> Vector:
         raise table.refused(
             "direction", "light of kind spot points somewhere", "add direction = [x, y, z]"
         )
-    return DAYLIGHT.direction
+    return USUAL_DIRECTION
 
 
 def _cone(table: SceneTable, record: LightRecord) -> tuple[float, float]:
