@@ -308,9 +308,7 @@ def texture(shaded: Shaded) -> Glsl:
     uv, uniforms = _placed("surface_texture", found)
     if isinstance(found.image, Pattern):
         column, row = (
-            CHECKER_WRAPS[how].format(
-                index=f"floor(uv.{axis} * {SQUARES}.0 + {EDGE})", size=SQUARES
-            )
+            CHECKER_WRAPS[how].format(index=f"floor(square.{axis})", size=SQUARES)
             for axis, how in zip("xy", found.wrap, strict=True)
         )
         lines = (f"matte *= mod({column} + {row}, 2.0) < 0.5 ? 1.0 : {DARK};",)

@@ -74,12 +74,12 @@ def test_a_matt_body_under_the_sun_has_a_short_shader() -> None:
 
 def test_each_effect_brings_its_own_lines() -> None:
     assert "pow(clamp(highlight, 0.0, 1.0), shininess)" in fragment(material=PHONG)
-    assert "attenuation_0" in fragment(lights=(BULB,))
+    assert "attenuation.x" in fragment(lights=(BULB,))
     assert "vector_world_from_space" in fragment(
         world=World(scale=(1, 2, 1)), material=PHONG, space=Space.OBJECT
     )
     assert "ceil(" in fragment(material=TOON)
-    assert "shadow_map_0" in fragment(lights=(replace(SUN, shadows=True),))
+    assert "shadow_map" in fragment(lights=(replace(SUN, shadows=True),))
 
 
 def test_a_light_that_cannot_reach_has_no_line() -> None:
