@@ -35,7 +35,7 @@ Array = NDArray[Any]
 
 TESSELLATIONS = ((8, 16), (16, 32), (32, 64), (64, 128))
 SAMPLES = (1, 4, 16, 64)
-SHADOW_MAPS = (64, 256, 1024)
+SHADOW_MAPS = (8, 16, 64)
 FINEST_MAP = 2048
 SHINY = Material("shiny", specular=grey(0.4), shininess=48, reflection=Reflection.BLINN_PHONG)
 FLOOR = Material("floor", texture=CHECKER)

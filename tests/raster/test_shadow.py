@@ -248,3 +248,10 @@ def test_glass_that_casts_no_shadow_is_told() -> None:
     )
     found = planned(loaded(standing(LightKind.DIRECTIONAL, 3, glass)))
     assert "The shadow of glass is not cast: its opacity is below 1." in found.remarks
+
+
+@pytest.mark.parametrize("ground", [Shape.PLANE, Shape.BOX])
+@pytest.mark.parametrize("kind", CASTING)
+def test_a_floor_casts_nothing_on_what_stands_on_it(kind: LightKind, ground: Shape) -> None:
+    (views,) = planned(loaded(standing(kind, 60, ground=ground))).light_views.values()
+    assert {one.name for view in views for one in view.casters} == {"ball", "block", "wall"}
