@@ -209,9 +209,7 @@ def nearly_rigid(dice: Dice) -> Scene:
         mesh = with_wild_normals(dice, mesh)
     kinds = (LightKind.DIRECTIONAL, LightKind.DIRECTIONAL, LightKind.AMBIENT, LightKind.POINT)
     lights = tuple(
-        replace(
-            one, kind=dice.one_of(kinds), fixed_to=WORLD, shadows=False, intensity=dice.power(-3, 0)
-        )
+        replace(one, kind=dice.one_of(kinds), fixed_to=WORLD, intensity=dice.power(-3, 0))
         for one in lamps(dice, dice.whole(1, 3))
     )
     thing = solid(dice, mesh, where)
