@@ -246,6 +246,7 @@ class Effect(StrEnum):
     FOG = "fog"
     COLOUR = "colour"
     GAMMA = "gamma"
+    SAMPLE_SHADING = "sample-shading"
     SUPERSAMPLING = "supersampling"
 
 

@@ -107,10 +107,12 @@ def _drawable(
     culled = 0 if Effect.BACK_FACES in body.effects else -front
     clip_from_object = as_array(body.seen.clip_from_object)
     projected = project(body.body.mesh, clip_from_object, loaded.canvas, loaded.clip, culled)
-    surface = change(surface_of(plan, body, maps, front))
-    return Drawable(
-        projected, surface.vertex(projected), surface.fragment, body.body.material.opacity
-    )
+    right = surface_of(plan, body, maps, front)
+    surface, even = change(right), None
+    if body.rate is not None and surface is right:
+        even = body.rate.even_triangles(loaded, body.body, projected)
+    opacity = body.body.material.opacity
+    return Drawable(projected, surface.vertex(projected), surface.fragment, opacity, even)
 
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:

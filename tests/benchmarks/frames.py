@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -33,11 +33,22 @@ from nmatrix.scene.words import LightKind
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from conftest import CHECKOUT, data_folder
 
-__all__ = ["CHECKOUT", "Frame", "core", "frames", "scene"]
+__all__ = [
+    "CHECKOUT",
+    "MATT",
+    "Frame",
+    "core",
+    "frames",
+    "panes",
+    "scene",
+    "screen",
+    "with_uv",
+]
 
 Array = np.ndarray
 AMBIENT, DIFFUSE, BACKGROUND = 0.2, 0.8, 30 / 255
 TO_LIGHT = (0.3, 0.5, 0.8)
+MATT = Material("matt", ambient=grey(AMBIENT), diffuse=grey(DIFFUSE))
 
 
 @dataclass(frozen=True)
@@ -60,9 +71,15 @@ class Frame:
     per_side: int = 1
     is_screen: bool = False
     others: tuple[Mesh, ...] = field(default=())
+    material: Material = MATT
 
     @cached_property
     def loaded(self) -> LoadedScene:
+        """Return the frame's scene, loaded."""
+        return loaded(self.scene)
+
+    @property
+    def scene(self) -> Scene:
         """Return the frame as a scene."""
         low, high = self.mesh.positions.min(axis=0), self.mesh.positions.max(axis=0)
         centre = (low + high) / 2
@@ -73,16 +90,15 @@ class Frame:
         if self.is_screen:
             view = View(eye=(0, 0, 1), target=(0, 0, 0))
             lens = Lens(fov_degrees=90, near=0.5, far=2)
-        surface = Material(ambient=grey(AMBIENT), diffuse=grey(DIFFUSE))
         objects = tuple(
-            SceneObject(str(i), Given(one), identity(4), surface)
+            SceneObject(str(i), Given(one), identity(4), self.material)
             for i, one in enumerate((self.mesh, *self.others))
         )
         sun = SceneLight("sun", LightKind.DIRECTIONAL, direction=tuple(-one for one in TO_LIGHT))
         settings = Settings(
             size=(self.size, self.size), samples=self.per_side**2, background=grey(BACKGROUND)
         )
-        return loaded(Scene(objects, (sun,), view, lens, settings))
+        return Scene(objects, (sun,), view, lens, settings)
 
     @cached_property
     def matrix(self) -> Array:
@@ -163,6 +179,23 @@ def screen() -> Mesh:
     normals = positions * 0.5 + [0, 0, 1]
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     return Mesh(positions, normals, np.array([[0, 1, 2], [0, 2, 3]]))
+
+
+def with_uv(mesh: Mesh) -> Mesh:
+    """Return a mesh with texture coordinates: its own x and y."""
+    return replace(mesh, uv=(mesh.positions[:, :2] + 1) / 2)
+
+
+def panes(count: int) -> Mesh:
+    """Return squares that fill the screen, one behind the other."""
+    one = screen()
+    deep = np.linspace(0.0, -0.9, count)[:, None, None] * [0, 0, 1]
+    triangles = one.triangles + len(one.positions) * np.arange(count)[:, None, None]
+    return Mesh(
+        (one.positions + deep).reshape(-1, 3),
+        np.tile(one.normals, (count, 1)),
+        triangles.reshape(-1, 3),
+    )
 
 
 def frames(sizes: tuple[int, ...] = (512, 1024)) -> list[Frame]:

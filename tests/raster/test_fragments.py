@@ -13,7 +13,13 @@ from nmatrix.linear.rational import identity
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.triangles import fragments as fragments_module
-from nmatrix.raster.triangles.fragments import Fragments, Interpolation, VertexOutputs, interpolate
+from nmatrix.raster.triangles.fragments import (
+    Fragments,
+    Grid,
+    Interpolation,
+    VertexOutputs,
+    interpolate,
+)
 from nmatrix.raster.triangles.spans import SUBPIXELS, spans
 from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.raster.triangles.visibility import Runs
@@ -59,8 +65,8 @@ def runs_of(projected: Projected) -> Runs:
 def whose(projected: Projected, runs: Runs, found: Fragments) -> np.ndarray:
     """Return the triangle of each fragment: what a constant of the triangles says."""
     numbers = np.arange(projected.triangles.shape[1], dtype=float)[None]
-    read = interpolate(projected, runs, SIZE, VertexOutputs(faces={"triangle": numbers}))
-    assert (read.sample == found.sample).all()
+    read = interpolate(projected, runs, Grid(SIZE), VertexOutputs(faces={"triangle": numbers}))
+    assert (read.place == found.place).all()
     return read["triangle"][0].astype(int)
 
 
@@ -74,11 +80,11 @@ def weights_of(
     runs = runs_of(projected)
     corners = np.tile(np.eye(3), projected.triangles.shape[1])
     read = VertexOutputs(points={"weights": corners}, interpolation=interpolation)
-    found = interpolate(projected, runs, SIZE, read)
+    found = interpolate(projected, runs, Grid(SIZE), read)
     triangles = whose(projected, runs, found)
     exact = [
         true_weights(projected, triangle, *divmod(sample, SIZE), interpolation)
-        for triangle, sample in zip(triangles.tolist(), found.sample.tolist(), strict=True)
+        for triangle, sample in zip(triangles.tolist(), found.place.tolist(), strict=True)
     ]
     return found["weights"], exact
 
@@ -172,7 +178,7 @@ def directions_and_points(projected: Projected) -> tuple[np.ndarray, np.ndarray]
     rng = np.random.default_rng(4)
     values = rng.normal(size=(3, len(projected.x)))
     read = VertexOutputs(points={"p": values}, directions={"d": values})
-    found = interpolate(projected, runs_of(projected), SIZE, read)
+    found = interpolate(projected, runs_of(projected), Grid(SIZE), read)
     return found["p"], found["d"]
 
 
@@ -189,8 +195,8 @@ def test_both_windings_read_the_same_and_know_their_side() -> None:
     values = np.random.default_rng(7).normal(size=(2, len(one.x)))
     for interpolation in Interpolation:
         read = VertexOutputs(points={"p": values}, interpolation=interpolation, front=1)
-        a, b = (interpolate(p, runs_of(p), SIZE, read) for p in (one, other))
-        assert (a.sample == b.sample).all()
+        a, b = (interpolate(p, runs_of(p), Grid(SIZE), read) for p in (one, other))
+        assert (a.place == b.place).all()
         assert np.allclose(a["p"], b["p"], rtol=1e-12, atol=1e-13)
         assert (a["facing"] == -b["facing"]).all()
         assert set(np.unique(a["facing"])) == {-1.0, 1.0}

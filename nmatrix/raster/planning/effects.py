@@ -23,9 +23,11 @@ from nmatrix.raster.planning.recipe import (
     Strength,
     adds_nothing,
     called_for,
+    impossible,
     not_asked,
 )
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import sample_shading
 from nmatrix.raster.shading.space import column
 from nmatrix.scene.material import Texture
 from nmatrix.scene.words import LightKind, Pattern, Sides
@@ -105,11 +107,11 @@ def outline(facts: Facts) -> Decision:
     if not facts.material.outline:
         return not_asked("the material has no outline")
     if facts.material.opacity < 1.0:
-        return adds_nothing("the hull of an outline would show through glass")
+        return impossible("the hull of an outline would show through glass")
     if facts.body.linear_map.rank < 3:
-        return adds_nothing("a flattened body has no hull")
+        return impossible("a flattened body has no hull")
     if facts.material.sides is Sides.FRONT and not facts.body.mesh.shell.is_closed:
-        return adds_nothing("the mesh is open and has no backs: its hull would show there")
+        return impossible("the mesh is open and has no backs: its hull would show there")
     return called_for("the material has an outline")
 
 
@@ -163,7 +165,7 @@ def texture(facts: Facts) -> Decision:
     if facts.material.texture is None:
         return not_asked("the material has no texture")
     if facts.body.mesh.uv is None:
-        return adds_nothing("the mesh has no texture coordinates")
+        return impossible("the mesh has no texture coordinates")
     return called_for("the material has a texture")
 
 
@@ -172,9 +174,9 @@ def normal_map(facts: Facts) -> Decision:
     if facts.material.normal_map is None:
         return not_asked("the material has no normal map")
     if not facts.is_lit_at_fragments:
-        return adds_nothing(f"{facts.loaded.settings.shading} shading has no normals at fragments")
+        return impossible(f"{facts.loaded.settings.shading} shading has no normals at fragments")
     if facts.body.mesh.tangents is None:
-        return adds_nothing("the mesh has no texture coordinates, hence no tangents")
+        return impossible("the mesh has no texture coordinates, hence no tangents")
     return called_for("the material has a normal map")
 
 
@@ -184,7 +186,7 @@ def vertex_colours(facts: Facts) -> Decision:
     if not facts.material.vertex_colours:
         return not_asked(why_not)
     if facts.body.mesh.colours is None:
-        return adds_nothing(why_not)
+        return impossible(why_not)
     return called_for("the mesh has colours")
 
 
@@ -461,6 +463,12 @@ RECIPES: dict[Effect, Recipe] = {
                 "color = mix(12.92 * color, bright, step(0.0031308, color));",
             )
         ),
+    ),
+    Effect.SAMPLE_SHADING: Recipe(
+        "each sample shaded by itself, and not once a pixel",
+        sample_shading,
+        influence=STEADY,
+        is_shortcut=True,
     ),
     Effect.SUPERSAMPLING: Recipe(
         "several samples in a pixel",

@@ -82,11 +82,11 @@ class Facts:
         for effect, recipe in self.recipes.items():
             told = recipe.influence
             if not isinstance(told, Influence) or matters(told):
-                found = self._influence(effect)
+                found = self.influence(effect)
                 if matters(found):
                     yield found
 
-    def _influence(self, effect: Effect) -> Influence:
+    def influence(self, effect: Effect) -> Influence:
         """Find the influence of an effect here, once: steady where the scene does not ask."""
         if effect not in self._influencing:
             told = self.recipes[effect].influence

@@ -20,6 +20,7 @@ from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
 from nmatrix.raster.planning.seen_body import SeenBody
+from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.material import DEFAULT_MATERIAL
@@ -57,6 +58,7 @@ class BodyPlan:
     effects: frozenset[Effect]
     ineffective: Mapping[str, str]
     why_unseen: str | None = None
+    rate: ShadingRate | None = None
 
     @property
     def body(self) -> Body:
@@ -101,13 +103,17 @@ class Plan:
 
     @cached_property
     def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
-        """Return the views for shadow maps, by the names of the lamps that have any."""
-        found = {
-            placed.light.name: light_views(
-                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
-            )
-            for placed, lit in self._lit_by_casting_lamps.items()
-        }
+        """The views for shadow maps, by the names of the lamps that have any.
+
+        They are fitted to all bodies that anything can shade, whatever else is left out: so one
+        scene has one set of maps.
+        """
+        found = {}
+        for placed, lit in self._lit_by_casting_lamps.items():
+            if any(Effect.SHADOWS in one.effects for one in lit):
+                casters = {one.body: one.seen.casters(placed) for one in self.bodies}
+                casting = {body: some for body, some in casters.items() if some}
+                found[placed.light.name] = light_views(self.loaded, placed, casting)
         return {name: views for name, views in found.items() if views}
 
     @property
@@ -182,7 +188,8 @@ def everything(loaded: LoadedScene) -> Plan:
 
 
 def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
-    named = {effect for effect, one in facts.decisions.items() if one.on}
+    decided = facts.decisions.items()
+    named = {effect for effect, one in decided if one.on or (one.is_asked and one.is_possible)}
     on = closure(_for_shading(named | _shortcuts(facts.body), facts))
     decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
     return BodyPlan(facts.seen, decisions, lights, on, _ineffective(facts))
@@ -246,7 +253,9 @@ def _planned_body(seen: SeenBody) -> tuple[BodyPlan, Facts]:
         if effect in on and not found.on:
             found = Decision(on=True, because=f"{', '.join(sorted(users))} needs it")
         decisions[effect] = found
-    return BodyPlan(seen, decisions, lights, on, _ineffective(facts)), facts
+    rate = None if Effect.SAMPLE_SHADING in on else shading_rate(facts)
+    once = rate if isinstance(rate, ShadingRate) else None
+    return BodyPlan(seen, decisions, lights, on, _ineffective(facts), rate=once), facts
 
 
 def _read_by_others() -> list[Effect]:

@@ -27,7 +27,8 @@ class Decision:
     """The decision on an effect: on or off, why, and the most that leaving it out moves a channel.
 
     `is_asked` tells whether the scene asks for the effect at all. What is asked for counts in the
-    bounds of other effects, even where it adds nothing.
+    bounds of other effects, even where it adds nothing. `is_possible` is False where what it reads
+    is missing: then everything-on does without it too.
     """
 
     on: bool
@@ -35,6 +36,7 @@ class Decision:
     kind: LeftOut = LeftOut.EXACT
     bound: float = 0.0
     is_asked: bool = True
+    is_possible: bool = True
 
 
 def called_for(because: str) -> Decision:
@@ -50,6 +52,11 @@ def not_asked(because: str) -> Decision:
 def adds_nothing(because: str) -> Decision:
     """Leave out what is asked for, and changes no bit here."""
     return Decision(on=False, because=because)
+
+
+def impossible(because: str) -> Decision:
+    """Leave out what is asked for in vain: what it reads is missing."""
+    return Decision(on=False, because=because, is_possible=False)
 
 
 def by_bound(bound: float, because: str) -> Decision:

@@ -7,7 +7,7 @@ can fall on overlap, as the lamp sees them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, radians, tan
@@ -190,16 +190,12 @@ def _cut(points: Array, nearest: float) -> Array:
 
 
 def light_views(
-    loaded: LoadedScene, placed: PlacedLight, receivers: Sequence[Body]
+    loaded: LoadedScene, placed: PlacedLight, casting: Mapping[Body, Sequence[Body]]
 ) -> tuple[LightView, ...]:
-    """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow there."""
-    if not receivers:
+    """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow on each."""
+    if not casting:
         return ()
-    casting = {
-        body: [one for one in occluders(loaded, placed, body) if one.material.opacity == 1.0]
-        for body in receivers
-    }
-    found = (_fitted(loaded, aim, casting) for aim in _aims(placed, receivers))
+    found = (_fitted(loaded, aim, casting) for aim in _aims(placed, [*casting]))
     return tuple(one for one in found if one is not None)
 
 
@@ -220,7 +216,9 @@ def _axes(place: RationalVector, direction: RationalVector) -> RationalMatrix:
     return right, up, tuple(-entry for entry in back), last
 
 
-def _fitted(loaded: LoadedScene, aim: Aim, casting: dict[Body, list[Body]]) -> LightView | None:
+def _fitted(
+    loaded: LoadedScene, aim: Aim, casting: Mapping[Body, Sequence[Body]]
+) -> LightView | None:
     """Return the view that holds all shadows, or None if there are none in this direction."""
     of_casters = {
         one: aim.footprint(one.hull.corners) for casters in casting.values() for one in casters

@@ -25,6 +25,7 @@ Occlusion = Callable[[Array, Array, Array], Array]  # of positions, normals, cos
 # Bands, highlights and ranges end this far beside round numbers: on them, where boxes and lamps
 # like to stand, the last bit would decide, and differently in each space and on each machine.
 EDGE = 1e-6
+MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,6 +145,9 @@ class Lighting:
             world = self.measure.vector_in_world
             found = 2.0 * cosine * dot(n, to_eye) - dot(world(to_light), world(to_eye))
         return np.asarray(np.clip(found, 0.0, 1.0) ** self.material.shininess * (cosine > EDGE))
+
+
+MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
 
 
 def colour(channels: tuple[float, ...], count: int) -> Array:

@@ -51,31 +51,46 @@ class VertexOutputs:
     front: int = 0
 
 
+@dataclass(frozen=True)
+class Grid:
+    """The points of a picture that are shaded: every sample, or the middles of whole pixels.
+
+    `columns` of them stand in a row from (`top`, `left`) on; a point and the next are `spacing`
+    samples apart, and the first of all stands in the middle of its spacing × spacing samples.
+    """
+
+    columns: int
+    top: int = 0
+    left: int = 0
+    spacing: int = 1
+
+    def samples(self, index: Array) -> Array:
+        """Return rows or columns of samples for those of the grid: whole numbers of 1/2."""
+        return np.asarray(self.spacing * index + (self.spacing - 1) / 2)
+
+
 @dataclass(frozen=True, eq=False)
 class Fragments:
-    """Some samples: each one's place on the canvas, row · columns + column, and its inputs."""
+    """Some points of a grid: each one's place in it, row · columns + column, and its inputs."""
 
-    sample: Array
+    place: Array
     values: Mapping[str, Array]
 
     def __len__(self) -> int:
-        """Return the number of samples."""
-        return len(self.sample)
+        """Return the number of points."""
+        return len(self.place)
 
     def __getitem__(self, name: str) -> Array:
         """Return one input by its name, (k, m)."""
         return self.values[name]
 
 
-def interpolate(
-    projected: Projected, runs: Runs, columns: int, outputs: VertexOutputs
-) -> Fragments:
-    """Interpolate the outputs of vertices at every sample of the runs."""
+def interpolate(projected: Projected, runs: Runs, grid: Grid, outputs: VertexOutputs) -> Fragments:
+    """Interpolate the outputs of vertices at every point of a grid's runs."""
     expansion = RunExpansion(runs.length)
-    first = runs.row * columns + runs.first
-    sample = expansion.counted(first)
+    place = expansion.counted((runs.row - grid.top) * grid.columns + (runs.first - grid.left))
     corners = projected.corners(runs.triangle)
-    *areas, side = _areas(projected, corners, runs)
+    *areas, side = _areas(projected, corners, runs, grid)
     is_affine = outputs.interpolation is Interpolation.AFFINE
     near = np.ones(()) if is_affine else projected.inverse_w.take(corners)
     of_runs = {name: one[:, runs.triangle] for name, one in outputs.faces.items()}
@@ -86,7 +101,7 @@ def interpolate(
         weights = exact_weights(expansion, areas, near)
         for name, one in {**outputs.points, **outputs.directions}.items():
             values[name] = _weighted(expansion, weights, one.take(corners, 1))
-        return Fragments(sample, values)
+        return Fragments(place, values)
     start, growth = (one * near for one in areas)
     share = None
     for name, one in outputs.directions.items():
@@ -96,7 +111,7 @@ def interpolate(
             share = 1.0 / expansion.ramps(start.sum(0)[None], growth.sum(0)[None])
         values[name] = expansion.ramps(*_sums(one.take(corners, 1), start, growth))
         values[name] *= share
-    return Fragments(sample, values)
+    return Fragments(place, values)
 
 
 def exact_weights(expansion: RunExpansion, areas: Sequence[Array], near: Array) -> Array:
@@ -132,15 +147,17 @@ def _dot(values: Array, weights: Array) -> Array:
     return np.asarray(found)
 
 
-def _areas(projected: Projected, corners: Array, runs: Runs) -> tuple[Array, Array, Array]:
-    """Return the three areas at the first sample of each run, their growth along it, their sign.
+def _areas(
+    projected: Projected, corners: Array, runs: Runs, grid: Grid
+) -> tuple[Array, Array, Array]:
+    """Return the three areas at the first point of each run, their growth along it, their sign.
 
     Whole numbers below 2⁵³: exact. Their sign is taken out, so that both windings count alike.
     """
     x = projected.x.take(corners)
     y = projected.y.take(corners)
-    x -= SUBPIXELS * runs.first
-    y -= SUBPIXELS * runs.row
+    x -= SUBPIXELS * grid.samples(runs.first)
+    y -= SUBPIXELS * grid.samples(runs.row)
     area, growth = np.empty_like(x), np.empty_like(y)
     for i in range(3):  # the corners after i are i − 2 and i − 1, counted from the end
         np.multiply(x[i - 2], y[i - 1], out=area[i])
@@ -148,5 +165,5 @@ def _areas(projected: Projected, corners: Array, runs: Runs) -> tuple[Array, Arr
         np.subtract(y[i - 2], y[i - 1], out=growth[i])
     sign = np.sign(area[0] + area[1] + area[2])
     area *= sign
-    growth *= SUBPIXELS * sign
+    growth *= SUBPIXELS * grid.spacing * sign
     return area, growth, sign

@@ -10,23 +10,26 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs, interpolate
+from nmatrix.raster.triangles.fragments import Fragments, Grid, VertexOutputs, interpolate
 from nmatrix.raster.triangles.layers import Layers, layers
+from nmatrix.raster.triangles.run_expansion import batches
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import TRIANGLE_MASK, Runs, Tile, visible_runs
+from nmatrix.raster.triangles.visibility import NOTHING, TRIANGLE_MASK, Runs, Tile, runs_of
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
 
 TILE_SAMPLES = 1 << 22
 STRIPE_SAMPLES = 1 << 16
+MOST_SHADED = 1 << 16  # samples that are shaded together: their arrays stay in the cache
+BOTH_NOTHING = np.int64(NOTHING << 32 | NOTHING)
 LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 
 
@@ -34,13 +37,15 @@ LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 class Drawable:
     """Projected triangles, the outputs of their vertices, and their fragment shader.
 
-    Opaque ones hide what is behind; others let 1 − `opacity` of it through.
+    Opaque ones hide what is behind; others let 1 − `opacity` of it through. `even` is a mask (F,)
+    of triangles whose colour at a pixel's middle may stand for that of all its samples.
     """
 
     projected: Projected
     outputs: VertexOutputs
     fragment: Callable[[Fragments], Array]
     opacity: float = 1.0
+    even: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +61,13 @@ class Picture:
     shaded: tuple[int, ...]
 
 
+class Window(NamedTuple):
+    """Rows and columns of samples, whole pixels: first and one more than the last of each."""
+
+    rows: tuple[int, int]
+    columns: tuple[int, int]
+
+
 @dataclass(frozen=True, eq=False)
 class Drawing:
     """Some drawables on a canvas, over a background (channels,)."""
@@ -66,7 +78,7 @@ class Drawing:
     depth: DepthBuffer = DepthBuffer.FULL
 
     def picture(self, finish: Callable[[Array], Array] = np.asarray) -> Picture:
-        """Draw everything; `finish` turns rows of pixels into what is kept of them.
+        """Draw everything; `finish` turns pixels, each by itself, into what is kept of them.
 
         Raises
         ------
@@ -74,17 +86,33 @@ class Drawing:
             For more triangles than a key can name.
         """
         _keep_freed_memory()
-        kept, fragments, shaded = [], 0, np.zeros(len(self.drawables), np.int64)
-        for rows in _steps((0, self.canvas.rows), TILE_SAMPLES, self.canvas):
-            tile = Tile.empty(rows, self.canvas.columns, self.depth)
+        blank = finish(self.background[None, None])
+        image = np.empty((self.canvas.height, self.canvas.width, blank.shape[2]), blank.dtype)
+        rows, columns = self._touched(self.drawables)
+        left, right = (column // self.canvas.per_side for column in columns)
+        top, bottom = (row // self.canvas.per_side for row in rows)
+        for empty in (
+            *(image[:top], image[bottom:]),
+            *(image[top:bottom, :left], image[top:bottom, right:]),
+        ):
+            empty[:] = blank
+        fragments, shaded = 0, np.zeros(len(self.drawables), np.int64)
+        for some in _steps(rows, TILE_SAMPLES, self.canvas):
+            tile = Tile.empty(some, self.canvas.columns, self.depth)
             for one, first in zip(self.drawables, self._first, strict=False):
                 if one.opacity == 1.0:
                     fragments += tile.add(one.projected, first)
-            for some in _steps(rows, STRIPE_SAMPLES, self.canvas):
-                samples, counts = self._stripe(tile, some)
+            for few in _steps(some, self._stripe_samples, self.canvas):
+                pixels, counts = self._stripe(tile, Window(few, columns))
                 shaded += counts
-                kept.append(finish(self._resolved(samples)))
-        return Picture(np.concatenate(kept), fragments, tuple(shaded.tolist()))
+                top, bottom = (row // self.canvas.per_side for row in few)
+                image[top:bottom, left:right] = finish(pixels)
+        return Picture(image, fragments, tuple(shaded.tolist()))
+
+    @property
+    def _stripe_samples(self) -> int:
+        """The samples of a stripe: more where many make one pixel, which is shaded once."""
+        return STRIPE_SAMPLES * min(4, self.canvas.per_side**2)
 
     @cached_property
     def _first(self) -> list[int]:
@@ -100,57 +128,129 @@ class Drawing:
             )
         return first
 
-    def _stripe(self, tile: Tile, rows: tuple[int, int]) -> tuple[Array, Array]:
-        """Return the samples (channels, n) of some rows, and how many each drawable coloured."""
-        columns = self.canvas.columns
-        samples = np.empty((len(self.background), (rows[1] - rows[0]) * columns))
+    def _touched(self, drawables: Sequence[Drawable]) -> Window:
+        """Return the window outside of which no sample is covered: empty where none is at all."""
+        boxes = [one.projected.box for one in drawables if one.projected.triangles.size]
+        if not boxes:
+            return Window((0, 0), (0, 0))
+        low, high = (np.array(ends) for ends in zip(*boxes, strict=True))
+        k, limits = self.canvas.per_side, (self.canvas.columns, self.canvas.rows)
+        first = np.clip(np.ceil(low.min(axis=0)) // k * k, 0, limits).astype(int)
+        last = np.clip(-(-np.ceil(high.max(axis=0)) // k) * k, first, limits).astype(int)
+        (left, top), (right, bottom) = first.tolist(), last.tolist()
+        if left == right:
+            bottom = top
+        return Window((top, bottom), (left, right))
+
+    @cached_property
+    def _glass(self) -> list[int]:
+        """The drawables that let light through."""
+        return [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
+
+    @cached_property
+    def _even(self) -> Array | None:
+        """A mask of the triangles of all drawables that may be shaded once a pixel, then False."""
+        if self.canvas.per_side == 1 or all(one.even is None for one in self.drawables):
+            return None
+        parts = [
+            np.zeros(last - first, bool) if one.even is None or one.opacity < 1.0 else one.even
+            for one, first, last in zip(self.drawables, self._first, self._first[1:], strict=False)
+        ]
+        return np.append(np.concatenate(parts), False)
+
+    def _stripe(self, tile: Tile, window: Window) -> tuple[Array, Array]:
+        """Return the pixels (rows, width, channels) of a window, and the samples coloured.
+
+        The samples are counted for each drawable.
+        """
+        k, (top, bottom), (left, right) = self.canvas.per_side, *window
+        grid = Grid(right - left, top, left)
+        samples = np.empty((len(self.background), (bottom - top) * grid.columns))
         samples[:] = self.background[:, None]
         counts = np.zeros(len(self.drawables), np.int64)
-        runs = visible_runs(tile, rows)
+        names = tile.names(*window)
+        whole = self._taken_whole(names, window)
+        self._colour_all(samples, runs_of(names, top, left), grid, counts)
+        even, uneven = self._parted(whole)
+        self._colour_all(samples, uneven.finer(k), grid, counts)
+        triangles = [(self.drawables[i].projected, self._first[i]) for i in self._glass]
+        for some in layers(triangles, tile, window.rows):
+            counts[self._glass] += np.diff(some.first)
+            self._blend(samples, some, grid)
+        pixels = self._resolved(samples, grid.columns)
+        middles = Grid(grid.columns // k, top // k, left // k, spacing=k)
+        self._colour_all(pixels.reshape(len(pixels), -1), even, middles, counts)
+        return pixels.transpose(1, 2, 0), counts
+
+    def _parted(self, whole: Runs) -> tuple[Runs, Runs]:
+        """Part runs of pixels: those that are shaded once, and those of triangles that are not."""
+        if self._even is None:
+            return whole, whole
+        even = self._even.take(whole.triangle)
+        return whole.some(even), whole.some(~even)
+
+    def _taken_whole(self, names: Array, window: Window) -> Runs:
+        """Take pixels whose samples all see one triangle out of the names; return their runs.
+
+        No pixel in a row that glass may touch is among them: layers meet at each sample.
+        """
+        if self._even is None:
+            return Runs(*(np.zeros(0, np.intp) for _ in Runs._fields))
+        k, top = self.canvas.per_side, window.rows[0]
+        pairs = names.view(np.int64).reshape(len(names) // k, k, -1)
+        same = np.equal(pairs[:, 0], pairs[:, 1])
+        for i in range(2, k):
+            same &= pairs[:, 0] == pairs[:, i]
+        middles = names[::k, ::k].copy()
+        whole = np.asarray(same if k == 2 else same.reshape(*middles.shape, k // 2).all(axis=2))
+        for i in range(1, k):
+            whole &= middles == names[::k, i::k]
+        glass, _ = self._touched([self.drawables[i] for i in self._glass])
+        whole[slice(*(max(row - top, 0) // k for row in glass))] = False
+        hidden = np.multiply(whole, BOTH_NOTHING)  # all bits of both names of a pair
+        pairs |= (hidden if k == 2 else hidden.repeat(k // 2, axis=1))[:, None]
+        middles[~whole] = NOTHING
+        return runs_of(middles, top // k, window.columns[0] // k)
+
+    def _colour_all(self, points: Array, runs: Runs, grid: Grid, counts: Array) -> None:
+        """Colour the points (channels, n) of runs, and count them for each drawable."""
         for i, one in enumerate(self.drawables):
-            mine = runs.of(self._first[i], self._first[i + 1]) if one.opacity == 1.0 else None
-            if mine is not None and len(mine.triangle):
-                found = self._fragments(i, mine)
-                for channel, values in zip(samples, one.fragment(found), strict=True):
-                    channel[found.sample - rows[0] * columns] = values
+            mine = runs.of(self._first[i], self._first[i + 1])
+            for part in batches(mine.length, MOST_SHADED) if len(mine.length) else ():
+                some = Runs(*(values[part] for values in mine))
+                found = interpolate(one.projected, some, grid, one.outputs)
                 counts[i] += len(found)
-        glass = [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
-        triangles = [(self.drawables[i].projected, self._first[i]) for i in glass]
-        for some in layers(triangles, tile, rows):
-            counts[glass] += np.diff(some.first)
-            self._blend(samples, glass, some, rows[0])
-        return samples, counts
+                for channel, values in zip(points, one.fragment(found), strict=True):
+                    channel[found.place] = values
 
-    def _fragments(self, i: int, runs: Runs) -> Fragments:
-        one = self.drawables[i]
-        return interpolate(one.projected, runs, self.canvas.columns, one.outputs)
-
-    def _blend(self, samples: Array, glass: Sequence[int], some: Layers, top: int) -> None:
+    def _blend(self, samples: Array, some: Layers, grid: Grid) -> None:
         """Colour every transparent fragment, some of one drawable at a time, and lay them over."""
         row, column = np.divmod(some.place, self.canvas.columns)
-        runs = Runs(some.triangle, row + top, column, np.ones_like(row))
+        runs = Runs(some.triangle, row + grid.top, column, np.ones_like(row))
+        places = row * grid.columns + column - grid.left
         own, through = np.empty((len(samples), len(row))), np.empty(len(row))
-        for i, (begin, end) in zip(glass, pairwise(some.first), strict=True):
-            opacity = self.drawables[i].opacity
-            through[begin:end] = 1.0 - opacity
-            for first in range(begin, end, STRIPE_SAMPLES):
-                part = slice(first, min(first + STRIPE_SAMPLES, end))
+        for i, (begin, end) in zip(self._glass, pairwise(some.first), strict=True):
+            one = self.drawables[i]
+            through[begin:end] = 1.0 - one.opacity
+            for first in range(begin, end, MOST_SHADED):
+                part = slice(first, min(first + MOST_SHADED, end))
                 mine = Runs(*(one[part] for one in runs)).of(self._first[i], self._first[i + 1])
-                own[:, part] = opacity * self.drawables[i].fragment(self._fragments(i, mine))
+                found = interpolate(one.projected, mine, grid, one.outputs)
+                own[:, part] = one.opacity * one.fragment(found)
         for which in some.levels:
-            place = some.place[which]
+            place = places[which]
             samples[:, place] = own[:, which] + through[which] * samples[:, place]
 
-    def _resolved(self, samples: Array) -> Array:
-        """Return pixels (rows, width, channels): the mean of their samples."""
+    def _resolved(self, samples: Array, columns: int) -> Array:
+        """Return pixels (channels, rows, width): the mean of their samples."""
         k = self.canvas.per_side
-        grid = samples.reshape(len(samples), -1, k, self.canvas.width, k)
+        grid = samples.reshape(len(samples), -1, k, columns // k, k)
         pixels = grid[:, :, 0, :, 0]
         for i in range(1, k * k):  # in one order everywhere: no bit depends on the stripe
             pixels = pixels + grid[:, :, i // k, :, i % k]
         if k > 1:
             pixels /= k * k
-        return np.asarray(pixels.transpose(1, 2, 0))
+        return np.asarray(pixels)
 
 
 @cache

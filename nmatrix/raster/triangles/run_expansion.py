@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[Any]
 
+COUNTED = 1 << 16  # samples that are counted already: no array of them is made again
 LONG = 6  # from this mean length on, repeating is faster than looking up each sample's run
+_COUNTS, _FLOATS = np.arange(COUNTED), np.arange(float(COUNTED))
 
 
 class RunExpansion:
@@ -50,7 +52,7 @@ class RunExpansion:
     def counted(self, start: Array) -> Array:
         """Return start + i for sample i of each run, (runs,) whole numbers."""
         out = self.each(start - self._begin)
-        out += np.arange(self.samples)
+        out += _first(self.samples, _COUNTS)
         return out
 
     def ramps(self, start: Array, growth: Array) -> Array:
@@ -64,9 +66,13 @@ class RunExpansion:
     @cached_property
     def _step(self) -> Array:
         """The place of each sample in its run."""
-        step = np.arange(self.samples, dtype=float)
-        step -= self.each(self._begin.astype(float))
-        return step
+        step = self.each(self._begin.astype(float))
+        return np.subtract(_first(self.samples, _FLOATS), step, out=step)
+
+
+def _first(count: int, known: Array) -> Array:
+    """Return the whole numbers below a count, as they are known or made."""
+    return known[:count] if count <= len(known) else np.arange(count, dtype=known.dtype)
 
 
 def batches(sizes: Array, most: int) -> Iterator[slice]:

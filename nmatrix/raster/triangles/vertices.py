@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -71,6 +72,12 @@ class Projected:
     cut: Cut | None = None
     source: Array | None = None
     is_reversed: bool = False
+
+    @cached_property
+    def box(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """The least and the largest x and y of all vertices, in samples."""
+        low, high = ((f(self.x), f(self.y)) for f in (np.min, np.max))
+        return tuple((float(x) / SUBPIXELS, float(y) / SUBPIXELS) for x, y in (low, high))  # type: ignore[return-value]  # two
 
     def chunks(self, size: int, rows: tuple[int, int]) -> Iterator[Corners]:
         """Return triangles that can cover something, some at a time, so that memory is bounded."""

@@ -23,6 +23,7 @@ Array = NDArray[Any]
 TRIANGLE_BITS = 24
 TRIANGLES = 1 << TRIANGLE_BITS
 TRIANGLE_MASK = TRIANGLES - 1
+NOTHING = TRIANGLE_MASK  # the name where no triangle is
 EMPTY = np.iinfo(np.int64).max
 CHUNK = 1 << 14  # triangles that are set up together: their arrays stay in the cache
 MOST_FRAGMENTS = 1 << 16  # that are held at once, however large the triangles
@@ -54,6 +55,13 @@ class Tile:
         """Return some rows of the tile, on the same memory."""
         first, last = ((row - self.rows[0]) * self.columns for row in rows)
         return Tile(self.keys[first:last], rows, self.columns, self.depth)
+
+    def names(self, rows: tuple[int, int], columns: tuple[int, int]) -> Array:
+        """Return the triangle that is seen at each sample of a window, or `NOTHING`."""
+        keys = self.part(rows).keys.reshape(-1, self.columns)[:, slice(*columns)]
+        names = keys.astype(np.int32)  # the lower half of each
+        names &= TRIANGLE_MASK
+        return names
 
     def add(self, projected: Projected, first: int) -> int:
         """Draw triangles, numbered from `first` on, and return how many samples they cover."""
@@ -99,33 +107,44 @@ class Runs(NamedTuple):
         mine = (self.triangle >= first) & (self.triangle < last)
         if not first and mine.all():
             return self
-        which = np.flatnonzero(mine)
-        triangle, *rest = (one.take(which) for one in self)
-        return Runs(triangle - first, *rest)
+        found = self.some(mine)
+        return found._replace(triangle=found.triangle - first)
+
+    def some(self, which: Array) -> Runs:
+        """Return the runs of a mask."""
+        if which.all():
+            return self
+        kept = np.flatnonzero(which)
+        return Runs(*(one.take(kept) for one in self))
+
+    def finer(self, k: int) -> Runs:
+        """Return the same runs of pixels as runs of their k × k samples."""
+        triangle, row, first, length = (one.repeat(k) for one in self)
+        row *= k
+        row += np.tile(np.arange(k), len(self.row))
+        return Runs(triangle, row, first * k, length * k)
 
 
-def visible_runs(tile: Tile, rows: tuple[int, int]) -> Runs:
-    """Return the runs that are seen in some rows of a tile.
+def runs_of(names: Array, top: int, left: int) -> Runs:
+    """Return the runs of one triangle in rows of names (rows, columns) from (top, left) on.
 
     Examples
     --------
-    >>> tile = Tile(np.array([7, 7, 9, 1 << 62]) | 1 << 24, (0, 2), 2)
-    >>> runs = visible_runs(tile, (0, 2))
+    >>> runs = runs_of(np.array([[7, 7], [9, NOTHING]]), 0, 0)
     >>> list(zip(runs.triangle.tolist(), runs.row.tolist(), runs.length.tolist()))
-    [(7, 0, 2), (9, 1, 1), (0, 1, 1)]
+    [(7, 0, 2), (9, 1, 1)]
     """
-    columns = tile.columns
-    names = tile.part(rows).keys.astype(np.int32).reshape(-1, columns)  # the lower half of each
-    names &= TRIANGLE_MASK
+    columns = names.shape[1]
     starts = np.ones(names.shape, bool)
     np.not_equal(names[:, 1:], names[:, :-1], out=starts[:, 1:])
     start = np.flatnonzero(starts)
     end = np.append(start[1:], names.size)
     triangle = names.ravel().take(start).astype(np.intp)
-    seen = np.flatnonzero(triangle != TRIANGLE_MASK)
+    seen = np.flatnonzero(triangle != NOTHING)
     start = start.take(seen)
     row = start // columns
-    return Runs(triangle.take(seen), row + rows[0], start - row * columns, end.take(seen) - start)
+    first = start - row * columns + left
+    return Runs(triangle.take(seen), row + top, first, end.take(seen) - start)
 
 
 class Plane(NamedTuple):
