@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from nmatrix.enums import Effect, LeftOut
@@ -38,8 +39,8 @@ def plan(found: Plan) -> Report:
 
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
-    programs = [program_of(found, one) for one in found.bodies]
-    outlines = [outline_of(found, one) for one in found.bodies]
+    programs = [program_of(found, one) for one in found.drawn]
+    outlines = [outline_of(found, one) for one in found.drawn]
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
     rows += [_unseen_row(one) for one in found.bodies if one.why_unseen is not None]
@@ -48,7 +49,7 @@ def plan(found: Plan) -> Report:
         "effects": rows,
         "attributes": _needs(on, "attributes", ("position", "normal")),
         "passes": _needs(on, "passes", (PASSES,)),
-        "objects": [_body(*one) for one in zip(found.bodies, programs, outlines, strict=True)],
+        "objects": [_body(*one) for one in zip(found.drawn, programs, outlines, strict=True)],
     }
     blocks: tuple[Block, ...] = (
         Heading(
@@ -58,14 +59,23 @@ def plan(found: Plan) -> Report:
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
         Verdict(_sentence(found)),
-        Text(
-            f"The shaders of {found.bodies[0].body.name}, with just the terms of its plan "
-            "(-f glsl prints those of every object, and what their uniforms hold):"
-        ),
-        Code("glsl", programs[0].vertex_shader, "vertex shader"),
-        Code("glsl", programs[0].fragment_shader, "fragment shader"),
+        *_first_shaders(found, programs),
     )
     return Report("plan", data, blocks, found.remarks)
+
+
+def _first_shaders(found: Plan, programs: Sequence[Program]) -> tuple[Block, ...]:
+    if not programs:
+        return ()
+    first = programs[0]
+    return (
+        Text(
+            f"The shaders of {found.drawn[0].body.name}, with just the terms of its plan "
+            "(-f glsl prints those of every object, and what their uniforms hold):"
+        ),
+        Code("glsl", first.vertex_shader, "vertex shader"),
+        Code("glsl", first.fragment_shader, "fragment shader"),
+    )
 
 
 def _counted(count: int, what: str) -> str:

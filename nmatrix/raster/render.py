@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect
+from nmatrix.errors import printable
 from nmatrix.raster.loaded_scene import LoadedScene
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
@@ -20,12 +21,16 @@ from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
 from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
+from nmatrix.raster.triangles.fragments import Fragments
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
+BLACK = 0.5 / 255 / 12.92  # no level of sRGB is reached by less light
+MOST_REASONS = 2  # that a remark names
+
 Change = Callable[[Surface], Surface]
 
 
@@ -43,10 +48,14 @@ class Work:
 
 @dataclass(frozen=True, eq=False)
 class Rendered:
-    """An image (height, width, 1 or 3) of levels in [0, 1], and the work that it took."""
+    """An image (height, width, 1 or 3) of levels in [0, 1], and the work that it took.
+
+    `remarks` tell of bodies that came out black although light was meant for them.
+    """
 
     image: Array
     work: Work
+    remarks: tuple[str, ...] = ()
 
     @property
     def rgb(self) -> Array:
@@ -82,7 +91,42 @@ def render(
     has_gamma = plan.picture[Effect.GAMMA].on
     picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))
     passes = 1 + sum(map(len, maps.values())) + bool(outlined)
-    return Rendered(picture.image, _work(drawn, picture, passes))
+    dark = [
+        body
+        for body, one, samples in zip(plan.drawn, drawables, picture.shaded, strict=False)
+        if samples and isinstance(one.fragment, _Watched) and one.fragment.is_black
+    ]
+    return Rendered(
+        picture.image, _work(drawn, picture, passes), tuple(_why_black(one) for one in dark)
+    )
+
+
+class _Watched:
+    """A fragment shader, and whether it has made nothing but black so far."""
+
+    def __init__(self, fragment: Callable[[Fragments], Array]) -> None:
+        self.fragment, self.is_black = fragment, True
+
+    def __call__(self, fragments: Fragments) -> Array:
+        found = self.fragment(fragments)
+        if self.is_black and len(fragments):
+            self.is_black = float(found.max()) < BLACK
+        return found
+
+
+def _why_black(body: BodyPlan) -> str:
+    """Say why a body is black."""
+    lamps = [f"{one.placed.light.name} {one.because}" for one in body.light_decisions if not one.on]
+    if body.lights:
+        lamps.append(f"what {body.lights[0].light.name} sends falls on no side that is seen")
+    material = body.body.material
+    if not any((*material.diffuse, *material.specular)):
+        lamps = ["its material sends no light of lamps back"]
+    reasons = [*lamps[:MOST_REASONS], *([] if lamps else ["the scene has no lamp"])]
+    ambient = "its material sends no ambient light back"
+    if any(material.ambient):
+        ambient = "the ambient light is black"
+    return f"{printable(body.body.name)} is black: {'; '.join(reasons)}; {ambient}."
 
 
 def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
@@ -112,7 +156,8 @@ def _drawable(
     if body.rate is not None and surface is right:
         even = body.rate.even_triangles(loaded, body.body, projected)
     opacity = body.body.material.opacity
-    return Drawable(projected, surface.vertex(projected), surface.fragment, opacity, even)
+    outputs = surface.vertex(projected)
+    return Drawable(projected, outputs, _Watched(surface.fragment), opacity, even)
 
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:

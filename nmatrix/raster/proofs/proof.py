@@ -149,7 +149,7 @@ class Proof:
         """Return the proof that scenes make: the work of all, effects and remarks of the last."""
         works = (asdict(one.rendered.work).values() for one in drawn)
         work, last = Work(*map(sum, zip(*works, strict=True))), drawn[-1]
-        remarks = last.plan.remarks
+        remarks = (*last.plan.remarks, *last.rendered.remarks)
         return cls(image, subject, verdict, work, last.effects, remarks=remarks, **measured)
 
     @property
