@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from nmatrix.enums import Effect, LeftOut
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.glsl import outline_of, program_of
 from nmatrix.raster.planning.plan import BodyPlan, Plan, planned
 from nmatrix.raster.planning.recipe import BUDGET, Decision, not_asked
 from nmatrix.report import (
@@ -22,6 +23,7 @@ from nmatrix.report import (
 )
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.words import LightKind
+from nmatrix.shaders.program import Program
 
 PASSES = "main"
 NOTHING_SEEN = not_asked("no object can be seen")
@@ -37,7 +39,8 @@ def plan(found: Plan) -> Report:
 
     A row speaks for all bodies: an effect is on if one of them calls for it.
     """
-    vertex, fragment = shaders(found, found.bodies[0])
+    programs = [program_of(found, one) for one in found.drawn]
+    outlines = [outline_of(found, one) for one in found.drawn]
     rows = [_row(effect, found) for effect in Effect]
     rows += [_light_row(i, found) for i in range(len(found.loaded.lights))]
     rows += [_unseen_row(one) for one in found.bodies if one.why_unseen is not None]
@@ -45,11 +48,8 @@ def plan(found: Plan) -> Report:
     data: dict[str, Value] = {
         "effects": rows,
         "attributes": _needs(on, "attributes", ("position", "normal")),
-        "uniforms": _needs(on, "uniforms", ("clip_from_object",)),
         "passes": _needs(on, "passes", (PASSES,)),
-        "objects": [_body(one) for one in found.bodies],
-        "vertex_shader": vertex,
-        "fragment_shader": fragment,
+        "objects": [_body(*one) for one in zip(found.drawn, programs, outlines, strict=True)],
     }
     blocks: tuple[Block, ...] = (
         Heading(
@@ -59,11 +59,23 @@ def plan(found: Plan) -> Report:
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
         Verdict(_sentence(found)),
-        Text(f"The shaders of {found.bodies[0].body.name}, with just the terms of its plan:"),
-        Code("glsl", vertex, "vertex shader"),
-        Code("glsl", fragment, "fragment shader"),
+        *_first_shaders(found, programs),
     )
     return Report("plan", data, blocks, found.remarks)
+
+
+def _first_shaders(found: Plan, programs: Sequence[Program]) -> tuple[Block, ...]:
+    if not programs:
+        return ()
+    first = programs[0]
+    return (
+        Text(
+            f"The shaders of {found.drawn[0].body.name}, with just the terms of its plan "
+            "(-f glsl prints those of every object, and what their uniforms hold):"
+        ),
+        Code("glsl", first.vertex_shader, "vertex shader"),
+        Code("glsl", first.fragment_shader, "fragment shader"),
+    )
 
 
 def _counted(count: int, what: str) -> str:
@@ -134,7 +146,7 @@ def _unseen_row(one: BodyPlan) -> dict[str, Value]:
 def _needed(effect: Effect) -> list[Value]:
     recipe = RECIPES[effect]
     needs = (one.value for one in recipe.needs)
-    return [*needs, *recipe.attributes, *recipe.uniforms, *recipe.passes]
+    return [*needs, *recipe.attributes, *recipe.passes]
 
 
 def _needs(on: list[Effect], what: str, always: tuple[str, ...]) -> list[Value]:
@@ -142,9 +154,11 @@ def _needs(on: list[Effect], what: str, always: tuple[str, ...]) -> list[Value]:
     return list(dict.fromkeys((*always, *named)))
 
 
-def _body(one: BodyPlan) -> dict[str, Value]:
+def _body(one: BodyPlan, drawn_by: Program, outlined_by: Program | None) -> dict[str, Value]:
     return {
         "name": one.body.name,
+        **drawn_by.data,
+        "outline": None if outlined_by is None else outlined_by.data,
         "effects": [effect.value for effect in Effect if effect in one.effects],
         "lights": [placed.light.name for placed in one.lights],
         "bound": one.bound,

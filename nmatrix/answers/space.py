@@ -6,6 +6,7 @@ from dataclasses import asdict
 
 from nmatrix.enums import Space
 from nmatrix.linear import rational
+from nmatrix.linear.projection import front_sign
 from nmatrix.report import (
     Block,
     Code,
@@ -20,11 +21,11 @@ from nmatrix.report import (
     Verdict,
 )
 from nmatrix.scene.setup import Setup
-from nmatrix.spaces.cost import Cost, cost
+from nmatrix.shaders.cost import Cost, cost
+from nmatrix.shaders.shaded import FrontFace
+from nmatrix.shaders.sheet import Request, program_of
 from nmatrix.spaces.light_and_eye import light_in
-from nmatrix.spaces.shaders import shader_pair
 from nmatrix.spaces.shading_spaces import PROFILES, Row
-from nmatrix.spaces.uniforms import Request, uniforms
 
 
 def space(setup: Setup, request: Request) -> Report:
@@ -37,22 +38,22 @@ def space(setup: Setup, request: Request) -> Report:
     ([0.0, 0.0, 0.0], None)
     """
     maps, chosen = setup.maps, request.space
-    listed = uniforms(maps, request)
-    shaders = shader_pair(maps, request)
+    front_face = FrontFace.of_sign(front_sign(maps.clip_from_object, setup.lens.clip))
+    shown = program_of(maps, request, front_face)
     quantities = _quantities(setup, chosen)
     profile, counted = PROFILES[chosen], cost(maps, request)
-    rows = profile.table()
+    rows = profile.table(is_flattened=maps.world_from_object.linear_map.rank < 3)
     data: dict[str, Value] = {
         "space": chosen.value,
         **quantities,
         "table": [asdict(row) for row in rows],
-        "uniforms": {uniform.name: uniform.value for uniform in listed},
+        "uniforms": {one.key: one.value for one in shown.uniforms},
         "cost": asdict(counted),
         "pros": list(profile.pros),
         "cons": list(profile.cons),
         "used": profile.used,
-        "vertex_shader": shaders[0],
-        "fragment_shader": shaders[1],
+        "vertex_shader": shown.vertex_shader,
+        "fragment_shader": shown.fragment_shader,
     }
     blocks: tuple[Block, ...] = (
         Heading(f"Shading in {chosen} space"),
@@ -63,12 +64,15 @@ def space(setup: Setup, request: Request) -> Report:
         *(Text(f"− {con}") for con in profile.cons),
         Text(f"Used in: {profile.used}."),
         Heading("Uniforms"),
-        *(Quantity(f"uniforms.{one.name}", one.value, f"{one.kind} {one.name}") for one in listed),
-        Code("glsl", shaders[0], "vertex shader"),
-        Code("glsl", shaders[1], "fragment shader"),
+        *(
+            Quantity(f"uniforms.{one.key}", one.value, f"{one.kind} {one.name}")
+            for one in shown.uniforms
+        ),
+        Code("glsl", shown.vertex_shader, "vertex shader"),
+        Code("glsl", shown.fragment_shader, "fragment shader"),
         Verdict(_verdict(chosen, rigid=maps.is_rigid(chosen))),
     )
-    return Report("space", data, blocks, (*setup.remarks, *_remarks(setup, chosen)))
+    return Report("space", data, blocks, (*setup.remarks, *_remarks(setup, chosen, front_face)))
 
 
 def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None]:
@@ -133,8 +137,13 @@ def _verdict(chosen: Space, *, rigid: bool) -> str:
     )
 
 
-def _remarks(setup: Setup, chosen: Space) -> tuple[str, ...]:
+def _remarks(setup: Setup, chosen: Space, front_face: FrontFace) -> tuple[str, ...]:
     remarks = []
+    if front_face is FrontFace.CW:
+        remarks.append(
+            "A mirror lies between the object and the picture, so front faces run clockwise: "
+            "glFrontFace(GL_CW)."
+        )
     moved = setup.maps.world_from_object.exact != rational.identity(4)
     if chosen is Space.STATIC and moved:
         remarks.append(

@@ -186,7 +186,7 @@ class Setup:
     ) -> Report:
         """Return the sheet of a shading space: its data, uniforms, cost and shaders."""
         from nmatrix.answers.space import space as answer
-        from nmatrix.spaces.uniforms import Request
+        from nmatrix.shaders.sheet import Request
 
         request = Request(
             space_named(space),

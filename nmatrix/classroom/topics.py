@@ -99,9 +99,10 @@ def _short(vector: Sequence[float | Fraction] | None) -> str:
 def _spaces(setup: Setup) -> Part:
     """Tabulate for each space what must be moved, by what."""
     blocks: list[Block] = [Heading("What each shading space moves")]
+    is_flattened = setup.maps.world_from_object.linear_map.rank < 3
     for space in USUAL_SPACES:
         profile = PROFILES[space]
-        moves = ((row.data, row.by) for row in profile.table())
+        moves = ((row.data, row.by) for row in profile.table(is_flattened=is_flattened))
         rows = tuple((data, "as it is" if by == UNMOVED else by) for data, by in moves)
         blocks += [
             Table(("data", "moves by"), rows, f"{space.value[:1].upper()}{space.value[1:]} space")
@@ -139,8 +140,8 @@ def _pitfalls(setup: Setup) -> Part:
 
 def _cost(setup: Setup) -> Part:
     """Count the work; a time would be another one tomorrow."""
-    from nmatrix.spaces.cost import cost
-    from nmatrix.spaces.uniforms import Request
+    from nmatrix.shaders.cost import cost
+    from nmatrix.shaders.sheet import Request
 
     def row(space: Space) -> Cells:
         found = cost(setup.maps, Request(space))

@@ -91,7 +91,7 @@ def space(
 ) -> None:
     """Show the sheet of a shading space."""
     from nmatrix.answers.space import space as answer
-    from nmatrix.spaces.uniforms import Request
+    from nmatrix.shaders.sheet import Request
 
     if shading is Shading.FLAT:
         raise IllegalValueError(

@@ -26,7 +26,7 @@ from nmatrix.enums import (
 )
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant
 from nmatrix.linear.values import read_fields, real
 
 CLIP_PARTS = ("depth", "handed", "clip_y")  # what may be given beside an interface
@@ -99,6 +99,21 @@ def clip_space_over(base: ClipSpace, given: Mapping[str, Any]) -> ClipSpace:
     if given.get("api") is not None:
         base = clip_space(given["api"], "api")
     return replace(base, **{name: given[name] for name in CLIP_PARTS if given.get(name)})
+
+
+def front_sign(clip_from_object: RationalMatrix, space: ClipSpace) -> int:
+    """Return the sign that the area of a front face has on the canvas, where y runs down.
+
+    The rows of x, y and of what grows away from the eye (w, or depth in a parallel view) turn a
+    triangle's sense or keep it: the sign of their determinant says which, exactly. It is 0 for a
+    map that flattens: then both sides are alike.
+    """
+    x, y, z, w = (row[:3] for row in clip_from_object)
+    away = w
+    if not any(w):
+        away = tuple(-one for one in z) if space.depth is DepthRange.REVERSED else z
+    turn = determinant((x, y, away)) * space.y_sign
+    return (turn > 0) - (turn < 0)
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,17 @@ from functools import partial
 from nmatrix.enums import Format
 from nmatrix.linear.rational import transpose
 from nmatrix.output.assignments import Assigned, Language, program, statements
-from nmatrix.output.numbers import float_or_none, is_matrix, is_number, is_vector, round_trip_text
+from nmatrix.output.numbers import (
+    float_or_none,
+    is_list,
+    is_matrix,
+    is_number,
+    is_vector,
+    leaves,
+    round_trip_text,
+)
 from nmatrix.output.write import OutputOptions
-from nmatrix.report import Code, Matrix, Number, Report, Vector
+from nmatrix.report import Code, Matrix, Number, Report, Value, Vector
 
 SHADER_BREAK = "// ---- fragment shader ----"
 LARGEST_FLOAT32 = 3.4028234663852886e38
@@ -33,13 +41,16 @@ def write(report: Report, options: OutputOptions) -> str:
     >>> print(write(answer, OutputOptions()).splitlines()[-1])
     const mat2 value = mat2(1.0, 3.0, 2.0, 4.0);
     """
-    shaders = [
+    programs = _programs(report.data)
+    if programs:
+        return "\n\n".join(map(_program, programs)) + "\n"
+    code = [
         block.text.rstrip("\n")
         for block in report.blocks
         if isinstance(block, Code) and block.language == "glsl"
     ]
-    if shaders:
-        return "\n".join([f"\n{SHADER_BREAK}\n".join(shaders), *_uniforms(report)]) + "\n"
+    if code:
+        return "\n".join(code) + "\n"
     return program(report, _glsl("const")) + (report.glsl and f"{report.glsl}\n")
 
 
@@ -48,16 +59,54 @@ def _glsl(qualifier: str) -> Language:
     return Language(Format.GLSL, "//", about, partial(_statement, qualifier))
 
 
-def _uniforms(report: Report) -> list[str]:
-    """Write the values of the shaders' uniforms as comments."""
-    values = report.data.get("uniforms")
-    if not isinstance(values, Mapping):
-        return []
-    lines = ["// The uniforms' values; matrices are column-major."]
-    for statement in statements(values, _glsl("uniform")):
-        commented = statement.removeprefix("// ").replace("\n", "\n// ")
-        lines.append(f"// {commented}")
-    return lines
+def _programs(data: Mapping[str, Value]) -> list[Mapping[str, Value]]:
+    """Return what holds a pair of shaders: the answer itself, or its objects."""
+    objects = data.get("objects", ())
+    each = (data, *objects) if is_list(objects) else (data,)
+    found = [one for one in each if isinstance(one, Mapping) and "vertex_shader" in one]
+    return [one for pair in map(_with_outline, found) for one in pair]
+
+
+def _with_outline(found: Mapping[str, Value]) -> tuple[Mapping[str, Value], ...]:
+    outline = found.get("outline")
+    if not isinstance(outline, Mapping):
+        return (found,)
+    return found, {"name": f"{found['name']}, its outline", **outline}
+
+
+def _program(found: Mapping[str, Value]) -> str:
+    """Write a pair of shaders, and what it is drawn with as comments."""
+    shaders = (str(found[f"{stage}_shader"]).rstrip("\n") for stage in ("vertex", "fragment"))
+    lines = [f"\n{SHADER_BREAK}\n".join(shaders)]
+    if "name" in found:
+        name = " ".join(str(found["name"]).split())
+        lines = [_comment(f"==== {name} ===="), *lines]
+    uniforms, samplers = found.get("uniforms"), found.get("samplers")
+    if isinstance(uniforms, Mapping) and uniforms:
+        lines.append("// The uniforms' values; matrices are column-major.")
+        lines += (_comment(one) for one in statements(uniforms, _glsl("uniform")))
+    if isinstance(samplers, Mapping) and samplers:
+        lines.append("// What the samplers are bound to.")
+        for leaf in leaves(samplers):
+            shown = leaf.value if isinstance(leaf.value, str) else _bound(leaf.value)
+            lines.append(_comment(f"{leaf.key}: {shown}"))
+    if found.get("cull_face"):
+        lines.append(f"// glEnable(GL_CULL_FACE), glCullFace(GL_{str(found['cull_face']).upper()})")
+    if "depth_range" in found:
+        lines.append(f"// clip space: depth {found['depth_range']}, y {found['clip_y']}")
+        lines.append(f"// framebuffer: {found['target']}")
+    if "front_face" in found:
+        lines.append(f"// glFrontFace(GL_{str(found['front_face']).upper()})")
+    return "\n".join(lines)
+
+
+def _bound(value: Assigned | None) -> str:
+    return "none" if value is None else _typed(value, "")[1]
+
+
+def _comment(text: str) -> str:
+    """Comment lines out; a backslash at an end would carry the comment on to the next line."""
+    return "// " + text.removeprefix("// ").rstrip("\\").replace("\n", "\n// ")
 
 
 def _statement(qualifier: str, name: str, value: Assigned) -> str:

@@ -26,10 +26,11 @@ from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.scene.fitting import DAYLIGHT, Ball, enclosing, fitted
-from nmatrix.scene.light import EYE, WORLD, SceneLight
-from nmatrix.scene.material import Material
+from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
+from nmatrix.scene.material import WHITE, Colour, Material
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.words import LightKind
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
 
@@ -119,20 +120,6 @@ class Body:
         return self.centre, self.radius
 
 
-@dataclass(frozen=True)
-class PlacedLight:
-    """A light in the world: where it is, and the unit direction in which its light travels."""
-
-    light: SceneLight
-    position: RationalVector | None
-    direction: RationalVector | None
-
-    @property
-    def colour(self) -> tuple[float, ...]:
-        """Return the light that it sends: colour times intensity."""
-        return tuple(channel * self.light.intensity for channel in self.light.color)
-
-
 @dataclass(frozen=True, eq=False)
 class LoadedScene:
     """Bodies, lights, one camera and the canvas."""
@@ -151,6 +138,16 @@ class LoadedScene:
         """Return the canvas."""
         width, height = self.settings.size
         return Canvas(width, height, round(self.settings.samples**0.5))
+
+    @cached_property
+    def ambient_light(self) -> Colour:
+        """Return the light that comes from everywhere: white if the scene says nothing of it.
+
+        Materials say how much of it they send back.
+        """
+        found = [one.colour for one in self.lights if one.light.kind is LightKind.AMBIENT]
+        red, green, blue = map(sum, zip(*found, strict=True)) if found else WHITE
+        return red, green, blue
 
     @cached_property
     def clip_from_world(self) -> RationalMatrix:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from math import cos, radians
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect, NormalRule
-from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
+from nmatrix.enums import Effect
+from nmatrix.raster.loaded_scene import LoadedScene
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.planning.seen_body import SeenBody
@@ -23,6 +22,7 @@ from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
 from nmatrix.raster.triangles.vertices import project
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
@@ -125,7 +125,7 @@ def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], fro
     lighting = Lighting(
         body.body.material,
         tuple(_light_in_space(one, space, body, maps, plan.channels) for one in body.lights),
-        colour(_ambient_light(plan.loaded), plan.channels),
+        colour(plan.loaded.ambient_light, plan.channels),
         space.point(plan.loaded.eye),
         space.measure,
         body.effects,
@@ -133,28 +133,11 @@ def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], fro
     style = PictureStyle(
         settings.shading,
         plan.channels,
-        _rule(plan, body),
+        body.rule(settings.normals),
         settings.fog,
         plan.picture[Effect.GAMMA].on,
     )
     return Surface(space, lighting, style, body.effects, front)
-
-
-def _ambient_light(loaded: LoadedScene) -> tuple[float, ...]:
-    """Return the light that comes from everywhere: the ambient lights' sum, white if there is none.
-
-    Materials say how much of it they send back.
-    """
-    found = [one.colour for one in loaded.lights if one.light.kind is LightKind.AMBIENT]
-    return tuple(map(sum, zip(*found, strict=True))) if found else (1.0, 1.0, 1.0)
-
-
-def _rule(plan: Plan, body: BodyPlan) -> NormalRule:
-    """Return the rule that carries normals: the matrix itself where that is right."""
-    wanted = plan.loaded.settings.normals
-    if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in body.effects:
-        return NormalRule.NONE
-    return wanted
 
 
 def _light_in_space(
@@ -175,9 +158,7 @@ def _light_in_space(
         axis=axis,
         attenuation=light.attenuation,
         range=light.range,
-        cone=tuple(cos(radians(angle)) for angle in light.cone_degrees)  # type: ignore[arg-type]  # two
-        if light.kind is LightKind.SPOT
-        else None,
+        cone=light.cone_cosines if light.kind is LightKind.SPOT else None,
         occlusion=Occluded(shadowed, space) if shadowed and light.shadows else None,
     )
 

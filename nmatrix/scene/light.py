@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
+from math import cos, inf, radians
 from typing import TYPE_CHECKING
 
+from nmatrix.linear.rational import RationalVector
 from nmatrix.linear.rounding import normalize
 from nmatrix.report import Vector
 from nmatrix.scene.words import LightKind
@@ -66,6 +67,28 @@ class SceneLight:
     def has_direction(self) -> bool:
         """True if the light has a direction of travel of its own."""
         return self.kind in (LightKind.DIRECTIONAL, LightKind.SPOT)
+
+    @property
+    def cone_cosines(self) -> tuple[float, float]:
+        """The cosines of the cone's half angles."""
+        inner, outer = self.cone_degrees
+        return cos(radians(inner)), cos(radians(outer))
+
+
+@dataclass(frozen=True)
+class PlacedLight:
+    """A light in the world: where it is, and the unit direction in which its light travels."""
+
+    light: SceneLight
+    position: RationalVector | None
+    direction: RationalVector | None
+
+    @property
+    def colour(self) -> Colour:
+        """Return the light that it sends: colour times intensity."""
+        red, green, blue = self.light.color
+        strength = self.light.intensity
+        return red * strength, green * strength, blue * strength
 
 
 USUAL_DIRECTION = normalize((-1, -1, -1))  # of a light that says nothing of it

@@ -63,6 +63,8 @@ class Texture:
 
 
 CHECKER = Texture(Pattern.CHECKER)
+SQUARES = 8  # of the checker, along a unit of u and of v
+DARK = 0.35
 
 
 def grey(level: float) -> Colour:
@@ -74,6 +76,9 @@ def grey(level: float) -> Colour:
     (0.5, 0.5, 0.5)
     """
     return (level, level, level)
+
+
+WHITE = grey(1.0)
 
 
 def colour(value: float | list[float]) -> Colour:

@@ -76,8 +76,10 @@ class SpaceProfile:
         """The space of the vertices in words: a static mesh was baked into the world."""
         return "world" if self.vertices_in is Space.STATIC else self.vertices_in.value
 
-    def table(self) -> tuple[Row, ...]:
+    def table(self, *, is_flattened: bool = False) -> tuple[Row, ...]:
         """List the data of a shader: where each usually is, whether and by what it moves.
+
+        Where M flattens the object only the cofactors still carry normals.
 
         Examples
         --------
@@ -88,6 +90,8 @@ class SpaceProfile:
         if self.moves_vertices:
             position = f"{self.symbol}·M" if self.symbol else "M"
             normal = f"({position})⁻ᵀ (3×3)" if self.symbol else "M⁻ᵀ (3×3)"
+            if is_flattened:
+                normal = f"cofactors of {position} (3×3)"
         home, lights = self.mesh_space, self.lights_moved
         eye = _row("eye position", "world", self.symbol, lights)
         if self.eye_is_origin:

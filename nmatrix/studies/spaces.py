@@ -18,9 +18,9 @@ from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
-from nmatrix.spaces.cost import cost
+from nmatrix.shaders.cost import cost
+from nmatrix.shaders.sheet import Request
 from nmatrix.spaces.shading_spaces import PROFILES, USUAL_SPACES
-from nmatrix.spaces.uniforms import Request
 from nmatrix.studies.harness import Run, Timed
 from nmatrix.studies.measurements import Measurement, Task, Unit
 

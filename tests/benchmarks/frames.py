@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from nmatrix.linear.projection import front_sign
 from nmatrix.linear.rational import identity
 from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
@@ -19,7 +20,7 @@ from nmatrix.raster.shading.space import as_array
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
 from nmatrix.raster.triangles.spans import Canvas
-from nmatrix.raster.triangles.vertices import Projected, front_sign, project
+from nmatrix.raster.triangles.vertices import Projected, project
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight

@@ -33,6 +33,14 @@ def browser() -> Iterator:
         found.close()
 
 
+@pytest.fixture(scope="module")
+def blank(browser):
+    """A page with nothing on it."""
+    page = browser.new_page()
+    yield page
+    page.close()
+
+
 @pytest.fixture
 def opened(browser):
     """Open a file with no network and no error; return its page."""

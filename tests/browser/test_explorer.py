@@ -26,12 +26,11 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import Material, grey
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
-from nmatrix.spaces.uniforms import AMBIENT, DIFFUSE, SHININESS, SPECULAR
+from nmatrix.shaders.sheet import MATERIAL
 
 SETUP = Setup(World(scale=(1, 2, 1)), View(eye=(1.5, 1.75, 3.25)), light=Light((-1, -2, -1)))
 SIZE = 480
@@ -112,13 +111,7 @@ def picture(found, side: str) -> np.ndarray:
 
 
 def rasterized(world: World, space: Space, rule: NormalRule) -> np.ndarray:
-    material = Material(
-        reflection=Reflection.BLINN_PHONG,
-        ambient=grey(float(AMBIENT[0])),
-        diffuse=grey(float(DIFFUSE[0])),
-        specular=grey(float(SPECULAR[0])),
-        shininess=float(SHININESS),
-    )
+    material = replace(MATERIAL, reflection=Reflection.BLINN_PHONG)
     shape = ShapeGeometry(Shape.TORUS, TESSELLATION)
     light = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1))
     settings = replace(

@@ -5,18 +5,17 @@ from __future__ import annotations
 from itertools import product
 from pathlib import Path
 
-import pytest
-
 from nmatrix.enums import Frame, Reflection, Shading, Space
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.glsl import program_of
 from nmatrix.raster.planning.plan import planned
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
-from nmatrix.spaces.shaders import shader_pair
-from nmatrix.spaces.uniforms import Request
+from nmatrix.shaders.program import Program
+from nmatrix.shaders.sheet import Request
+from nmatrix.shaders.sheet import program_of as program_of_sheet
 
 SCENES = sorted((Path(__file__).parents[2] / "docs" / "scenes").glob("*.toml"))
 COMPILE = """([vertex, fragment]) => {
@@ -35,11 +34,8 @@ COMPILE = """([vertex, fragment]) => {
 }"""
 
 
-@pytest.fixture(scope="module")
-def blank(browser):
-    page = browser.new_page()
-    yield page
-    page.close()
+def pair(program: Program) -> tuple[str, str]:
+    return program.vertex_shader, program.fragment_shader
 
 
 def stages():
@@ -52,14 +48,14 @@ def stages():
 
 def test_every_pair_of_every_space_links(blank) -> None:
     pairs = {
-        shader_pair(maps, Request(space, shading, reflection))
+        pair(program_of_sheet(maps, Request(space, shading, reflection)))
         for maps, space, shading, reflection in product(
             stages(), Space, (Shading.GOURAUD, Shading.PHONG), Reflection
         )
     }
-    assert len(pairs) > 100
-    for pair in pairs:
-        assert blank.evaluate(COMPILE, list(pair)) == [], pair
+    assert len(pairs) > 60
+    for one in pairs:
+        assert blank.evaluate(COMPILE, list(one)) == [], one
     assert Frame.CUSTOM  # custom space is among them
 
 
@@ -68,7 +64,7 @@ def test_the_plans_of_the_example_scenes_link(blank) -> None:
     for path in SCENES:
         plan = planned(loaded(scene_of(path)))
         for body in plan.bodies:
-            assert blank.evaluate(COMPILE, list(shaders(plan, body))) == [], path.name
+            assert blank.evaluate(COMPILE, list(pair(program_of(plan, body)))) == [], path.name
 
 
 def test_a_broken_shader_is_noticed(blank) -> None:

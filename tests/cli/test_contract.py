@@ -38,8 +38,7 @@ KEYS = {
     "derive mirror": "cases",
     "check eye '0 0 5'": "verdict mistake also explanation max_difference wrong_entries",
     f"inspect {DOCS / 'samples' / 'gate.gltf'}": "nodes summary",
-    f"plan {DOCS / 'scenes' / 'mirror.toml'}": "effects attributes uniforms passes objects "
-    "vertex_shader fragment_shader",
+    f"plan {DOCS / 'scenes' / 'mirror.toml'}": "effects attributes passes objects",
     "stress --case N1": "cases passed failed",
 }
 WITHOUT_FORMATS = {"derive", "check", "inspect", "plan", "stress"}  # sentences, not quantities

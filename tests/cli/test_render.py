@@ -242,14 +242,14 @@ def test_a_picture_can_go_to_stdout(capfdbinary, tmp_path: Path) -> None:
 
 def test_a_plan_explains_every_effect(nmatrix, scene: str) -> None:
     found = nmatrix(f"plan {scene} -f json").data
-    assert {"effects", "attributes", "uniforms", "passes"} <= set(found)
+    assert {"effects", "attributes", "passes", "objects"} <= set(found)
     for row in found["effects"]:
         assert set(row) == {"name", "on", "because", "kind", "bound", "needs"}
         assert row["because"]
     on = {row["name"] for row in found["effects"] if row["on"]}
     assert {"specular", "position", "eye", "inverse-transpose", "light lamp"} <= on
     assert "fog" not in on
-    assert "eye" in found["uniforms"]
+    assert "eye" in found["objects"][0]["uniforms"]
     text = nmatrix(f"plan {scene}").out
     assert "Left out" in text
     assert "// ---- fragment shader ----" in nmatrix(f"plan {scene} -f glsl").out

@@ -13,7 +13,7 @@ from nmatrix.enums import Format, Layout
 from nmatrix.output import OutputOptions, write
 from nmatrix.output import glsl as glsl_writer
 from nmatrix.reading.matrix import matrix_literal
-from nmatrix.report import Code, Quantity, Report
+from nmatrix.report import Quantity, Report
 
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)
 SIZES = st.sampled_from([2, 3, 4])
@@ -88,12 +88,12 @@ def test_column_major_json_is_the_transpose_and_leaves_all_else() -> None:
 
 def test_uniform_values_behind_shaders_are_read_again() -> None:
     matrix = tuple(tuple(float(4 * row + column) for column in range(4)) for row in range(4))
-    data = {"uniforms": {"world_from_object": matrix, "to_light": (0.0, 1.0, 0.0)}}
-    shaders = (
-        Code("glsl", "#version 300 es\nvoid main() {\n  mat3 m = mat3(u);\n}\n"),
-        Code("glsl", "#version 300 es\nvoid main() {\n  vec3 n = vec3(v);\n}\n"),
-    )
-    text = write(Report("space", data, shaders), OutputOptions(Format.GLSL))
+    data = {
+        "vertex_shader": "#version 300 es\nvoid main() {\n  mat3 m = mat3(u);\n}\n",
+        "fragment_shader": "#version 300 es\nvoid main() {\n  vec3 n = vec3(v);\n}\n",
+        "uniforms": {"world_from_object": matrix, "to_light": (0.0, 1.0, 0.0)},
+    }
+    text = write(Report("space", data, ()), OutputOptions(Format.GLSL))
     assert text.startswith("#version 300 es\n")
     assert text.count(f"\n{glsl_writer.SHADER_BREAK}\n#version 300 es\n") == 1
     assert matrix_literal(text).rows == matrix

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import inf
 
@@ -16,7 +17,7 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import EYE, WORLD, SceneLight
-from nmatrix.scene.material import EmbeddedImage, Material, Texture, grey
+from nmatrix.scene.material import EmbeddedImage, ImageSource, Material, Texture, grey
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Fog, Scene, SceneObject, Settings
 from nmatrix.scene.words import DepthBuffer, LightKind, Pattern, Sides, Wrap
@@ -28,12 +29,8 @@ def _image(seed: int, low: int, high: int) -> EmbeddedImage:
     return EmbeddedImage(f"image {seed}", png(pixels, {}))
 
 
-PATTERNS = tuple(
-    Texture(one, wrap=wrap)
-    for one in (Pattern.CHECKER, _image(1, 0, 255), _image(2, 60, 200))
-    for wrap in ((Wrap.REPEAT, Wrap.REPEAT), (Wrap.MIRROR, Wrap.CLAMP))
-)
-BUMPS = tuple(Texture(_image(*one)) for one in ((3, 100, 255), (4, 120, 136), (5, 0, 255)))
+PATTERNS = (Pattern.CHECKER, _image(1, 0, 255), _image(2, 60, 200))
+BUMPS = (_image(3, 100, 255), _image(4, 120, 136), _image(5, 0, 255))
 ATTENUATIONS = (
     (1.0, 0.0, 0.0),
     (0.0, 0.0, 1.0),
@@ -102,10 +99,25 @@ def material(dice: Dice) -> Material:
         shininess=dice.one_of((0.0, 0.3, 1.0, dice.power(0, 3))),
         reflection=dice.one_of((*Reflection, Reflection.LAMBERT, Reflection.LAMBERT)),
         opacity=dice.one_of((1.0, 1.0, 1.0, 1.0, dice.between(0, 1))),
-        texture=dice.one_of(PATTERNS) if dice.chance(0.1) else None,
+        texture=texture(dice, PATTERNS) if dice.chance(0.1) else None,
         toon_steps=dice.whole(1, 5),
         outline=dice.between(0, 0.5) if dice.chance(0.1) else 0.0,
         sides=dice.one_of((Sides.AS_NEEDED, *Sides)),
+    )
+
+
+def texture(dice: Dice, images: Sequence[ImageSource | Pattern]) -> Texture:
+    """Lay an image on a surface as it comes, or wrapped and turned."""
+    image = dice.one_of(images)
+    if dice.chance(0.5):
+        return Texture(image)
+    wraps = tuple(Wrap)
+    return Texture(
+        image,
+        wrap=(dice.one_of(wraps), dice.one_of(wraps)),
+        scale=(dice.between(-3, 3), dice.between(-3, 3)),
+        rotation_degrees=dice.between(0, 360),
+        offset=(dice.between(-1, 1), dice.between(-1, 1)),
     )
 
 

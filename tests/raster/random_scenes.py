@@ -33,6 +33,7 @@ from random_parts import (
     place,
     scene_of,
     solid,
+    texture,
     view,
 )
 
@@ -42,7 +43,7 @@ from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import WORLD
-from nmatrix.scene.material import grey
+from nmatrix.scene.material import CHECKER, grey
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import box, plane, sphere, torus
 from nmatrix.scene.meshes.tangents import with_tangents
@@ -208,9 +209,7 @@ def nearly_rigid(dice: Dice) -> Scene:
         mesh = with_wild_normals(dice, mesh)
     kinds = (LightKind.DIRECTIONAL, LightKind.DIRECTIONAL, LightKind.AMBIENT, LightKind.POINT)
     lights = tuple(
-        replace(
-            one, kind=dice.one_of(kinds), fixed_to=WORLD, shadows=False, intensity=dice.power(-3, 0)
-        )
+        replace(one, kind=dice.one_of(kinds), fixed_to=WORLD, intensity=dice.power(-3, 0))
         for one in lamps(dice, dice.whole(1, 3))
     )
     thing = solid(dice, mesh, where)
@@ -241,8 +240,8 @@ def images(dice: Dice) -> Scene:
     thing = body(dice, with_tangents(painted(dice, mesh) if dice.chance(0.6) else mesh))
     material = replace(
         thing.material,
-        texture=dice.one_of((None, *PATTERNS)),
-        normal_map=dice.one_of((None, *BUMPS)),
+        texture=texture(dice, PATTERNS) if dice.chance(0.7) else None,
+        normal_map=texture(dice, BUMPS) if dice.chance(0.7) else None,
         vertex_colours=dice.chance(0.5),
     )
     return scene_of(dice, replace(thing, material=material), *company(dice))
@@ -335,9 +334,12 @@ def straight(dice: Dice) -> Scene:
             scale=grey(dice.one_of((1.0, 1.0, 0.5, 2.0))),
         )
         thing = solid(dice, dice.one_of((box(2), plane(2), sphere(6, 8), torus(4, 8))), where)
-        texture = PATTERNS[0] if dice.chance(0.5) else None
-        shininess = dice.one_of((0.0, 1.0, 20.0))
-        material = replace(thing.material, texture=texture, toon_steps=2, shininess=shininess)
+        material = replace(
+            thing.material,
+            texture=CHECKER if dice.chance(0.5) else None,
+            toon_steps=2,
+            shininess=dice.one_of((0.0, 1.0, 20.0)),
+        )
         things.append(replace(thing, material=material))
     lights = tuple(
         replace(

@@ -12,7 +12,7 @@ from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Effect, Shading, Space
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
-from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.glsl import program_of
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.scene.scene import Settings
@@ -42,7 +42,9 @@ def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
     for i, ready in enumerate(loaded_scenes()):
         for plan in (planned(ready), everything(ready)):
             for j, body in enumerate(plan.bodies):
-                for name, text in zip(("vert", "frag"), shaders(plan, body), strict=True):
+                program = program_of(plan, body)
+                texts = (program.vertex_shader, program.fragment_shader)
+                for name, text in zip(("vert", "frag"), texts, strict=True):
                     file = tmp_path / f"{i}-{plan.picture[Effect.COLOUR].on}-{j}.{name}"
                     file.write_text(text)
                     files.append(str(file))
@@ -52,7 +54,7 @@ def test_a_compiler_accepts_every_plan(tmp_path: Path) -> None:
 
 def fragment(**scene: object) -> str:
     plan = planned(loaded(single(**scene)))  # type: ignore[arg-type]
-    return shaders(plan, plan.bodies[0])[1]
+    return program_of(plan, plan.bodies[0]).fragment_shader
 
 
 def test_a_matt_body_under_the_sun_has_a_short_shader() -> None:
@@ -71,13 +73,13 @@ def test_a_matt_body_under_the_sun_has_a_short_shader() -> None:
 
 
 def test_each_effect_brings_its_own_lines() -> None:
-    assert "pow(highlight, shininess)" in fragment(material=PHONG)
-    assert "attenuation_0" in fragment(lights=(BULB,))
+    assert "pow(clamp(highlight, 0.0, 1.0), shininess)" in fragment(material=PHONG)
+    assert "attenuation.x" in fragment(lights=(BULB,))
     assert "vector_world_from_space" in fragment(
         world=World(scale=(1, 2, 1)), material=PHONG, space=Space.OBJECT
     )
     assert "ceil(" in fragment(material=TOON)
-    assert "shadow_map_0" in fragment(lights=(replace(SUN, shadows=True),))
+    assert "shadow_map" in fragment(lights=(replace(SUN, shadows=True),))
 
 
 def test_a_light_that_cannot_reach_has_no_line() -> None:

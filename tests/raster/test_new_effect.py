@@ -13,9 +13,9 @@ from small_scenes import LAMBERT, SUN, single
 from nmatrix.enums import Effect, Shading
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
-from nmatrix.raster.planning.glsl import shaders
+from nmatrix.raster.planning.glsl import program_of
 from nmatrix.raster.planning.plan import Plan, everything, planned
-from nmatrix.raster.planning.recipe import BUDGET, STEADY, Glsl, Influence, Recipe, called_for
+from nmatrix.raster.planning.recipe import BUDGET, STEADY, Influence, Recipe, called_for
 from nmatrix.raster.render import render
 from nmatrix.raster.shading.lighting import Lighting, Lit
 from nmatrix.scene.geometry import ShapeGeometry
@@ -23,6 +23,7 @@ from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.words import LightKind, Shape, Sides
 from nmatrix.scene.world import World
+from nmatrix.shaders.glsl import Glsl
 
 WALL = ShapeGeometry(Shape.PLANE)
 SHEARED = World(shear=(1e-4, 0, 0))
@@ -177,4 +178,4 @@ def test_its_lines_and_its_work_come_from_its_record(add: Add) -> None:
     plan = everything(ready)
     after = render(plan).work
     assert after.multiplications - before.multiplications == 3 * after.shaded_samples
-    assert line in shaders(plan, plan.bodies[0])[1]
+    assert line in program_of(plan, plan.bodies[0]).fragment_shader

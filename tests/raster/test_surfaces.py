@@ -9,13 +9,14 @@ import pytest
 from small_scenes import BALL, BULB, LAMBERT, SUN, TOON, single
 
 from nmatrix.enums import Effect, NormalRule, Reflection, Shading, Space
+from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.render import render, surface_of
 from nmatrix.raster.shading.outline import hull, hull_normals, thickness
 from nmatrix.raster.shading.space import as_array
-from nmatrix.raster.triangles.vertices import front_sign, project
+from nmatrix.raster.triangles.vertices import project
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.lens import Lens

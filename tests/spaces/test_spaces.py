@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from fractions import Fraction
@@ -17,9 +18,8 @@ from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
+from nmatrix.shaders.sheet import Request, program_of
 from nmatrix.spaces.light_and_eye import light_in
-from nmatrix.spaces.shaders import shader_pair
-from nmatrix.spaces.uniforms import Request, uniforms
 
 WORLDS = {
     "scale": World(scale=(1, 4, 1), rotate_degrees=(10, 20, 30)),
@@ -100,12 +100,13 @@ LIGHTS = (
 def test_shaders_read_exactly_the_uniforms_that_are_listed() -> None:
     for request, light in product(REQUESTS, LIGHTS):
         maps = setup_of(WORLDS["scale"], light).maps
-        text = "".join(shader_pair(maps, request))
-        for uniform in uniforms(maps, request):
+        program = program_of(maps, request)
+        text = program.vertex_shader + program.fragment_shader
+        for uniform in program.uniforms:
             declared = f"uniform {uniform.kind} {uniform.name};"
             assert declared in text, (request, uniform.name)
             assert text.replace(declared, "").count(uniform.name), (request, uniform.name)
-        assert text.count("uniform ") == len(uniforms(maps, request))
+        assert set(re.findall(r"uniform \w+ (\w+);", text)) == {u.name for u in program.uniforms}
 
 
 def test_a_compiler_accepts_every_shader(tmp_path: Path) -> None:
@@ -114,7 +115,8 @@ def test_a_compiler_accepts_every_shader(tmp_path: Path) -> None:
         pytest.skip("glslangValidator is not installed (Debian: glslang-tools)")
     files = []
     for i, (request, light) in enumerate(product(REQUESTS, LIGHTS)):
-        pair = shader_pair(setup_of(WORLDS["scale"], light).maps, request)
+        program = program_of(setup_of(WORLDS["scale"], light).maps, request)
+        pair = (program.vertex_shader, program.fragment_shader)
         for stage, text in zip(("vert", "frag"), pair, strict=True):
             file = tmp_path / f"{i}.{stage}"
             file.write_text(text)

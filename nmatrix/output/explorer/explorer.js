@@ -183,7 +183,7 @@ function uniformsFor(found, normalMatrix) {
     clip_from_object: state.space === "static" ? VP : times(VP, found.M),
     space_from_object: times(S, found.M),
     normal_matrix: normalMatrix,
-    light_direction: unit(apply(B, found.light)),
+    light_direction: apply(B, unit(found.light)),
     light_position: data.light_position && apply(S, [...data.light_position, 1]).slice(0, 3),
     eye: state.space === "camera" ? [0, 0, 0] : apply(S, [...data.eye, 1]).slice(0, 3),
     vector_world_from_space: state.space === "object" ? found.A : inverse3(B),

@@ -22,10 +22,10 @@ from nmatrix.linear.rules import RULES
 from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import WHITE
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
-from nmatrix.spaces.shaders import shader_pair
-from nmatrix.spaces.uniforms import AMBIENT, DIFFUSE, SHININESS, SPECULAR, WHITE, Request, uniforms
+from nmatrix.shaders.sheet import MATERIAL, Request, program_of
 
 SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT)
 TESSELLATION = (32, 64)
@@ -81,11 +81,11 @@ def page_data(setup: Setup) -> dict[str, Any]:
         "shaders": _shaders(setup),
         "rules": {rule.value: RULES[rule].title for rule in WRONG_RULES},
         "constants": {
-            "light_color": _floats(WHITE),
-            "ambient_color": _floats(AMBIENT),
-            "diffuse_color": _floats(DIFFUSE),
-            "specular_color": _floats(SPECULAR),
-            "shininess": float(SHININESS),
+            "light_color": WHITE,
+            "ambient_color": MATERIAL.ambient,
+            "diffuse_color": MATERIAL.diffuse,
+            "specular_color": MATERIAL.specular,
+            "shininess": MATERIAL.shininess,
         },
         "background": BACKGROUND,
         "tessellation": TESSELLATION,
@@ -124,9 +124,12 @@ def _shaders(setup: Setup) -> dict[str, dict[str, Any]]:
     found = {}
     for space in SPACES:
         request = Request(space)
-        vertex, fragment = shader_pair(maps, request)
-        listed = [(one.name, one.kind) for one in uniforms(maps, request)]
-        found[space.value] = {"vertex": vertex, "fragment": fragment, "uniforms": listed}
+        shown = program_of(maps, request)
+        found[space.value] = {
+            "vertex": shown.vertex_shader,
+            "fragment": shown.fragment_shader,
+            "uniforms": [(one.name, one.kind) for one in shown.uniforms],
+        }
     return found
 
 

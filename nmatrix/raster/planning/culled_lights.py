@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Shading
-from nmatrix.raster.loaded_scene import PlacedLight
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.seen_body import SeenBody
-from nmatrix.raster.shading.lighting import EDGE
 from nmatrix.raster.shading.space import column, dot
 from nmatrix.raster.triangles.products import chunks
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import LightKind
+from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 
@@ -49,11 +49,12 @@ def _is_outside_of_cone(seen: SeenBody, placed: PlacedLight) -> bool:
     axis /= np.sqrt(axis @ axis)
     way = seen.body.centre - lamp
     aside = way - axis * (axis @ way)
+    aside -= axis * (axis @ aside)  # once more: little may be left of it, and most of that rounding
     size = float(np.sqrt(aside @ aside))
     angle = radians(placed.light.cone_degrees[1])
-    outwards = -sin(angle) * axis
-    if size > 0.0:
-        outwards = outwards + cos(angle) * (aside / size)
+    outwards = -axis  # a body around the axis is past the cone if it is behind the lamp
+    if size > EDGE_ON * float(np.sqrt(way @ way)):
+        outwards = cos(angle) * (aside / size) - sin(angle) * axis
     low, high = seen.body.box
     # The corner of the box that reaches least outwards.
     least = float(outwards @ (np.where(outwards > 0, low, high) - lamp))

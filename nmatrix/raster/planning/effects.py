@@ -10,26 +10,28 @@ from dataclasses import replace
 from math import cos, e, inf, radians, sqrt
 
 from nmatrix.enums import Effect, Reflection
-from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import LoadedScene
 from nmatrix.raster.planning import judges_by_geometry as geometry
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import (
     STEADY,
     UNCHANGED,
     Decision,
-    Glsl,
     Influence,
     Recipe,
     Strength,
     adds_nothing,
     called_for,
+    impossible,
     not_asked,
 )
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.planning.shading_rate import sample_shading
 from nmatrix.raster.shading.space import column
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import Texture
 from nmatrix.scene.words import LightKind, Pattern, Sides
+from nmatrix.shaders import glsl
 
 BASE_VERTEX = 16 + 9 + 6  # to clip space; the normal and its length
 BASE_SAMPLE = 3 + 3 * 3  # depth; the normal's three sums
@@ -106,11 +108,11 @@ def outline(facts: Facts) -> Decision:
     if not facts.material.outline:
         return not_asked("the material has no outline")
     if facts.material.opacity < 1.0:
-        return adds_nothing("the hull of an outline would show through glass")
+        return impossible("the hull of an outline would show through glass")
     if facts.body.linear_map.rank < 3:
-        return adds_nothing("a flattened body has no hull")
+        return impossible("a flattened body has no hull")
     if facts.material.sides is Sides.FRONT and not facts.body.mesh.shell.is_closed:
-        return adds_nothing("the mesh is open and has no backs: its hull would show there")
+        return impossible("the mesh is open and has no backs: its hull would show there")
     return called_for("the material has an outline")
 
 
@@ -164,7 +166,7 @@ def texture(facts: Facts) -> Decision:
     if facts.material.texture is None:
         return not_asked("the material has no texture")
     if facts.body.mesh.uv is None:
-        return adds_nothing("the mesh has no texture coordinates")
+        return impossible("the mesh has no texture coordinates")
     return called_for("the material has a texture")
 
 
@@ -173,9 +175,9 @@ def normal_map(facts: Facts) -> Decision:
     if facts.material.normal_map is None:
         return not_asked("the material has no normal map")
     if not facts.is_lit_at_fragments:
-        return adds_nothing(f"{facts.loaded.settings.shading} shading has no normals at fragments")
+        return impossible(f"{facts.loaded.settings.shading} shading has no normals at fragments")
     if facts.body.mesh.tangents is None:
-        return adds_nothing("the mesh has no texture coordinates, hence no tangents")
+        return impossible("the mesh has no texture coordinates, hence no tangents")
     return called_for("the material has a normal map")
 
 
@@ -185,7 +187,7 @@ def vertex_colours(facts: Facts) -> Decision:
     if not facts.material.vertex_colours:
         return not_asked(why_not)
     if facts.body.mesh.colours is None:
-        return adds_nothing(why_not)
+        return impossible(why_not)
     return called_for("the mesh has colours")
 
 
@@ -248,51 +250,50 @@ RECIPES: dict[Effect, Recipe] = {
         "light from everywhere",
         ambient,
         influence=STEADY,
-        uniforms=("ambient_color",),
         per_sample=1,
         is_shortcut=True,
+        glsl=glsl.ambient,
     ),
     Effect.DIFFUSE: Recipe(
         "Lambert's cosine",
         diffuse,
         influence=lambert,
-        uniforms=("diffuse_color",),
         per_light=3 + 2,
         is_shortcut=True,
+        glsl=glsl.diffuse,
     ),
     Effect.INVERSE_TRANSPOSE: Recipe(
         "normals by the inverse transpose, not by the matrix itself",
         geometry.inverse_transpose,
         influence=STEADY,
-        uniforms=("normal_matrix",),
         is_shortcut=True,
     ),
     Effect.METRIC: Recipe(
         "lengths and angles measured by the metric of a space that is not rigid",
         geometry.metric,
         influence=STEADY,
-        uniforms=("vector_world_from_space", "normal_world_from_space"),
         per_sample=9,
         per_light=9,
         is_shortcut=True,
+        glsl=glsl.metric,
     ),
     Effect.SPECULAR: Recipe(
         "highlights",
         specular,
         settings=("specular", "shininess"),
         influence=highlight,
-        uniforms=("specular_color", "shininess"),
         needs=(Effect.EYE,),
         per_light=6 + 3 + 2,
         is_shortcut=True,
+        glsl=glsl.specular,
     ),
     Effect.TOON: Recipe(
         "bands in place of a smooth shade",
         toon,
         settings=("toon_steps",),
         influence=BANDS,
-        uniforms=("toon_steps",),
         per_light=2,
+        glsl=glsl.toon,
     ),
     Effect.OUTLINE: Recipe(
         "a black line around the body: its swollen hull, seen from the inside",
@@ -306,7 +307,6 @@ RECIPES: dict[Effect, Recipe] = {
         geometry.position,
         influence=STEADY,
         attributes=("position",),
-        uniforms=("space_from_object",),
         per_vertex=16,
         per_sample=12,
         is_shortcut=True,
@@ -314,7 +314,6 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.EYE: Recipe(
         "the way to the eye",
         influence=STEADY,
-        uniforms=("eye",),
         needs=(Effect.POSITION,),
         per_sample=6,
         is_shortcut=True,
@@ -323,18 +322,18 @@ RECIPES: dict[Effect, Recipe] = {
         "light that fades with distance and ends at its range",
         attenuation,
         influence=replace(STEADY, strength=weakened),
-        uniforms=("attenuation", "range"),
         needs=(Effect.POSITION,),
         per_light=4,
         is_shortcut=True,
+        glsl=glsl.attenuation,
     ),
     Effect.SPOT: Recipe(
         "cones of light",
         spot,
         influence=replace(STEADY, strength=edge_of_cone),
-        uniforms=("light_axis", "cone"),
         needs=(Effect.POSITION,),
         per_light=3 + 4,
+        glsl=glsl.spot,
     ),
     Effect.SHADOWS: Recipe(
         "light kept off by what stands in its way",
@@ -346,10 +345,10 @@ RECIPES: dict[Effect, Recipe] = {
             jumps=True,
             because="shadows have edges, and ask how light falls in",
         ),
-        uniforms=("light_from_space",),
         passes=("shadow map",),
         needs=(Effect.POSITION,),
         per_light=16 + 6,
+        glsl=glsl.shadows,
     ),
     Effect.RENORMALISE: Recipe(
         "normals brought back to length one",
@@ -358,6 +357,7 @@ RECIPES: dict[Effect, Recipe] = {
         per_sample=6,
         is_shortcut=True,
         only_at_fragments=True,
+        glsl=glsl.RENORMALISE,
     ),
     Effect.PERSPECTIVE: Recipe(
         "interpolation that perspective corrects",
@@ -387,6 +387,7 @@ RECIPES: dict[Effect, Recipe] = {
         attributes=("facing",),
         per_sample=3,
         is_shortcut=True,
+        glsl=glsl.back_faces,
     ),
     Effect.TEXTURE: Recipe(
         "an image or a pattern on the surface",
@@ -396,12 +397,8 @@ RECIPES: dict[Effect, Recipe] = {
             STEADY, per_unit=inf, brings_colour=not _is_grey(facts.material.texture)
         ),
         attributes=("uv",),
-        uniforms=("texture",),
         per_sample=8 + 18,
-        glsl=Glsl(
-            uniforms=("uniform sampler2D surface_texture;",),
-            matte=("matte *= texture(surface_texture, fragment_uv).rgb;",),
-        ),
+        glsl=glsl.texture,
     ),
     Effect.NORMAL_MAP: Recipe(
         "normals from an image",
@@ -411,10 +408,9 @@ RECIPES: dict[Effect, Recipe] = {
             STEADY, per_length=inf, per_unit=inf, because="a normal map turns normals"
         ),
         attributes=("uv", "tangent"),
-        uniforms=("normal_map",),
         per_sample=8 + 18 + 6 + 6 + 9 + 6,
         only_at_fragments=True,
-        glsl=Glsl(uniforms=("uniform sampler2D normal_map;",)),
+        glsl=glsl.normal_map,
     ),
     Effect.VERTEX_COLOURS: Recipe(
         "colours of the vertices",
@@ -423,7 +419,7 @@ RECIPES: dict[Effect, Recipe] = {
         influence=replace(STEADY, per_unit=inf, brings_colour=True),
         attributes=("colour",),
         per_sample=12,
-        glsl=Glsl(matte=("matte *= fragment_colour;",)),
+        glsl=glsl.VERTEX_COLOURS,
     ),
     Effect.TRANSPARENCY: Recipe(
         "what is behind shows through, sorted at each sample",
@@ -431,22 +427,15 @@ RECIPES: dict[Effect, Recipe] = {
         influence=STEADY,
         passes=("layers",),
         per_sample=6,
+        glsl=glsl.transparency,
     ),
     Effect.FOG: Recipe(
         "fog that grows with distance",
         fog,
         influence=thickening,
-        uniforms=("fog_color", "fog_range"),
         needs=(Effect.POSITION,),
         per_sample=4 + 3,
-        glsl=Glsl(
-            uniforms=("uniform vec3 fog_color;", "uniform vec2 fog_range;"),
-            color=(
-                "float distance_to_eye = length(eye - p);",
-                "float share = (distance_to_eye - fog_range.x) / (fog_range.y - fog_range.x);",
-                "color = mix(color, fog_color, clamp(share, 0.0, 1.0));",
-            ),
-        ),
+        glsl=glsl.fog,
     ),
     Effect.COLOUR: Recipe(
         "three channels and not one", picture_judge=tinted, influence=STEADY, is_shortcut=True
@@ -456,12 +445,7 @@ RECIPES: dict[Effect, Recipe] = {
         picture_judge=gamma,
         influence=replace(STEADY, gain=STEEPEST_SRGB),
         passes=("gamma",),
-        glsl=Glsl(
-            color=(
-                "vec3 bright = 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055;",
-                "color = mix(12.92 * color, bright, step(0.0031308, color));",
-            )
-        ),
+        glsl=glsl.GAMMA,
     ),
     Effect.SAMPLE_SHADING: Recipe(
         "each sample shaded by itself, and not once a pixel",

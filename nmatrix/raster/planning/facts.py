@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Space
 from nmatrix.linear.classify import most_excess
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.recipe import STEADY, Decision, Influence, Recipe, Strength
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.shading.space import column
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import Material
 
 Array = NDArray[Any]

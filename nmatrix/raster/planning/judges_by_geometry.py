@@ -20,7 +20,6 @@ from nmatrix.raster.planning.recipe import (
     called_for,
     not_asked,
 )
-from nmatrix.raster.planning.shadow_casting import occluders
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import DepthBuffer, Sides
 
@@ -93,9 +92,8 @@ def shadows(facts: Facts) -> Decision:
     if not casting:
         return not_asked("no lamp that reaches it casts shadows")
     for placed in casting:
-        for one in occluders(facts.loaded, placed, facts.body):
-            if one.material.opacity == 1.0:
-                return called_for(f"{one.name} can keep {placed.light.name}'s light off")
+        for one in facts.seen.casters(placed)[:1]:
+            return called_for(f"{one.name} can keep {placed.light.name}'s light off")
     return adds_nothing("nothing stands between what is seen of it and a lamp")
 
 
@@ -166,7 +164,7 @@ def back_faces(facts: Facts) -> Decision:
     """Decide on faces that are seen from behind."""
     material = facts.body.material
     if material.sides is Sides.FRONT:
-        return adds_nothing("the material has a front alone")
+        return not_asked("the material has a front alone")
     if facts.body.linear_map.rank < 3 and material.opacity == 1.0:
         return adds_nothing("a flattened body turns its normals to the eye at its vertices")
     why = _why_backs_show(facts)

@@ -12,9 +12,9 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from nmatrix.enums import Effect, Effort, LeftOut
+from nmatrix.enums import Effect, Effort, LeftOut, NormalRule
 from nmatrix.errors import printable, shortlist
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.culled_lights import why_dark
 from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
 from nmatrix.raster.planning.facts import Facts
@@ -23,6 +23,7 @@ from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import DEFAULT_MATERIAL
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
@@ -76,6 +77,12 @@ class BodyPlan:
         effects = sum(one.bound for one in self.decisions.values() if not one.on)
         return effects + sum(one.bound for one in self.light_decisions)
 
+    def rule(self, wanted: NormalRule) -> NormalRule:
+        """Return the rule that carries normals: the matrix itself where that is right."""
+        if wanted is NormalRule.EXACT and Effect.INVERSE_TRANSPOSE not in self.effects:
+            return NormalRule.NONE
+        return wanted
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -103,13 +110,17 @@ class Plan:
 
     @cached_property
     def light_views(self) -> Mapping[str, tuple[LightView, ...]]:
-        """Return the views for shadow maps, by the names of the lamps that have any."""
-        found = {
-            placed.light.name: light_views(
-                self.loaded, placed, [one.body for one in lit if Effect.SHADOWS in one.effects]
-            )
-            for placed, lit in self._lit_by_casting_lamps.items()
-        }
+        """The views for shadow maps, by the names of the lamps that have any.
+
+        They are fitted to all bodies that anything can shade, whatever else is left out: so one
+        scene has one set of maps.
+        """
+        found = {}
+        for placed, lit in self._lit_by_casting_lamps.items():
+            if any(Effect.SHADOWS in one.effects for one in lit):
+                casters = {one.body: one.seen.casters(placed) for one in self.bodies}
+                casting = {body: some for body, some in casters.items() if some}
+                found[placed.light.name] = light_views(self.loaded, placed, casting)
         return {name: views for name, views in found.items() if views}
 
     @property
@@ -184,7 +195,8 @@ def everything(loaded: LoadedScene) -> Plan:
 
 
 def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
-    named = {effect for effect, one in facts.decisions.items() if one.on}
+    decided = facts.decisions.items()
+    named = {effect for effect, one in decided if one.on or (one.is_asked and one.is_possible)}
     on = closure(_for_shading(named | _shortcuts(facts.body), facts))
     decisions = {one: Decision(on=one in on, because="everything is on") for one in RECIPES}
     return BodyPlan(facts.seen, decisions, lights, on, _ineffective(facts))

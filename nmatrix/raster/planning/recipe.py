@@ -11,12 +11,14 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from nmatrix.enums import Effect, LeftOut
+from nmatrix.shaders.glsl import NOTHING, Glsl
+from nmatrix.shaders.shaded import Shaded
 
 if TYPE_CHECKING:
-    from nmatrix.raster.loaded_scene import LoadedScene, PlacedLight
+    from nmatrix.raster.loaded_scene import LoadedScene
     from nmatrix.raster.planning.facts import Facts
     from nmatrix.raster.planning.seen_body import SeenBody
-    from nmatrix.scene.material import Material
+    from nmatrix.scene.light import PlacedLight
 
 BUDGET = 0.5 / 255  # that all that is left out of one object may move a channel by, together
 ROUNDING = 1e-12
@@ -27,7 +29,8 @@ class Decision:
     """The decision on an effect: on or off, why, and the most that leaving it out moves a channel.
 
     `is_asked` tells whether the scene asks for the effect at all. What is asked for counts in the
-    bounds of other effects, even where it adds nothing.
+    bounds of other effects, even where it adds nothing. `is_possible` is False where what it reads
+    is missing: then everything-on does without it too.
     """
 
     on: bool
@@ -35,6 +38,7 @@ class Decision:
     kind: LeftOut = LeftOut.EXACT
     bound: float = 0.0
     is_asked: bool = True
+    is_possible: bool = True
 
 
 def called_for(because: str) -> Decision:
@@ -50,6 +54,11 @@ def not_asked(because: str) -> Decision:
 def adds_nothing(because: str) -> Decision:
     """Leave out what is asked for, and changes no bit here."""
     return Decision(on=False, because=because)
+
+
+def impossible(because: str) -> Decision:
+    """Leave out what is asked for in vain: what it reads is missing."""
+    return Decision(on=False, because=because, is_possible=False)
 
 
 def by_bound(bound: float, because: str) -> Decision:
@@ -138,18 +147,6 @@ STEADY = Influence(
 
 
 @dataclass(frozen=True)
-class Glsl:
-    """The lines that an effect adds to a fragment shader, each run in the order of the table.
-
-    `matte` lines change the light that takes a texture's colour; `color` lines the sum of all.
-    """
-
-    uniforms: tuple[str, ...] = ()
-    matte: tuple[str, ...] = ()
-    color: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
 class Recipe:
     """Everything that is known of an effect.
 
@@ -163,7 +160,7 @@ class Recipe:
         Decides for the whole picture, in place of `judge`.
     influence
         How colours depend on normals and places through it.
-    attributes, uniforms, passes
+    attributes, passes
         Its inputs by name, and the passes over the picture that it takes.
     settings
         The fields of a material that it alone reads: where it is left out, they change nothing.
@@ -177,7 +174,7 @@ class Recipe:
     only_at_fragments
         Shading that evaluates light at vertices does without it.
     glsl
-        Its lines in a fragment shader, if they stand outside of the loop over lights.
+        Its lines in shaders, and the uniforms that these read.
     """
 
     says: str
@@ -185,7 +182,6 @@ class Recipe:
     picture_judge: Callable[[LoadedScene, Sequence[Facts]], Decision] | None = None
     influence: Influence | Callable[[Facts], Influence] = Influence()
     attributes: tuple[str, ...] = ()
-    uniforms: tuple[str, ...] = ()
     passes: tuple[str, ...] = ()
     settings: tuple[str, ...] = ()
     needs: tuple[Effect, ...] = ()
@@ -194,7 +190,7 @@ class Recipe:
     per_light: int = 0
     is_shortcut: bool = False
     only_at_fragments: bool = False
-    glsl: Glsl | Callable[[Material], Glsl] = Glsl()
+    glsl: Glsl | Callable[[Shaded], Glsl] = NOTHING
 
     def decision(self, facts: Facts) -> Decision:
         """Decide for one body, or for the picture with that one body in it."""
@@ -202,6 +198,11 @@ class Recipe:
             return self.picture_judge(facts.loaded, (facts,))
         return self.judge(facts) if self.judge is not None else called_for("others need it")
 
-    def lines(self, material: Material) -> Glsl:
-        """Return the lines of a fragment shader for one material."""
-        return self.glsl if isinstance(self.glsl, Glsl) else self.glsl(material)
+    @property
+    def has_lines(self) -> bool:
+        """Return True if shaders hold lines of it."""
+        return self.glsl is not NOTHING
+
+    def lines(self, shaded: Shaded) -> Glsl:
+        """Return the lines of GLSL for one object."""
+        return self.glsl if isinstance(self.glsl, Glsl) else self.glsl(shaded)

@@ -6,7 +6,7 @@ Each fact is computed when it is asked for, and once; drawing reads the same map
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf, sqrt
 from typing import Any
@@ -17,13 +17,15 @@ from numpy.typing import NDArray
 from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear.classify import most_excess
 from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.projection import front_sign
 from nmatrix.linear.rational import RationalMatrix, linear_part
 from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.planning.shadow_casting import occluders
 from nmatrix.raster.shading.space import ShadingSpace, as_array, column
 from nmatrix.raster.triangles.clip import PLANES, all_beyond, inside
 from nmatrix.raster.triangles.products import PART, chunks, multiply
-from nmatrix.raster.triangles.vertices import front_sign
 from nmatrix.raster.triangles.visibility import STEPS
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.meshes.mesh import least_cosine
 from nmatrix.scene.words import DepthBuffer
 
@@ -41,6 +43,7 @@ class SeenBody:
 
     loaded: LoadedScene
     body: Body
+    _casters: dict[PlacedLight, list[Body]] = field(default_factory=dict, init=False)
 
     @cached_property
     def clip_from_object(self) -> RationalMatrix:
@@ -95,8 +98,10 @@ class SeenBody:
         """The reason why no sample of the picture can show the body, or None if one may.
 
         All its vertices are on the outer side of one plane of the view, so all its points are; and
-        what lets all light through leaves every sample as it was.
+        what lets all light through leaves every sample as it was. An outline reaches farther.
         """
+        if self.body.material.outline:
+            return None
         if not self.body.material.opacity:
             return "lets all light through"
         beyond = np.ones(len(PLANES), bool)
@@ -212,6 +217,13 @@ class SeenBody:
         most = min(middle + self.body.radius, float(np.sqrt(across @ across)))
         rounding = OUTWARDS * (most + float(np.abs(place).max()))
         return max(least - rounding, 0.0), most + rounding
+
+    def casters(self, placed: PlacedLight) -> list[Body]:
+        """Find the opaque bodies that can keep a lamp's light off what is seen, once."""
+        if placed not in self._casters:
+            found = occluders(self.loaded, placed, self.body)
+            self._casters[placed] = [one for one in found if one.material.opacity == 1.0]
+        return self._casters[placed]
 
     @cached_property
     def eye_distances(self) -> tuple[float, float]:

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, NormalRule, Reflection, Shading
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.facts import Facts, product
 from nmatrix.raster.planning.recipe import (
     STEADY,
@@ -35,12 +35,13 @@ from nmatrix.raster.planning.recipe import (
     called_for,
     not_asked,
 )
-from nmatrix.raster.shading.lighting import EDGE
 from nmatrix.raster.shading.space import column, dot, length, quotient, world_normals
 from nmatrix.raster.triangles.spans import SUBPIXELS
 from nmatrix.raster.triangles.vertices import Projected, signed_area
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.material import Material
 from nmatrix.scene.words import LightKind
+from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 

@@ -7,7 +7,7 @@ can fall on overlap, as the lamp sees them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, radians, tan
@@ -20,10 +20,11 @@ from nmatrix.enums import DepthRange, Handedness, NormalRule
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector
 from nmatrix.linear.view import looking_along
-from nmatrix.raster.loaded_scene import Body, LoadedScene, PlacedLight
+from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.raster.shading.space import as_array, column
 from nmatrix.raster.triangles.convex import NEAR_CORNERS, frustum
+from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
@@ -190,16 +191,12 @@ def _cut(points: Array, nearest: float) -> Array:
 
 
 def light_views(
-    loaded: LoadedScene, placed: PlacedLight, receivers: Sequence[Body]
+    loaded: LoadedScene, placed: PlacedLight, casting: Mapping[Body, Sequence[Body]]
 ) -> tuple[LightView, ...]:
-    """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow there."""
-    if not receivers:
+    """Fit the views of a lamp to what is seen of bodies, and to what can cast a shadow on each."""
+    if not casting:
         return ()
-    casting = {
-        body: [one for one in occluders(loaded, placed, body) if one.material.opacity == 1.0]
-        for body in receivers
-    }
-    found = (_fitted(loaded, aim, casting) for aim in _aims(placed, receivers))
+    found = (_fitted(loaded, aim, casting) for aim in _aims(placed, [*casting]))
     return tuple(one for one in found if one is not None)
 
 
@@ -220,7 +217,9 @@ def _axes(place: RationalVector, direction: RationalVector) -> RationalMatrix:
     return right, up, tuple(-entry for entry in back), last
 
 
-def _fitted(loaded: LoadedScene, aim: Aim, casting: dict[Body, list[Body]]) -> LightView | None:
+def _fitted(
+    loaded: LoadedScene, aim: Aim, casting: Mapping[Body, Sequence[Body]]
+) -> LightView | None:
     """Return the view that holds all shadows, or None if there are none in this direction."""
     of_casters = {
         one: aim.footprint(one.hull.corners) for casters in casting.values() for one in casters

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, NormalRule
+from nmatrix.linear.projection import front_sign
 from nmatrix.raster.image import Legend
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.plan import BodyPlan, Plan
@@ -17,7 +18,7 @@ from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
 from nmatrix.raster.shading.space import as_array, column, quotient, world_normals
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing
-from nmatrix.raster.triangles.vertices import front_sign, project
+from nmatrix.raster.triangles.vertices import project
 
 Array = NDArray[Any]
 

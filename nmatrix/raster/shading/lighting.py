@@ -18,13 +18,11 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.shading.space import Measure, dot, quotient
 from nmatrix.scene.material import Material
+from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 Occlusion = Callable[[Array, Array, Array], Array]  # of positions, normals, cosines; 1 where lit
 
-# Bands, highlights and ranges end this far beside round numbers: on them, where boxes and lamps
-# like to stand, the last bit would decide, and differently in each space and on each machine.
-EDGE = 1e-6
 MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
 
 
@@ -144,10 +142,27 @@ class Lighting:
         else:
             world = self.measure.vector_in_world
             found = 2.0 * cosine * dot(n, to_eye) - dot(world(to_light), world(to_eye))
-        return np.asarray(np.clip(found, 0.0, 1.0) ** self.material.shininess * (cosine > EDGE))
+        return power(np.clip(found, 0.0, 1.0), self.material.shininess) * (cosine > EDGE)
 
 
-MOST_SQUARED = 1 << 10  # a larger shininess would take more products than a power costs
+def power(base: Array, exponent: float) -> Array:
+    """Raise to a power; to a whole one by squarings, which lose about as many roundings.
+
+    Examples
+    --------
+    >>> power(np.array([0.5, 1.0]), 5.0).tolist()
+    [0.03125, 1.0]
+    """
+    if exponent != int(exponent) or not 1 <= exponent <= MOST_SQUARED:
+        return np.asarray(base**exponent)
+    rest, square, found = int(exponent), base, None
+    while True:
+        if rest & 1:
+            found = square if found is None else found * square
+        rest >>= 1
+        if not rest:
+            return np.asarray(found)
+        square = square * square
 
 
 def colour(channels: tuple[float, ...], count: int) -> Array:

@@ -23,8 +23,10 @@ from nmatrix.spaces.transform import Transform
 
 Array = NDArray[Any]
 
-# What a hull takes over from its body: where its fragments are, and the fog before them.
-OF_HULLS = frozenset({Effect.POSITION, Effect.PERSPECTIVE, Effect.EXACT_WEIGHTS, Effect.FOG})
+# What a hull takes over from its body: where its fragments are, how far away, and their fog.
+OF_HULLS = frozenset(
+    {Effect.POSITION, Effect.METRIC, Effect.PERSPECTIVE, Effect.EXACT_WEIGHTS, Effect.FOG}
+)
 
 
 def thickness(body: Body) -> float:

@@ -26,6 +26,7 @@ from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.raster.triangles.visibility import EMPTY, STEPS, TRIANGLE_BITS, Tile
 from nmatrix.scene.words import DepthBuffer
+from nmatrix.shaders.shaded import LEAST_COSINE
 
 Array = NDArray[Any]
 
@@ -33,7 +34,6 @@ CLIP = ClipSpace(DepthRange.ZERO_TO_ONE, Handedness.RIGHT)
 # A texel that has a say is less than √2 texels away. On a plane that light meets with the cosine c,
 # distances differ there by less than √2/c texels, under a parallel view and a perspective alike.
 SLACK = 1.5
-LEAST_COSINE = 1.0 / 64.0  # flatter light would need more slack, and shows nothing any more
 
 
 @dataclass(frozen=True)
@@ -56,6 +56,11 @@ class LightView:
     def is_perspective(self) -> bool:
         """True where w grows with the distance."""
         return any(self.light_from_world[3][:3])
+
+    @property
+    def slack(self) -> float:
+        """The distance that light may lack where it falls in straight and w is 1."""
+        return SLACK * self.texel
 
     def clip_from(self, world_from_space: RationalMatrix) -> Array:
         """Return the map to a clip space whose depth is 0 at `near` and 1 at `far`."""
@@ -90,7 +95,7 @@ class ShadowMap:
         size = len(self.distance)
         right, column = np.modf((x / w + 1.0) * (size / 2) + 0.5)
         down, row = np.modf((1.0 - y / w) * (size / 2) + 0.5)
-        limit = here - (SLACK * self.view.texel) * w / np.maximum(cosine, LEAST_COSINE)
+        limit = here - self.view.slack * w / np.maximum(cosine, LEAST_COSINE)
         columns = [np.clip(column - step, 0, size - 1).astype(np.intp) for step in (1, 0)]
         rows = [size * np.clip(row - step, 0, size - 1).astype(np.intp) for step in (1, 0)]
         texels = self.distance.ravel()

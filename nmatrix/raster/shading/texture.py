@@ -12,14 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.material import ImageSource, Texture
+from nmatrix.scene.material import DARK, SQUARES, ImageSource, Texture
 from nmatrix.scene.words import Pattern, Wrap
+from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 
-SQUARES = 8  # of the checker, along a unit of u and of v
-EDGE = 1e-6  # of a square: they begin beside round numbers, on which the last bit would decide
-DARK = 0.35
 MOST_PIXELS = 8192 * 8192
 FARTHEST = 2.0**36  # of u and v: times the pixels of an image, whole numbers still hold it
 

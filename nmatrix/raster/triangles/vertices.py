@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import DepthRange
 from nmatrix.linear.projection import ClipSpace
-from nmatrix.linear.rational import RationalMatrix, determinant
 from nmatrix.raster.triangles.clip import clip, inside, whole
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas
@@ -163,21 +162,6 @@ def _all_inside(
         found[:, first:last] = _divided(corners, canvas, space)
         first = last
     return found
-
-
-def front_sign(clip_from_object: RationalMatrix, space: ClipSpace) -> int:
-    """Return the sign that the area of a front face has on the canvas, where y runs down.
-
-    The rows of x, y and of what grows away from the eye (w, or depth in a parallel view) turn a
-    triangle's sense or keep it: the sign of their determinant says which, exactly. It is 0 for a
-    map that flattens: then both sides are alike.
-    """
-    x, y, z, w = (row[:3] for row in clip_from_object)
-    away = w
-    if not any(w):
-        away = tuple(-one for one in z) if space.depth is DepthRange.REVERSED else z
-    turn = determinant((x, y, away)) * space.y_sign
-    return (turn > 0) - (turn < 0)
 
 
 def _divided(corners: Array, canvas: Canvas, space: ClipSpace) -> tuple[Array, Array, Array, Array]:
