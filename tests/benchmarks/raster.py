@@ -1,7 +1,7 @@
 """How fast pictures are drawn, as ratios to others that draw the same, in one interleaved run.
 
 Run it by hand: `python tests/benchmarks/raster.py [--quick]`. Absolute times mean nothing on a
-shared machine; medians of rounds in which everyone takes a turn do.
+shared machine; the fastest of rounds in which everyone takes a turn do.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from nmatrix.raster.image import levels, png
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.render import render
-from nmatrix.scene.material import EmbeddedImage, Material, grey
+from nmatrix.scene.material import EmbeddedImage, Material, Texture, grey
 from nmatrix.scene.meshes.shapes import torus
 from nmatrix.scene.scene import Scene
 
@@ -39,8 +39,8 @@ HEADINGS = "frame triangles size ÷C++ goal ÷llvmpipe goal loop÷ goal scene÷c
 ROW = "{:14} {:>9} {:>5} {:>6} {:>5} {:>10} {:>5} {:>7} {:>5} {:>11} {:>5} {:>6}"
 
 
-def medians(contestants: Mapping[str, Draw], rounds: int, slow: int = SLOW_ROUNDS) -> Seconds:
-    """Return the median seconds of each; the ones called `loop` take part in few rounds only."""
+def fastest(contestants: Mapping[str, Draw], rounds: int, slow: int = SLOW_ROUNDS) -> Seconds:
+    """Return the least seconds of each; the ones called `loop` take part in few rounds only."""
     times: dict[str, list[float]] = {name: [] for name in contestants}
     for draw in contestants.values():
         draw()
@@ -50,7 +50,7 @@ def medians(contestants: Mapping[str, Draw], rounds: int, slow: int = SLOW_ROUND
                 start = time.perf_counter()
                 draw()
                 times[name].append(time.perf_counter() - start)
-    return {name: median(found) for name, found in times.items() if found}
+    return {name: min(found) for name, found in times.items() if found}
 
 
 def contestants(frame: Frame, absent: set[str]) -> dict[str, Draw]:
@@ -81,7 +81,7 @@ def table(rounds: int, sizes: tuple[int, ...]) -> None:
     for frame in frames(sizes):
         everyone = contestants(frame, absent)
         pictures = {name: np.array(everyone[name]()) for name in everyone if name != "loop"}
-        seconds = medians(everyone, rounds)
+        seconds = fastest(everyone, rounds)
         cells = [f"{frame.name}", str(len(frame.mesh.triangles)), str(frame.size)]
         at_most_cpp, at_most_gl, at_least = goals(frame)
         for name, goal in (("cpp", f"≤{at_most_cpp:g}"), ("gl", f"≤{at_most_gl:g}")):
@@ -116,7 +116,7 @@ def growth(rounds: int) -> None:
     base = Frame("torus", torus(64, 64), 512)
     hidden = replace(base, others=(torus(64, 64, 1.0, 0.2),))
     finer, larger = replace(base, mesh=torus(128, 64)), replace(base, per_side=2)
-    seconds = medians(
+    seconds = fastest(
         {"base": core(base), "finer": core(finer), "larger": core(larger), "hidden": core(hidden)},
         rounds,
     )
@@ -149,18 +149,18 @@ def samples(rounds: int) -> None:
             four, one = (
                 drawn(Frame(name, mesh, 512, k, is_screen, material=material).scene) for k in (2, 1)
             )
-            seconds = medians({"four": four, "one": one}, rounds)
+            seconds = fastest({"four": four, "one": one}, rounds)
             said(f"4 samples ÷ 1: {name}, {material.name}", ratio(seconds, "four", "one"), "≤ 1.8")
 
 
 def textures(rounds: int) -> None:
     """Print what a large texture costs with gamma against the same without."""
     noise = np.random.default_rng(0).integers(0, 256, (2048, 2048, 3), np.uint8)
-    painted = Material("painted", texture=EmbeddedImage("noise", png(noise, {})))
+    painted = Material("painted", texture=Texture(EmbeddedImage("noise", png(noise, {}))))
     frame = Frame("screen", with_uv(screen()), 512, is_screen=True, material=painted)
     plain = frame.scene
     gamma = replace(plain, settings=replace(plain.settings, gamma=True))
-    seconds = medians({"with": drawn(gamma), "without": drawn(plain)}, rounds)
+    seconds = fastest({"with": drawn(gamma), "without": drawn(plain)}, rounds)
     said("a 2048² texture with gamma ÷ without", ratio(seconds, "with", "without"), "≤ 1.3")
 
 
@@ -171,7 +171,7 @@ def glass(rounds: int) -> None:
         drawn(Frame("panes", panes(count), 128, is_screen=True, material=pane).scene)
         for count in (1000, 500)
     )
-    seconds = medians({"many": many, "few": few}, rounds)
+    seconds = fastest({"many": many, "few": few}, rounds)
     said("1000 panes of glass ÷ 500, 128²", ratio(seconds, "many", "few"), "≤ 2.2, linear")
 
 
@@ -183,7 +183,7 @@ def plans(rounds: int) -> None:
     for file in sorted((CHECKOUT / "docs" / "scenes").glob("*.toml")):
         place = loaded(scene_of(file))
         everyone, some = everything(place), planned(place)
-        seconds = medians(
+        seconds = fastest(
             {
                 "plan": lambda p=place: planned(p),
                 "both": lambda p=place: render(planned(p), levels),
@@ -233,7 +233,7 @@ samples = 1
 
 def cold(rounds: int) -> None:
     """Print a whole process that draws a torus, against its imports and two warm frames."""
-    warm = medians({"frame": scene(Frame("torus", torus(32, 32), 512))}, rounds)["frame"]
+    warm = fastest({"frame": scene(Frame("torus", torus(32, 32), 512))}, rounds)["frame"]
     # An installed package has its bytecode; a checkout may not.
     compileall.compile_dir(Path(nmatrix.__file__).parent, quiet=1)
     with tempfile.TemporaryDirectory() as folder:
@@ -251,7 +251,7 @@ def cold(rounds: int) -> None:
             )
 
         try:
-            seconds = medians(
+            seconds = fastest(
                 {
                     "render": lambda: run(*render_it),
                     "imports": lambda: run("-c", "import numpy, typer"),

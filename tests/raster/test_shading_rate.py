@@ -35,8 +35,8 @@ LAMP = SceneLight("lamp", LightKind.SPOT, position=(1, 2, 3), direction=(-1, -2,
 FADING = replace(BULB, attenuation=(0.2, 0.1, 0.05))
 BRIGHT = replace(SUN, intensity=3.0)
 SOFT = replace(BLINN, shininess=8)
-GLOSS = replace(BLINN, shininess=2, diffuse=grey(0))
-ASIDE = SceneLight("aside", LightKind.DIRECTIONAL, direction=(-1, 0, 0))
+GLOSS = replace(BLINN, shininess=2, specular=grey(0.3), diffuse=grey(0))
+ASIDE = SceneLight("aside", LightKind.DIRECTIONAL, direction=(-1, 0, 0.6))
 SCENES = {
     "matt": {"shape": SPHERE},
     "matt, leaning": {"world": LEANING, "shape": TORUS},
@@ -45,7 +45,12 @@ SCENES = {
     "a spot": {"world": LEANING, "shape": SPHERE, "lights": (LAMP,)},
     "shiny": {"material": SOFT, "shape": SPHERE, "lights": (SUN, BULB)},
     "mirrored": {"material": replace(SOFT, reflection=Reflection.PHONG), "shape": SPHERE},
-    "a highlight that ends": {"material": GLOSS, "shape": SPHERE, "lights": (ASIDE,)},
+    "a highlight that ends": {
+        "material": GLOSS,
+        "shape": SPHERE,
+        "lights": (ASIDE,),
+        "size": (400, 400),
+    },
     "too bright": {"shape": SPHERE, "lights": (BRIGHT,)},
     "gamma": {"world": LEANING, "shape": TORUS, "gamma": True},
     "fog": {"world": LEANING, "shape": BOX, "fog": Fog((0.5, 0.5, 0.5), 1.0, 9.0)},
@@ -56,7 +61,7 @@ SCENES = {
 
 
 def scene(name: str, samples: int = 4) -> Scene:
-    return single(**SCENES[name], size=(192, 192), samples=samples)
+    return single(**{"size": (192, 192), "samples": samples, **SCENES[name]})
 
 
 @cache
