@@ -124,7 +124,7 @@ def in_webgl(printed: dict) -> str:
 def drawn(page, plan: Plan) -> np.ndarray:
     """The picture (height, width, 3) in levels, as a browser draws it."""
     bodies = []
-    for body, found in zip(plan.bodies, printed_objects(plan), strict=True):
+    for body, found in zip(plan.drawn, printed_objects(plan), strict=True):
         bodies += [
             {
                 **printed,
