@@ -86,7 +86,7 @@ def render(
     outlined = [one for one in plan.drawn if Effect.OUTLINE in one.effects]
     drawn = [*plan.drawn, *(_hull_plan(loaded, one) for one in outlined)]
     drawables = [_drawable(plan, body, maps, change) for body in drawn]
-    background = np.array(loaded.settings.background[: plan.channels])
+    background = np.array(loaded.settings.background[: plan.channels], np.float64)
     drawing = Drawing(drawables, loaded.canvas, background, loaded.settings.depth)
     has_gamma = plan.picture[Effect.GAMMA].on
     picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))

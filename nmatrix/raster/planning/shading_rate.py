@@ -178,7 +178,7 @@ class ShadingRate:
             with np.errstate(invalid="ignore", over="ignore"):
                 bound = self._bound(part, part.turning(normals.take(corners, 1)))
             found[first : first + PART] = bound <= self.limit
-        return found if found.mean() >= ENOUGH else None
+        return found if len(found) and found.mean() >= ENOUGH else None
 
     def _bound(self, part: _Part, normal: _Turning) -> Array:
         """Find the most that shading once moves a channel, for each triangle."""
