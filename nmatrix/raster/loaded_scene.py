@@ -114,6 +114,16 @@ class Body:
         linear = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
         return self.mesh.sagitta * float(np.linalg.norm(linear, 2))
 
+    @cached_property
+    def thickness(self) -> float:
+        """The least spread of the vertices about their middle in the world, a root mean square.
+
+        It is 0 where it is less than 1e-8 of the largest: its square is lost in rounding there.
+        """
+        A = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        spread = np.linalg.eigvalsh(A @ self.mesh.spread @ A.T)
+        return float(np.sqrt(spread[0])) if spread[0] > 1e-16 * spread[2] else 0.0
+
     @property
     def ball(self) -> Ball:
         """Return the centre and the radius of a ball that holds the body."""

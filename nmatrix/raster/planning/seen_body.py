@@ -31,7 +31,7 @@ from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
 
-NO_SPREAD = 1e-12  # of the largest spread, squared: float64 tells nothing of less
+NO_SPREAD = 1e-6  # of the radius: far less than any sample of a picture that holds the body
 MANY_STEPS = 2.0**10  # of depth, between a front and a back that are told apart
 OUTWARDS = 1e-9  # of a distance, and of a cosine: rounding is less
 FEW = 64
@@ -118,11 +118,9 @@ class SeenBody:
         The thickness is the least spread of the vertices about their middle. Far away it must
         still take a sample on the canvas, and many steps of depth.
         """
-        A = as_array(linear_part(self.body.world_from_object.exact))
-        spread = np.linalg.eigvalsh(A @ self.body.mesh.spread @ A.T)
-        if spread[0] <= spread[2] * NO_SPREAD:
+        thickness = self.body.thickness
+        if thickness <= NO_SPREAD * self.body.radius:
             return True
-        thickness = float(np.sqrt(spread[0]))
         canvas, rows = self.loaded.canvas, as_array(self.loaded.clip_from_camera)
         w = max(float(part[3].max()) for part in self._clip_parts())
         across = min(abs(rows[0, 0]) * canvas.columns, abs(rows[1, 1]) * canvas.rows) / 2 / w

@@ -30,7 +30,7 @@ from nmatrix.scene.words import Sides
 
 Array = NDArray[Any]
 
-FLAT = 1e-9  # of the radius: what lies this close to a plane cannot stand in its own light
+FLAT = 1e-7  # of the radius: what lies this close to a plane stands in no texel's slack of itself
 TOUCHING = 1e-6  # of the radius: what sinks in no deeper stands on a plane; texels are larger
 NEAREST = 1e-3  # of the farthest distance: what stands closer to a lamp casts no shadow
 WIDEST = 60.0  # degrees from the axis: wider cones are seen in six ways, as points are
@@ -101,7 +101,7 @@ def _spheres_meet(placed: PlacedLight, caster: Body, body: Body) -> bool:
 
 def _can_shade_itself(loaded: LoadedScene, body: Body) -> bool:
     """Return False for flat bodies, and for boxes seen from outside: there n·l ≤ 0 says it all."""
-    return _is_thick(body) and not (
+    return body.thickness > FLAT * body.radius and not (
         body.mesh.is_box
         and body.mesh.shell is Shell.SOLID
         and loaded.settings.normals is NormalRule.EXACT
@@ -110,19 +110,6 @@ def _can_shade_itself(loaded: LoadedScene, body: Body) -> bool:
         and body.material.normal_map is None
         and _is_seen_from_outside(loaded, body)
     )
-
-
-def _is_thick(body: Body) -> bool:
-    """Return True if a body has any thickness: its least spread about its middle.
-
-    The triangular factor of all vertices follows part by part, and has their singular values.
-    """
-    factor = np.zeros((3, 3))
-    for part in body.parts_world():
-        stacked = np.vstack([factor, part.T - body.centre])
-        factor = np.asarray(np.linalg.qr(stacked, mode="r"))
-    thickness = float(np.linalg.svd(factor, compute_uv=False)[-1])
-    return thickness > FLAT * body.radius * float(np.sqrt(len(body.mesh.positions)))
 
 
 def _is_seen_from_outside(loaded: LoadedScene, body: Body) -> bool:
