@@ -25,7 +25,7 @@ from nmatrix.scene.material import EmbeddedImage, Material, Texture, grey
 from nmatrix.scene.meshes.shapes import sphere
 from nmatrix.scene.meshes.tangents import with_tangents
 from nmatrix.scene.open import scene_of
-from nmatrix.scene.scene import Scene, Settings
+from nmatrix.scene.scene import Fog, Scene, Settings
 from nmatrix.scene.words import DepthBuffer, LightKind, Shape, Sides
 from nmatrix.scene.world import World
 
@@ -244,3 +244,128 @@ def test_grey_scenes_have_one_channel() -> None:
     assert planned(loaded(single())).channels == 1
     tinted = single(material=replace(LAMBERT, diffuse=(0.8, 0.2, 0.2)))
     assert planned(loaded(tinted)).channels == 3
+
+
+def test_a_room_seen_from_inside_is_lit_by_the_lamp_in_it() -> None:
+    lamp = SceneLight("lamp", LightKind.POINT, position=(0.5, 0.5, 0.5))
+    room = single(
+        World(scale=(5, 5, 5)), lights=(lamp,), shape=ShapeGeometry(Shape.BOX), view=INSIDE
+    )
+    found, full, bound = both(room)
+    assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+    assert found.rgb.max() > 0.3, "most of it is bright"
+    (body,) = planned(loaded(room)).bodies
+    assert body.light_decisions[0].on
+    assert body.decisions[Effect.BACK_FACES].on
+
+
+INSIDE = View(eye=(1, 0, 2), target=(0, 0, -4))
+
+
+def turned_inwards() -> Scene:
+    mesh = sphere(12, 24)
+    return single(shape=LoadedGeometry(replace(mesh, triangles=mesh.triangles[:, ::-1])))
+
+
+def test_a_mesh_that_is_inside_out_keeps_its_visible_side_and_is_told() -> None:
+    found, full, bound = both(turned_inwards())
+    assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+    plan = planned(loaded(turned_inwards()))
+    assert plan.bodies[0].decisions[Effect.BACK_FACES].because == "the mesh is inside out"
+    assert any("thing is inside out" in one for one in plan.remarks)
+    assert not planned(loaded(single())).remarks
+
+
+@pytest.mark.parametrize(
+    ("place", "why"),
+    [
+        ((40, 0, 0), "is off the screen"),
+        ((0, -40, 0), "is off the screen"),
+        ((0, 0, 30), "is behind the eye"),
+        ((0, 0, -200), "is beyond the far plane"),
+    ],
+)
+def test_what_cannot_be_seen_costs_nothing_and_is_told(
+    place: tuple[int, int, int], why: str
+) -> None:
+    ready = loaded(single(World(translate=place), PHONG, (SUN, BULB), view=View(eye=(0, 0, 6))))
+    plan = planned(ready)
+    assert plan.bodies[0].why_unseen == why
+    assert not plan.drawn
+    assert f"Nothing can be seen: thing {why}." in plan.remarks
+    drawn = render(plan)
+    assert drawn.work.multiplications == drawn.work.fragments == 0
+    assert (drawn.rgb == render(everything(ready)).rgb).all()
+
+
+def test_the_outline_of_what_is_off_the_screen_may_be_seen() -> None:
+    inked = replace(LAMBERT, outline=0.9)
+    edge = single(World(translate=(2.8, 0, 0)), inked, view=View(eye=(0, 0, 4)))
+    found, full, bound = both(edge)
+    assert found.rgb.min() == 0.0, "the line is there"
+    assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+
+
+def spot(direction: tuple[float, float, float]) -> SceneLight:
+    return SceneLight(
+        "torch",
+        LightKind.SPOT,
+        position=(0, 2, 2),
+        direction=direction,
+        cone_degrees=(30, 30),
+    )
+
+
+def test_a_spot_lights_what_its_cone_meets_and_nothing_else() -> None:
+    for direction, is_on in (((0, -1, -1), True), ((0, 1, 1), False), ((1, 0, 0), False)):
+        ready = loaded(single(lights=(spot(direction),)))
+        plan = planned(ready)
+        assert plan.bodies[0].light_decisions[0].on is is_on
+        moved = np.abs(render(plan).rgb - render(everything(ready)).rgb).max()
+        assert moved <= plan.bodies[0].bound + 1e-12
+
+
+def test_fog_behind_a_body_is_left_out_and_fog_on_it_is_not() -> None:
+    for start, is_on in ((5.9, False), (4.0, True)):
+        foggy = single(fog=Fog(grey(0.5), start, 30))
+        assert decision(foggy, Effect.FOG).on is is_on
+        found, full, bound = both(foggy)
+        assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+
+
+def test_a_closed_body_shows_one_side_even_if_its_material_has_two() -> None:
+    assert not decision(single(material=replace(LAMBERT, sides=Sides.BOTH)), Effect.BACK_FACES).on
+
+
+def test_many_weak_lamps_stay_within_one_budget_together() -> None:
+    ten = tuple(replace(SUN, name=f"sun {i}", intensity=0.1 * BUDGET) for i in range(30))
+    (body,) = planned(loaded(single(lights=ten))).bodies
+    left_out = [one for one in body.light_decisions if not one.on]
+    assert 10 <= len(left_out) < 30
+    assert 0 < body.bound <= BUDGET
+    found, full, bound = both(single(lights=ten))
+    assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+
+
+def test_near_a_lamp_without_a_constant_light_is_stronger_than_it_was_sent() -> None:
+    near = SceneLight(
+        "near",
+        LightKind.POINT,
+        position=(0, 1.02, 0),
+        intensity=1e-3,
+        attenuation=(0.0, 0.0, 1.0),
+    )
+    scene = single(World(shear=(1e-3, 0, 0)), lights=(near,), shape=FINE)
+    found, full, bound = both(scene)
+    assert np.abs(found.rgb - full.rgb).max() <= bound + 1e-12
+    assert planned(loaded(scene)).bodies[0].light_decisions[0].on, "it is no weak lamp there"
+
+
+def test_a_body_that_comes_out_black_says_why() -> None:
+    black = replace(LAMBERT, ambient=grey(0))
+    below = SceneLight("below", LightKind.DIRECTIONAL, direction=(0, 1, 0))
+    lid = single(material=black, lights=(below,), shape=ShapeGeometry(Shape.PLANE))
+    (remark,) = render(planned(loaded(lid))).remarks
+    assert "thing is black" in remark
+    assert "sends no ambient light back" in remark
+    assert not render(planned(loaded(single()))).remarks
