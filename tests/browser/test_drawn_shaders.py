@@ -225,8 +225,8 @@ def test_every_feature_agrees(blank, name: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FEATURES)
-def test_every_feature_agrees_in_every_space_and_shading(blank, name: str) -> None:
-    for case, which in product(LIT, MAPS):
+def test_every_feature_agrees_in_many_spaces_shadings_and_maps(blank, name: str) -> None:
+    for case, which in random.Random(name).sample([*product(LIT, MAPS)], len(LIT)):
         must_agree_with(blank, replace(case, map=which), FEATURES[name])
 
 
@@ -258,8 +258,8 @@ def test_shadows_agree(blank, name: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SHADOWS)
-def test_shadows_agree_in_every_space_and_shading(blank, name: str) -> None:
-    for case, which in product(LIT, MAPS):
+def test_shadows_agree_in_many_spaces_shadings_and_maps(blank, name: str) -> None:
+    for case, which in random.Random(name).sample([*product(LIT, MAPS)], 2 * len(LIT)):
         must_agree_in_shadow(blank, replace(case, map=which), name)
 
 
