@@ -87,7 +87,7 @@ def shading_rate(facts: Facts) -> ShadingRate | str:
         column(loaded.eye),
         drift,
         facts.gain,
-        saturates=brightest * most + _ambience(loaded) * max(material.ambient) > 1.0,
+        ambience=_ambience(loaded) * max(material.ambient),
         limit=LIMIT if lamps or drift else 0.0,
     )
 
@@ -151,7 +151,7 @@ class ShadingRate:
     """What a body's colours depend on, and the most that shading once may move a channel.
 
     `drift` is the most that a channel moves for a place that moves by one unit of the world through
-    anything but turning vectors; `gain` multiplies all; `saturates` where a channel may pass 1.
+    anything but turning vectors; `gain` multiplies all; `ambience` is what no lamp brings.
     """
 
     material: Material
@@ -159,7 +159,7 @@ class ShadingRate:
     eye: Array
     drift: float
     gain: float
-    saturates: bool
+    ambience: float
     limit: float
 
     def even_triangles(self, loaded: LoadedScene, body: Body, projected: Projected) -> Array | None:
@@ -183,17 +183,26 @@ class ShadingRate:
     def _bound(self, part: _Part, normal: _Turning) -> Array:
         """Find the most that shading once moves a channel, for each triangle."""
         bound, first = np.zeros_like(normal.turn), np.zeros_like(normal.turn)
+        light_sum = np.full_like(normal.turn, self.ambience)
         to_eye = part.turning(part.ways(self.eye)) if self.material.shines else None
         for lamp in self.lamps:
             light = part.to_lamp(lamp)
             bent, moved = self._by_lamp(normal, light, to_eye)
             bound += lamp.brightness * bent
             first += lamp.brightness * moved
-        if self.saturates:
-            bound += first / 2
+            light_sum += lamp.brightness * self._most_by_lamp(normal, light)
+        bound += np.where(light_sum > 1.0, first / 2, 0.0)
         if self.drift:
             bound += self.drift * part.shift
         return np.asarray(self.gain * bound)
+
+    def _most_by_lamp(self, normal: _Turning, light: _Turning) -> Array:
+        """Find the most that one lamp of brightness 1 adds: n·l grows largest between corners."""
+        largest = np.maximum(_pairs(normal, light).max(axis=0), 0.0)
+        cosine = np.minimum(quotient(largest, normal.least * light.least), 1.0)
+        cosine[~(normal.least * light.least > 0)] = 1.0
+        shine = max(self.material.specular) if self.material.shines else 0.0
+        return np.asarray(max(self.material.diffuse) * cosine + shine)
 
     def _by_lamp(
         self, normal: _Turning, light: _Turning, to_eye: _Turning | None
