@@ -298,6 +298,11 @@ def test_what_cannot_be_seen_costs_nothing_and_is_told(
     assert (drawn.rgb == render(everything(ready)).rgb).all()
 
 
+def test_a_body_without_any_size_is_told() -> None:
+    plan = planned(loaded(single(World(scale=(0, 0, 0)))))
+    assert plan.remarks == ("Nothing can be seen: thing is shrunk to a point by its matrix.",)
+
+
 def test_the_outline_of_what_is_off_the_screen_may_be_seen() -> None:
     inked = replace(LAMBERT, outline=0.9)
     edge = single(World(translate=(2.8, 0, 0)), inked, view=View(eye=(0, 0, 4)))

@@ -104,6 +104,8 @@ class SeenBody:
             return None
         if not self.body.material.opacity:
             return "lets all light through"
+        if not self.body.linear_map.rank:
+            return "is shrunk to a point by its matrix"
         beyond = np.ones(len(PLANES), bool)
         for part in self._clip_parts():
             beyond &= all_beyond(part, self.loaded.clip.depth)
