@@ -132,7 +132,7 @@ def test_spaces_shadings_reflections_lights_and_maps_agree(blank, space: Space) 
 @pytest.mark.parametrize("reflection", Reflection)
 @pytest.mark.parametrize("shading", Shading)
 @pytest.mark.parametrize("space", Space)
-def test_every_combination_agrees(
+def test_each_space_shading_and_reflection_agrees(
     blank, space: Space, shading: Shading, reflection: Reflection
 ) -> None:
     mine = [
@@ -140,7 +140,7 @@ def test_every_combination_agrees(
         for one in EVERY
         if (one.space, one.shading, one.reflection) == (space, shading, reflection)
     ]
-    for case in mine:
+    for case in random.Random(f"{space} {shading} {reflection}").sample(mine, 10):
         must_agree(blank, case.scene(), what=case)
 
 
