@@ -280,6 +280,14 @@ class NormalMatrixKind(StrEnum):
     ORIENTED = "oriented"
 
 
+class Theme(StrEnum):
+    """The colours of a picture: a bright page, a dark slide, grey paper."""
+
+    LIGHT = "light"
+    DARK = "dark"
+    PRINT = "print"
+
+
 class PixelFormat(StrEnum):
     """The files that hold the pixels of a picture."""
 
