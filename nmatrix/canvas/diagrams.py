@@ -126,9 +126,7 @@ def _placed(box: Box, stretch: float) -> tuple[Point, Point, float]:
     return (left, top + radius), (left, top + used - stretch * radius), radius
 
 
-def _map_arrow(
-    canvas: Canvas, first: Point, second: Point, radius: float, stretch: float
-) -> None:
+def _map_arrow(canvas: Canvas, first: Point, second: Point, radius: float, stretch: float) -> None:
     """Draw the arrow of the map, from the circle to the ellipse, with its letter."""
     if first[0] == second[0]:
         start, end = first[1] + radius + 16, second[1] - stretch * radius - 16
