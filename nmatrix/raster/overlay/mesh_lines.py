@@ -175,8 +175,9 @@ def seen(line: Array, farthest: Array) -> Array:
         ]
     )
     deepest = around.max(axis=0)
-    slack = np.where(np.isinf(deepest), 0.0, deepest - around.min(axis=0))
-    return np.asarray(inside & (line[:, 2] <= deepest + slack + 1e-9))
+    nearest = around.min(axis=0)
+    change = np.subtract(deepest, nearest, out=np.zeros_like(nearest), where=deepest < np.inf)
+    return np.asarray(inside & (line[:, 2] <= deepest + change + 1e-9))
 
 
 def _places(points: Array) -> Array:

@@ -111,6 +111,14 @@ class Stage:
         found[found] = seen(self._pixels(window[found]), self.depth.farthest)
         return np.asarray(found)
 
+    def covers(self, points: Array) -> Array:
+        """Return a mask of the points (n, 3) of the world behind or before which a surface is."""
+        x, y, _ = np.nan_to_num(self._pixels(self.window(points)), nan=-1.0).T
+        height, width = self.depth.farthest.shape
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        column, row = x.astype(int).clip(0, width - 1), y.astype(int).clip(0, height - 1)
+        return np.asarray(inside & np.isfinite(self.depth.farthest[row, column]))
+
     def _pixels(self, window: Array) -> Array:
         """Return points of the canvas in pixels of the picture."""
         k = self.canvas.scale
@@ -178,10 +186,7 @@ class Stage:
 
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
-        u = unit(np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))]))
-        v = np.cross(normal, u)
-        turns = np.linspace(0, 2 * np.pi, 40, endpoint=False)[:, None]
-        rim = self.window(place + radius * (np.cos(turns) * u + np.sin(turns) * v))
+        rim = self.window(rings_around(place[None], normal[None], radius)[0])
         if np.isfinite(rim).all():
             ink, towards = self.canvas.palette.ink, unit(self.eye - place)
             width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
@@ -197,6 +202,14 @@ class Stage:
         lines = contour_generator(z=padded).lines(0.5)
         origin = np.array([self.box.x, self.box.y])
         return [origin + (np.asarray(line) - 0.5) / self.canvas.scale for line in lines]
+
+
+def rings_around(places: Array, normals: Array, radius: float, steps: int = 40) -> Array:
+    """Return points (n, steps, 3) on circles around places (n, 3), across unit normals (n, 3)."""
+    u = unit(np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)]))[:, None]
+    turns = np.linspace(0, 2 * np.pi, steps, endpoint=False)[:, None]
+    v = np.cross(normals[:, None], u)
+    return np.asarray(places[:, None] + radius * (np.cos(turns) * u + np.sin(turns) * v))
 
 
 def radius_of(body: Body) -> float:

@@ -16,7 +16,14 @@ from nmatrix.enums import NormalRule
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
-from nmatrix.raster.overlay.stage import ARROW, Stage, filling, radius_of, through
+from nmatrix.raster.overlay.stage import (
+    ARROW,
+    DISC,
+    Stage,
+    filling,
+    radius_of,
+    through,
+)
 from nmatrix.raster.overlay.tacks import (
     APART,
     FACING,
@@ -40,6 +47,7 @@ from nmatrix.scene.scene import Scene
 Array = NDArray[Any]
 
 FIXED = 24  # tacks all over a body that turns
+RIM_POINTS = 12
 
 
 @dataclass(frozen=True)
@@ -152,6 +160,9 @@ def _shown_best(stage: Stage, body: Body, found: Places, true: Array) -> Array:
     inside = np.flatnonzero(seen & (cosine > FACING[0]) & (cosine < FACING[1]))
     if not len(inside) and not len(rim):
         inside = np.flatnonzero(seen & (cosine > SILHOUETTE))
+    rings = rings_around(place[inside], normal[inside], 1.3 * DISC * reach, RIM_POINTS)
+    on_body = stage.covers(rings.reshape(-1, 3)).reshape(-1, RIM_POINTS)
+    inside = inside[on_body.all(axis=1)]  # discs that hang over no edge of the body
     inside = inside[np.argsort(np.abs(cosine[inside] - sum(FACING) / 2), kind="stable")]
     apart = INNER_APART * unit_length
     inside = inside[farthest_apart(window[inside], INSIDE, apart, window[rim])]
