@@ -22,6 +22,14 @@ from nmatrix.raster.overlay.stage import (
     Stage,
     filling,
     radius_of,
+    rings_around,
+    through,
+)
+    ARROW,
+    DISC,
+    Stage,
+    filling,
+    radius_of,
     through,
 )
 from nmatrix.raster.overlay.tacks import (
