@@ -25,13 +25,6 @@ from nmatrix.raster.overlay.stage import (
     rings_around,
     through,
 )
-    ARROW,
-    DISC,
-    Stage,
-    filling,
-    radius_of,
-    through,
-)
 from nmatrix.raster.overlay.tacks import (
     APART,
     FACING,
