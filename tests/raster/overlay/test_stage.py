@@ -68,7 +68,7 @@ def test_the_depth_that_is_kept_is_that_of_the_surface(lens: Lens) -> None:
     found = stage(geometry=LoadedGeometry(plane()), world=World(), lens=lens)
     points = np.array([[x, 0.0, z] for x in (-0.3, 0.1, 0.3) for z in (-0.3, 0.2)])
     assert found.sees(points).all()
-    above = np.array([0, 0.1, 0])
+    above = np.array([0, 0.15, 0])
     assert found.sees(points + above).all()
     assert not found.sees(points - above).any()
     assert found.covers(points).all()
