@@ -111,6 +111,8 @@ def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
 def put(slide: Slide, panel: Panel, drawn: DrawnScene) -> Stage:
     """Lay a picture that was drawn for a stage on it."""
     slide.canvas.image(panel.stage, drawn.levels)
+    if not drawn.rendered.work.fragments:
+        slide.no_answer(panel, "out of sight")
     return Stage(slide.canvas, panel.stage, drawn)
 
 
