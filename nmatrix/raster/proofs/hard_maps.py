@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas.diagrams import circle_to_line
 from nmatrix.canvas.glyphs import DIAGRAM_SHAFT, Ink, Verdict, arrow
 from nmatrix.canvas.slide import GUTTER, HEADING, Slide
-from nmatrix.enums import Kind, NormalRule, Shading
+from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear import rational
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
@@ -22,13 +22,12 @@ from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
-from nmatrix.raster.proofs.rules import BELOW, EGG
+from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, put_inside, staged, tacks
 from nmatrix.raster.shading.normals import angles_deg, unit
 from nmatrix.raster.shading.space import length
-from nmatrix.scene.geometry import Geometry, LoadedGeometry
+from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import CHECKER, SQUARES
 from nmatrix.scene.scene import Scene, SceneObject
 from nmatrix.scene.words import LightKind, Sides
 from nmatrix.scene.world import World
@@ -36,7 +35,8 @@ from nmatrix.scene.world import World
 Array = NDArray[Any]
 
 MIRRORED = World(scale=(-1, 1, 1))
-AT_THE_LETTER = Pose((-4.1, 1.9, 8.4), radius=1.15)
+AT_THE_LETTER = Pose((-5.4, 2.0, 7.8), radius=1.25, around=0.1, free=(20, 112, 20, 30))
+NUMBERED = 244.0  # units under the stages, for captions and a number under them
 ON_THE_FACE = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.45, -0.6, -1))
 
 
@@ -92,7 +92,7 @@ def mirror(settings: ProofSettings) -> Proof:
     sign = body.kind.determinant_sign
     words, keeps = MIRROR_WORDS[sign], Verdict.RIGHT if sign >= 0 else Verdict.WRONG
     slide = settings.slide(words.title)
-    shown, second, third, last = slide.body(BELOW).columns(4, GUTTER)
+    shown, second, third, last = slide.body(NUMBERED).columns(4, GUTTER)
     panels = (
         slide.panel(shown, "Before", caption="The shape before A, in the same light."),
         slide.panel(second, words.unsigned, keeps, words.unsigned_caption),
@@ -128,7 +128,7 @@ def mirror(settings: ProofSettings) -> Proof:
     if not sign:
         slide.compare(panels[1], panels[2], same=True)
         slide.compare(panels[2], panels[3], same=True)
-    slide.large_number(slide.frame.x, slide.frame.bottom - 48, _determinant(body), words.number)
+    slide.large_number(slide.frame.x, slide.frame.bottom - 56, _determinant(body), words.number)
     found = rule_error(right.drawn.plan, NormalRule.COFACTOR)
     return Proof.of(
         settings.subject,
@@ -154,7 +154,11 @@ def _before(settings: ProofSettings, one: SceneObject, after: Body) -> SceneObje
 def _inside_out(one: SceneObject) -> SceneObject:
     """Return an object whose triangles all run the other way, so that its front is culled."""
     mesh = one.geometry.mesh()
-    turned = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
+    turned = replace(
+        mesh,
+        triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]),
+        normals=-mesh.normals,  # so that walls are told apart inside too
+    )
     material = replace(one.material, sides=Sides.FRONT)
     return replace(one, geometry=LoadedGeometry(turned), material=material)
 
@@ -169,9 +173,11 @@ def _determinant(body: Body) -> str:
 
 
 MOVED = World(translate=(2.6, 0, 0))
-FROM_THE_FRONT = Pose((0.9, 2.1, 9.2), radius=2)
-FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.5, -0.75, -0.6))
+FROM_THE_FRONT = Pose((5.2, 2.6, 7.4), radius=2, around=0.14, free=(24, 60, 24, 30))
+FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.8, -0.8, -0.15))
+LARGER = 1.6  # tacks, so that they are seen on a ball that has the origin beside it
 AXES = 0.75  # of the body's radius
+UNDER = 1.5  # of it, from the origin down to the arrow of t: clear of axes and tacks
 BLOWN_DEG = 1.0  # a lean that can be seen
 GHOST, GHOST_DASHES = 2.4, (7.0, 6.0)  # the outline of where a body was
 WHOLE = 1 - 1e-6  # the length of a normal, but for rounding
@@ -209,6 +215,11 @@ class Moved:
         )
 
     @property
+    def only_moves(self) -> bool:
+        """True if A is the identity."""
+        return rational.linear_part(self.body.world_from_object.exact) == rational.identity(3)
+
+    @property
     def title(self) -> str:
         """The claim."""
         if self.worst_deg is None:
@@ -225,7 +236,7 @@ class Moved:
         if self.worst_deg is None:
             return Verdict.WRONG, "There is no normal to move."
         if self.blown_deg >= BLOWN_DEG:
-            turned = "*n*" if self.body.kind.kind is Kind.IDENTITY else "A*n*"
+            turned = "*n*" if self.only_moves else "A*n*"
             told = f"M moves the normal like a point: {turned} + *t*. All lean the way it went."
             return Verdict.WRONG, told
         if self.worst_deg < BLOWN_DEG:
@@ -265,7 +276,7 @@ def translation(settings: ProofSettings) -> Proof:
     scene = settings.scene(one, lights=(FROM_ABOVE_RIGHT,))
     facts = Moved.of(scene)
     slide = settings.slide(facts.title)
-    boxes = slide.body(BELOW).columns(3, GUTTER)
+    boxes = slide.body(NUMBERED).columns(3, GUTTER)
     block = "A^{−T}" if facts.body.linear_map.rank == 3 else "C"
     told = "A direction has no place to move from."
     panels = (
@@ -282,7 +293,8 @@ def translation(settings: ProofSettings) -> Proof:
     ]
     reach = radius_of(facts.body)
     came_from = facts.body.positions_world - facts.t
-    beside = np.concatenate([came_from, np.eye(3) * AXES * reach, np.zeros((1, 3))])
+    foot = np.array([0.0, -UNDER * reach, 0.0])
+    beside = np.concatenate([came_from, np.eye(3) * AXES * reach, [foot, foot + facts.t]])
     stages = staged(slide, settings, FROM_THE_FRONT, parts, (beside,))
     right = stages[-1]
     for stage, panel, rule in zip(stages, panels, rules, strict=True):
@@ -290,18 +302,18 @@ def translation(settings: ProofSettings) -> Proof:
             continue
         stage.outline()
         stage.lights()
-        _way(stage, facts, came_from)
+        _way(stage, facts, came_from, foot)
         ink = Ink.WRONG if panel.verdict is Verdict.WRONG else Ink.RIGHT
-        stage.tacks(tacks(right, facts.body, rule, settings), ink, reach)
+        stage.tacks(tacks(right, facts.body, rule, settings), ink, LARGER * reach)
     for a, b in pairwise(panels):
         if a.verdict is b.verdict is Verdict.RIGHT:
             slide.compare(a, b, same=True)
-    slide.large_number(slide.frame.x, slide.frame.bottom - 48, *facts.number)
+    slide.large_number(slide.frame.x, slide.frame.bottom - 56, *facts.number)
     found = rule_error(right.drawn.plan, NormalRule.TRANSLATED)
     return Proof.of(
         settings.subject,
         slide,
-        f"With w = 1 the normals are up to {found.worst_deg or 0:.2f}° off; normalised over four "
+        f"With w = 1 the normals are up to {facts.worst_deg or 0:.2f}° off; normalised over four "
         f"components the shortest has length {facts.shortest:.3f}.",
         [stage.drawn for stage in stages],
         numbers={"shortest_normal": facts.shortest},
@@ -310,33 +322,32 @@ def translation(settings: ProofSettings) -> Proof:
     )
 
 
-def _way(stage: Stage, facts: Moved, came_from: Array) -> None:
+def _way(stage: Stage, facts: Moved, came_from: Array, foot: Array) -> None:
     """Draw the origin with its axes, where a body was before it was moved, and its way."""
     palette = stage.canvas.palette
-    origin = np.zeros(3)
-    if facts.t.any():
-        for chain in silhouettes(facts.body.mesh, came_from, stage.eye):
-            stage.surface_line(chain, GHOST, palette.soft, dash=GHOST_DASHES)
-    stage.axes(origin, AXES * radius_of(facts.body))
-    a, b = stage.place(origin), stage.place(facts.t)
-    if facts.t.any() and a is not None and b is not None:
-        arrow(stage.canvas, a, b, Ink.PLAIN, DIAGRAM_SHAFT)
-        place = (a[0] + 0.3 * (b[0] - a[0]), a[1] + 0.3 * (b[1] - a[1]) - 14)
-        stage.canvas.text(place, "*t*", HEADING, bold=True, align=0.5, halo=palette.stage)
+    stage.axes(np.zeros(3), AXES * radius_of(facts.body))
+    a, b = stage.place(foot), stage.place(foot + facts.t)
+    if not facts.t.any() or a is None or b is None:
+        return
+    for chain in silhouettes(facts.body.mesh, came_from, stage.eye):
+        stage.surface_line(chain, GHOST, palette.soft, dash=GHOST_DASHES)
+    arrow(stage.canvas, a, b, Ink.PLAIN, DIAGRAM_SHAFT)
+    middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2 - 16)
+    stage.canvas.text(middle, "*t*", HEADING, bold=True, align=0.5, halo=palette.stage)
 
 
 FLAT = World(scale=(1, 0, 1), rotate_degrees=(14, 0, -16))
-FROM_ABOVE = Pose((0.4, 5.2, 8.2), radius=1.6)
+FROM_ABOVE = Pose((0.4, 2.4, 8.8), radius=1.3, around=0.08, free=(24, 60, 24, 60))
+CAPTIONED = 140.0  # units under the stages, for captions
 ONTO_THE_COIN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.5, -1, -0.35))
-CELLS = 2.5  # of the coin's checker, to a unit
-LONG = 0.5  # an arrow of the coin, of its radius
+TACKS = 3  # each goes through the coin
+LONG = 0.75  # an arrow of the coin, of its radius
 NOTHING = 64  # the size of what stands where there is no answer
 
 
 def flatten(settings: ProofSettings) -> Proof:
     """Draw a flattened object: with no inverse, with a zero matrix, with the cofactors."""
-    texture = CHECKER if settings.mesh is None else None
-    one = settings.object(settings.placed(FLAT), settings.geometry(_coin()), texture=texture)
+    one = settings.object(settings.placed(FLAT), settings.geometry(EGG))
     scene = settings.scene(one, lights=(ONTO_THE_COIN,))
     (body,) = loaded(scene).bodies
     by_inverse = replace(scene, settings=replace(scene.settings, normals=NormalRule.INVERSE))
@@ -359,7 +370,7 @@ def flatten(settings: ProofSettings) -> Proof:
 def _flattened(settings: ProofSettings, without: Scene, right: Scene) -> tuple[Slide, list[Stage]]:
     """Draw what a plane's normals are: nothing by an inverse, two by the cofactors."""
     slide = settings.slide("Flatten a shape: the inverse is gone, the plane's normal is not")
-    boxes = slide.body(BELOW).columns(4, GUTTER)
+    boxes = slide.body(CAPTIONED).columns(4, GUTTER)
     told = "A squeezes the ball to a coin. Its tangents span a plane, and a plane has a normal."
     circle_to_line(slide.canvas, slide.panel(boxes[0], "The idea", caption=told).stage)
     stops = "det A = 0. There is no inverse: a program stops here, or makes up numbers."
@@ -386,7 +397,7 @@ def _flattened(settings: ProofSettings, without: Scene, right: Scene) -> tuple[S
         stage.outline()
         stage.lights()
     (body,) = lit.loaded.bodies
-    found = tacks(lit, body, NormalRule.EXACT, settings)
+    found = tacks(lit, body, NormalRule.EXACT, settings, clear=0.3)[:TACKS]
     for one in found:
         zero.nothing(one, radius_of(body))
         lit.arrow(one.place, one.place - LONG * radius_of(body) * one.normal, Ink.RIGHT)
@@ -407,7 +418,7 @@ def _kept(settings: ProofSettings, without: Scene, right: Scene) -> tuple[Slide,
         title = f"Almost flat: an inverse in float64 is up to {worst:.3g}° off"
         inverse = "An inverse is there, but floats do not find it: det A is lost in rounding."
     slide = settings.slide(title)
-    boxes = slide.body(BELOW).columns(2, GUTTER)
+    boxes = slide.body(CAPTIONED).columns(2, GUTTER)
     fine = Verdict.RIGHT if worst < INVISIBLE_DEG else Verdict.WRONG
     panels = (
         slide.panel(boxes[0], "inv(A)^{T} *n*", fine, inverse),
@@ -432,7 +443,7 @@ def _gone(settings: ProofSettings, without: Scene, right: Scene) -> tuple[Slide,
     (body,) = loaded(right).bodies
     left = NO_SURFACE[body.linear_map.rank]
     slide = settings.slide(f"Flattened to {left}: no plane is left, and no normal")
-    boxes = slide.body(BELOW).columns(2, GUTTER)
+    boxes = slide.body(CAPTIONED).columns(2, GUTTER)
     panels = (
         slide.panel(
             boxes[0],
@@ -449,9 +460,3 @@ def _gone(settings: ProofSettings, without: Scene, right: Scene) -> tuple[Slide,
     )
     stages = staged(slide, settings, FROM_ABOVE, list(zip(panels, (without, right), strict=True)))
     return slide, stages
-
-
-def _coin() -> Geometry:
-    """Return a ball whose checker is laid on it from above."""
-    ball = EGG.mesh()
-    return LoadedGeometry(replace(ball, uv=ball.positions[:, [0, 2]] * CELLS / SQUARES))
