@@ -197,18 +197,12 @@ def bar_of(panel: Panel) -> Box:
 
 
 def tacks(
-    stage: Stage,
-    body: Body,
-    rule: NormalRule,
-    settings: ProofSettings | None = None,
-    *,
-    clear: float = 1.3 * DISC,
+    stage: Stage, body: Body, rule: NormalRule, settings: ProofSettings | None = None
 ) -> list[Tack]:
     """Return the tacks of a body where a stage shows it best: true normals, and those of a rule.
 
     In the frames of an animation the places stay on the body, and those that are seen are drawn.
-    Those inside the silhouette stand at least `clear` from it, in the body's radius. An arrow is
-    as long as the rule makes normals: one that it makes zero is none.
+    An arrow is as long as the rule makes normals: one that it makes zero is none.
     """
     mesh, points = body.mesh, body.positions_world
     true, ruled = (normals_by(stage.loaded, body, one).T for one in (NormalRule.EXACT, rule))
@@ -217,13 +211,13 @@ def tacks(
         found = found.some(farthest_apart(found.of(mesh, points), FIXED, 0.0))
         found = found.some(np.flatnonzero(stage.sees(found.of(mesh, points))))
     else:
-        found = found.some(_shown_best(stage, body, found, true, clear))
+        found = found.some(_shown_best(stage, body, found, true))
     long = length(ruled.T)[:, None]
     place, normal, arrow, size = (found.of(mesh, one) for one in (points, true, ruled, long))
     return [Tack(*one) for one in zip(place, unit(normal), size * unit(arrow), strict=True)]
 
 
-def _shown_best(stage: Stage, body: Body, found: Places, true: Array, clear: float) -> Array:
+def _shown_best(stage: Stage, body: Body, found: Places, true: Array) -> Array:
     """Choose places on the silhouette and inside it, apart from each other in the picture."""
     place, normal = found.of(body.mesh, body.positions_world), unit(found.of(body.mesh, true))
     cosine = (normal * unit(stage.eye - place)).sum(axis=1)
@@ -238,7 +232,7 @@ def _shown_best(stage: Stage, body: Body, found: Places, true: Array, clear: flo
     inside = np.flatnonzero(seen & (cosine > FACING[0]) & (cosine < FACING[1]))
     if not len(inside) and not len(rim):
         inside = np.flatnonzero(seen & (cosine > SILHOUETTE))
-    rings = rings_around(place[inside], normal[inside], clear * reach, RIM_POINTS)
+    rings = rings_around(place[inside], normal[inside], 1.3 * DISC * reach, RIM_POINTS)
     on_body = stage.covers(rings.reshape(-1, 3)).reshape(-1, RIM_POINTS)
     inside = inside[on_body.all(axis=1)]  # discs that hang over no edge of the body
     inside = inside[np.argsort(np.abs(cosine[inside] - sum(FACING) / 2), kind="stable")]
