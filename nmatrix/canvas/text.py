@@ -79,6 +79,22 @@ def plain(text: str) -> str:
 _SMALLS = str.maketrans("−-0123456789T", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹ᵀ")
 
 
+def scientific(value: float, digits: int = 2) -> str:
+    """Write a number that is not negative in marked-up text, with a power of ten if it is far from 1.
+
+    Examples
+    --------
+    >>> scientific(2.04e-10, 1), scientific(1e6), scientific(0.231), scientific(140.2)
+    ('2 · 10^{−10}', '10^{6}', '0.23', '140')
+    """
+    if value == 0 or 1e-3 <= value < 1e4:
+        return f"{float(f'{value:.{digits}g}'):.12g}"
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    power = f"10^{{{str(int(exponent)).replace('-', '−')}}}"
+    mantissa = f"{float(mantissa):g}"
+    return power if mantissa == "1" else f"{mantissa} · {power}"
+
+
 def width(text: str, size: float, *, bold: bool = False) -> float:
     """Return the width of marked-up text on one line, in the units of its size.
 

@@ -186,11 +186,11 @@ def radius_of(body: Body) -> float:
     return float(body.radius) or 1.0
 
 
-def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
-    """Return the lens with which points (n, 3) of the world fill a box but for a pad.
+def filling(view: View, points: Array, box: Box, inner: Box, around: float = 0.0) -> Lens:
+    """Return the lens of a picture in a box with which points (n, 3) of the world fill a part of it.
 
-    Around each is room of so many units of the world, for arrows. It is a view through a window
-    that need not lie opposite the eye: shifted and scaled, never bent.
+    Around each point is room of so many units of the world, for arrows. It is a view through a
+    window that need not lie opposite the eye: shifted and scaled, never bent.
     """
     camera = np.array(to_floats(view.placed().camera_from_world))
     x, y, z = (np.asarray(points, float) @ camera[:3, :3].T + camera[:3, 3]).T
@@ -200,9 +200,10 @@ def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
     room = around / np.maximum(-z, near)
     low, high = (tangents - room).min(axis=1), (tangents + room).max(axis=1)
     sides = np.array([box.width, box.height])
-    inner = np.maximum(sides - 2 * PAD, sides / 4)
-    per_unit = float(((high - low) / inner).max()) or 1.0 / float(inner.max())
-    middle, half = (low + high) / 2, sides / 2 * per_unit
+    filled = np.array([inner.width, inner.height])
+    per_unit = float(((high - low) / filled).max()) or 1.0 / float(filled.max())
+    aside = np.subtract(box.middle, inner.middle) * (1, -1)  # tangents go up, units down
+    middle, half = (low + high) / 2 + aside * per_unit, sides / 2 * per_unit
     near = near / 2
     left, bottom = (middle - half) * near
     right, top = (middle + half) * near

@@ -16,8 +16,8 @@ from nmatrix.enums import NormalRule
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
-from nmatrix.raster.overlay.stage import ARROW, Stage, Tack, filling, through
-from nmatrix.raster.proofs.angles import AngleMap, Scale
+from nmatrix.raster.overlay.stage import ARROW, PAD, Stage, Tack, filling, through
+from nmatrix.raster.proofs.angles import AngleMap, Scale, ramp
 from nmatrix.raster.proofs.proof import ProofSettings
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
@@ -32,11 +32,15 @@ class Pose:
     """From where a proof looks: an eye about a body of this radius at the origin.
 
     About a body that is larger, or elsewhere, the eye stands as much farther off, on the same side.
+    `around` is the room for arrows about it, a part of its radius; `free` the units at the left,
+    top, right and bottom of a stage that other marks need.
     """
 
     eye: Vector
     radius: float
     up: Vector = (0, 1, 0)
+    around: float = ARROW
+    free: tuple[float, float, float, float] = (PAD, PAD, PAD, PAD)
 
     def camera(
         self, settings: ProofSettings, scenes: Sequence[LoadedScene], box: Box
@@ -52,7 +56,19 @@ class Pose:
         reach = float(np.sqrt(((points - centre) ** 2).sum(axis=1).max())) or 1.0
         eye = centre + np.array(self.eye, float) * reach / self.radius
         view = View(eye=tuple(eye.tolist()), target=tuple(centre.tolist()), up=self.up)
-        return view, filling(view, points, box, ARROW * reach)
+        return view, filling(view, points, box, self._inside(box), self.around * reach)
+
+    def _inside(self, box: Box) -> Box:
+        """Return the part of a stage that bodies fill: a quarter of each side at the least."""
+        left, top, right, bottom = self.free
+        across = min(1.0, 0.75 * box.width / (left + right))
+        down = min(1.0, 0.75 * box.height / (top + bottom))
+        return Box(
+            box.x + across * left,
+            box.y + down * top,
+            box.width - across * (left + right),
+            box.height - down * (top + bottom),
+        )
 
 
 def _ball(radius: float) -> Array:
@@ -91,14 +107,28 @@ def put(slide: Slide, panel: Panel, drawn: DrawnScene) -> Stage:
 
 def put_heat(slide: Slide, panel: Panel, drawn: DrawnScene, found: AngleMap, scale: Scale) -> Stage:
     """Lay a map of angles on a stage, with its bar; what has no normal has the stage's colour."""
+    parts = found.pixel_deg / scale.largest_deg
+    stage = put_map(slide, panel, drawn, parts, found.compared)
+    ramp_bar(slide.canvas, bar_of(panel), ("0°", f"{scale.largest_deg:.3g}°"))
+    return stage
+
+
+def put_map(slide: Slide, panel: Panel, drawn: DrawnScene, parts: Array, known: Array) -> Stage:
+    """Lay a map of parts of 1 (height, width) on a stage; `known` is the part that each pixel has.
+
+    The rest of it has the stage's colour. Edges of `drawn` can be drawn over it.
+    """
     paper = np.array(drawn.loaded.settings.background)
-    part = found.compared[:, :, None]
-    colours = scale.colours(found.pixel_deg, slide.palette.heat)
-    slide.canvas.image(panel.stage, levels(part * colours + (1 - part) * paper))
+    share = known[:, :, None]
+    colours = ramp(parts, slide.palette.heat)
+    slide.canvas.image(panel.stage, levels(share * colours + (1 - share) * paper))
+    return Stage(slide.canvas, panel.stage, drawn)
+
+
+def bar_of(panel: Panel) -> Box:
+    """Return the box of the bar that explains a map, at the foot of its stage."""
     stage = panel.stage
-    bar = Box(stage.x + 24, stage.bottom - 44, stage.width - 48, 18)
-    ramp_bar(slide.canvas, bar, ("0°", f"{scale.largest_deg:.3g}°"))
-    return Stage(slide.canvas, stage, drawn)
+    return Box(stage.x + 24, stage.bottom - 44, stage.width - 48, 18)
 
 
 def tacks(stage: Stage, body: Body, rule: NormalRule) -> list[Tack]:
