@@ -80,7 +80,7 @@ _SMALLS = str.maketrans("−-0123456789T", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹ᵀ
 
 
 def scientific(value: float, digits: int = 2) -> str:
-    """Write a number that is not negative in marked-up text, with a power of ten if it is far from 1.
+    """Write a number from 0 on as marked-up text, with a power of ten if it is far from 1.
 
     Examples
     --------

@@ -187,7 +187,7 @@ def radius_of(body: Body) -> float:
 
 
 def filling(view: View, points: Array, box: Box, inner: Box, around: float = 0.0) -> Lens:
-    """Return the lens of a picture in a box with which points (n, 3) of the world fill a part of it.
+    """Return the lens of a box with which points (n, 3) of the world fill a part of it.
 
     Around each point is room of so many units of the world, for arrows. It is a view through a
     window that need not lie opposite the eye: shifted and scaled, never bent.

@@ -75,11 +75,13 @@ PROOFS: tuple[ProofEntry, ...] = (
         WALK,
     ),
     ProofEntry(
-        "shading", "surfaces", "flat, Gouraud, Phong; Phong and Blinn-Phong highlights; toon"
+        "shading",
+        "shading",
+        "flat, Gouraud, Phong; Lambert, Phong and Blinn-Phong highlights, toon",
     ),
     ProofEntry(
         "interpolation",
-        "surfaces",
+        "interpolation",
         "normalise never, after, before and after; perspective or not",
         Turn(Turning.OBJECT),  # a floor is among the objects
     ),
@@ -108,7 +110,7 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry(
         "effects",
-        "spaces",
+        "effects",
         "everything on against the plan: the same picture for less work",
         WALK,  # there are many objects
     ),

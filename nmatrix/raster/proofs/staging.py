@@ -90,13 +90,17 @@ def staged(
 
 def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
     """Draw a scene, whose camera has the shape of the panel's stage, on it."""
+    return put(slide, panel, drawn_for(slide, panel.stage, scene))
+
+
+def drawn_for(slide: Slide, stage: Box, scene: Scene) -> DrawnScene:
+    """Draw a scene before the colour of stages, in the pixels of one."""
     paper = slide.palette.stage
-    drawn = drawn_scene(
+    return drawn_scene(
         replace(scene, has_camera=True),
-        size=slide.canvas.pixels_of(panel.stage),
+        size=slide.canvas.pixels_of(stage),
         background=tuple(int(paper[i : i + 2], 16) / 255 for i in (1, 3, 5)),
     )
-    return put(slide, panel, drawn)
 
 
 def put(slide: Slide, panel: Panel, drawn: DrawnScene) -> Stage:
