@@ -17,6 +17,7 @@ from nmatrix.canvas.slide import GUTTER, NARROW_HEADING, Slide
 from nmatrix.enums import Effect, NormalRule, Reflection, Theme
 from nmatrix.linear.affine import translation_matrix
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
+from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.overlay.stage import Stage
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, AngleMap, angle_map
@@ -193,7 +194,8 @@ class Bodies:
             return "Unit length at the corners, and again at every pixel."
         if self.bend.worst_deg < INVISIBLE_DEG:
             return "Where all that are mixed are equally long, nothing bends."
-        return f"The longer normal pulls: up to {self.bend.worst_deg:.2g}° off. Thin lines: as it should be."
+        off = f"up to {self.bend.worst_deg:.2g}° off"
+        return f"The longer normal pulls: {off}. Thin lines: as it should be."
 
     @property
     def _told_of_lengths(self) -> str:
@@ -275,7 +277,7 @@ def _step_edges(stage: Stage, drawn: DrawnScene) -> None:
     """Draw the edges between the steps of shade that another picture of the same body has."""
     from contourpy import contour_generator
 
-    covered = np.pad(drawn.rendered.coverage == 1, RIM)
+    covered = np.pad(stage.depth.coverage == 1, RIM)
     inside = np.min([np.roll(covered, s, axis) for s in (RIM, -RIM) for axis in (0, 1)], axis=0)
     shade = np.ma.masked_array(drawn.rendered.rgb[:, :, 0], ~inside[RIM:-RIM, RIM:-RIM])
     (dark, *_), (lit, *_) = (getattr(drawn.loaded.bodies[0].material, one) for one in PARTS)
@@ -303,8 +305,9 @@ def _floors(slide: Slide, settings: ProofSettings, box: Box) -> list[DrawnScene]
     shared = np.intersect1d(*body.mesh.triangles)
     for stage in (affine, true):
         stage.outline(sharp=False)
-    ends = [affine.place(point) for point in body.positions_world[shared]]
-    if all(ends):
+    places = (affine.place(point) for point in body.positions_world[shared])
+    ends = [one for one in places if one is not None]
+    if len(ends) == 2:
         slide.canvas.stroke(ends, EDGE_WIDE + 2 * HALO, slide.palette.paper)
         line(slide.canvas, ends, Ink.WRONG, EDGE_WIDE)
     return [affine.drawn, true.drawn]
@@ -325,8 +328,9 @@ def _moved_part(settings: ProofSettings) -> float:
     view, lens = ALONG_THE_FLOOR.camera(own, [loaded(scene)], COUNTED)
     size = (int(COUNTED.width), int(COUNTED.height))
     right = drawn_scene(replace(scene, view=view, lens=lens, has_camera=True), size=size, samples=1)
+    blank = levels(np.array(right.loaded.settings.background))
     apart = np.abs(right.redrawn(_affine).levels.astype(int) - right.levels).max(axis=2) > SEEN
-    return float(apart.sum() / right.rendered.coverage.sum())
+    return float(apart.sum() / (right.levels != blank).any(axis=2).sum())
 
 
 def _affine(surface: Surface) -> Surface:

@@ -14,7 +14,8 @@ from nmatrix.canvas.glyphs import EDGE, disc, eye, ramp_bar
 from nmatrix.canvas.marks import Box, Canvas, Point
 from nmatrix.canvas.slide import CAPTION, GUTTER, NARROW_HEADING, Panel, Slide
 from nmatrix.enums import Effect, Reflection, Shading
-from nmatrix.raster.drawn_scene import DrawnScene, level_difference
+from nmatrix.raster.drawn_scene import level_difference
+from nmatrix.raster.overlay.stage import Stage
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import Pose, bar_of, put_map, staged
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight
@@ -87,12 +88,10 @@ def shading(settings: ProofSettings) -> Proof:
         stage.outline()
         stage.lights()
         _lobe(slide.canvas, stage.box, stage.loaded.bodies[0].material)
-    flat, gouraud, phong = (one.drawn for one in where)
-    most = _difference(
-        slide, slide.panel(last, "Gouraud − Phong", size=NARROW_HEADING), gouraud, phong
-    )
+    panel = slide.panel(last, "Gouraud − Phong", size=NARROW_HEADING)
+    most = _difference(slide, panel, *where[1:])
     slide.footer(f"These are choices, not mistakes. {_apart(most)}", x=where[0].box.x)
-    _, mirrored, half, toon = (one.drawn for one in how)
+    flat, gouraud, phong, _, mirrored, half, toon = (one.drawn for one in stages)
     numbers = {
         "flat_against_phong": level_difference(flat, phong),
         "gouraud_against_phong": level_difference(gouraud, phong),
@@ -128,12 +127,12 @@ def _scene(
     return replace(scene, settings=replace(scene.settings, shading=shading))
 
 
-def _difference(slide: Slide, panel: Panel, one: DrawnScene, other: DrawnScene) -> float:
+def _difference(slide: Slide, panel: Panel, one: Stage, other: Stage) -> float:
     """Draw where two pictures differ, with its bar; return by how much at the most, of white."""
-    apart = np.abs(one.rendered.rgb - other.rendered.rgb).max(axis=2)
+    apart = np.abs(one.drawn.rendered.rgb - other.drawn.rendered.rgb).max(axis=2)
     most = float(apart.max())
     end = max(most, LEAST_SEEN)
-    put_map(slide, panel, other, apart / end, other.rendered.coverage).outline(sharp=False)
+    put_map(slide, panel, other.drawn, apart / end, other.depth.coverage).outline(sharp=False)
     ramp_bar(slide.canvas, bar_of(panel), ("0", f"{100 * end:.0f} %"))
     return most
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas.glyphs import ramp_bar
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.slide import Panel, Slide
+from nmatrix.canvas.theme import channels
 from nmatrix.enums import NormalRule
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.image import levels
@@ -120,12 +121,11 @@ def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
 
 def drawn_for(slide: Slide, stage: Box, scene: Scene) -> DrawnScene:
     """Draw a scene before the colour of stages, in the pixels of one."""
-    paper = slide.palette.stage
     return drawn_scene(
         replace(scene, has_camera=True),
         keeps_depth=True,
         size=slide.canvas.pixels_of(stage),
-        background=tuple(int(paper[i : i + 2], 16) / 255 for i in (1, 3, 5)),
+        background=channels(slide.palette.stage),
     )
 
 
