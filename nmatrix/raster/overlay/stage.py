@@ -164,10 +164,11 @@ class Stage:
                 self.sun([float(one) for one in placed.direction])
 
     def sun(self, direction: Sequence[float]) -> None:
-        """Draw a light at infinity in an upper corner, its arrows along its light as it is seen."""
+        """Draw a light at infinity in the corner it comes from, its arrows as they are seen."""
         towards = self.direction(direction)
         x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
-        glyphs.sun(self.canvas, (x, self.box.y + CORNER), towards)
+        y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
+        glyphs.sun(self.canvas, (x, y), towards)
 
     def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
         """Draw a lamp at its place; one that the eye cannot see is left out."""

@@ -132,6 +132,8 @@ def drawn_for(slide: Slide, stage: Box, scene: Scene) -> DrawnScene:
 def put(slide: Slide, panel: Panel, drawn: DrawnScene) -> Stage:
     """Lay a picture that was drawn for a stage on it."""
     slide.canvas.image(panel.stage, drawn.levels)
+    if not drawn.rendered.work.fragments:
+        slide.no_answer(panel, "out of sight")
     return Stage(slide.canvas, panel.stage, drawn)
 
 
