@@ -262,6 +262,7 @@ def _plot(slide: Slide, box: Box) -> None:
     crossing = plot.at(CROSSING, float(widest))
     foot = crossing[0], panel.stage.bottom
     canvas.stroke((crossing, foot), 2.4, palette.ink, dash=(9, 6))
+    canvas.text((foot[0], foot[1] + 32), f"{CROSSING:.0f} m", CAPTION, bold=True, align=0.5)
     arrow(canvas, crossing, plot.at(CROSSING, float(finest)), Ink.PLAIN)
     disc(canvas, crossing, 9.0, palette.paper, palette.ink)
     for place, words, colour in (
