@@ -35,6 +35,10 @@ PAD = 34.0
 DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
+ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+LOST = 4.0  # the outline of what is not there
+AXIS, LETTER = 4.0, 22  # the shaft of an axis of the world, and its letter
+ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
 
@@ -136,6 +140,11 @@ class Stage:
             for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
 
+    def lost_outline(self) -> None:
+        """Draw the outline of what would be covered, dashed, where it could not be drawn."""
+        for points in self._rims():
+            glyphs.line(self.canvas, points, Ink.WRONG, LOST)
+
     def surface_line(
         self,
         points: Array,
@@ -154,6 +163,39 @@ class Stage:
             if halo is not None:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
+
+    def arrow(self, a: Array, b: Array, ink: Ink, shaft: float = glyphs.SHAFT) -> None:
+        """Draw an arrow of the world; what lies behind a surface is left out, its head too."""
+        line = a + np.linspace(0, 1, ARROW_STEPS)[:, None] * (b - a)
+        window, shown = self.window(line)[:, :2], self.sees(line)
+        runs = np.split(np.arange(len(line)), np.flatnonzero(np.diff(shown)) + 1)
+        for run in runs:
+            if not shown[run[0]] or len(run) < 2:
+                continue
+            (x, y), (u, v) = window[run[0]], window[run[-1]]
+            if run[-1] == len(line) - 1:
+                glyphs.arrow(self.canvas, (x, y), (u, v), ink, shaft)
+            else:
+                glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
+
+    def axes(self, origin: Array, length: float) -> None:
+        """Draw the axes of the world from a point, with their letters; hidden parts are left out.
+
+        One that points at the eye or away from it is too short for a letter.
+        """
+        start = self.place(origin)
+        for letter, along in zip("xyz", np.eye(3) * length, strict=True):
+            self.arrow(origin, origin + along, Ink.PLAIN, AXIS)
+            tip = self.place(origin + along)
+            if start is None or tip is None or not self.sees((origin + along)[None])[0]:
+                continue
+            x, y = tip[0] - start[0], tip[1] - start[1]
+            size = float(np.hypot(x, y))
+            if size > LETTER / 2:
+                x, y = tip[0] + x / size * LETTER * 0.8, tip[1] + y / size * LETTER * 0.8
+                halo = self.canvas.palette.stage
+                place = (x, y + 0.27 * LETTER)
+                self.canvas.text(place, letter, LETTER, bold=True, align=0.5, halo=halo)
 
     def lights(self) -> None:
         """Draw every light: one at infinity in the corner that it comes from, others in place."""
@@ -184,6 +226,15 @@ class Stage:
             a, b = self.place(one.place), self.place(one.place + ARROW * radius * one.arrow)
             if a is not None and b is not None:
                 glyphs.arrow(self.canvas, a, b, ink)
+
+    def nothing(self, tack: Tack, radius: float) -> None:
+        """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""
+        self.disc(tack.place, tack.normal, ZERO_DISC * radius)
+        place = self.place(tack.place)
+        if place is not None:
+            palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
+            halo = palette.paper
+            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
 
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""

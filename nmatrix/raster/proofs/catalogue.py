@@ -62,7 +62,7 @@ PROOFS: tuple[ProofEntry, ...] = (
     ProofEntry(
         "object-rule", "lights", "object space: Mᵀl, M⁻¹l and the exact rule; their terminators"
     ),
-    ProofEntry("mirror", "rules", "cofactors without the sign, the inverse transpose, winding"),
+    ProofEntry("mirror", "hard_maps", "cofactors without the sign, the inverse transpose, winding"),
     ProofEntry(
         "stuck-light",
         "lights",
@@ -87,13 +87,13 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry(
         "translation",
-        "rules",
+        "hard_maps",
         "w = 1 with M, and a normalise over four components",
         Turn(Turning.OBJECT, (0, 0, 1)),  # where it was moved to goes towards the light and away
     ),
     ProofEntry(
         "flatten",
-        "rules",
+        "hard_maps",
         "scale 1 0 1: what an inverse, a zero matrix and the cofactors draw",
         Turn(Turning.LIGHT),  # the plane stays in sight, and its own normal answers
     ),
