@@ -108,7 +108,7 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry(
         "effects",
-        "spaces",
+        "effects",
         "everything on against the plan: the same picture for less work",
         WALK,  # there are many objects
     ),
