@@ -21,7 +21,7 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.overlay.mesh_lines import creases, silhouette_edges, visible_pieces
+from nmatrix.raster.overlay.mesh_lines import creases, isolines, silhouette_edges, visible_pieces
 from nmatrix.raster.shading.normals import unit
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -32,6 +32,8 @@ OUTLINE = 1.6  # units
 PAD = 34.0
 DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
+EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
+DOTS = (5.0, 5.0)  # of the line to the ground
 RIM = 2.6  # the edge of a tack's disc
 
 
@@ -130,6 +132,12 @@ class Stage:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
 
+    def light_edge(self, body: Body, cosines: Array) -> None:
+        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0."""
+        palette = self.canvas.palette
+        for points in isolines(body.positions_world, body.mesh.triangles, cosines):
+            self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
+
     def lights(self) -> None:
         """Draw every light: one at infinity in the corner that it comes from, others in place."""
         for placed in self.loaded.lights:
@@ -138,17 +146,55 @@ class Stage:
             elif placed.direction is not None:
                 self.sun([float(one) for one in placed.direction])
 
-    def sun(self, direction: Sequence[float]) -> None:
-        """Draw a light at infinity in an upper corner, its arrows along its light as it is seen."""
-        towards = self.direction(direction)
-        x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
-        glyphs.sun(self.canvas, (x, self.box.y + CORNER), towards)
+    def sun(self, direction: Sequence[float], *, lost: bool = False) -> None:
+        """Draw a light at infinity in an upper corner, its arrows along its light as it is seen.
+
+        One that is lost is drawn a little lower, so that it covers no other.
+        """
+        x, y = self._corner_of_sun(direction)
+        y += 2 * CORNER if lost else 0
+        glyphs.sun(self.canvas, (x, y), self.direction(direction), lost=lost)
+
+    def _corner_of_sun(self, direction: Sequence[float]) -> Point:
+        from_left = self.direction(direction)[0] > 0
+        x = self.box.x + CORNER if from_left else self.box.right - CORNER
+        return x, self.box.y + CORNER
+
+    def free_corners(self, pad: float) -> list[Point]:
+        """Return the corners so far inside the stage in which no sun stands, for words."""
+        inner = self.box.inset(CORNER)
+        taken = [
+            self._corner_of_sun([float(one) for one in placed.direction])
+            for placed in self.loaded.lights
+            if placed.position is None and placed.direction is not None
+        ]
+        pairs = zip(inner.corners, self.box.inset(pad).corners, strict=True)
+        return [corner for suns, corner in pairs if suns not in taken]
 
     def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
         """Draw a lamp at its place; one that the eye cannot see is left out."""
         place = self.place(point)
         if place is not None:
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
+
+    def above_ground(self, point: Sequence[float], ground: float) -> None:
+        """Draw a dotted line from a point straight down to the ground, at a height y."""
+        x, y, z = point
+        window = self.window(np.array([[x, y, z], [x, ground, z]]))[:, :2]
+        if np.isfinite(window).all():
+            self.canvas.stroke(window, 2.4, self.canvas.palette.ink, dash=DOTS)
+            glyphs.disc(self.canvas, (window[1, 0], window[1, 1]), 5.0, self.canvas.palette.ink)
+
+    def path(self, points: Array, ink: Ink, width: float = 4.0) -> None:
+        """Draw a dashed way through the world; parts that are not in front of the eye are missing.
+
+        Nothing hides it: it stands for an idea.
+        """
+        window = self.window(points)[:, :2]
+        dash = glyphs.DASH_ON * width, glyphs.DASH_OFF * width
+        for piece in np.split(window, np.flatnonzero(~np.isfinite(window[:, 0]))):
+            line = piece[np.isfinite(piece[:, 0])]
+            self.canvas.stroke(line, width, ink.colour(self.canvas.palette), dash=dash, halo=1.6)
 
     def tacks(self, tacks: Sequence[Tack], ink: Ink, radius: float) -> None:
         """Draw normals as tacks, the far ones first; `radius` is that of the body."""

@@ -60,13 +60,14 @@ PROOFS: tuple[ProofEntry, ...] = (
         "spaces", "spaces", "one picture, lit in world, camera, object, static and light space"
     ),
     ProofEntry(
-        "object-rule", "lights", "object space: Mᵀl, M⁻¹l and the exact rule; their terminators"
+        "object-rule", "object_rule", "object space: Mᵀl, M⁻¹l and the exact rule; the light's edge"
     ),
     ProofEntry("mirror", "rules", "cofactors without the sign, the inverse transpose, winding"),
     ProofEntry(
         "stuck-light",
-        "lights",
-        "a light in model space turns with the torus; in eye space not",
+        "stuck_light",
+        "a light in model space turns with the model; in eye space not",
+        Turn(Turning.OBJECT),  # on its turntable
     ),
     ProofEntry(
         "flashlight",

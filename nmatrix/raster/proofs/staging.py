@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas.glyphs import ramp_bar
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.slide import Panel, Slide
+from nmatrix.canvas.theme import rgb
 from nmatrix.enums import NormalRule
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.image import levels
@@ -32,11 +33,13 @@ class Pose:
     """From where a proof looks: an eye about a body of this radius at the origin.
 
     About a body that is larger, or elsewhere, the eye stands as much farther off, on the same side.
+    `room` is what stays free around the bodies, in their radius: that of tacks by default.
     """
 
     eye: Vector
     radius: float
     up: Vector = (0, 1, 0)
+    room: float = ARROW
 
     def camera(
         self, settings: ProofSettings, scenes: Sequence[LoadedScene], box: Box
@@ -47,12 +50,16 @@ class Pose:
         points = np.concatenate([b.positions_world for one in scenes for b in one.bodies])
         if settings.is_moving:  # nothing may jump: room for every turn about the origin
             points = _ball(float(np.sqrt((points * points).sum(axis=1).max())) or 1.0)
+        return self.around(points, box)
+
+    def around(self, points: Array, box: Box) -> tuple[View, Lens]:
+        """Return the camera in which points (n, 3) of the world fill a box."""
         low, high = points.min(axis=0), points.max(axis=0)
         centre = (low + high) / 2
         reach = float(np.sqrt(((points - centre) ** 2).sum(axis=1).max())) or 1.0
         eye = centre + np.array(self.eye, float) * reach / self.radius
         view = View(eye=tuple(eye.tolist()), target=tuple(centre.tolist()), up=self.up)
-        return view, filling(view, points, box, ARROW * reach)
+        return view, filling(view, points, box, self.room * reach)
 
 
 def _ball(radius: float) -> Array:
@@ -74,11 +81,10 @@ def staged(
 
 def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
     """Draw a scene, whose camera has the shape of the panel's stage, on it."""
-    paper = slide.palette.stage
     drawn = drawn_scene(
         replace(scene, has_camera=True),
         size=slide.canvas.pixels_of(panel.stage),
-        background=tuple(int(paper[i : i + 2], 16) / 255 for i in (1, 3, 5)),
+        background=rgb(slide.palette.stage),
     )
     return put(slide, panel, drawn)
 
