@@ -67,7 +67,7 @@ PROOFS: tuple[ProofEntry, ...] = (
         "stuck-light",
         "stuck_light",
         "a light in model space turns with the model; in eye space not",
-        Turn(Turning.OBJECT),  # on its turntable
+        Turn(Turning.OBJECT, (0, -1, 0)),  # on its turntable
     ),
     ProofEntry(
         "flashlight",

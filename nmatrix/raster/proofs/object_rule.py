@@ -32,7 +32,7 @@ from nmatrix.enums import NormalRule, Space
 from nmatrix.linear.rational import linear_part
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
-from nmatrix.raster.overlay.mesh_lines import isolines
+from nmatrix.raster.overlay.mesh_lines import isoline
 from nmatrix.raster.overlay.stage import Stage
 from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
@@ -294,7 +294,7 @@ def _mark_shares(stage: Stage, carried: CarriedLight) -> None:
         share = float((sign * off).max())
         if share < ROUNDING or not len(seen):
             continue
-        for around in isolines(points, body.mesh.triangles, sign * off - share / 2):
+        for around in isoline(points, body.mesh.triangles, sign * off - share / 2):
             stage.surface_line(around, AROUND, palette.wrong, dash=DASHES, halo=palette.paper)
         worst = seen[np.argmax(sign * off[seen])]
         place = stage.place(points[worst])

@@ -44,7 +44,7 @@ Array = NDArray[Any]
 LAMP = SceneLight("lamp", LightKind.POINT, position=(1.5, 1.5, 1.3))
 IN_FRONT = Pose((0, 2.6, 8.6), radius=2.3, room=0.06)
 TURNS = (0, 60, 160)  # degrees
-AXIS = (0, 1, 0)
+AXIS = (0, -1, 0)  # clockwise seen from above: at first the light comes to the front
 TICKS = 12
 BELOW = 76.0  # units under the stages
 ROUNDING = 1e-9  # of the light
@@ -89,7 +89,7 @@ class Turntable:
         ink = stage.canvas.palette.ink
         for i in range(TICKS):
             turn = np.radians(degrees_turned + 360 * i / TICKS)
-            out = np.array([np.cos(turn), 0, -np.sin(turn)]) * self.radius
+            out = np.array([np.cos(turn), 0, np.sin(turn)]) * self.radius
             inner, width = (0.72, 8.0) if i == 0 else (0.88, 3.0)
             line = np.stack([inner * out, 0.985 * out]) + [0, self.ground, 0]
             stage.surface_line(line, width, ink)
@@ -98,7 +98,7 @@ class Turntable:
 def around(radius: float, height: float) -> Array:
     """Return points (n, 3) of a circle about the world's y axis."""
     return np.stack(
-        [radius * np.cos(AROUND), np.full_like(AROUND, height), -radius * np.sin(AROUND)], axis=1
+        [radius * np.cos(AROUND), np.full_like(AROUND, height), radius * np.sin(AROUND)], axis=1
     )
 
 
@@ -159,8 +159,8 @@ def _letter() -> LoadedGeometry:
 
 
 def _degrees(rotation: RationalMatrix) -> float:
-    """Return by how much a rotation about the y axis turns, from 0 to 360."""
-    return degrees(atan2(rotation[0][2], rotation[0][0])) % 360
+    """Return by how much a rotation about the axis turns, from 0 to 360."""
+    return degrees(atan2(-rotation[0][2], rotation[0][0])) % 360
 
 
 def _rotation(turn: float) -> RationalMatrix:
@@ -221,11 +221,11 @@ def _mark_ride(stage: Stage, light: SceneLight, turn: float, *, whole: bool) -> 
             stage.sun(gone.direction, lost=True)
         return
     x, y, z = light.position
-    start = atan2(-z, x)
+    start = atan2(z, x)
     way = np.linspace(0, 2 * np.pi if whole else np.radians(turn), 97) + start
     out = float(np.hypot(x, z))
     stage.path(
-        np.stack([out * np.cos(way), np.full_like(way, y), -out * np.sin(way)], axis=1), Ink.WRONG
+        np.stack([out * np.cos(way), np.full_like(way, y), out * np.sin(way)], axis=1), Ink.WRONG
     )
     if turn:
         stage.lamp(gone.position, lost=True)
