@@ -138,6 +138,13 @@ class Stage:
             for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
 
+    def cut_out(self, fill: str) -> None:
+        """Fill all that is covered with one colour, edged in ink: what is drawn becomes a plan."""
+        rims = [line for line in self._rims() if len(line) > 2]
+        if rims:
+            ink = self.canvas.palette.ink
+            self.canvas.polygon(*rims, fill=fill, edge=ink, width=2 * OUTLINE)
+
     def surface_line(
         self,
         points: Array,

@@ -71,7 +71,7 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry(
         "flashlight",
-        "lights",
+        "flashlight",
         "a light fixed to the eye against one fixed to the world",
         WALK,
     ),

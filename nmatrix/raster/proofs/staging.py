@@ -44,6 +44,7 @@ from nmatrix.raster.shading.normals import unit
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import Colour
 from nmatrix.scene.scene import Scene
 
 Array = NDArray[Any]
@@ -103,13 +104,13 @@ def staged(
     return [draw_on(slide, panel, replace(scene, view=view, lens=lens)) for panel, scene in parts]
 
 
-def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
-    """Draw a scene, whose camera has the shape of the panel's stage, on it."""
+def draw_on(slide: Slide, panel: Panel, scene: Scene, background: Colour | None = None) -> Stage:
+    """Draw a scene, whose camera has the shape of the panel's stage, on it, or before the night."""
     drawn = drawn_scene(
         replace(scene, has_camera=True),
         keeps_depth=True,
         size=slide.canvas.pixels_of(panel.stage),
-        background=rgb(slide.palette.stage),
+        background=background or rgb(slide.palette.stage),
     )
     return put(slide, panel, drawn)
 

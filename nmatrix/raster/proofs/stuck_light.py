@@ -41,7 +41,7 @@ from nmatrix.scene.world import World
 
 Array = NDArray[Any]
 
-LAMP = SceneLight("lamp", LightKind.POINT, position=(1.5, 1.5, 1.3))
+LAMP = SceneLight("lamp", LightKind.POINT, position=(1.25, 1.25, 1.35))
 IN_FRONT = Pose((0, 2.6, 8.6), radius=2.3, room=0.06)
 TURNS = (0, 60, 160)  # degrees
 AXIS = (0, -1, 0)  # clockwise seen from above: at first the light comes to the front
@@ -72,7 +72,7 @@ class Turntable:
         """Find the table for a body with these vertices (n, 3) in the world."""
         away = float(np.hypot(points[:, 0], points[:, 2]).max())
         low, high = float(points[:, 1].min()), float(points[:, 1].max())
-        return cls(1.1 * max(away, 0.3 * (high - low)) or 1.0, low, high, away)
+        return cls(1.25 * max(away, 0.3 * (high - low)) or 1.0, low, high, away)
 
     @cached_property
     def mesh(self) -> Mesh:
@@ -97,9 +97,7 @@ class Turntable:
 
 def around(radius: float, height: float) -> Array:
     """Return points (n, 3) of a circle about the world's y axis."""
-    return np.stack(
-        [radius * np.cos(AROUND), np.full_like(AROUND, height), radius * np.sin(AROUND)], axis=1
-    )
+    return _at_height(height, radius * np.cos(AROUND), radius * np.sin(AROUND))
 
 
 def stuck_light(settings: ProofSettings) -> Proof:
@@ -136,13 +134,19 @@ def stuck_light(settings: ProofSettings) -> Proof:
         for stage in pair:
             stage.outline()
             table.ticks(stage, turn)
-            _mark_light(stage, light, table.ground)
         _mark_ride(pair[0], light, turn, whole=is_moving)
+        for stage in pair:
+            _mark_light(stage, light, table.ground)
+        if turn:
+            _mark_lost(pair[0], light, turn)
         first, second = (stage.drawn for stage in pair)
         if level_difference(first, second) == 0:
             slide.compare(above, below, same=True)
         drawn += (first, second)
-    slide.footer("The hollow light is where the wrong program has it: it rides on the turntable.")
+    slide.footer(
+        "The hollow light is where the wrong program has it: it rides on the turntable.",
+        x=panels[0][0].stage.x,
+    )
     return Proof.of(
         settings.subject,
         slide,
@@ -211,21 +215,24 @@ def _mark_light(stage: Stage, light: SceneLight, ground: float) -> None:
 
 
 def _mark_ride(stage: Stage, light: SceneLight, turn: float, *, whole: bool) -> None:
-    """Draw where the wrong program has the light, and the way on which it came there.
-
-    A moving picture shows the whole circle, which stays.
-    """
-    gone = turned_light(light, _rotation(turn))
+    """Draw the way on which the wrong program carries a lamp; moving pictures show all of it."""
     if not light.has_position:
-        if turn:
-            stage.sun(gone.direction, lost=True)
         return
     x, y, z = light.position
-    start = atan2(z, x)
-    way = np.linspace(0, 2 * np.pi if whole else np.radians(turn), 97) + start
+    end = 2 * np.pi if whole else np.radians(turn)
+    way = atan2(z, x) + np.linspace(0, end, 97)
     out = float(np.hypot(x, z))
-    stage.path(
-        np.stack([out * np.cos(way), np.full_like(way, y), out * np.sin(way)], axis=1), Ink.WRONG
-    )
-    if turn:
+    stage.path(_at_height(y, out * np.cos(way), out * np.sin(way)), Ink.WRONG)
+
+
+def _mark_lost(stage: Stage, light: SceneLight, turn: float) -> None:
+    """Draw where the wrong program has the light."""
+    gone = turned_light(light, _rotation(turn))
+    if light.has_position:
         stage.lamp(gone.position, lost=True)
+    else:
+        stage.sun(gone.direction, lost=True)
+
+
+def _at_height(y: float, x: Array, z: Array) -> Array:
+    return np.stack([x, np.full_like(x, y), z], axis=1)
