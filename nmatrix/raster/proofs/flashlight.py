@@ -55,7 +55,7 @@ ROWS = (
     Row("carried", Verdict.RIGHT, "its place is the eye’s: 0 0 0 in camera space"),
 )
 PLAN_PAD = 48.0  # units around the walk on the plan, for eyes and their numbers
-BACK, ASIDE = 28.0, 34.0  # of an eye behind its place, and of its number aside
+BACK, ASIDE = 28.0, 38.0  # of an eye behind its place, and of its number aside
 
 
 def flashlight(settings: ProofSettings) -> Proof:
@@ -130,7 +130,7 @@ def _night(settings: ProofSettings, box: Box) -> Scene:
         LightKind.SPOT,
         direction=(0, 0, -1),
         color=grey(1.0) if is_print else BEAM,
-        intensity=1.9,
+        intensity=1.7,
         attenuation=(1.0, 0.0, 0.02 / unit**2),
         cone_degrees=CONE,
         fixed_to=EYE,
