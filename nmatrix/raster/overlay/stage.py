@@ -35,6 +35,7 @@ PAD = 34.0
 DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
 EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
+AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
@@ -179,18 +180,20 @@ class Stage:
                 self.sun([float(one) for one in placed.direction])
 
     def sun(self, direction: Sequence[float], *, lost: bool = False) -> None:
-        """Draw a light at infinity in an upper corner, its arrows along its light as it is seen.
+        """Draw a light at infinity in the corner it comes from, its arrows as they are seen.
 
-        One that is lost is drawn a little lower, so that it covers no other.
+        One that is lost is drawn nearer to the middle, so that it covers no other.
         """
         x, y = self._corner_of_sun(direction)
-        y += 2 * CORNER if lost else 0
+        if lost:
+            y += 2 * CORNER if y < self.box.middle[1] else -2 * CORNER
         glyphs.sun(self.canvas, (x, y), self.direction(direction), lost=lost)
 
     def _corner_of_sun(self, direction: Sequence[float]) -> Point:
-        from_left = self.direction(direction)[0] > 0
-        x = self.box.x + CORNER if from_left else self.box.right - CORNER
-        return x, self.box.y + CORNER
+        towards = self.direction(direction)
+        x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
+        y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
+        return x, y
 
     def free_corners(self, pad: float) -> list[Point]:
         """Return the corners so far inside the stage in which no sun stands, for words."""
@@ -208,6 +211,41 @@ class Stage:
         place = self.place(point)
         if place is not None:
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
+
+    def axes(self, frame: Array) -> None:
+        """Draw the axes of a frame with their letters; what lies behind a surface is left out.
+
+        `frame` (3, 4) has the origin and the three axes as columns, in the world and as long as
+        they are drawn.
+        """
+        origin, ink = frame[:, 0], self.canvas.palette.ink
+        tips = frame[:, 1:].T + origin
+        start = self.place(origin)
+        for tip, letter in zip(tips, "xyz", strict=True):
+            self.surface_line(np.stack([origin, tip]), AXIS, ink)
+            end = self.place(tip)
+            if start is None or end is None:
+                continue
+            long = float(np.hypot(end[0] - start[0], end[1] - start[1]))
+            if long < LEAST_AXIS:  # it points at the eye, or away
+                continue
+            u = (end[0] - start[0]) / long, (end[1] - start[1]) / long
+            if self.sees(tip[None])[0]:
+                back = end[0] - 14 * u[0], end[1] - 14 * u[1]
+                glyphs.arrow(self.canvas, back, end, Ink.PLAIN, AXIS)
+            place = end[0] + 16 * u[0], end[1] + 16 * u[1] + 7
+            halo = self.canvas.palette.stage
+            self.canvas.text(place, letter, LETTER, ink, bold=True, align=0.5, halo=halo)
+        if start is not None and self.sees(origin[None])[0]:
+            glyphs.disc(self.canvas, start, 6.0, ink)
+
+    def sight(self, eye: Array, target: Array) -> None:
+        """Draw an eye of the world with the line of its sight, up to the first surface."""
+        ink = self.canvas.palette.eye
+        self.surface_line(np.stack([eye, target]), 3.2, ink, dash=(9.0, 6.0))
+        a, b = self.place(eye), self.place(target)
+        if a is not None and b is not None:
+            glyphs.eye(self.canvas, a, (b[0] - a[0], b[1] - a[1]))
 
     def above_ground(self, point: Sequence[float], ground: float) -> None:
         """Draw a dotted line from a point straight down to the ground, at a height y."""

@@ -74,7 +74,7 @@ class Pose:
             return settings.view, through(settings.lens, box)
         points = np.concatenate([b.positions_world for one in scenes for b in one.bodies])
         if settings.is_moving:  # nothing may jump: room for every turn about the origin
-            points = _ball(float(np.sqrt((points * points).sum(axis=1).max())) or 1.0)
+            points = ball(float(np.sqrt((points * points).sum(axis=1).max())) or 1.0)
         return self.around(points, box)
 
     def around(self, points: Array, box: Box) -> tuple[View, Lens]:
@@ -87,7 +87,8 @@ class Pose:
         return view, filling(view, points, box, self.room * reach)
 
 
-def _ball(radius: float) -> Array:
+def ball(radius: float) -> Array:
+    """Return points (n, 3) all over a ball about the origin."""
     turns, heights = np.meshgrid(np.linspace(0, 2 * np.pi, 24), np.linspace(-1, 1, 13))
     around = np.sqrt(1 - heights * heights)
     return radius * np.stack([around * np.cos(turns), heights, around * np.sin(turns)], -1).reshape(
@@ -118,6 +119,8 @@ def draw_on(slide: Slide, panel: Panel, scene: Scene, background: Colour | None 
 def put(slide: Slide, panel: Panel, drawn: DrawnScene) -> Stage:
     """Lay a picture that was drawn for a stage on it."""
     slide.canvas.image(panel.stage, drawn.levels)
+    if not drawn.rendered.work.fragments:
+        slide.no_answer(panel, "out of sight")
     return Stage(slide.canvas, panel.stage, drawn)
 
 
