@@ -230,9 +230,10 @@ class Stage:
             if long < LEAST_AXIS:  # it points at the eye, or away
                 continue
             u = (end[0] - start[0]) / long, (end[1] - start[1]) / long
-            if self.sees(tip[None])[0]:
-                back = end[0] - 14 * u[0], end[1] - 14 * u[1]
-                glyphs.arrow(self.canvas, back, end, Ink.PLAIN, AXIS)
+            if not self.sees(tip[None])[0]:
+                continue
+            back = end[0] - 14 * u[0], end[1] - 14 * u[1]
+            glyphs.arrow(self.canvas, back, end, Ink.PLAIN, AXIS)
             place = end[0] + 16 * u[0], end[1] + 16 * u[1] + 7
             halo = self.canvas.palette.stage
             self.canvas.text(place, letter, LETTER, ink, bold=True, align=0.5, halo=halo)

@@ -42,16 +42,15 @@ from nmatrix.scene.world import World
 Array = NDArray[Any]
 
 SKEWED = World(
-    translate=(0.5, 1.3, 0), scale=(0.9, 1.3, 0.9), rotate_degrees=(0, 25, -14), shear=(0.35, 0, 0)
+    translate=(1.0, 1.3, -0.2), scale=(0.9, 1.3, 0.9), rotate_degrees=(0, 18, -12), shear=(0.3, 0, 0)
 )
-LAMP = SceneLight("lamp", LightKind.POINT, position=(-2.2, 3.2, 2.6))
-FROM_THE_SIDE = Pose((3.4, 1.3, 4.2), radius=1.9, room=0.05)
+LAMP = SceneLight("lamp", LightKind.POINT, position=(0.5, 3.7, 1.8))
+FROM_THE_SIDE = Pose((1.6, 0.4, 2.9), radius=1.7, room=0.05)
 GUTTER = 16.0
 LOWER, BETWEEN, BELOW = 214.0, 88.0, 84.0  # units: a picture, the captions above it, the footer
 ALIKE = 1e-9  # of full brightness: rounding
 CELLS = 6  # of the floor, along an edge
 MOST_DOTS, DOTS_APART = 90, 9.0  # vertices that are drawn, and units between them
-SIDE, FRONT = (1.7, 0.9, 1.0), (0.5, 0.75, 2.4)
 COUNT = {5: "Five", 4: "Four", 3: "Three"}
 
 
@@ -67,14 +66,14 @@ class Standpoint:
 
 STANDPOINTS = (
     Standpoint(
-        Space.OBJECT, FRONT, "the shape is plain; lamp and eye are moved by M^{−1}", "no M^{−1}"
+        Space.OBJECT, (-0.8, 0.8, 2.2), "the shape is plain; M^{−1} moves lamp and eye", "no M^{−1}"
     ),
-    Standpoint(Space.WORLD, FRONT, "everything stands where you put it"),
-    Standpoint(Space.CAMERA, SIDE, "the eye is the origin and looks down −z"),
+    Standpoint(Space.WORLD, (0, 0.8, 2.4), "everything stands where you put it"),
+    Standpoint(Space.CAMERA, (0.5, 1.3, 2.1), "the eye is the origin and looks down −z"),
     Standpoint(
-        Space.LIGHT, SIDE, "the lamp is the origin and looks down −z", "no direction of the light"
+        Space.LIGHT, (0.3, 0.45, 2.4), "the lamp is the origin and looks down −z", "no direction of the light"
     ),
-    Standpoint(Space.STATIC, FRONT, "M is baked into every vertex; then M = I"),
+    Standpoint(Space.STATIC, (0, 0.8, 2.4), "M is baked into every vertex; then M = I"),
 )
 
 
@@ -222,8 +221,8 @@ class _Surroundings:
         return None if place is None else np.array([float(side) for side in place])
 
     @cached_property
-    def floor(self) -> tuple[Array, Array]:
-        """Opposite corners of the world's floor, under the body and the world's origin."""
+    def floor(self) -> Array:
+        """The corners (4, 3) of the world's floor, under the body and the world's origin."""
         points = np.concatenate([self.body.positions_world, np.zeros((1, 3))])
         low, high = points.min(axis=0), points.max(axis=0)
         ground = float(self.body.box[0][1])
@@ -231,9 +230,8 @@ class _Surroundings:
             away = float(np.sqrt((points * points).sum(axis=1).max()))
             low, high, ground = np.full(3, -away), np.full(3, away), -away
         middle, half = (low + high) / 2, 0.62 * float(max((high - low)[[0, 2]])) or 1.0
-        corner = np.array([half, 0, half])
         middle[1] = ground
-        return middle - corner, middle + corner
+        return middle + half * np.array([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]])
 
     @cached_property
     def axes(self) -> Array:
@@ -246,7 +244,7 @@ class _Surroundings:
     @cached_property
     def held(self) -> Array:
         """Points (n, 3) of the world that the stage must hold, but for the axes."""
-        points = [self.body.positions_world, self.eye[None], np.array(self.floor)]
+        points = [self.body.positions_world, self.eye[None], self.floor]
         if self.lamp is not None:
             points.append(self.lamp[None])
         found = np.concatenate(points)
@@ -275,13 +273,11 @@ class _Surroundings:
         return stage
 
     def _mark(self, stage: Stage) -> None:
-        grid, palette = stage.canvas.palette.grid, stage.canvas.palette
-        low, high = self.floor
+        grid = stage.canvas.palette.grid
+        a, b, c, d = self.floor
         for part in np.linspace(0, 1, CELLS + 1):
-            x, z = low[[0, 2]] + part * (high - low)[[0, 2]]
-            for a, b in (((x, low[2]), (x, high[2])), ((low[0], z), (high[0], z))):
-                ends = np.array([[a[0], low[1], a[1]], [b[0], low[1], b[1]]])
-                stage.surface_line(ends, 2.4, grid)
+            for ends in ((a + part * (b - a), d + part * (c - d)), (a + part * (d - a), b + part * (c - b))):
+                stage.surface_line(np.array(ends), 2.4, grid)
         stage.outline()
         if self.standpoint.space is Space.STATIC:
             self._dots(stage)
