@@ -192,7 +192,9 @@ def _plan(slide: Slide, panel: Panel, scene: Scene, walk: Walk, lit_from: Sequen
     for i in lit_from:
         beam = _beam(walk, i)
         opacity = 0.75 if i == lit_from[-1] else 0.3
-        canvas.polygon(stage.window(beam)[:, :2], fill=palette.light, opacity=opacity)
+        outline = stage.window(beam)[:, :2]
+        edge = {"edge": palette.ink, "width": glyphs.EDGE, "opacity": opacity}
+        canvas.polygon(outline, fill=palette.light, **edge)
     stage.cut_out(palette.body)
     stage.path(walk.way(walk.turn), Ink.EYE)
     stage.lamp(walk.places[lit_from[-1]].tolist(), radius=11)

@@ -119,7 +119,7 @@ def spaces(settings: ProofSettings) -> Proof:
     worst = float((images.max(axis=0) - images.min(axis=0)).max())
     slide.footer(
         f"The largest difference between any two of the {COUNT[len(able)].lower()}: "
-        f"{_power_of_ten(worst)} of full brightness.",
+        f"{_power_of_ten(worst)} of full brightness. A space is a choice of where to compute.",
         Verdict.RIGHT if worst < ALIKE else None,
     )
     differences = {
