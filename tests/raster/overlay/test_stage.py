@@ -127,8 +127,9 @@ def test_tacks_stand_on_the_surface_upright_by_the_right_rule_alone() -> None:
     assert min(lean) < 0.9
 
 
-def test_tacks_stand_apart_and_most_of_them_on_the_silhouette() -> None:
-    found = stage()
+@pytest.mark.parametrize("scale", [(1, 1.4, 0.7), (1, 0.1, 1), (0.1, 1, 0.1)])
+def test_tacks_stand_apart(scale: tuple) -> None:
+    found = stage(World(scale=scale))
     (body,) = found.loaded.bodies
     places = np.array([one.place for one in tacks(found, body, NormalRule.EXACT)])
     window = found.window(places)[:, :2]
@@ -136,6 +137,11 @@ def test_tacks_stand_apart_and_most_of_them_on_the_silhouette() -> None:
         body.centre + np.outer([0, 1], radius_of(body) * found.across))[:, 0]))[0]  # fmt: skip
     apart = np.sqrt(((window[:, None] - window) ** 2).sum(axis=2)) + 1e9 * np.eye(len(window))
     assert apart.min() > 0.33 * unit_length
+
+
+def test_most_tacks_stand_on_the_silhouette() -> None:
+    found = stage()
+    (body,) = found.loaded.bodies
     towards = [
         abs(float(one.normal @ (found.eye - one.place)) / np.linalg.norm(found.eye - one.place))
         for one in tacks(found, body, NormalRule.EXACT)
