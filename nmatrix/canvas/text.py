@@ -80,7 +80,7 @@ _SMALLS = str.maketrans("−-0123456789T", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹ᵀ
 
 
 def scientific(value: float, digits: int = 2) -> str:
-    """Write a number that is not negative in marked-up text, with a power of ten if it is far from 1.
+    """Write a number from 0 on as marked-up text, with a power of ten if it is far from 1.
 
     Examples
     --------
@@ -89,7 +89,20 @@ def scientific(value: float, digits: int = 2) -> str:
     """
     if value == 0 or 1e-3 <= value < 1e4:
         return f"{float(f'{value:.{digits}g}'):.12g}"
-    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    return with_power(f"{value:.{digits - 1}e}")
+
+
+def with_power(number: str) -> str:
+    """Write a number with a power of ten as marked-up text; any other one as it is.
+
+    Examples
+    --------
+    >>> with_power("1.50e-07"), with_power("1e+300"), with_power("12")
+    ('1.5 · 10^{−7}', '10^{300}', '12')
+    """
+    mantissa, e, exponent = number.partition("e")
+    if not e:
+        return number
     power = f"10^{{{str(int(exponent)).replace('-', '−')}}}"
     mantissa = f"{float(mantissa):g}"
     return power if mantissa == "1" else f"{mantissa} · {power}"
