@@ -38,7 +38,7 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
-ZERO_DISC, ZERO = 0.16, 26  # the disc of a normal that is zero, and the size of its 0
+ZERO_DISC, ZERO = 0.17, 22  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
 ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
@@ -309,16 +309,17 @@ class Stage:
         place = self.place(tack.place)
         if place is not None:
             palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
-            halo = palette.paper
-            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
+            halo = palette.bright
+            self.canvas.text(at, "0", ZERO, palette.dim, bold=True, align=0.5, halo=halo)
 
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
         rim = self.window(rings_around(place[None], normal[None], radius)[0])
         if np.isfinite(rim).all():
-            ink, towards = self.canvas.palette.ink, unit(self.eye - place)
-            width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
-            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=ink, width=width)
+            palette, towards = self.canvas.palette, unit(self.eye - place)
+            is_edge_on = abs(float(normal @ towards)) < SILHOUETTE * 2
+            edge, width = (palette.ink, EDGE_ON) if is_edge_on else (palette.dim, RIM)
+            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=edge, width=width)
 
     def _rims(self) -> list[Array]:
         """Return the lines on the canvas that part what is covered from what is not."""

@@ -86,8 +86,11 @@ def _flattened(settings: ProofSettings, without: Scene, right: Scene) -> Found:
     tips = body.centre + long * np.stack([across, -across])
     parts = list(zip(panels, (without, right), strict=True))
     zero, lit = staged(slide, settings, FROM_ABOVE, parts, (tips,))
-    slide.no_answer(hatched, "1 / 0", NOTHING)
-    Stage(slide.canvas, hatched.stage, lit.drawn).lost_outline()
+    lost = Stage(slide.canvas, hatched.stage, lit.drawn)
+    middle = lost.place(body.centre)
+    is_in_sight = middle is not None and hatched.stage.holds(middle)
+    slide.no_answer(hatched, "1 / 0", NOTHING, middle if is_in_sight else None)
+    lost.lost_outline()
     for stage in (zero, lit):
         stage.outline()
         stage.lights()
@@ -97,9 +100,9 @@ def _flattened(settings: ProofSettings, without: Scene, right: Scene) -> Found:
         lit.arrow(one.place, one.place - long * one.normal, Ink.RIGHT)
     longer = [replace(one, arrow=one.arrow * LONG / ARROW) for one in found]
     lit.tacks(longer, Ink.RIGHT, radius_of(body))
-    lost = level_difference(zero.drawn, lit.drawn)
+    dark = level_difference(zero.drawn, lit.drawn)
     verdict = (
-        f"The cofactors still know the plane's normal; without it {lost} levels of light are lost."
+        f"The cofactors still know the plane's normal; without it {dark} levels of light are lost."
     )
     return slide, (zero.drawn, lit.drawn), verdict
 
@@ -155,7 +158,7 @@ def _gone(settings: ProofSettings, without: Scene, right: Scene) -> Found:
     (body,) = loaded(right).bodies
     left = NO_SURFACE[body.linear_map.rank]
     title = "No surface is here, and so no normal"
-    if body.linear_map.rank < 3:
+    if body.linear_map.rank < 2:
         title = f"Flattened to {left}: no plane is left, and no normal"
     slide = settings.slide(title)
     told = "No rule can make a normal of what has no side: the cofactors say 0, and that is true."
