@@ -15,7 +15,7 @@ from nmatrix.studies.harness import SelfTest, machine
 from nmatrix.studies.measurements import Measurement, Study, Target, Unit, by_setting, overall
 from nmatrix.studies.methods import METHODS
 from nmatrix.studies.normals import ONE, WRONG
-from nmatrix.studies.summary import Role, Standing, Summary, summary
+from nmatrix.studies.summary import Role, Standing, Summary, multiple, summary
 
 Rows = Sequence[Measurement]
 
@@ -142,7 +142,8 @@ def _short_spaces(told: Summary, shown: Sequence[Standing]) -> Table:
         mine = (row for found in settings.values() for row in found if row.method == one.name)
         cells.append((one.name, one.worst, *(_three_digits(row.price) for row in mine)))
     columns = (f"× {int(name.partition(' ')[0]):,}" for name in settings)
-    return Table(("space", Unit.MULTIPLICATIONS.value, *columns), tuple(cells))
+    title = "Times are multiples of world space's, for so many vertices." if settings else ""
+    return Table(("space", Unit.MULTIPLICATIONS.value, *columns), tuple(cells), title)
 
 
 def _worst(one: Standing) -> str:
@@ -153,12 +154,8 @@ def _worst(one: Standing) -> str:
 
 
 def _multiple(one: Standing) -> str:
-    low, high = map(_two_digits, one.prices)
+    low, high = (multiple(price).removesuffix("×") for price in one.prices)
     return low if low == high else f"{low}–{high}"
-
-
-def _two_digits(price: float) -> str:
-    return f"{price:.2g}" if price < 9.95 else f"{price:.0f}"
 
 
 def _normals_table(setting: str, rows: Rows) -> Table:
@@ -215,7 +212,7 @@ WORDINGS = {
     Study.SPACES: Wording(
         "for all vertices",
         "multiplications a vertex",
-        "Multiplications are counted; under × stand times over world space's, of so many vertices",
+        "Multiplications are counted, not measured",
         "the intervals",
         _short_spaces,
         _spaces_table,
@@ -281,8 +278,9 @@ def _on_target(told: Summary, target: Target, met_by: Measurement | None) -> str
         worth = f"with {met_by.failures} wrong answers"
     price = f"work {met_by.work:.0f}, counted"
     if met_by.timing is not None:
+        most = "at most " if told.study is Study.NORMALS else ""
         seconds = f"{in_time(met_by.timing.seconds)} {WORDINGS[told.study].time_is_for}"
-        price = f"{seconds}, {_two_digits(met_by.timing.ratio)}× {told.reference.spoken}"
+        price = f"{most}{seconds}, {multiple(met_by.timing.ratio)} {told.reference.spoken}"
     return f"{best}: {name}, {worth}, {price}."
 
 
@@ -304,18 +302,19 @@ def _answer(told: Summary) -> str:
     best = summary(told.study, alone)
     one = best.more or best.reference
     return (
-        f"{answer}. One matrix alone: {one.name}, {_two_digits(one.price)}× "
+        f"{answer}. One matrix alone: {one.name}, {multiple(one.price)} "
         f"{known.spoken}, {_short(one.worst)} {one.unit}."
     )
 
 
 def _price_of(told: Summary, one: Standing) -> str:
     """Write what a contestant costs, as a multiple and in all."""
-    price = f"{_two_digits(one.price)}× the {told.noun}"
+    price = f"{multiple(one.price)} the {told.noun}"
     times = [row.timing.seconds for row in one.rows if row.timing is not None]
     if not times:
         return price
-    return f"{price} ({in_time(max(times))} {WORDINGS[told.study].time_is_for})"
+    most = "at most " if len(times) > 1 else ""
+    return f"{price} ({most}{in_time(max(times))} {WORDINGS[told.study].time_is_for})"
 
 
 def _cheapest_space(told: Summary) -> str:

@@ -276,19 +276,25 @@ class Summary:
             return f"{price}: off, but invisibly"
         return f"{price}: {_factor(found / known)} as far off"
 
-    @property
+    @cached_property
     def cheapest(self) -> tuple[Standing, ...]:
-        """Those whose price is the least, or the same."""
-        least = min(one.price for one in self.standings)
-        return tuple(one for one in self.standings if one.price <= least * ALIKE)
+        """Those of the least price, as far as the clock tells them apart."""
+        best = min(self.standings, key=lambda one: one.price)
+        return tuple(one for one in self.standings if self._is_as_cheap(one, best))
+
+    def _is_as_cheap(self, one: Standing, best: Standing) -> bool:
+        if self.measure == TIME and one.spread is not None and best.spread is not None:
+            return one.spread[0] <= best.spread[1]
+        return one.price <= best.price
 
     @property
     def _on_spaces(self) -> str:
         if self.reference in self.cheapest:
             return f"No space takes less {self.noun} than world space"
         names = " or ".join(one.name for one in self.cheapest).capitalize()
-        least = max(one.price for one in self.cheapest)
-        return f"{names} space: {_share(least, self.noun).lower()} of world space"
+        least = _share(max(one.price for one in self.cheapest), self.noun).lower()
+        most = "at most " if len(self.cheapest) > 1 else ""
+        return f"{names} space: {most}{least} of world space"
 
 
 def summary(study: Study, rows: Rows, timed: Rows | None = None) -> Summary:
@@ -338,14 +344,22 @@ def _share(price: float, noun: str) -> str:
     >>> [_share(price, "time") for price in (0.51, 1.0, 2.05, 10.4, 0.23)]
     ['Half the time', 'The same time', 'Twice the time', '10× the time', '0.23× the time']
     """
-    for words, factor in (
-        (f"Half the {noun}", 0.5),
-        (f"The same {noun}", 1.0),
-        (f"Twice the {noun}", 2.0),
-    ):
+    named = (("Half the", 0.5), ("The same", 1.0), ("Twice the", 2.0))
+    for words, factor in named:
         if factor / ALIKE < price < factor * ALIKE:
-            return words
-    return f"{price:.0f}× the {noun}" if price >= 9.5 else f"{price:.2g}× the {noun}"
+            return f"{words} {noun}"
+    return f"{multiple(price)} the {noun}"
+
+
+def multiple(price: float) -> str:
+    """Write a multiple in two digits, or all of its whole ones.
+
+    Examples
+    --------
+    >>> multiple(0.234), multiple(9.51), multiple(123.4)
+    ('0.23×', '9.5×', '123×')
+    """
+    return f"{price:.2g}×" if price < 9.95 else f"{price:.0f}×"
 
 
 def _gain(known: float, found: float) -> str:
@@ -359,6 +373,4 @@ def _gain(known: float, found: float) -> str:
 
 def _factor(factor: float) -> str:
     """Write a factor, rounded down to a power of ten where it is large."""
-    if factor >= POWERS_FROM:
-        return f"over 10^{{{floor(log10(factor))}}}×"
-    return f"{factor:.0f}×" if factor >= 9.5 else f"{factor:.1f}×"
+    return f"over 10^{{{floor(log10(factor))}}}×" if factor >= POWERS_FROM else multiple(factor)

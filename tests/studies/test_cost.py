@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from collections.abc import Callable
+from dataclasses import replace
 from math import pi
 from pathlib import Path
 from types import SimpleNamespace
@@ -216,6 +217,14 @@ def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
     assert found["cheapest"]["method"] in ("exact", "certified")
     loose = report(Study.NORMALS, rows, SOUND, Target(tolerance=2.0)).data["cheapest"]
     assert loose["method"] != "cofactor", "it turns mirrors inside out, or is zero somewhere"
+
+
+def test_a_budget_is_kept_by_the_longest_time_not_by_that_of_the_highest_ratio() -> None:
+    slow_reference = Measurement("a", "s", 1.0, Unit.RADIANS, Ratio(9.0, 0.1, 0.1, 0.1), 1.0)
+    quick_reference = replace(slow_reference, setting="t", timing=Ratio(2.0, 3.0, 3.0, 3.0))
+    (found,) = overall([slow_reference, quick_reference])
+    assert (found.timing.seconds, found.timing.ratio) == (9.0, 3.0)
+    assert Target(seconds=5.0).met_by([found]) is None
 
 
 def test_on_a_busy_machine_errors_failures_and_work_are_told(rows: tuple) -> None:
