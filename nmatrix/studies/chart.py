@@ -31,7 +31,7 @@ from nmatrix.studies.easel import (
 )
 from nmatrix.studies.labels import Ground, Label, Weight
 from nmatrix.studies.measurements import Study
-from nmatrix.studies.summary import MOST, VISIBLE, Role, Standing, Summary
+from nmatrix.studies.summary import MOST, VISIBLE, Role, Standing, Summary, multiple
 
 STEP = 5.0  # the width of the front
 ERRORS_FROM, ERRORS_TO = 10.0**-17.7, 10.0**1.3  # of normals, in radians
@@ -55,7 +55,7 @@ def chart_file(summary: Summary, look: Look, kind: PixelFormat | VectorFormat) -
     """Draw the chart and return its file; equal summaries give equal bytes."""
     slide = chart(summary, look)
     told = [
-        f"{one.name}: {one.worst:.2g} {one.unit}, {one.price:.2g} times the {summary.measure}."
+        f"{one.name}: {one.worst:.2g} {one.unit}, {multiple(one.price)} the {summary.measure}."
         for one in summary.shown(everything=look.everything)
     ]
     words = {"Title": plain(slide.title), "Description": " ".join(told)}
@@ -265,7 +265,9 @@ class _Rows(Easel):
         if self.summary.study is Study.SPACES:
             return f"{one.worst:.0f}"
         low, high = self.ends(one)
-        return f"{one.price:.2g}×" if one.is_reference or low == high else f"{low:.2f}–{high:.2f}×"
+        if one.is_reference or low == high:
+            return multiple(one.price)
+        return f"{low:.2f}–{high:.2f}×"
 
     @property
     def _about(self) -> str:

@@ -16,7 +16,7 @@ from nmatrix.canvas.marks import Box, Point
 from nmatrix.canvas.slide import Slide
 from nmatrix.canvas.text import LEADING, width
 from nmatrix.studies.measurements import Study, Unit
-from nmatrix.studies.summary import ROUNDED, TIME, Role, Standing, Summary
+from nmatrix.studies.summary import ROUNDED, Measure, Role, Standing, Summary
 
 NAME, BEATEN_NAME, WORDS, KEY = 25, 22, 24, 22  # text sizes
 DOT, RING, CROSS, DIAMOND = 11.0, 9.0, 10.0, 17.0  # radii of the marks
@@ -70,7 +70,7 @@ class Easel:
     def __init__(self, slide: Slide, summary: Summary, shown: Sequence[Standing]) -> None:
         self.canvas, self.palette, self.frame = slide.canvas, slide.palette, slide.frame
         self.summary, self.shown = summary, shown
-        self.is_told = summary.measure == TIME
+        self.is_told = summary.measure is Measure.TIME
         self.colours = {
             Role.REFERENCE: self.palette.ink,
             Role.FRONT: self.palette.right,
@@ -92,7 +92,7 @@ class Easel:
     def axis_of_prices(self) -> str:
         """What prices are multiples of."""
         is_counted = not self.is_told and self.summary.reference.spread is None
-        measure = self.summary.measure if is_counted else TIME
+        measure = self.summary.measure if is_counted else Measure.TIME
         return f"{measure}, as a multiple of {self.summary.reference.spoken}"
 
     @cached_property
@@ -166,7 +166,7 @@ class Easel:
         if self._is_rounding_beaten:
             words[Role.FRONT] += f" (to {power(round(log10(ROUNDED[Unit.RADIANS])))})"
         if self.summary.study is Study.SPACES:
-            words = {Role.FRONT: f"the least {self.summary.noun}", Role.BEATEN: "more"}
+            words = {Role.FRONT: f"the least {self.summary.measure.noun}", Role.BEATEN: "more"}
         present = {self.role(one) for one in self.shown}
         x, y = self.frame.x + 12, self.frame.bottom - KEY_AT
         for role in (role for role in words if role in present):

@@ -118,7 +118,7 @@ def _short_normals(told: Summary, shown: Sequence[Standing]) -> Table:
         (one.name, titles.get(one.name, ""), _short(one.easiest), _worst(one), _multiple(one))
         for one in shown
     )
-    return Table(("method", "what it is", "easiest", "worst", f"{told.noun} ×"), cells)
+    return Table(("method", "what it is", "easiest", "worst", f"{told.measure.noun} ×"), cells)
 
 
 def _short_shading(told: Summary, shown: Sequence[Standing]) -> Table:
@@ -131,7 +131,7 @@ def _short_shading(told: Summary, shown: Sequence[Standing]) -> Table:
         )
         for one in shown
     )
-    return Table(("setting", "rms levels", f"{told.noun} ×", ""), cells)
+    return Table(("setting", "rms levels", f"{told.measure.noun} ×", ""), cells)
 
 
 def _short_spaces(told: Summary, shown: Sequence[Standing]) -> Table:
@@ -309,7 +309,7 @@ def _answer(told: Summary) -> str:
 
 def _price_of(told: Summary, one: Standing) -> str:
     """Write what a contestant costs, as a multiple and in all."""
-    price = f"{multiple(one.price)} the {told.noun}"
+    price = f"{multiple(one.price)} the {told.measure.noun}"
     times = [row.timing.seconds for row in one.rows if row.timing is not None]
     if not times:
         return price

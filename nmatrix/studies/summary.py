@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum, auto
+from enum import Enum, StrEnum, auto
 from functools import cached_property
 from math import floor, isnan, log10, pi, radians
 
@@ -34,7 +34,16 @@ SPOKEN: dict[str, str] = {
 }
 
 
-TIME, WORK = "time", "counted work"  # what prices are of
+class Measure(StrEnum):
+    """What prices are of: time, or the work that is counted where no time is told."""
+
+    TIME = "time"
+    WORK = "counted work"
+
+    @property
+    def noun(self) -> str:
+        """The measure in one word."""
+        return self.rpartition(" ")[2]
 
 
 class Role(Enum):
@@ -84,11 +93,6 @@ class Standing:
         """The largest error as it counts beside others: one of mere rounding is as any other."""
         return max(self.worst, ROUNDED.get(self.unit, 0.0))
 
-    @property
-    def failures(self) -> int:
-        """The number of wrong answers of all kinds."""
-        return sum(row.failures for row in self.rows)
-
     @cached_property
     def prices(self) -> tuple[float, float]:
         """The lowest and the highest price of its settings; 1 where it is against itself."""
@@ -135,25 +139,17 @@ def _error(row: Measurement) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Summary:
-    """The contestants of a study, the most exact first.
-
-    `measure` is what prices are of: the time, or the counted work where no time is told.
-    """
+    """The contestants of a study, the most exact first; `measure` is what their prices are of."""
 
     study: Study
     standings: tuple[Standing, ...]
-    measure: str
+    measure: Measure
     rows: Rows
 
     @cached_property
     def reference(self) -> Standing:
         """The contestant that the others are measured against."""
         return next(one for one in self.standings if one.is_reference)
-
-    @property
-    def noun(self) -> str:
-        """The measure in one word."""
-        return self.measure.rpartition(" ")[2]
 
     @property
     def settings(self) -> int:
@@ -250,31 +246,34 @@ class Summary:
         if all(one.is_seen for one in self.standings):
             return "Every method is visibly wrong somewhere"
         if self.more is None and self.less and self.less.error * ALIKE < self.reference.error:
-            return f"{self._on_less}. More {self.noun} buys no more"
+            return f"{self._on_less}. More {self.measure.noun} buys no more"
         return f"{self._on_more}. {self._on_less}"
 
     @property
     def _on_more(self) -> str:
         if self.more is None:
-            return f"More {self.noun} buys nothing"
+            return f"More {self.measure.noun} buys nothing"
         if self.reference.is_seen:
-            return f"{_share(self.more.price, self.noun)}: off, but invisibly"
+            return f"{self._share(self.more.price)}: off, but invisibly"
         gain = _gain(self.reference.worst, self.more.worst)
-        return f"{_share(self.more.price, self.noun)}: {gain}"
+        return f"{self._share(self.more.price)}: {gain}"
 
     @property
     def _on_less(self) -> str:
         if not any(one.price * ALIKE <= 1.0 for one in self.standings):
-            return f"Nothing takes less {self.noun}"
+            return f"Nothing takes less {self.measure.noun}"
         if self.less is None:
-            return f"Less {self.noun}: visibly wrong"
-        price = f"{_share(self.less.price, self.noun)}"
+            return f"Less {self.measure.noun}: visibly wrong"
+        price = self._share(self.less.price)
         known, found = self.reference.worst, self.less.worst
         if found <= known * ALIKE and not self.reference.is_seen:
             return f"{price}: {_gain(known, found)}"
         if self.less.unit is Unit.RADIANS:
             return f"{price}: off, but invisibly"
         return f"{price}: {_factor(found / known)} as far off"
+
+    def _share(self, price: float) -> str:
+        return share(price, self.measure.noun)
 
     @cached_property
     def cheapest(self) -> tuple[Standing, ...]:
@@ -283,16 +282,16 @@ class Summary:
         return tuple(one for one in self.standings if self._is_as_cheap(one, best))
 
     def _is_as_cheap(self, one: Standing, best: Standing) -> bool:
-        if self.measure == TIME and one.spread is not None and best.spread is not None:
+        if self.measure is Measure.TIME and one.spread is not None and best.spread is not None:
             return one.spread[0] <= best.spread[1]
         return one.price <= best.price
 
     @property
     def _on_spaces(self) -> str:
         if self.reference in self.cheapest:
-            return f"No space takes less {self.noun} than world space"
+            return f"No space takes less {self.measure.noun} than world space"
         names = " or ".join(one.name for one in self.cheapest).capitalize()
-        least = _share(max(one.price for one in self.cheapest), self.noun).lower()
+        least = self._share(max(one.price for one in self.cheapest)).lower()
         most = "at most " if len(self.cheapest) > 1 else ""
         return f"{names} space: {most}{least} of world space"
 
@@ -311,7 +310,7 @@ def summary(study: Study, rows: Rows, timed: Rows | None = None) -> Summary:
         for name, mine in groups.items()
     ]
     found.sort(key=lambda one: (one.worst, one.price))
-    return Summary(study, tuple(found), TIME if is_told else WORK, rows)
+    return Summary(study, tuple(found), Measure.TIME if is_told else Measure.WORK, rows)
 
 
 def _groups(study: Study, rows: Rows) -> dict[str, list[Measurement]]:
@@ -336,12 +335,12 @@ def _groups(study: Study, rows: Rows) -> dict[str, list[Measurement]]:
     return found
 
 
-def _share(price: float, noun: str) -> str:
+def share(price: float, noun: str) -> str:
     """Write a multiple of a price.
 
     Examples
     --------
-    >>> [_share(price, "time") for price in (0.51, 1.0, 2.05, 10.4, 0.23)]
+    >>> [share(price, "time") for price in (0.51, 1.0, 2.05, 10.4, 0.23)]
     ['Half the time', 'The same time', 'Twice the time', '10× the time', '0.23× the time']
     """
     named = (("Half the", 0.5), ("The same", 1.0), ("Twice the", 2.0))
