@@ -99,7 +99,9 @@ class _Plot(Easel):
             self.marks.append(Box(x - r, y - r, 2 * r, 2 * r))
         self._names()
         self.key(has_lines_down=any(falling))
-        self.about(f"the worst of {self.summary.settings} kinds of matrices", BUSY_BARS)
+        count = self.summary.settings
+        kinds = "kind" if count == 1 else "kinds"
+        self.about(f"the worst of {count} {kinds} of matrices", BUSY_BARS)
 
     def _place(self, one: Standing) -> Point:
         low, high = self.ends(one)
