@@ -17,6 +17,7 @@ from nmatrix.canvas.paint import pixels
 from nmatrix.canvas.slide import Slide
 from nmatrix.canvas.text import plain
 from nmatrix.canvas.theme import PALETTES
+from nmatrix.cli.shared_options import option_name
 from nmatrix.enums import PixelFormat, Theme, VectorFormat
 from nmatrix.studies.chart import Look, chart, chart_file
 from nmatrix.studies.easel import Easel
@@ -393,7 +394,7 @@ def test_the_everyday_answer_fits_a_terminal_and_names_each_method(
     nmatrix, study: Study, is_told: bool
 ) -> None:
     from nmatrix.output.text import write
-    from nmatrix.output.write import OutputOptions
+    from nmatrix.output.write import Charset, OutputOptions
 
     rows = SAVED[study] if is_told else with_fronts(without_times(SAVED[study]))
     test = SOUND.with_rows([SAME] * 10) if is_told else BUSY
@@ -401,6 +402,9 @@ def test_the_everyday_answer_fits_a_terminal_and_names_each_method(
     short = write(report(study, rows, test, Target()), OutputOptions())
     lines = short.splitlines()
     assert len(lines) <= 22
+    plainly = OutputOptions(charset=Charset.ASCII)
+    told_plainly = write(report(study, rows, test, Target()).spelled(option_name), plainly)
+    assert "\\" not in told_plainly, "it is spelled, not escaped"
     assert lines[0] == plain(told.sentence)
     for one in told.shown(everything=False):
         assert any(line.startswith(one.name) for line in lines), one.name
