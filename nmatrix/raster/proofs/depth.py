@@ -280,8 +280,8 @@ def _plot(slide: Slide, box: Box) -> None:
     ):
         x, y = plot.at(*place)
         for i, one in enumerate(words.split("\n")):
-            place = x, y + LEADING * CAPTION * i
-            canvas.text(place, one, CAPTION, colour, bold=True, halo=palette.stage)
+            line_at = x, y + LEADING * CAPTION * i
+            canvas.text(line_at, one, CAPTION, colour, bold=True, halo=palette.stage)
 
 
 def _grid(canvas: Canvas, plot: LogLog) -> None:
