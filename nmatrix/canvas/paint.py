@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 POINTS = 72  # in an inch, and units: a unit is a point
 HALO = 4.0  # units around letters
 LEAST_TEXT = 2.0  # pixels: fonts have no smaller letters, and no eye reads them
-AS_MEASURED = {"text.hinting": "none"}  # hinted letters are of other widths at each size
+AS_WIDE_AS_MEASURED = {"text.hinting": "none"}  # hinted letters stand on whole pixels
 TEXT_AS_TEXT = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
 
 
@@ -35,7 +35,7 @@ def pixels(canvas: Canvas) -> NDArray[Any]:
 
     figure = _figure(canvas, canvas.scale)
     agg = FigureCanvasAgg(figure)
-    with mpl.rc_context(AS_MEASURED):
+    with mpl.rc_context(AS_WIDE_AS_MEASURED):
         agg.draw()
     wide, high = canvas.pixels
     return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])
