@@ -38,7 +38,7 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
-ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+ZERO_DISC, ZERO = 0.18, 26  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
 
 ARROW_STEPS = 121  # at which an arrow of the world is looked for
