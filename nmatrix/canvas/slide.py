@@ -154,13 +154,15 @@ class Slide:
         laid = self.panel(stage)
         return self._instead(laid, replace(laid, heading=heading, verdict=verdict))
 
-    def no_answer(self, panel: Panel, reason: str) -> None:
+    def no_answer(self, panel: Panel, reason: str, size: int = HEADING) -> None:
         """Hatch a stage on which there is nothing to draw, and write the reason in it."""
         self.canvas.polygon(panel.stage.corners, fill=self.palette.stage)
         hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
-        place = panel.stage.middle
-        halo = self.palette.stage
-        self.canvas.text(place, reason, HEADING, bold=True, align=0.5, halo=halo)
+        (x, y), halo = panel.stage.middle, self.palette.stage
+        colour = self.palette.wrong if panel.verdict is Verdict.WRONG else self.palette.ink
+        self.canvas.text(
+            (x, y + 0.36 * size), reason, size, colour, bold=True, align=0.5, halo=halo
+        )
 
     def heading(
         self, x: float, y: float, text: str, verdict: Verdict | None = None, *, size: int = HEADING

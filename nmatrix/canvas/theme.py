@@ -108,12 +108,12 @@ PALETTES = {
 }
 
 
-def rgb(colour: str) -> tuple[float, float, float]:
-    """Return a colour as red, green and blue in [0, 1].
+def channels(colour: str) -> tuple[float, float, float]:
+    """Return the red, green and blue of #RRGGBB, each in [0, 1].
 
     Examples
     --------
-    >>> rgb("#FF0033")
+    >>> channels("#FF0033")
     (1.0, 0.0, 0.2)
     """
     red, green, blue = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))

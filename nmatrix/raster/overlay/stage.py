@@ -38,6 +38,10 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
+ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+LOST = 4.0  # the outline of what is not there
+
+ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
 
@@ -139,6 +143,11 @@ class Stage:
             for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
 
+    def lost_outline(self) -> None:
+        """Draw the outline of what would be covered, dashed, where it could not be drawn."""
+        for points in self._rims():
+            glyphs.line(self.canvas, points, Ink.WRONG, LOST)
+
     def cut_out(self, fill: str) -> None:
         """Fill all that is covered with one colour, edged in ink: what is drawn becomes a plan."""
         rims = [line for line in self._rims() if len(line) > 2]
@@ -164,6 +173,20 @@ class Stage:
             if halo is not None:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
+
+    def arrow(self, a: Array, b: Array, ink: Ink, shaft: float = glyphs.SHAFT) -> None:
+        """Draw an arrow of the world; what lies behind a surface is left out, its head too."""
+        line = a + np.linspace(0, 1, ARROW_STEPS)[:, None] * (b - a)
+        window, shown = self.window(line)[:, :2], self.sees(line)
+        runs = np.split(np.arange(len(line)), np.flatnonzero(np.diff(shown)) + 1)
+        for run in runs:
+            if not shown[run[0]] or len(run) < 2:
+                continue
+            (x, y), (u, v) = window[run[0]], window[run[-1]]
+            if run[-1] == len(line) - 1:
+                glyphs.arrow(self.canvas, (x, y), (u, v), ink, shaft)
+            else:
+                glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
 
     @property
     def is_empty(self) -> bool:
@@ -286,6 +309,15 @@ class Stage:
             if a is not None and b is not None:
                 glyphs.arrow(self.canvas, a, b, ink)
 
+    def nothing(self, tack: Tack, radius: float) -> None:
+        """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""
+        self.disc(tack.place, tack.normal, ZERO_DISC * radius)
+        place = self.place(tack.place)
+        if place is not None:
+            palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
+            halo = palette.paper
+            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
+
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
         rim = self.window(rings_around(place[None], normal[None], radius)[0])
@@ -319,11 +351,14 @@ def radius_of(body: Body) -> float:
     return float(body.radius) or 1.0
 
 
-def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
-    """Return the lens with which points (n, 3) of the world fill a box but for a pad.
+def filling(
+    view: View, points: Array, box: Box, inner: Box | None = None, around: float = 0.0
+) -> Lens:
+    """Return the lens of a box with which points (n, 3) of the world fill a part of it.
 
-    Around each is room of so many units of the world, for arrows. It is a view through a window
-    that need not lie opposite the eye: shifted and scaled, never bent.
+    The part is all but a pad on each side, unless `inner` says another.
+    Around each point is room of so many units of the world, for arrows. It is a view through a
+    window that need not lie opposite the eye: shifted and scaled, never bent.
     """
     camera = np.array(to_floats(view.placed().camera_from_world))
     x, y, z = (np.asarray(points, float) @ camera[:3, :3].T + camera[:3, 3]).T
@@ -333,9 +368,11 @@ def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
     room = around / np.maximum(-z, near)
     low, high = (tangents - room).min(axis=1), (tangents + room).max(axis=1)
     sides = np.array([box.width, box.height])
-    inner = np.maximum(sides - 2 * PAD, sides / 4)
-    per_unit = float(((high - low) / inner).max()) or 1.0 / float(inner.max())
-    middle, half = (low + high) / 2, sides / 2 * per_unit
+    inner = inner or box.inset(min(PAD, 3 / 8 * min(box.width, box.height)))
+    filled = np.array([inner.width, inner.height])
+    per_unit = float(((high - low) / filled).max()) or 1.0 / float(filled.max())
+    aside = np.subtract(box.middle, inner.middle) * (1, -1)  # tangents go up, units down
+    middle, half = (low + high) / 2 + aside * per_unit, sides / 2 * per_unit
     near = near / 2
     left, bottom = (middle - half) * near
     right, top = (middle + half) * near

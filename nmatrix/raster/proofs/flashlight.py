@@ -85,9 +85,7 @@ def flashlight(settings: ProofSettings) -> Proof:
     slide.footer(
         f"Walk {walked:.4g}° around: what you look at must stay lit.", x=panels[0][0].stage.x
     )
-    changed = [
-        abs(_middle(scene, 0) - _middle(scene, walked)) for scene in (behind, carried)
-    ]
+    changed = [abs(_middle(scene, 0) - _middle(scene, walked)) for scene in (behind, carried)]
     return Proof.of(
         settings.subject,
         slide,
@@ -107,7 +105,11 @@ def _night(settings: ProofSettings, box: Box) -> Scene:
     ground = float(body.box[0][1])
 
     def thing(
-        name: str, shape: Shape, at: tuple[float, float, float], scale: tuple[float, ...], **own: Any
+        name: str,
+        shape: Shape,
+        at: tuple[float, float, float],
+        scale: tuple[float, ...],
+        **own: Any,
     ) -> SceneObject:
         place = tuple(a + unit * b for a, b in zip((x, ground, z), at, strict=True))
         world = World(translate=place, scale=tuple(unit * side for side in scale))
@@ -135,9 +137,7 @@ def _night(settings: ProofSettings, box: Box) -> Scene:
         cone_degrees=CONE,
         fixed_to=EYE,
     )
-    night = SceneLight(
-        "night", LightKind.AMBIENT, color=grey(0.42) if is_print else NIGHT_LIGHT
-    )
+    night = SceneLight("night", LightKind.AMBIENT, color=grey(0.42) if is_print else NIGHT_LIGHT)
     eye = tuple(a + unit * b for a, b in zip((x, middle, z), EYE_AT, strict=True))
     far = hypot(*EYE_AT) + 2 * FLOOR
     view = settings.view or View(eye=eye, target=(x, middle, z))

@@ -25,7 +25,7 @@ from nmatrix.canvas.glyphs import (
     disc,
     line,
 )
-from nmatrix.canvas.marks import Box, Canvas, Point
+from nmatrix.canvas.marks import Box, Point
 from nmatrix.canvas.slide import BIG, CAPTION, GUTTER, Slide
 from nmatrix.canvas.text import width
 from nmatrix.enums import NormalRule, Space
@@ -162,8 +162,7 @@ def object_rule(settings: ProofSettings) -> Proof:
     shares_seen = not wrong[1].is_empty and _mark_shares(wrong[1], carried)
     captions = _captions(carried, edge_seen=edge_seen, shares_seen=shares_seen)
     panels = [
-        slide.captioned(panel, caption)
-        for panel, caption in zip(panels, captions, strict=True)
+        slide.captioned(panel, caption) for panel, caption in zip(panels, captions, strict=True)
     ]
     if agrees[1] or carried.points_alike:
         slide.compare(*panels[:2], same=carried.points_alike)
@@ -223,9 +222,7 @@ def _title(carried: CarriedLight) -> str:
     return "Turn, mirror, scale it evenly: each rule carries the light"
 
 
-def _captions(
-    carried: CarriedLight, *, edge_seen: bool, shares_seen: bool
-) -> tuple[str, str, str]:
+def _captions(carried: CarriedLight, *, edge_seen: bool, shares_seen: bool) -> tuple[str, str, str]:
     moved, shade = carried.agrees
     same = "The same shade: here it does no harm."
     first = "Dark begins at the wrong place."
@@ -274,7 +271,9 @@ def _two_lights(slide: Slide, stage: Box, carried: CarriedLight) -> None:
     apart = max(0.0, LETTERS_APART - between) / 2  # letters never cover one another
     lights = [(first, first - side * apart, Ink.RIGHT, "M^{−1}*l*")]
     if alike:
-        canvas.text((upper.x + 24, upper.y + 44), "M^{T}*l* = M^{−1}*l*", 26, palette.right, bold=True)
+        canvas.text(
+            (upper.x + 24, upper.y + 44), "M^{T}*l* = M^{−1}*l*", 26, palette.right, bold=True
+        )
         lights = [(first, first, Ink.RIGHT, "")]
     else:
         lights.append((other, other + side * apart, Ink.WRONG, "M^{T}*l*"))
@@ -342,9 +341,7 @@ def _tag(stage: Stage, place: Point, corner: Point, share: str, words: str) -> N
 def _counted(scene: Scene, changes: Sequence[Change]) -> dict[str, int]:
     """Compare pictures of one size, however large the slide is: where light ends, and levels."""
     exact = drawn_scene(scene, size=COUNTED, samples=1)
-    naive = drawn_scene(
-        scene, size=COUNTED, samples=1, space=Space.WORLD, normals=NormalRule.NONE
-    )
+    naive = drawn_scene(scene, size=COUNTED, samples=1, space=Space.WORLD, normals=NormalRule.NONE)
     transposed, inverted = (exact.redrawn(one) for one in changes)
     dark, dark_naive, dark_transposed, dark_inverted = (
         _unlit(one) for one in (exact, naive, transposed, inverted)

@@ -94,7 +94,8 @@ def spaces(settings: ProofSettings) -> Proof:
     """Draw one scene in five shading spaces, and where things are in each of them."""
     own = SKEWED if settings.is_moving else STANDING  # what turns does so about its middle
     one = settings.object(settings.placed(own), settings.geometry(LoadedGeometry(letter_r())))
-    plain = settings.scene(one, lights=(_lamp(loaded(settings.scene(one)).bodies[0]),))
+    before = settings.still.object(settings.placed(own), one.geometry)
+    plain = settings.scene(one, lights=(_lamp(loaded(settings.scene(before)).bodies[0]),))
     shiny = replace(one.material, reflection=settings.reflection or Reflection.BLINN_PHONG)
     scene = replace(plain, objects=(replace(one, material=shiny),))
     able = [each for each in STANDPOINTS if _has(loaded(scene), each.space)]
@@ -112,9 +113,7 @@ def spaces(settings: ProofSettings) -> Proof:
     ]
     below = [slide.panel(box) for box in lower]
     view, lens = FROM_THE_SIDE.camera(settings, [loaded(scene)], below[0].stage)
-    scene, plain = (
-        replace(each, view=view, lens=lens, has_camera=True) for each in (scene, plain)
-    )
+    scene, plain = (replace(each, view=view, lens=lens, has_camera=True) for each in (scene, plain))
     ready = loaded(plain)
     drawn: dict[Space, Stage] = {}
     for standpoint, high, low in zip(STANDPOINTS, above, below, strict=True):
@@ -303,13 +302,18 @@ class _Surroundings:
         grid = stage.canvas.palette.grid
         a, b, c, d = self.floor
         for part in np.linspace(0, 1, CELLS + 1):
-            for ends in ((a + part * (b - a), d + part * (c - d)), (a + part * (d - a), b + part * (c - b))):
+            for ends in (
+                (a + part * (b - a), d + part * (c - d)),
+                (a + part * (d - a), b + part * (c - b)),
+            ):
                 stage.surface_line(np.array(ends), 2.4, grid)
         stage.outline()
         if self.standpoint.space is Space.STATIC:
             self._dots(stage)
         stage.axes(self.axes)
-        stage.sight(self.eye, self.body.centre)
+        look = -as_array(self.ready.camera_from_world.exact)[2, :3]
+        far = float(look @ (self.body.centre - self.eye))
+        stage.sight(self.eye, self.eye + look * (far if far > 0 else radius_of(self.body)))
         stage.lights()
 
     def _dots(self, stage: Stage) -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas.glyphs import Ink, Verdict
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.slide import Row
-from nmatrix.canvas.theme import PALETTES, rgb
+from nmatrix.canvas.theme import PALETTES, channels
 from nmatrix.linear.affine import rotation_about_axis
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import RationalMatrix, affine_matrix, product
@@ -185,7 +185,9 @@ def _turned(
     (one,), (light,) = still.objects, still.lights
     rotation = _rotation(turn)
     moved = replace(one, world_from_object=product(rotation, one.world_from_object))
-    top = Material(ambient=rgb(PALETTES[settings.theme].paper), diffuse=grey(0), sides=Sides.BOTH)
+    top = Material(
+        ambient=channels(PALETTES[settings.theme].paper), diffuse=grey(0), sides=Sides.BOTH
+    )
     disc = SceneObject("table", LoadedGeometry(table.mesh), IDENTITY, top)
     lights = (turned_light(light, rotation) if carried else light,)
     return replace(still, objects=(moved, disc), lights=lights)
@@ -201,7 +203,7 @@ def _camera(
     if light.has_position:
         x, y, z = light.position
         rings.append(around(float(np.hypot(x, z)), y))
-    return IN_FRONT.around(np.concatenate(rings), box)
+    return IN_FRONT.about(np.concatenate(rings), box)
 
 
 def _shade(scene: Scene) -> Array:
