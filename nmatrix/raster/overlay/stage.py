@@ -188,11 +188,21 @@ class Stage:
             else:
                 glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
 
-    def light_edge(self, body: Body, cosines: Array) -> None:
-        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0."""
+    @property
+    def is_empty(self) -> bool:
+        """True if nothing of the scene is seen."""
+        return not self.drawn.rendered.work.fragments
+
+    def light_edge(self, body: Body, cosines: Array) -> bool:
+        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0.
+
+        Tells whether any of it is seen.
+        """
+        before = len(self.canvas.marks)
         palette = self.canvas.palette
         for points in isoline(body.positions_world, body.mesh.triangles, cosines):
             self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
+        return len(self.canvas.marks) > before
 
     def lights(self) -> None:
         """Draw every light: one at infinity in the corner that it comes from, others in place."""
