@@ -262,7 +262,7 @@ class Moved:
             return Verdict.WRONG, "M has no inverse: no normal comes out, and no light falls."
         if self.shortest >= WHOLE:
             return Verdict.RIGHT, "The fourth component is 0 here, and every length is right."
-        told = f"A fourth component appears. Normalised with it, arrows shrink to"
+        told = "A fourth component appears. Normalised with it, arrows shrink to"
         return Verdict.WRONG, f"{told} {scientific(self.shortest)} and the light with them."
 
     @property
