@@ -37,7 +37,7 @@ from nmatrix.scene.world import World
 Array = NDArray[Any]
 
 MIRRORED = World(scale=(-1, 1, 1))
-AT_THE_LETTER = Pose((-5.4, 2.0, 7.8), radius=1.25, around=0.1, free=(20, 112, 20, 30))
+AT_THE_LETTER = Pose((-5.4, 2.0, 7.8), radius=1.25, room=0.1, free=(20, 112, 20, 30))
 NUMBERED = 244.0  # units under the stages, for captions and a number under them
 ON_THE_FACE = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.45, -0.6, -1))
 
@@ -179,7 +179,7 @@ def _determinant(body: Body) -> str:
 
 
 MOVED = World(translate=(2.6, 0, 0))
-FROM_THE_FRONT = Pose((5.2, 2.6, 7.4), radius=2, around=0.14, free=(24, 60, 24, 30))
+FROM_THE_FRONT = Pose((5.2, 2.6, 7.4), radius=2, room=0.14, free=(24, 60, 24, 30))
 FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.8, -0.8, -0.15))
 LARGER = 1.6  # tacks, so that they are seen on a ball that has the origin beside it
 AXES = 0.62  # of the body's radius
@@ -359,7 +359,7 @@ def _way(stage: Stage, facts: Moved, came_from: Array, foot: Array) -> None:
 
 
 FLAT = World(scale=(1, 0, 1), rotate_degrees=(14, 0, -16))
-FROM_ABOVE = Pose((0.4, 2.4, 8.8), radius=1.3, around=0.08, free=(24, 60, 24, 60))
+FROM_ABOVE = Pose((0.4, 2.4, 8.8), radius=1.3, room=0.08, free=(24, 60, 24, 60))
 CAPTIONED = 140.0  # units under the stages, for captions
 ONTO_THE_COIN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.5, -1, -0.35))
 TACKS = 3  # each goes through the coin
