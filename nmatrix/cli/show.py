@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TextIO, TypeVar
 
 from nmatrix.enums import Format
 from nmatrix.output.write import Charset, Colour, OutputOptions, write
@@ -89,14 +89,21 @@ def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
     yield from track(items, what, total, console=Console(stderr=True), transient=True)
 
 
-def fail(message: str, exit_code: int) -> int:
-    """Write one line to stderr, whatever the message holds, and return the exit code."""
+def fail(message: str, exit_code: int, when: ColorWhen = ColorWhen.AUTO) -> int:
+    """Write one line to stderr, whatever the message holds, and return the exit code.
+
+    Scripts look for its first word, so only a terminal sees that in colour.
+    """
+    from nmatrix.output.style import Span, Style, render
+
+    colour = _colour_of(sys.stderr, when) if sys.stderr.isatty() else Colour.PLAIN
+    head = render((Span("error:", Style.WRONG),), colour)
     line = "".join(_printable(character) for character in message)
     if len(line) > LONGEST_LINE:
         line = f"{line[: LONGEST_LINE - 1]}…"
     encoding = sys.stderr.encoding or "utf-8"
     try:
-        sys.stderr.write(f"error: {line}\n".encode(encoding, "replace").decode(encoding))
+        sys.stderr.write(f"{head} {line}\n".encode(encoding, "replace").decode(encoding))
         sys.stderr.flush()
     except BrokenPipeError:
         _forget(sys.stderr.fileno())
@@ -129,10 +136,16 @@ def _width() -> int:
 
 
 def _colour(common: CommonOptions) -> Colour:
-    if common.format is not Format.TEXT or common.color is ColorWhen.NEVER:
+    if common.format is not Format.TEXT:
         return Colour.PLAIN
-    if common.color is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
+    return _colour_of(sys.stdout, common.color)
+
+
+def _colour_of(stream: TextIO, when: ColorWhen) -> Colour:
+    if when is ColorWhen.NEVER:
+        return Colour.PLAIN
+    if when is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
         return Colour.ANSI
     if os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
         return Colour.PLAIN
-    return Colour.ANSI if sys.stdout.isatty() else Colour.PLAIN
+    return Colour.ANSI if stream.isatty() else Colour.PLAIN
