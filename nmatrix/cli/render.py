@@ -77,7 +77,7 @@ def _write(
 
     show(answer(proofs[0], _named(names), milliseconds), common)
     if file.preview:
-        show_picture(proofs[0].image, common)
+        show_picture(proofs[0].image, (), common)
 
 
 def _frame(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+import struct
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any, TextIO, TypeVar
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from nmatrix.cli.shared_options import CommonOptions
+    from nmatrix.output.preview import Stage
+    from nmatrix.output.terminal import Screen
 
     Array = NDArray[Any]
 
@@ -23,6 +26,7 @@ Item = TypeVar("Item")
 
 LONGEST_LINE = 600
 WIDTH = 80
+ENDLESS = 1_000_000  # lines of a page that is no terminal
 BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
 
 
@@ -70,12 +74,11 @@ def put_bytes(content: bytes) -> None:
         _forget(sys.stdout.fileno())
 
 
-def show_picture(image: Array, common: CommonOptions) -> None:
+def show_picture(image: Array, stages: Sequence[Stage], common: CommonOptions) -> None:
     """Show an 8-bit image in the terminal, in its colours where those may be written."""
     from nmatrix.output.preview import preview
 
-    in_colour = _colour(common) is Colour.ANSI and _charset() is Charset.UNICODE
-    put(preview(image, _width(), in_colour=in_colour))
+    put(preview(image, stages, _screen(common)))
 
 
 def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
@@ -133,6 +136,42 @@ def _width() -> int:
     if not sys.stdout.isatty():
         return WIDTH
     return max(40, min(WIDTH, os.get_terminal_size(sys.stdout.fileno()).columns))
+
+
+def _screen(common: CommonOptions) -> Screen:
+    """Look what can be drawn on; what is no terminal gets no pictures, and has no last line."""
+    from nmatrix.output.terminal import CELL, Drawing, Screen, abilities
+
+    in_colour = _colour(common) is Colour.ANSI
+    blocks = Drawing.HALF_BLOCKS if _charset() is Charset.UNICODE else Drawing.CHARACTERS
+    if not sys.stdout.isatty():
+        drawing = blocks if in_colour else Drawing.CHARACTERS
+        return Screen(WIDTH, ENDLESS, drawing)
+    drawing, colours = abilities(os.environ)
+    if not in_colour:
+        drawing = Drawing.CHARACTERS
+    elif not drawing.has_pixels:
+        drawing = blocks
+    size = os.get_terminal_size(sys.stdout.fileno())
+    cell = _cell() or CELL
+    return Screen(max(size.columns, 1), max(size.lines, 1), drawing, colours, cell)
+
+
+def _cell() -> tuple[int, int] | None:
+    """Read how many pixels a character has, where the system knows it."""
+    try:
+        import fcntl
+        import termios
+    except ImportError:  # Windows
+        return None
+    try:
+        told = fcntl.ioctl(sys.stdout.fileno(), termios.TIOCGWINSZ, bytes(8))
+    except OSError:
+        return None
+    lines, columns, width, height = struct.unpack("HHHH", told)
+    if not (lines and columns and width >= columns and height >= lines):
+        return None
+    return width // columns, height // lines
 
 
 def _colour(common: CommonOptions) -> Colour:

@@ -1,57 +1,156 @@
-"""A picture in the terminal: two pixels to a character, or a ramp of characters without colour."""
+"""A picture in the terminal, as large as it can be read there.
+
+Where the terminal takes pictures, it gets the picture. Elsewhere two pixels stand in a character,
+and the words of a proof, which no such pixels can spell, are written over its stages.
+"""
 
 from __future__ import annotations
 
+from bisect import bisect
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
-from nmatrix.output.style import RESET
+from nmatrix.output.inline_images import inline_image
+from nmatrix.output.style import RESET, plain, render, spelled
+from nmatrix.output.terminal import Colours, Drawing, Screen
+from nmatrix.output.write import Charset, Colour
 
 Array = NDArray[Any]
 
 RAMP = " .:-=+*#%@"
+STEPS = (0, 95, 135, 175, 215, 255)  # of a side of the cube of 216 colours
+HALFWAY = (48, 115, 155, 195, 235)
+NARROWEST = 34  # columns in which a stage can be read
+GAP = 2
+LEFT_FREE = 2  # lines of the terminal: its prompt
+LEGIBLE = 0.6  # of its size: smaller, the captions of a picture are no longer read
 
 
-def preview(image: Array, columns: int, *, in_colour: bool) -> str:
-    """Draw an 8-bit image (height, width, 3) in lines of at most so many characters.
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """A part of a picture, 8-bit (height, width, 3), and the words that belong to it."""
+
+    image: Array
+    words: str
+
+
+def preview(image: Array, stages: Sequence[Stage], screen: Screen) -> str:
+    """Draw an 8-bit image (height, width, 3), or its stages where it could not be read.
 
     Examples
     --------
-    >>> print(preview(np.zeros((2, 2, 3), np.uint8), 2, in_colour=False), end="")
+    >>> print(preview(np.zeros((4, 2, 3), np.uint8), (), Screen(2, 24, Drawing.CHARACTERS)), end="")
+    @@
     @@
     """
+    if not screen.drawing.has_pixels:
+        return "".join(_rows(stages or (Stage(image, ""),), screen))
     height, width = image.shape[:2]
-    columns = min(columns, width)
-    rows = max(1, round(height / width * columns / 2))
-    small = _resized(image, 2 * rows if in_colour else rows, columns)
-    lines = (
-        zip(small[::2], small[1::2], strict=True) if in_colour else ((row, row) for row in small)
-    )
-    draw = _halves if in_colour else _ramp
-    return "".join(f"{draw(upper, lower)}\n" for upper, lower in lines)
+    cells = _cells(image, min(screen.columns, -(-width // screen.cell[0])), screen)
+    shown = cells[0] * screen.cell[0]
+    picture = Image.fromarray(image)
+    if shown < width:
+        picture = picture.resize((shown, round(height / width * shown)), Image.Resampling.LANCZOS)
+    words = "".join(f"{one.words}\n" for one in stages) if shown < LEGIBLE * width else ""
+    return f"{words}{inline_image(picture, cells, screen.drawing)}\n"
 
 
-def _resized(image: Array, rows: int, columns: int) -> Array:
-    """Average the colours in every cell of a grid."""
-    row = np.linspace(0, image.shape[0], rows + 1).astype(int)
-    column = np.linspace(0, image.shape[1], columns + 1).astype(int)
-    across = np.add.reduceat(image.astype(float), column[:-1], axis=1)
-    total = np.add.reduceat(across, np.minimum(row[:-1], image.shape[0] - 1), axis=0)
-    count = np.maximum(np.diff(row), 1)[:, None, None] * np.diff(column)[None, :, None]
-    return np.asarray(np.rint(total / count).astype(int))
+def _cells(image: Array, columns: int, screen: Screen) -> tuple[int, int]:
+    """Return the columns and lines of an image at most so wide, and no higher than the screen."""
+    height, width = image.shape[:2]
+    shape = height / width * screen.cell[0] / screen.cell[1]  # lines for a column
+    most = max(screen.lines - LEFT_FREE, 1)
+    columns = max(1, min(columns, int(most / shape)))
+    return columns, max(1, round(shape * columns))
 
 
-def _halves(upper: Array, lower: Array) -> str:
-    cells = (
-        f"\x1b[38;2;{a[0]};{a[1]};{a[2]}m\x1b[48;2;{b[0]};{b[1]};{b[2]}m▀"
-        for a, b in zip(upper.tolist(), lower.tolist(), strict=True)
-    )
-    return "".join(cells) + RESET
+def _rows(stages: Sequence[Stage], screen: Screen) -> Iterator[str]:
+    """Draw stages in rows, as many side by side as can be read."""
+    room = max(1, (screen.columns + GAP) // (NARROWEST + GAP))
+    rows = -(-len(stages) // room)
+    across = -(-len(stages) // rows)
+    width = (screen.columns - GAP * (across - 1)) // across
+    for first in range(0, len(stages), across):
+        row = stages[first : first + across]
+        yield from _beside([_wrapped(one.words, width, screen) for one in row], width)
+        yield from _beside([list(_drawn(one.image, width, screen)) for one in row], width)
 
 
-def _ramp(row: Array, _: Array) -> str:
+Cell = tuple[str, int]  # a line of a stage, and the columns that it takes
+
+
+def _beside(columns: Sequence[Sequence[Cell]], width: int) -> Iterator[str]:
+    """Set columns of lines side by side."""
+    for lines in zip_longest(*columns, fillvalue=("", 0)):
+        yield (" " * GAP).join(
+            text + " " * (width - taken) for text, taken in lines
+        ).rstrip() + "\n"
+
+
+def _wrapped(words: str, width: int, screen: Screen) -> list[Cell]:
+    is_plain = screen.drawing is Drawing.CHARACTERS
+    colour = Colour.PLAIN if is_plain else Colour.ANSI
+    text = spelled(words, Charset.ASCII) if is_plain else words
+    return [(render(plain(line), colour), len(line)) for line in wrap(text, width)]
+
+
+def _drawn(image: Array, width: int, screen: Screen) -> Iterator[Cell]:
+    """Draw one image in lines of at most so many characters."""
+    columns, lines = _cells(image, min(width, image.shape[1]), screen)
+    if screen.drawing is Drawing.CHARACTERS:
+        for row in _resized(image, columns, lines):
+            yield _ramp(row), columns
+        return
+    small = _resized(image, columns, 2 * lines)
+    for upper, lower in zip(small[::2], small[1::2], strict=True):
+        yield _halves(upper, lower, screen.colours), columns
+
+
+def _resized(image: Array, columns: int, rows: int) -> Array:
+    return np.asarray(Image.fromarray(image).resize((columns, rows), Image.Resampling.LANCZOS))
+
+
+def _halves(upper: Array, lower: Array, colours: Colours) -> str:
+    """Draw two rows of pixels in one line; a colour that stays is not said again."""
+    code = _true if colours is Colours.ALL else _nearest
+    said, line = ("", ""), []
+    for now in zip(map(code, upper.tolist()), map(code, lower.tolist()), strict=True):
+        for plane, colour, before in zip((38, 48), now, said, strict=True):
+            if colour != before:
+                line.append(f"\x1b[{plane};{colour}m")
+        line.append("▀")
+        said = now
+    return "".join(line) + RESET
+
+
+def _true(pixel: Sequence[int]) -> str:
+    return "2;{};{};{}".format(*pixel)
+
+
+def _nearest(pixel: Sequence[int]) -> str:
+    """Find the nearest of the 216 colours of the cube and the 24 greys.
+
+    Examples
+    --------
+    >>> _nearest((255, 0, 0)), _nearest((128, 128, 128))
+    ('5;196', '5;244')
+    """
+    places = [bisect(HALFWAY, one) for one in pixel]
+    shade = min(max(round((sum(pixel) / 3 - 8) / 10), 0), 23)
+    cube = sum((STEPS[i] - one) ** 2 for i, one in zip(places, pixel, strict=True))
+    grey = sum((8 + 10 * shade - one) ** 2 for one in pixel)
+    red, green, blue = places
+    return f"5;{232 + shade if grey < cube else 16 + 36 * red + 6 * green + blue}"
+
+
+def _ramp(row: Array) -> str:
     """Draw darker characters for darker cells, as ink on paper."""
     dark = 1 - row.mean(axis=1) / 255
     return "".join(RAMP[round(one * (len(RAMP) - 1))] for one in dark.tolist())
