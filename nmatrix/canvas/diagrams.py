@@ -1,0 +1,159 @@
+"""The idea of the rule in one drawing: a circle becomes an ellipse, and A n leans off its tangent.
+
+Letters: n a normal, t a tangent, A the map. In a drawing y goes up; on a canvas it goes down.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot, sqrt
+
+from nmatrix.canvas.glyphs import (
+    DIAGRAM_SHAFT,
+    EDGE,
+    Ink,
+    arrow,
+    circle,
+    disc,
+    line,
+    right_angle,
+)
+from nmatrix.canvas.marks import Box, Canvas, Point
+
+LETTER = 26  # the size of letters beside arrows
+ARROW, TANGENT = 78.0, 56.0  # lengths in units
+GAP = 88.0  # between the circle and the ellipse
+PAD = 34.0
+ROOM_ASIDE = 160.0  # for arrows and letters on the right
+ROOM_ABOVE = 60.0  # for the arrow of n above the circle
+
+
+@dataclass(frozen=True)
+class Idea:
+    """Where the drawing's arrows are: all begin at `before` or `after` and end at their tips."""
+
+    before: Point
+    after: Point
+    normal: Point
+    tangent: Point
+    moved_tangent: Point
+    wrong: Point | None
+    right: Point
+
+
+def circle_to_ellipse(canvas: Canvas, box: Box, stretch: float) -> Idea:
+    """Draw a circle with a normal, and the ellipse that A = diag(1, stretch) makes of it.
+
+    A tangent t goes to A t. The right angle of n and t is kept by A⁻ᵀ, for n·t = (A⁻ᵀn)·(A t); A n
+    leans off it, here as far as it can: n is at 45°, where the lean is arctan k − arctan 1/k.
+    The two stand above each other, or side by side in a box that is wider than high.
+
+    Examples
+    --------
+    >>> from nmatrix.canvas.theme import PALETTES, Theme
+    >>> canvas = Canvas(361, 554, PALETTES[Theme.LIGHT])
+    >>> found = circle_to_ellipse(canvas, Box(0, 0, 361, 554), 2.0)
+    >>> u = [b - a for a, b in zip(found.after, found.right)]
+    >>> t = [b - a for a, b in zip(found.after, found.moved_tangent)]
+    >>> abs(u[0] * t[0] + u[1] * t[1]) < 1e-9
+    True
+    """
+    first, second, radius = _placed(box, stretch)
+    palette, half = canvas.palette, sqrt(0.5)
+    edge = {"fill": palette.body, "edge": palette.ink, "width": 2 * EDGE}
+    canvas.polygon(circle(first, radius), **edge)  # type: ignore[arg-type]  # names of its own
+    ellipse = [
+        (second[0] + x - first[0], second[1] + stretch * (y - first[1]))
+        for x, y in circle(first, radius, 128)
+    ]
+    canvas.polygon(ellipse, **edge)  # type: ignore[arg-type]
+    before = first[0] + radius * half, first[1] - radius * half
+    after = second[0] + radius * half, second[1] - stretch * radius * half
+    n, t = (half, half), (half, -half)
+    At, An, right = (
+        _unit((t[0], stretch * t[1])),
+        _unit((n[0], stretch * n[1])),
+        _unit((n[0], n[1] / stretch)),
+    )
+    for place, along in ((before, t), (after, At)):
+        line(canvas, (_at(place, along, -TANGENT), _at(place, along, TANGENT)), Ink.TANGENT)
+    right_angle(canvas, before, _down(t), _down(n), Ink.PLAIN)
+    right_angle(canvas, after, _down(At), _down(right), Ink.RIGHT)
+    arrow(canvas, before, _at(before, n, ARROW), Ink.NORMAL, DIAGRAM_SHAFT)
+    leans = stretch != 1
+    if leans:
+        arrow(canvas, after, _at(after, An, ARROW * 1.2), Ink.WRONG, DIAGRAM_SHAFT)
+    arrow(canvas, after, _at(after, right, ARROW * 1.2), Ink.RIGHT, DIAGRAM_SHAFT)
+    for place in (before, after):
+        disc(canvas, place, 7.0, palette.ink)
+    _map_arrow(canvas, first, second, radius, stretch)
+    x, y = _at(before, n, ARROW + 8)
+    _letter(canvas, (x, y), "*n*", palette.normal)
+    x, y = _at(before, t, TANGENT + 8)
+    _letter(canvas, (x, y + 14), "*t*", palette.tangent)
+    x, y = _at(after, At, TANGENT + 8)
+    _letter(canvas, (x, y + 14), "A*t*", palette.tangent)
+    if leans:
+        x, y = _at(after, An, 1.2 * ARROW + 12)
+        _letter(canvas, (x - 20, y - 6), "A*n*", palette.wrong)
+    x, y = _at(after, right, 1.2 * ARROW + 10)
+    _letter(canvas, (x, y + 10), "A^{−T}*n*" if leans else "A*n*", palette.right)
+    return Idea(
+        before,
+        after,
+        _at(before, n, ARROW),
+        _at(before, t, TANGENT),
+        _at(after, At, TANGENT),
+        _at(after, An, 1.2 * ARROW) if leans else None,
+        _at(after, right, 1.2 * ARROW),
+    )
+
+
+def _placed(box: Box, stretch: float) -> tuple[Point, Point, float]:
+    """Return the middles of the circle and the ellipse, and the radius, that fit the box."""
+    if box.width > box.height:
+        room = box.width - 2 * PAD - GAP - 2 * ROOM_ASIDE
+        radius = min(room / 4, (box.height - 2 * PAD) / 2 / max(1.0, stretch))
+        used = 4 * radius + GAP + 2 * ROOM_ASIDE
+        left = box.x + (box.width - used) / 2 + radius
+        middle = box.middle[1]
+        return (left, middle), (left + 2 * radius + GAP + ROOM_ASIDE, middle), radius
+    high = box.height - 2 * PAD - GAP - ROOM_ABOVE
+    radius = min(high / 2 / (1 + stretch), (box.width - 2 * PAD - ROOM_ASIDE) / 2)
+    left = box.x + (box.width - 2 * radius - ROOM_ASIDE) / 2 + radius
+    used = 2 * radius * (1 + stretch) + GAP
+    top = box.y + (box.height + ROOM_ABOVE - used) / 2
+    return (left, top + radius), (left, top + used - stretch * radius), radius
+
+
+def _map_arrow(
+    canvas: Canvas, first: Point, second: Point, radius: float, stretch: float
+) -> None:
+    """Draw the arrow of the map, from the circle to the ellipse, with its letter."""
+    if first[0] == second[0]:
+        start, end = first[1] + radius + 16, second[1] - stretch * radius - 16
+        arrow(canvas, (first[0], start), (first[0], end), Ink.PLAIN, DIAGRAM_SHAFT)
+        canvas.text((first[0] - 18, (start + end) / 2 + 9), "A", LETTER + 4, bold=True, align=1)
+    else:
+        end = second[0] - radius - 24
+        start, y = end - GAP, first[1]
+        arrow(canvas, (start, y), (end, y), Ink.PLAIN, DIAGRAM_SHAFT)
+        canvas.text(((start + end) / 2, y - 18), "A", LETTER + 4, bold=True, align=0.5)
+
+
+def _letter(canvas: Canvas, place: Point, text: str, colour: str) -> None:
+    canvas.text(place, text, LETTER, colour, bold=True, halo=canvas.palette.stage)
+
+
+def _unit(v: Point) -> Point:
+    size = hypot(*v)
+    return v[0] / size, v[1] / size
+
+
+def _at(place: Point, along: Point, far: float) -> Point:
+    """Return the point so far along a direction whose y goes up."""
+    return place[0] + along[0] * far, place[1] - along[1] * far
+
+
+def _down(v: Point) -> Point:
+    return v[0], -v[1]
