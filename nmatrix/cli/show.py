@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from nmatrix.cli.shared_options import CommonOptions
-    from nmatrix.output.preview import Stage
+    from nmatrix.output.preview import Part
     from nmatrix.output.terminal import Screen
 
     Array = NDArray[Any]
@@ -74,11 +74,11 @@ def put_bytes(content: bytes) -> None:
         _forget(sys.stdout.fileno())
 
 
-def show_picture(image: Array, stages: Sequence[Stage], common: CommonOptions) -> None:
+def show_picture(image: Array, parts: Sequence[Part], common: CommonOptions) -> None:
     """Show an 8-bit image in the terminal, in its colours where those may be written."""
     from nmatrix.output.preview import preview
 
-    put(preview(image, stages, _screen(common)))
+    put(preview(image, parts, _screen(common)))
 
 
 def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:

@@ -27,22 +27,22 @@ Array = NDArray[Any]
 RAMP = " .:-=+*#%@"
 STEPS = (0, 95, 135, 175, 215, 255)  # of a side of the cube of 216 colours
 HALFWAY = (48, 115, 155, 195, 235)
-NARROWEST = 34  # columns in which a stage can be read
+NARROWEST = 34  # columns in which a part can be read
 GAP = 2
 LEFT_FREE = 2  # lines of the terminal: its prompt
 LEGIBLE = 0.6  # of its size: smaller, the captions of a picture are no longer read
 
 
 @dataclass(frozen=True, eq=False)
-class Stage:
+class Part:
     """A part of a picture, 8-bit (height, width, 3), and the words that belong to it."""
 
     image: Array
     words: str
 
 
-def preview(image: Array, stages: Sequence[Stage], screen: Screen) -> str:
-    """Draw an 8-bit image (height, width, 3), or its stages where it could not be read.
+def preview(image: Array, parts: Sequence[Part], screen: Screen) -> str:
+    """Draw an 8-bit image (height, width, 3), or its parts where it could not be read.
 
     Examples
     --------
@@ -51,14 +51,14 @@ def preview(image: Array, stages: Sequence[Stage], screen: Screen) -> str:
     @@
     """
     if not screen.drawing.has_pixels:
-        return "".join(_rows(stages or (Stage(image, ""),), screen))
+        return "".join(_rows(parts or (Part(image, ""),), screen))
     height, width = image.shape[:2]
     cells = _cells(image, min(screen.columns, -(-width // screen.cell[0])), screen)
     shown = cells[0] * screen.cell[0]
     picture = Image.fromarray(image)
     if shown < width:
         picture = picture.resize((shown, round(height / width * shown)), Image.Resampling.LANCZOS)
-    words = "".join(f"{one.words}\n" for one in stages) if shown < LEGIBLE * width else ""
+    words = "".join(f"{one.words}\n" for one in parts) if shown < LEGIBLE * width else ""
     return f"{words}{inline_image(picture, cells, screen.drawing)}\n"
 
 
@@ -68,22 +68,22 @@ def _cells(image: Array, columns: int, screen: Screen) -> tuple[int, int]:
     shape = height / width * screen.cell[0] / screen.cell[1]  # lines for a column
     most = max(screen.lines - LEFT_FREE, 1)
     columns = max(1, min(columns, int(most / shape)))
-    return columns, max(1, round(shape * columns))
+    return columns, min(max(1, round(shape * columns)), most)
 
 
-def _rows(stages: Sequence[Stage], screen: Screen) -> Iterator[str]:
-    """Draw stages in rows, as many side by side as can be read."""
+def _rows(parts: Sequence[Part], screen: Screen) -> Iterator[str]:
+    """Draw parts in rows, as many side by side as can be read."""
     room = max(1, (screen.columns + GAP) // (NARROWEST + GAP))
-    rows = -(-len(stages) // room)
-    across = -(-len(stages) // rows)
+    rows = -(-len(parts) // room)
+    across = -(-len(parts) // rows)
     width = (screen.columns - GAP * (across - 1)) // across
-    for first in range(0, len(stages), across):
-        row = stages[first : first + across]
+    for first in range(0, len(parts), across):
+        row = parts[first : first + across]
         yield from _beside([_wrapped(one.words, width, screen) for one in row], width)
         yield from _beside([list(_drawn(one.image, width, screen)) for one in row], width)
 
 
-Cell = tuple[str, int]  # a line of a stage, and the columns that it takes
+Cell = tuple[str, int]  # a line of a part, and the columns that it takes
 
 
 def _beside(columns: Sequence[Sequence[Cell]], width: int) -> Iterator[str]:
