@@ -75,7 +75,7 @@ def sixel(image: Image.Image) -> str:
     >>> sixel(Image.new("RGB", (5, 2), (255, 0, 0)))
     '\x1bP0;1q"1;1;5;2#0;2;100;0;0#0!5B\x1b\\'
     """
-    painted = image.convert("RGB").quantize(SIXEL_COLOURS, dither=Image.Dither.NONE)
+    painted = image.convert("RGB").quantize(SIXEL_COLOURS, kmeans=1)
     pixels = np.asarray(painted)
     height, width = pixels.shape
     palette = np.array(painted.getpalette("RGB"), float).reshape(-1, 3)

@@ -6,10 +6,9 @@ and the words of a proof, which no such pixels can spell, are written over its s
 
 from __future__ import annotations
 
-from bisect import bisect
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import zip_longest
+from itertools import product, zip_longest
 from textwrap import wrap
 from typing import Any
 
@@ -25,8 +24,10 @@ from nmatrix.output.write import Charset, Colour
 Array = NDArray[Any]
 
 RAMP = " .:-=+*#%@"
-STEPS = (0, 95, 135, 175, 215, 255)  # of a side of the cube of 216 colours
-HALFWAY = (48, 115, 155, 195, 235)
+_LEVELS = (0, 95, 135, 175, 215, 255)
+FIRST_OF_PALETTE = 16  # the first sixteen colours are the theme's
+PALETTE = (*product(_LEVELS, repeat=3), *((shade,) * 3 for shade in range(8, 248, 10)))
+HUE_FIRST = (1.0, 2.0, 2.0)  # weights: another shade is a smaller mistake than another hue
 NARROWEST = 34  # columns in which a part can be read
 GAP = 2
 LEFT_FREE = 2  # lines of the terminal: its prompt
@@ -105,23 +106,22 @@ def _drawn(image: Array, width: int, screen: Screen) -> Iterator[Cell]:
     """Draw one image in lines of at most so many characters."""
     columns, lines = _cells(image, min(width, image.shape[1]), screen)
     if screen.drawing is Drawing.CHARACTERS:
-        for row in _resized(image, columns, lines):
+        for row in np.asarray(_resized(image, columns, lines)):
             yield _ramp(row), columns
         return
-    small = _resized(image, columns, 2 * lines)
-    for upper, lower in zip(small[::2], small[1::2], strict=True):
-        yield _halves(upper, lower, screen.colours), columns
+    codes = _codes(_resized(image, columns, 2 * lines), screen.colours)
+    for upper, lower in zip(codes[::2], codes[1::2], strict=True):
+        yield _halves(upper, lower), columns
 
 
-def _resized(image: Array, columns: int, rows: int) -> Array:
-    return np.asarray(Image.fromarray(image).resize((columns, rows), Image.Resampling.LANCZOS))
+def _resized(image: Array, columns: int, rows: int) -> Image.Image:
+    return Image.fromarray(image).resize((columns, rows), Image.Resampling.HAMMING)
 
 
-def _halves(upper: Array, lower: Array, colours: Colours) -> str:
-    """Draw two rows of pixels in one line; a colour that stays is not said again."""
-    code = _true if colours is Colours.ALL else _nearest
+def _halves(upper: Sequence[str], lower: Sequence[str]) -> str:
+    """Draw two rows of colours in one line; a colour that stays is not said again."""
     said, line = ("", ""), []
-    for now in zip(map(code, upper.tolist()), map(code, lower.tolist()), strict=True):
+    for now in zip(upper, lower, strict=True):
         for plane, colour, before in zip((38, 48), now, said, strict=True):
             if colour != before:
                 line.append(f"\x1b[{plane};{colour}m")
@@ -130,24 +130,17 @@ def _halves(upper: Array, lower: Array, colours: Colours) -> str:
     return "".join(line) + RESET
 
 
-def _true(pixel: Sequence[int]) -> str:
-    return "2;{};{};{}".format(*pixel)
-
-
-def _nearest(pixel: Sequence[int]) -> str:
-    """Find the nearest of the 216 colours of the cube and the 24 greys.
-
-    Examples
-    --------
-    >>> _nearest((255, 0, 0)), _nearest((128, 128, 128))
-    ('5;196', '5;244')
-    """
-    places = [bisect(HALFWAY, one) for one in pixel]
-    shade = min(max(round((sum(pixel) / 3 - 8) / 10), 0), 23)
-    cube = sum((STEPS[i] - one) ** 2 for i, one in zip(places, pixel, strict=True))
-    grey = sum((8 + 10 * shade - one) ** 2 for one in pixel)
-    red, green, blue = places
-    return f"5;{232 + shade if grey < cube else 16 + 36 * red + 6 * green + blue}"
+def _codes(image: Image.Image, colours: Colours) -> list[list[str]]:
+    """Spell each pixel as the terminal is told its colour, the nearest that it has."""
+    if colours is Colours.ALL:
+        rows = np.asarray(image).tolist()
+        return [["2;{};{};{}".format(*pixel) for pixel in row] for row in rows]
+    palette = Image.fromarray(np.array([PALETTE], np.uint8))
+    (there,), here = (np.asarray(p.convert("YCbCr"), float) * HUE_FIRST for p in (palette, image))
+    apart = (there * there).sum(
+        axis=1
+    ) - 2 * here @ there.T  # and the square of here, for all alike
+    return [[f"5;{FIRST_OF_PALETTE + one}" for one in row] for row in apart.argmin(axis=2).tolist()]
 
 
 def _ramp(row: Array) -> str:

@@ -12,7 +12,7 @@ from PIL import Image
 from read_terminal import characters, pixels_of_sixels
 
 from nmatrix.output.inline_images import CHUNK, inline_image, sixel
-from nmatrix.output.preview import NARROWEST, Part, preview
+from nmatrix.output.preview import NARROWEST, PALETTE, Part, preview
 from nmatrix.output.style import Style
 from nmatrix.output.terminal import Colours, Drawing, Screen, abilities
 
@@ -95,13 +95,24 @@ def test_half_blocks_show_two_pixels_in_a_character() -> None:
     assert np.array_equal(shown.halves(), image)
 
 
-def test_a_terminal_of_256_colours_is_sent_no_others() -> None:
+def test_a_terminal_of_256_colours_is_sent_the_nearest_of_them() -> None:
+    screen = Screen(80, 24, Drawing.HALF_BLOCKS, Colours.PALETTE)
+    known = np.array(PALETTE, np.uint8).reshape(16, 15, 3)
+    assert np.array_equal(characters(preview(known, (), screen)).halves(), known)
     image = rng.integers(0, 256, (20, 40, 3), np.uint8)
-    text = preview(image, (), Screen(80, 24, Drawing.HALF_BLOCKS, Colours.PALETTE))
+    text = preview(image, (), screen)
     assert "8;2;" not in text
-    error = np.abs(characters(text).halves().astype(int) - image)
-    assert error.max() <= 48
-    assert error.mean() < 20
+    assert np.abs(characters(text).halves().astype(int) - image).mean() < 30
+
+
+def test_a_shaded_colour_keeps_its_hue_in_256_colours() -> None:
+    shades = (np.linspace(0.3, 1, 40)[None, :, None] * [230, 50, 40]).astype(np.uint8)
+    screen = Screen(80, 24, Drawing.HALF_BLOCKS, Colours.PALETTE)
+    red, green, blue = np.moveaxis(
+        characters(preview(np.repeat(shades, 2, axis=0), (), screen)).halves().astype(int), 2, 0
+    )
+    assert (red > 2 * np.maximum(green, blue)).all()
+    assert (abs(green - blue) < 48).all()
 
 
 def test_the_whole_width_of_a_terminal_is_used() -> None:
