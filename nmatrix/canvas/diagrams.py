@@ -113,10 +113,11 @@ def _placed(box: Box, stretch: float) -> tuple[Point, Point, float]:
     """Return the middles of the circle and the ellipse, and the radius, that fit the box."""
     if box.width > box.height:
         room = box.width - 2 * PAD - GAP - 2 * ROOM_ASIDE
-        radius = min(room / 4, (box.height - 2 * PAD) / 2 / max(1.0, stretch))
+        high = box.height - 2 * PAD - ROOM_ABOVE
+        radius = min(room / 4, high / 2 / max(1.0, stretch))
         used = 4 * radius + GAP + 2 * ROOM_ASIDE
         left = box.x + (box.width - used) / 2 + radius
-        middle = box.middle[1]
+        middle = box.middle[1] + ROOM_ABOVE / 2
         return (left, middle), (left + 2 * radius + GAP + ROOM_ASIDE, middle), radius
     high = box.height - 2 * PAD - GAP - ROOM_ABOVE
     radius = min(high / 2 / (1 + stretch), (box.width - 2 * PAD - ROOM_ASIDE) / 2)
@@ -126,9 +127,7 @@ def _placed(box: Box, stretch: float) -> tuple[Point, Point, float]:
     return (left, top + radius), (left, top + used - stretch * radius), radius
 
 
-def _map_arrow(
-    canvas: Canvas, first: Point, second: Point, radius: float, stretch: float
-) -> None:
+def _map_arrow(canvas: Canvas, first: Point, second: Point, radius: float, stretch: float) -> None:
     """Draw the arrow of the map, from the circle to the ellipse, with its letter."""
     if first[0] == second[0]:
         start, end = first[1] + radius + 16, second[1] - stretch * radius - 16
