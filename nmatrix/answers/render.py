@@ -10,13 +10,14 @@ from nmatrix.errors import IllegalValueError, did_you_mean, quantity
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.proof import SHEET, Proof, ProofSettings
-from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
+from nmatrix.report import Block, Figure, Heading, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES, LightKind
 
-NUMBERS = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
+ANGLES = ("max_angle_error_deg", "mean_angle_error_deg")
+NUMBERS = (*ANGLES, "triangles", "fragments")
 SCENES = (".toml", *GLTF_SUFFIXES)
 SHEET_SETTINGS = Settings(size=SHEET)  # of a proof
 
@@ -128,10 +129,17 @@ def render(proof: Proof, image: str | None = None, milliseconds: float | None = 
         "effects": list(proof.effects),
         "numbers": dict(proof.numbers),
     }
-    shown = (Figure(image, f"a picture of {proof.subject}"),) if image else ()
+    told = {key: data[key] for key in NUMBERS}
+    title: tuple[Block, ...] = ()
+    alternative = f"a picture of {proof.subject}"
+    if proof.is_slide:  # its claim comes first, and what is not measured is not told
+        alternative = proof.texts["Title"]
+        title = (Heading(alternative),)
+        told = {key: told[key] for key in ANGLES if told[key] is not None}
     blocks: tuple[Block, ...] = (
-        *shown,
-        *(Quantity(key, data[key]) for key in NUMBERS),  # type: ignore[arg-type]  # numbers or None
+        *title,
         Verdict(proof.verdict),
+        *(Quantity(key, value) for key, value in told.items()),  # type: ignore[arg-type]  # numbers
+        *([Figure(image, alternative)] if image else []),
     )
     return Report("render", data, blocks, proof.remarks)

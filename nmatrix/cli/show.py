@@ -5,22 +5,18 @@ from __future__ import annotations
 import os
 import struct
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, TextIO, TypeVar
+from typing import TYPE_CHECKING, TextIO, TypeVar
 
 from nmatrix.enums import Format
 from nmatrix.output.write import Charset, Colour, OutputOptions, write
 from nmatrix.report import Report
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from nmatrix.cli.shared_options import CommonOptions
-    from nmatrix.output.preview import Part
     from nmatrix.output.terminal import Screen
-
-    Array = NDArray[Any]
+    from nmatrix.raster.proofs.proof import Proof
 
 Item = TypeVar("Item")
 
@@ -74,11 +70,14 @@ def put_bytes(content: bytes) -> None:
         _forget(sys.stdout.fileno())
 
 
-def show_picture(image: Array, parts: Sequence[Part], common: CommonOptions) -> None:
-    """Show an 8-bit image in the terminal, in its colours where those may be written."""
-    from nmatrix.output.preview import preview
+def show_picture(proof: Proof, common: CommonOptions) -> None:
+    """Show a picture in the terminal, in its colours where those may be written."""
+    from nmatrix.canvas.slide import Slide
+    from nmatrix.output.preview import parts_of, preview
 
-    put(preview(image, parts, _screen(common)))
+    slide = proof.picture
+    parts = parts_of(slide, proof.image) if isinstance(slide, Slide) else ()
+    put(preview(proof.image, parts, _screen(common)))
 
 
 def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:

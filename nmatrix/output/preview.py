@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from nmatrix.canvas.slide import Slide
 from nmatrix.output.inline_images import inline_image
 from nmatrix.output.style import RESET, plain, render, spelled
 from nmatrix.output.terminal import Colours, Drawing, Screen
@@ -40,6 +41,21 @@ class Part:
 
     image: Array
     words: str
+
+
+def parts_of(slide: Slide, image: Array) -> tuple[Part, ...]:
+    """Cut the stages out of the image of a slide; its words stand around them."""
+    k = slide.canvas.scale
+    return tuple(
+        Part(
+            image[
+                round(k * box.y) : round(k * box.bottom), round(k * box.x) : round(k * box.right)
+            ],
+            one.told,
+        )
+        for one in slide.panels
+        for box in (one.stage,)
+    )
 
 
 def preview(image: Array, parts: Sequence[Part], screen: Screen) -> str:

@@ -213,5 +213,4 @@ class _Writer:
         return self._titled(block.title, [plain(line) for line in text.splitlines()])
 
     def _figure(self, block: Figure) -> list[Line]:
-        named = f"{block.caption}: {block.path}" if block.caption else block.path
-        return [*self._lines(named), *self._lines(block.alternative)]
+        return self._lines(f"{block.caption}: {block.path}" if block.caption else block.path)
