@@ -43,18 +43,24 @@ class DrawnScene:
 
     def redrawn(self, change: Change) -> DrawnScene:
         """Draw the scene again with its surfaces changed."""
-        return DrawnScene(self.plan, render(self.plan, change=change))
+        has_depth = self.rendered.depth is not None
+        return DrawnScene(self.plan, render(self.plan, change=change, keeps_depth=has_depth))
 
 
-def drawn_scene(scene: Scene, **settings: Any) -> DrawnScene:  # noqa: ANN401  # fields of Settings
+def drawn_scene(
+    scene: Scene,
+    *,
+    keeps_depth: bool = False,
+    **settings: Any,  # noqa: ANN401  # fields of Settings
+) -> DrawnScene:
     """Draw a scene by its plan; `settings` replace those of the scene."""
     changed = replace(scene, settings=replace(scene.settings, **settings))
-    return drawn_plan(plan_for(loaded(changed)))
+    return drawn_plan(plan_for(loaded(changed)), keeps_depth=keeps_depth)
 
 
-def drawn_plan(plan: Plan) -> DrawnScene:
+def drawn_plan(plan: Plan, *, keeps_depth: bool = False) -> DrawnScene:
     """Draw the scene of a plan."""
-    return DrawnScene(plan, render(plan))
+    return DrawnScene(plan, render(plan, keeps_depth=keeps_depth))
 
 
 def level_difference(a: DrawnScene, b: DrawnScene) -> int:

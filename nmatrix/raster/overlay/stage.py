@@ -21,8 +21,10 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.overlay.mesh_lines import creases, silhouette_edges, visible_pieces
+from nmatrix.raster.overlay.mesh_lines import creases, seen, silhouettes, visible_pieces
+from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.triangles.picture import DepthMap
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 
@@ -32,19 +34,8 @@ OUTLINE = 1.6  # units
 PAD = 34.0
 DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
-RIM = 2.6  # the edge of a tack's disc
-
-
-@dataclass(frozen=True, eq=False)
-class Tack:
-    """The mark of a normal: a disc at a point of the surface, and an arrow from its middle.
-
-    The true normal places the disc; `arrow` is the normal by the rule under test, of any length.
-    """
-
-    place: Array
-    normal: Array
-    arrow: Array
+RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
+MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +59,7 @@ class Stage:
     def window(self, points: Array) -> Array:
         """Return the units x and y, and the depth, (n, 3) of points (n, 3) of the world.
 
-        A point that is not in front of the eye has no place: its numbers are NaN.
+        Depth is 0 near and 1 far. The numbers of a point that is not in front of the eye are NaN.
         """
         clip = (
             np.asarray(points, float) @ self.clip_from_world[:, :3].T + self.clip_from_world[:, 3]
@@ -76,7 +67,11 @@ class Stage:
         w = clip[:, 3:]
         ndc = np.divide(clip[:, :3], w, out=np.full((len(clip), 3), np.nan), where=w > 0)
         space, box = self.loaded.clip, self.box
-        depth = (ndc[:, 2] + 1) / 2 if space.depth is DepthRange.MINUS_ONE_TO_ONE else ndc[:, 2]
+        depth = ndc[:, 2]
+        if space.depth is DepthRange.MINUS_ONE_TO_ONE:
+            depth = (depth + 1) / 2
+        elif space.depth is DepthRange.REVERSED:
+            depth = 1 - depth
         x = box.x + (ndc[:, 0] + 1) / 2 * box.width
         y = box.y + (1 - space.y_sign * ndc[:, 1]) / 2 * box.height
         return np.stack([x, y, depth], axis=1)
@@ -92,21 +87,45 @@ class Stage:
         x, y, _ = camera @ np.asarray(direction, float)
         return float(x), -float(y)
 
+    @property
+    def depth(self) -> DepthMap:
+        """Return how far away the surfaces are that are seen."""
+        found = self.drawn.rendered.depth
+        assert found is not None  # a stage is drawn with it
+        return found
+
     @cached_property
     def eye(self) -> Array:
         """Return where the eye is in the world."""
         return np.array([float(one) for one in self.loaded.eye])
+
+    @property
+    def across(self) -> Array:
+        """Return the direction of the world that goes to the right in the picture."""
+        return np.array(to_floats(self.loaded.camera_from_world.exact))[0, :3]
+
+    def sees(self, points: Array) -> Array:
+        """Return a mask of the points (n, 3) of the world that no surface hides."""
+        window = self.window(points)
+        found = np.isfinite(window).all(axis=1)
+        found[found] = seen(self._pixels(window[found]), self.depth.farthest)
+        return np.asarray(found)
+
+    def _pixels(self, window: Array) -> Array:
+        """Return points of the canvas in pixels of the picture."""
+        k = self.canvas.scale
+        return np.asarray((window - [self.box.x, self.box.y, 0]) * [k, k, 1])
 
     def outline(self, *, sharp: bool = True) -> None:
         """Draw the outline of all that is covered in ink, and the visible edges inside it."""
         for points in self._rims():
             self.canvas.stroke(points, OUTLINE * 1.2, self.canvas.palette.ink)
         for body in self.loaded.bodies if sharp else ():
+            if len(body.mesh.triangles) > MOST_EDGED:
+                continue
             points = body.positions_world
-            for chain in (
-                *creases(points, body.mesh.triangles),
-                *silhouette_edges(points, body.mesh.triangles, self.eye),
-            ):
+            chains = [points[chain] for chain in creases(body.mesh)]
+            for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
 
     def surface_line(
@@ -122,10 +141,8 @@ class Stage:
         window = self.window(points)
         if not np.isfinite(window).all():
             return
-        k = self.canvas.scale
-        pixels = (window - [self.box.x, self.box.y, 0]) * [k, k, 1]
-        for piece in visible_pieces(pixels, self.drawn.rendered.depth):
-            line = piece[:, :2] / k + [self.box.x, self.box.y]
+        for piece in visible_pieces(self._pixels(window), self.depth.farthest):
+            line = piece[:, :2] / self.canvas.scale + [self.box.x, self.box.y]
             if halo is not None:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
@@ -166,14 +183,15 @@ class Stage:
         turns = np.linspace(0, 2 * np.pi, 40, endpoint=False)[:, None]
         rim = self.window(place + radius * (np.cos(turns) * u + np.sin(turns) * v))
         if np.isfinite(rim).all():
-            palette = self.canvas.palette
-            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=palette.ink, width=RIM)
+            ink, towards = self.canvas.palette.ink, unit(self.eye - place)
+            width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
+            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=ink, width=width)
 
     def _rims(self) -> list[Array]:
         """Return the lines on the canvas that part what is covered from what is not."""
         from contourpy import contour_generator
 
-        padded = np.pad(self.drawn.rendered.coverage, 1)
+        padded = np.pad(self.depth.coverage, 1)
         if not padded.any():
             return []
         lines = contour_generator(z=padded).lines(0.5)

@@ -128,7 +128,7 @@ def _both(
         stage.outline()
         stage.lights()
         for body in stage.loaded.bodies:
-            stage.tacks(tacks(right, body, rule), colour, radius_of(body))
+            stage.tacks(tacks(right, body, rule, settings), colour, radius_of(body))
     return wrong, right
 
 

@@ -16,15 +16,30 @@ from nmatrix.enums import NormalRule
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
-from nmatrix.raster.overlay.stage import ARROW, Stage, Tack, filling, through
-from nmatrix.raster.proofs.angles import AngleMap, Scale
+from nmatrix.raster.overlay.stage import ARROW, Stage, filling, radius_of, through
+from nmatrix.raster.overlay.tacks import (
+    APART,
+    FACING,
+    INNER_APART,
+    INSIDE,
+    ON_SILHOUETTE,
+    SILHOUETTE,
+    Places,
+    Tack,
+    farthest_apart,
+    spread_over,
+)
+from nmatrix.raster.proofs.angles import AngleMap, Scale, normals_by
 from nmatrix.raster.proofs.proof import ProofSettings
+from nmatrix.raster.shading.normals import unit
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.scene import Scene
 
 Array = NDArray[Any]
+
+FIXED = 24  # tacks all over a body that turns
 
 
 @dataclass(frozen=True)
@@ -77,6 +92,7 @@ def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
     paper = slide.palette.stage
     drawn = drawn_scene(
         replace(scene, has_camera=True),
+        keeps_depth=True,
         size=slide.canvas.pixels_of(panel.stage),
         background=tuple(int(paper[i : i + 2], 16) / 255 for i in (1, 3, 5)),
     )
@@ -101,6 +117,42 @@ def put_heat(slide: Slide, panel: Panel, drawn: DrawnScene, found: AngleMap, sca
     return Stage(slide.canvas, stage, drawn)
 
 
-def tacks(stage: Stage, body: Body, rule: NormalRule) -> list[Tack]:
-    """Return the tacks of a body where a stage shows it best: true normals, and those of a rule."""
-    return []
+def tacks(
+    stage: Stage, body: Body, rule: NormalRule, settings: ProofSettings | None = None
+) -> list[Tack]:
+    """Return the tacks of a body where a stage shows it best: true normals, and those of a rule.
+
+    In the frames of an animation the places stay on the body, and those that are seen are drawn.
+    A normal that the rule makes zero has no arrow.
+    """
+    mesh, points = body.mesh, body.positions_world
+    true, ruled = (unit(normals_by(stage.loaded, body, one).T) for one in (NormalRule.EXACT, rule))
+    found = spread_over(mesh, points)
+    if settings is not None and settings.is_moving:
+        found = found.some(farthest_apart(found.of(mesh, points), FIXED, 0.0))
+        found = found.some(np.flatnonzero(stage.sees(found.of(mesh, points))))
+    else:
+        found = found.some(_shown_best(stage, body, found, true))
+    place, normal, arrow = (found.of(mesh, one) for one in (points, true, ruled))
+    return [Tack(*one) for one in zip(place, unit(normal), unit(arrow), strict=True)]
+
+
+def _shown_best(stage: Stage, body: Body, found: Places, true: Array) -> Array:
+    """Choose places on the silhouette and inside it, apart from each other in the picture."""
+    place, normal = found.of(body.mesh, body.positions_world), unit(found.of(body.mesh, true))
+    cosine = (normal * unit(stage.eye - place)).sum(axis=1)
+    seen = stage.sees(place)
+    window = stage.window(place)[:, :2]
+    reach = radius_of(body)
+    centre = stage.window(body.centre[None] + np.array([[0.0, 0, 0], stage.across * reach]))
+    unit_length = float(np.abs(np.diff(centre[:, :2], axis=0)).max())
+    rim = np.flatnonzero(seen & (np.abs(cosine) < SILHOUETTE))
+    rim = rim[np.argsort(window[rim, 1], kind="stable")]  # from the top
+    rim = rim[farthest_apart(window[rim], ON_SILHOUETTE, APART * unit_length)]
+    inside = np.flatnonzero(seen & (cosine > FACING[0]) & (cosine < FACING[1]))
+    if not len(inside) and not len(rim):
+        inside = np.flatnonzero(seen & (cosine > SILHOUETTE))
+    inside = inside[np.argsort(np.abs(cosine[inside] - sum(FACING) / 2), kind="stable")]
+    apart = INNER_APART * unit_length
+    inside = inside[farthest_apart(window[inside], INSIDE, apart, window[rim])]
+    return np.concatenate([rim, inside])
