@@ -141,11 +141,11 @@ def _screen(common: CommonOptions) -> Screen:
     """Look what can be drawn on; what is no terminal gets no pictures, and has no last line."""
     from nmatrix.output.terminal import CELL, Drawing, Screen, abilities
 
-    in_colour = _colour(common) is Colour.ANSI
-    blocks = Drawing.HALF_BLOCKS if _charset() is Charset.UNICODE else Drawing.CHARACTERS
+    in_colour, charset = _colour(common) is Colour.ANSI, _charset()
+    blocks = Drawing.HALF_BLOCKS if charset is Charset.UNICODE else Drawing.CHARACTERS
     if not sys.stdout.isatty():
         drawing = blocks if in_colour else Drawing.CHARACTERS
-        return Screen(WIDTH, ENDLESS, drawing)
+        return Screen(WIDTH, ENDLESS, drawing, charset=charset)
     drawing, colours = abilities(os.environ)
     if not in_colour:
         drawing = Drawing.CHARACTERS
@@ -153,7 +153,7 @@ def _screen(common: CommonOptions) -> Screen:
         drawing = blocks
     size = os.get_terminal_size(sys.stdout.fileno())
     cell = _cell() or CELL
-    return Screen(max(size.columns, 1), max(size.lines, 1), drawing, colours, cell)
+    return Screen(max(size.columns, 1), max(size.lines, 1), drawing, colours, cell, charset)
 
 
 def _cell() -> tuple[int, int] | None:

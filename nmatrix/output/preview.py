@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product, zip_longest
+from math import hypot
 from textwrap import wrap
 from typing import Any
 
@@ -16,11 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from nmatrix.canvas.slide import Slide
+from nmatrix.canvas.glyphs import Verdict
+from nmatrix.canvas.marks import Box, Text
+from nmatrix.canvas.slide import Panel, Slide
+from nmatrix.canvas.text import plain as marked_down
 from nmatrix.output.inline_images import inline_image
 from nmatrix.output.style import RESET, plain, render, spelled
 from nmatrix.output.terminal import Colours, Drawing, Screen
-from nmatrix.output.write import Charset, Colour
+from nmatrix.output.write import Colour
 
 Array = NDArray[Any]
 
@@ -28,10 +32,11 @@ RAMP = " .:-=+*#%@"
 _LEVELS = (0, 95, 135, 175, 215, 255)
 FIRST_OF_PALETTE = 16  # the first sixteen colours are the theme's
 PALETTE = (*product(_LEVELS, repeat=3), *((shade,) * 3 for shade in range(8, 248, 10)))
-HUE_FIRST = (1.0, 2.0, 2.0)  # weights: another shade is a smaller mistake than another hue
+HUE_FIRST = (1.0, 1.4, 1.4)  # weights: another shade is a smaller mistake than another hue
 NARROWEST = 34  # columns in which a part can be read
 GAP = 2
 LEFT_FREE = 2  # lines of the terminal: its prompt
+VERDICTS = {Verdict.WRONG: "✗", Verdict.RIGHT: "✓"}
 LEGIBLE = 0.6  # of its size: smaller, the captions of a picture are no longer read
 
 
@@ -44,18 +49,44 @@ class Part:
 
 
 def parts_of(slide: Slide, image: Array) -> tuple[Part, ...]:
-    """Cut the stages out of the image of a slide; its words stand around them."""
-    k = slide.canvas.scale
+    """Cut the stages out of the image of a slide, each with the words that stand nearest to it."""
+    k, stages = slide.canvas.scale, [one.stage for one in slide.panels]
+    words: list[list[Text]] = [[] for _ in stages]
+    for mark in slide.canvas.marks:
+        if isinstance(mark, Text) and mark.text != slide.title:
+            away = [_distance(stage, mark) for stage in stages]
+            if min(away, default=0.0) > 0.0:  # else it stands on a stage, and is part of it
+                words[away.index(min(away))].append(mark)
     return tuple(
         Part(
             image[
                 round(k * box.y) : round(k * box.bottom), round(k * box.x) : round(k * box.right)
             ],
-            one.told,
+            _told(panel, found),
         )
-        for one in slide.panels
-        for box in (one.stage,)
+        for panel, box, found in zip(slide.panels, stages, words, strict=True)
     )
+
+
+def _distance(stage: Box, text: Text) -> float:
+    """Return how far from a stage a text begins, 0 on it."""
+    x, y = text.place
+    aside = max(stage.x - x, x - stage.right, 0.0)
+    return hypot(aside, max(stage.y - y, y - stage.bottom, 0.0))
+
+
+def _told(panel: Panel, words: Sequence[Text]) -> str:
+    """Write what stands above a stage in one line, and what stands below it in another."""
+    above, below = [], []
+    for one in sorted(words, key=lambda one: (one.place[1], one.place[0])):
+        text = marked_down(one.text)
+        if one.place[1] >= panel.stage.y:
+            below.append(text)
+        elif one.text == panel.heading and panel.verdict is not None:
+            above.append(f"{VERDICTS[panel.verdict]} {text}")
+        else:
+            above.append(text)
+    return f"{': '.join(above)}\n{' '.join(below)}".strip()
 
 
 def preview(image: Array, parts: Sequence[Part], screen: Screen) -> str:
@@ -75,7 +106,8 @@ def preview(image: Array, parts: Sequence[Part], screen: Screen) -> str:
     picture = Image.fromarray(image)
     if shown < width:
         picture = picture.resize((shown, round(height / width * shown)), Image.Resampling.LANCZOS)
-    words = "".join(f"{one.words}\n" for one in parts) if shown < LEGIBLE * width else ""
+    lines = [f"{spelled(one.words, screen.charset)}\n" for one in parts]
+    words = "".join(lines) if shown < LEGIBLE * width else ""
     return f"{words}{inline_image(picture, cells, screen.drawing)}\n"
 
 
@@ -112,10 +144,10 @@ def _beside(columns: Sequence[Sequence[Cell]], width: int) -> Iterator[str]:
 
 
 def _wrapped(words: str, width: int, screen: Screen) -> list[Cell]:
-    is_plain = screen.drawing is Drawing.CHARACTERS
-    colour = Colour.PLAIN if is_plain else Colour.ANSI
-    text = spelled(words, Charset.ASCII) if is_plain else words
-    return [(render(plain(line), colour), len(line)) for line in wrap(text, width)]
+    colour = Colour.PLAIN if screen.drawing is Drawing.CHARACTERS else Colour.ANSI
+    text = spelled(words, screen.charset)
+    lines = [line for paragraph in text.splitlines() for line in wrap(paragraph, width)]
+    return [(render(plain(line), colour), len(line)) for line in lines]
 
 
 def _drawn(image: Array, width: int, screen: Screen) -> Iterator[Cell]:

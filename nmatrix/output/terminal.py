@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+from nmatrix.output.write import Charset
+
 CELL = (8, 16)  # pixels of a character where the terminal does not tell
 
 
@@ -45,6 +47,7 @@ class Screen:
     drawing: Drawing
     colours: Colours = Colours.ALL
     cell: tuple[int, int] = CELL
+    charset: Charset = Charset.UNICODE
 
 
 @dataclass(frozen=True)

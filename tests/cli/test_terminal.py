@@ -22,12 +22,15 @@ LINES, COLUMNS, WIDTH, HEIGHT = 40, 100, 1000, 800
 KNOWN = ("TERM", "TMUX", "STY", "ZELLIJ", "COLORTERM", "TERM_PROGRAM", "LC_TERMINAL", "NO_COLOR")
 KNOWN += ("KITTY_WINDOW_ID", "WEZTERM_PANE", "KONSOLE_VERSION", "VTE_VERSION", "FORCE_COLOR", "OS")
 Shown = Callable[..., str]
-DRAWN = "render bias --size 120 80"
+DRAWN = "render slope.obj --size 120 80"
+SLOPE = "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n"
 
 
 @pytest.fixture
 def shown(tmp_path) -> Shown:
     """Run a line on a terminal of its own and return all that it was sent."""
+
+    (tmp_path / "slope.obj").write_text(SLOPE)
 
     def call(line: str, **environment: str) -> str:
         ours, theirs = pty.openpty()
@@ -69,7 +72,7 @@ def test_a_terminal_that_takes_pictures_gets_one(shown: Shown, term: str) -> Non
 
 
 def test_the_pixels_of_a_terminal_are_known(shown: Shown) -> None:
-    found = shown("render normals --size 1600 900 --preview", TERM="foot")
+    found = shown("render slope.obj --size 1600 900 --preview", TERM="foot")
     height, width = pixels_of_sixels(found).shape[:2]
     assert width <= WIDTH
     assert width >= WIDTH - 20 or height >= HEIGHT - 60
@@ -92,7 +95,7 @@ def test_another_terminal_gets_half_blocks_over_its_whole_width(shown: Shown) ->
 def test_without_colour_a_terminal_gets_characters(shown: Shown, environment: dict) -> None:
     found = shown(f"{DRAWN} --preview", **environment)
     assert "\x1b" not in found
-    assert "::" in found
+    assert "..." in found
 
 
 def test_an_error_is_red_on_a_terminal_alone(shown: Shown, nmatrix) -> None:

@@ -11,10 +11,14 @@ import pytest
 from PIL import Image
 from read_terminal import characters, pixels_of_sixels
 
+from nmatrix.canvas.glyphs import Verdict
+from nmatrix.canvas.slide import Slide
+from nmatrix.enums import Theme
 from nmatrix.output.inline_images import CHUNK, inline_image, sixel
-from nmatrix.output.preview import NARROWEST, PALETTE, Part, preview
+from nmatrix.output.preview import NARROWEST, PALETTE, Part, parts_of, preview
 from nmatrix.output.style import Style
 from nmatrix.output.terminal import Colours, Drawing, Screen, abilities
+from nmatrix.output.write import Charset
 
 rng = np.random.default_rng(7)
 KITTY = re.compile(r"\x1b_G([^;]*);([^\x1b]*)\x1b\\")
@@ -158,11 +162,30 @@ def test_words_are_written_beside_a_picture_too_small_to_read_them() -> None:
 
 
 def test_without_colour_parts_are_drawn_in_plain_characters() -> None:
-    text = preview(ramp(9, 16), PARTS, Screen(80, 60, Drawing.CHARACTERS))
+    screen = Screen(80, 60, Drawing.CHARACTERS, charset=Charset.ASCII)
+    text = preview(ramp(9, 16), PARTS, screen)
     assert "\x1b" not in text
     assert text.isascii()
     assert "ok part 0: words" in text
     assert "@" in text
+
+
+def test_each_word_of_a_slide_stands_with_its_nearest_stage() -> None:
+    slide = Slide.of("The claim", (320, 180), Theme.LIGHT)
+    left, right = slide.body(200).columns(2, 20)
+    slide.canvas.text((left.x, left.y - 60), "Group", 24)
+    first = slide.panel(left, "A *n*", Verdict.WRONG, "it *leans*")
+    slide.panel(right, "A^{−T}*n*", Verdict.RIGHT, "it stands")
+    slide.large_number(right.x, slide.frame.bottom - 68, "36.9°", "off")
+    slide.canvas.text((right.x + 10, right.y + 30), "on the stage", 24)
+    image = ramp(180, 320)
+    one, other = parts_of(slide, image)
+    assert one.words == "Group: ✗ A n\nit leans"
+    assert other.words == "✓ A⁻ᵀn\nit stands 36.9° off"
+    k, box = slide.canvas.scale, first.stage
+    corner = image[round(k * box.y), round(k * box.x)]
+    assert np.array_equal(one.image[0, 0], corner)
+    assert one.image.shape[:2] == (round(k * box.height), round(k * box.width))
 
 
 BLOCKS = Drawing.HALF_BLOCKS
