@@ -244,13 +244,17 @@ def hatch(canvas: Canvas, loop: Sequence[Point], spacing: float, colour: str, wi
 
 def ramp_bar(canvas: Canvas, box: Box, ends: tuple[str, str], size: float = 22.0) -> None:
     """Draw the scale of a map of colours with both of its ends written above it."""
-    steps = 96
+    ramp(canvas, box)
+    canvas.text((box.x, box.y - 10), ends[0], size)
+    canvas.text((box.right, box.y - 10), ends[1], size, align=1.0)
+
+
+def ramp(canvas: Canvas, box: Box, steps: int = 96) -> None:
+    """Draw the colours of a map from its least to its largest value, left to right."""
     stops = canvas.palette.heat
     for i, part in enumerate(box.columns(steps, 0)):
         wide = Box(part.x, part.y, box.right - part.x, part.height)  # over all that follow: no seam
         canvas.polygon(wide.corners, fill=blend(stops, i / (steps - 1)))
-    canvas.text((box.x, box.y - 10), ends[0], size)
-    canvas.text((box.right, box.y - 10), ends[1], size, align=1.0)
 
 
 def blend(stops: Sequence[str], part: float) -> str:

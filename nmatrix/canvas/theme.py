@@ -96,3 +96,15 @@ PALETTES = {
         heat=("#121212", "#3F3F3F", "#6A6A6A", "#8E8E8E", "#B9B9B9", "#EDEDED"),
     ),
 }
+
+
+def channels(colour: str) -> tuple[float, float, float]:
+    """Return the red, green and blue of #RRGGBB, each in [0, 1].
+
+    Examples
+    --------
+    >>> channels("#FF0033")
+    (1.0, 0.0, 0.2)
+    """
+    red, green, blue = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    return red, green, blue

@@ -96,7 +96,7 @@ class Hedgehog:
             tacks = [Tack(place, true, ruled) for place, true, ruled in vectors]
             self.stage.tacks([tacks[i] for i in np.flatnonzero(~is_bare)], ink, long / ARROW)
             for i in np.flatnonzero(is_bare):
-                self.stage.arrow(tacks[i].place, long * tacks[i].arrow, ink)
+                self.stage.vector(tacks[i].place, long * tacks[i].arrow, ink)
         without = sum(int((~one.ruled.any(axis=1)).sum()) for one in self.chosen)
         if without:
             self.remarks.append(f"{without} normals that are zero have no arrow.")

@@ -20,6 +20,7 @@ from nmatrix.scene.meshes.watertight import same_place
 Array = NDArray[Any]
 
 CREASE_DEG = 22.0
+ROUNDING = 1e-9  # of depths that were computed in two ways
 SHORTEST = 2.0  # pixels: shorter pieces between hidden ones are grazes, not lines
 
 
@@ -130,8 +131,9 @@ def visible_pieces(window: Array, farthest: Array) -> list[Array]:
     """Return the pieces (k, 3) of a line that lie in front of a surface or on it.
 
     The line is looked at once a pixel. It is seen if it is not behind the farthest surface of the
-    3 × 3 pixels around it, by no more than the depth changes over these: so a line on a surface
-    is seen also where the surface is steep, and at a rim, where one of the nine is empty.
+    3 × 3 pixels around it, by no more than depth changes from one pixel to the next there: so a
+    line on a surface is seen also where the surface is steep, along an inner corner, and at a rim,
+    where one of the nine is empty.
 
     Parameters
     ----------
@@ -175,8 +177,9 @@ def seen(line: Array, farthest: Array) -> Array:
         ]
     )
     deepest = around.max(axis=0)
-    slack = np.where(np.isinf(deepest), 0.0, deepest - around.min(axis=0))
-    return np.asarray(inside & (line[:, 2] <= deepest + slack + 1e-9))
+    nearest = around.min(axis=0)
+    change = np.subtract(deepest, nearest, out=np.zeros_like(nearest), where=deepest < np.inf)
+    return np.asarray(inside & (line[:, 2] <= deepest + change / 2 + ROUNDING))
 
 
 def _places(points: Array) -> Array:

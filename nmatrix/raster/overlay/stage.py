@@ -35,6 +35,10 @@ PAD = 34.0
 DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
+ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+LOST = 4.0  # the outline of what is not there
+AXIS, LETTER = 4.0, 22  # the shaft of an axis of the world, and its letter
+ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
 
@@ -111,6 +115,14 @@ class Stage:
         found[found] = seen(self.pixels(window[found]), self.depth.farthest)
         return np.asarray(found)
 
+    def covers(self, points: Array) -> Array:
+        """Return a mask of the points (n, 3) of the world behind or before which a surface is."""
+        x, y, _ = np.nan_to_num(self.pixels(self.window(points)), nan=-1.0).T
+        height, width = self.depth.farthest.shape
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        column, row = x.astype(int).clip(0, width - 1), y.astype(int).clip(0, height - 1)
+        return np.asarray(inside & np.isfinite(self.depth.farthest[row, column]))
+
     def pixels(self, window: Array) -> Array:
         """Return points of the canvas in pixels of the picture."""
         k = self.canvas.scale
@@ -132,6 +144,11 @@ class Stage:
             for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
 
+    def lost_outline(self) -> None:
+        """Draw the outline of what would be covered, dashed, where it could not be drawn."""
+        for points in self._rims():
+            glyphs.line(self.canvas, points, Ink.WRONG, LOST)
+
     def surface_line(
         self,
         points: Array,
@@ -151,6 +168,39 @@ class Stage:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
 
+    def arrow(self, a: Array, b: Array, ink: Ink, shaft: float = glyphs.SHAFT) -> None:
+        """Draw an arrow of the world; what lies behind a surface is left out, its head too."""
+        line = a + np.linspace(0, 1, ARROW_STEPS)[:, None] * (b - a)
+        window, shown = self.window(line)[:, :2], self.sees(line)
+        runs = np.split(np.arange(len(line)), np.flatnonzero(np.diff(shown)) + 1)
+        for run in runs:
+            if not shown[run[0]] or len(run) < 2:
+                continue
+            (x, y), (u, v) = window[run[0]], window[run[-1]]
+            if run[-1] == len(line) - 1:
+                glyphs.arrow(self.canvas, (x, y), (u, v), ink, shaft)
+            else:
+                glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
+
+    def axes(self, origin: Array, length: float) -> None:
+        """Draw the axes of the world from a point, with their letters; hidden parts are left out.
+
+        One that points at the eye or away from it is too short for a letter.
+        """
+        start = self.place(origin)
+        for letter, along in zip("xyz", np.eye(3) * length, strict=True):
+            self.arrow(origin, origin + along, Ink.PLAIN, AXIS)
+            tip = self.place(origin + along)
+            if start is None or tip is None or not self.sees((origin + along)[None])[0]:
+                continue
+            x, y = tip[0] - start[0], tip[1] - start[1]
+            size = float(np.hypot(x, y))
+            if size > LETTER / 2:
+                x, y = tip[0] + x / size * LETTER * 0.8, tip[1] + y / size * LETTER * 0.8
+                halo = self.canvas.palette.stage
+                place = (x, y + 0.27 * LETTER)
+                self.canvas.text(place, letter, LETTER, bold=True, align=0.5, halo=halo)
+
     def lights(self) -> None:
         """Draw every light: one at infinity in the corner that it comes from, others in place."""
         for placed in self.loaded.lights:
@@ -160,10 +210,11 @@ class Stage:
                 self.sun([float(one) for one in placed.direction])
 
     def sun(self, direction: Sequence[float]) -> None:
-        """Draw a light at infinity in an upper corner, its arrows along its light as it is seen."""
+        """Draw a light at infinity in the corner it comes from, its arrows as they are seen."""
         towards = self.direction(direction)
         x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
-        glyphs.sun(self.canvas, (x, self.box.y + CORNER), towards)
+        y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
+        glyphs.sun(self.canvas, (x, y), towards)
 
     def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
         """Draw a lamp at its place; one that the eye cannot see is left out."""
@@ -176,20 +227,26 @@ class Stage:
         far_first = sorted(tacks, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
         for one in far_first:
             self.disc(one.place, one.normal, DISC * radius)
-            self.arrow(one.place, ARROW * radius * one.arrow, ink)
+            self.vector(one.place, ARROW * radius * one.arrow, ink)
 
-    def arrow(self, place: Array, vector: Array, ink: Ink) -> None:
-        """Draw a vector of the world as an arrow from a place."""
+    def vector(self, place: Array, vector: Array, ink: Ink) -> None:
+        """Draw a vector of the world as an arrow from a place, whole."""
         a, b = self.place(place), self.place(place + vector)
         if a is not None and b is not None:
             glyphs.arrow(self.canvas, a, b, ink)
 
+    def nothing(self, tack: Tack, radius: float) -> None:
+        """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""
+        self.disc(tack.place, tack.normal, ZERO_DISC * radius)
+        place = self.place(tack.place)
+        if place is not None:
+            palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
+            halo = palette.paper
+            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
+
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
-        u = unit(np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))]))
-        v = np.cross(normal, u)
-        turns = np.linspace(0, 2 * np.pi, 40, endpoint=False)[:, None]
-        rim = self.window(place + radius * (np.cos(turns) * u + np.sin(turns) * v))
+        rim = self.window(rings_around(place[None], normal[None], radius)[0])
         if np.isfinite(rim).all():
             ink, towards = self.canvas.palette.ink, unit(self.eye - place)
             width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
@@ -207,16 +264,24 @@ class Stage:
         return [origin + (np.asarray(line) - 0.5) / self.canvas.scale for line in lines]
 
 
+def rings_around(places: Array, normals: Array, radius: float, steps: int = 40) -> Array:
+    """Return points (n, steps, 3) on circles around places (n, 3), across unit normals (n, 3)."""
+    u = unit(np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)]))[:, None]
+    turns = np.linspace(0, 2 * np.pi, steps, endpoint=False)[:, None]
+    v = np.cross(normals[:, None], u)
+    return np.asarray(places[:, None] + radius * (np.cos(turns) * u + np.sin(turns) * v))
+
+
 def radius_of(body: Body) -> float:
     """Return the radius of a moved body, 1 for a point."""
     return float(body.radius) or 1.0
 
 
-def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
-    """Return the lens with which points (n, 3) of the world fill a box but for a pad.
+def filling(view: View, points: Array, box: Box, inner: Box, around: float = 0.0) -> Lens:
+    """Return the lens of a box with which points (n, 3) of the world fill a part of it.
 
-    Around each is room of so many units of the world, for arrows. It is a view through a window
-    that need not lie opposite the eye: shifted and scaled, never bent.
+    Around each point is room of so many units of the world, for arrows. It is a view through a
+    window that need not lie opposite the eye: shifted and scaled, never bent.
     """
     camera = np.array(to_floats(view.placed().camera_from_world))
     x, y, z = (np.asarray(points, float) @ camera[:3, :3].T + camera[:3, 3]).T
@@ -226,9 +291,10 @@ def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
     room = around / np.maximum(-z, near)
     low, high = (tangents - room).min(axis=1), (tangents + room).max(axis=1)
     sides = np.array([box.width, box.height])
-    inner = np.maximum(sides - 2 * PAD, sides / 4)
-    per_unit = float(((high - low) / inner).max()) or 1.0 / float(inner.max())
-    middle, half = (low + high) / 2, sides / 2 * per_unit
+    filled = np.array([inner.width, inner.height])
+    per_unit = float(((high - low) / filled).max()) or 1.0 / float(filled.max())
+    aside = np.subtract(box.middle, inner.middle) * (1, -1)  # tangents go up, units down
+    middle, half = (low + high) / 2 + aside * per_unit, sides / 2 * per_unit
     near = near / 2
     left, bottom = (middle - half) * near
     right, top = (middle + half) * near

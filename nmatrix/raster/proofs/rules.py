@@ -13,10 +13,15 @@ from nmatrix.enums import Kind, NormalRule
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.stage import Stage, radius_of
-from nmatrix.raster.proofs.angles import INVISIBLE_DEG, Scale, rule_error, worst_at_vertices
+from nmatrix.raster.proofs.angles import (
+    INVISIBLE_DEG,
+    Scale,
+    rule_error,
+    worst_at_vertices,
+)
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
-from nmatrix.raster.proofs.staging import Pose, put_heat, staged, tacks
-from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, put_heat, staged, tacks
+from nmatrix.raster.shading.normals import normals_by, unit
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
@@ -27,15 +32,15 @@ EGG = ShapeGeometry(Shape.SPHERE, (64, 128))
 TALL = World(scale=(1, 2, 1))
 BESIDE = Pose((3.6, 1.5, 9.2), radius=2)
 FROM_THE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.85, -0.55, -0.65))
+STRETCHED_IDEA = "A tangent rides along with A. A normal must stay at a right angle to it."
+EVEN_IDEA = "A tangent rides along with A, and so does the normal: their right angle stays."
 BELOW = 190.0  # units under the stages, for captions and a number
 TURNED = World(rotate_degrees=(0, 0, -38))
 STRETCHED = World(rotate_degrees=(0, 0, -62)).under(
     World(scale=(0.85, 1.7, 0.85)).world_from_object
 )
-FRONT = Pose((0.6, 0.5, 9.6), radius=2)
+FRONT = Pose((2.0, 1.6, 9.2), radius=2)
 FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.6, -0.75, -0.45))
-SAME_HERE = "The same pixels again: this map is one that only turns, or scales evenly."
-FOUND_OUT = "The same code, found out: test with an uneven scale."
 
 
 @dataclass(frozen=True)
@@ -90,19 +95,22 @@ def normals(settings: ProofSettings) -> Proof:
     claim = Claim.about(settings, body, worst)
     slide = settings.slide(claim.title)
     idea, first, second, last = slide.body(BELOW).columns(4, GUTTER)
-    told = "A tangent rides along with A. A normal must stay at a right angle to it."
-    circle_to_ellipse(slide.canvas, slide.panel(idea, "The idea", caption=told).stage, 2.0)
+    bends = body.kind.needs_inverse_transpose
+    told = slide.panel(idea, "The idea", caption=STRETCHED_IDEA if bends else EVEN_IDEA)
+    circle_to_ellipse(slide.canvas, told.stage, 2.0 if bends else 1.0)
     panels = (
         slide.panel(first, "A *n*", _verdict(claim.agrees), claim.wrong),
-        slide.panel(second, claim.heading, Verdict.RIGHT, claim.right),
+        slide.panel(second, claim.heading, None if worst is None else Verdict.RIGHT, claim.right),
     )
     wrong, right = _both(slide, settings, BESIDE, panels, scene)
     if claim.agrees:
         slide.compare(*panels, same=True)
     heat = slide.panel(last, "Angle between")
     found = rule_error(right.drawn.plan, NormalRule.NONE)
-    put_heat(slide, heat, right.drawn, found, Scale.reaching(worst)).outline()
-    if worst is not None:
+    if worst is None:
+        slide.no_answer(heat, NO_SURFACE[body.linear_map.rank])
+    else:
+        put_heat(slide, heat, right.drawn, found, Scale.reaching(worst)).outline()
         number = f"{worst:.1f}°" if worst >= INVISIBLE_DEG else "0°"
         slide.large_number(heat.stage.x, slide.frame.bottom - 68, number, "off")
     return Proof.of(
@@ -124,11 +132,15 @@ def _both(
     wrong, right = staged(slide, settings, pose, pairs)
     ink = Ink.WRONG if panels[0].verdict is Verdict.WRONG else Ink.RIGHT
     rules = (NormalRule.NONE, ink), (NormalRule.EXACT, Ink.RIGHT)
+    (body,) = right.loaded.bodies
+    if not normals_by(right.loaded, body, NormalRule.EXACT).any():
+        for panel in panels:
+            slide.no_answer(panel, NO_SURFACE[body.linear_map.rank])
+        return wrong, right
     for stage, (rule, colour) in zip((wrong, right), rules, strict=True):
         stage.outline()
         stage.lights()
-        for body in stage.loaded.bodies:
-            stage.tacks(tacks(right, body, rule, settings), colour, radius_of(body))
+        stage.tacks(tacks(right, body, rule, settings), colour, radius_of(body))
     return wrong, right
 
 
@@ -160,20 +172,23 @@ def bias(settings: ProofSettings) -> Proof:
         strict=True,
     ):
         scene = settings.scene(settings.object(world, shape), lights=(FROM_ABOVE_RIGHT,))
-        worst = worst_at_vertices(loaded(scene), loaded(scene).bodies[0], NormalRule.NONE)
-        agrees = worst is None or worst < INVISIBLE_DEG
+        (body,) = loaded(scene).bodies
+        worst = worst_at_vertices(loaded(scene), body, NormalRule.NONE)
+        agrees = worst is not None and worst < INVISIBLE_DEG
         slide.canvas.text((box.x, box.y - 68), words, HEADING, bold=True)
         line = ((box.x, box.y - 56), (box.right, box.y - 56))
         slide.canvas.stroke(line, 3, slide.palette.ink, round_ends=False)
         left, right = box.columns(2, GUTTER)
-        told = caption or (SAME_HERE if agrees else FOUND_OUT)
+        told = caption or _second_caption(body, agrees=agrees, is_lost=worst is None)
+        rule = "A^{−T} *n*" if body.linear_map.rank == 3 else "C *n*"
         panels = (
             slide.panel(left, "A *n*", Verdict.WRONG),
-            slide.panel(right, "A^{−T} *n*", Verdict.RIGHT),
+            slide.panel(right, rule, None if worst is None else Verdict.RIGHT),
         )
         slide.canvas.paragraph((box.x, box.bottom + 38), told, CAPTION, box.width)
         drawn += _both(slide, settings, FRONT, panels, scene)
-        slide.compare(*panels, same=agrees)
+        if worst is not None:
+            slide.compare(*panels, same=agrees)
     turned, stretched = drawn[:2], drawn[2:]
     hidden, seen = (level_difference(a.drawn, b.drawn) for a, b in (turned, stretched))
     return Proof.of(
@@ -185,6 +200,16 @@ def bias(settings: ProofSettings) -> Proof:
         max_level_difference=seen,
         **rule_error(stretched[1].drawn.plan, NormalRule.NONE).errors,
     )
+
+
+def _second_caption(body: Body, *, agrees: bool, is_lost: bool) -> str:
+    if is_lost:
+        return "This map leaves no plane, so there is no normal to test with."
+    if agrees and body.kind.needs_inverse_transpose:
+        return "The same pixels again: along its own axes a shape hides the mistake too."
+    if agrees:
+        return "The same pixels again: this map, too, only turns or scales evenly."
+    return "The same code, found out: test with an uneven scale."
 
 
 def _ellipsoid() -> LoadedGeometry:

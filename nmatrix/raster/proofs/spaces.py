@@ -1,4 +1,4 @@
-"""Proofs that two ways give one picture: five shading spaces, and the plan against everything."""
+"""The proof that five shading spaces give one picture."""
 
 from __future__ import annotations
 
@@ -8,21 +8,16 @@ import numpy as np
 
 from nmatrix.enums import NormalRule, Reflection, Space
 from nmatrix.linear.rational import identity
-from nmatrix.raster.image import Panel, compose, levels
-from nmatrix.raster.loaded_scene import loaded
-from nmatrix.raster.planning.plan import everything, planned
-from nmatrix.raster.proofs.angles import normals_by
+from nmatrix.raster.image import Panel, compose
 from nmatrix.raster.proofs.proof import (
     TORUS,
     DrawnScene,
     Proof,
     ProofSettings,
-    drawn_plan,
     drawn_scene,
     level_difference,
 )
-from nmatrix.raster.proofs.showpiece import showpiece
-from nmatrix.report import Value
+from nmatrix.raster.shading.normals import normals_by
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
@@ -33,7 +28,6 @@ SKEWED = World(scale=(1, 1.6, 0.7), rotate_degrees=(50, 20, 10), shear=(0.4, 0, 
 BULB = SceneLight(
     "bulb", LightKind.POINT, position=(2, 3, 3), intensity=0.5, attenuation=(1, 0.05, 0.01)
 )
-AMPLIFIED = 50  # a difference in levels is drawn so many times brighter
 
 
 def spaces(settings: ProofSettings) -> Proof:
@@ -85,37 +79,3 @@ def _baked(scene: Scene, world: DrawnScene) -> Scene:
         mesh = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
     baked = replace(one, geometry=LoadedGeometry(mesh), world_from_object=identity(4))
     return replace(scene, objects=(baked,))
-
-
-def effects(settings: ProofSettings) -> Proof:
-    """Draw a scene with everything on and by its plan: the same picture for less work."""
-    ready = loaded(showpiece(settings.picture))
-    started = settings.clock()
-    full = drawn_plan(everything(ready))
-    between = settings.clock()
-    plan = drawn_plan(planned(ready))
-    ended = settings.clock()
-    difference = np.abs(full.rendered.rgb - plan.rendered.rgb)
-    worst = float(difference.max())
-    most, needed = (one.rendered.work.multiplications for one in (full, plan))
-    numbers: dict[str, Value] = {
-        "difference": worst,
-        "multiplications_everything": most,
-        "multiplications_planned": needed,
-        "milliseconds_everything": (between - started) * 1000,
-        "milliseconds_planned": (ended - between) * 1000,
-    }
-    panels = (
-        Panel(full.levels, "Everything on", f"{most:,} multiplications"),
-        Panel(plan.levels, "What the scene calls for", f"{needed:,}"),
-        Panel(levels(difference * AMPLIFIED), f"Difference × {AMPLIFIED}", f"at most {worst:.0e}"),
-    )
-    return Proof.of(
-        settings.subject,
-        compose("The plan leaves out what cannot be seen", panels),
-        f"The plan saves {1 - needed / most:.0%} of the multiplications; no channel moves by more "
-        f"than {worst:.0e}.",
-        [full, plan],
-        numbers=numbers,
-        max_level_difference=level_difference(full, plan),
-    )
