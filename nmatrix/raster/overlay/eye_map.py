@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas import glyphs
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.text import width
+from nmatrix.enums import DepthRange
 from nmatrix.linear import rational
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.loaded_scene import Body
@@ -22,6 +23,12 @@ Array = NDArray[Any]
 PART, LARGEST = 0.34, 300.0  # of the shorter side of the picture, and units
 MARGIN, PAD = 14.0, 30.0
 EYE, LAMP = 15.0, 7.0
+NEAREST = {
+    DepthRange.MINUS_ONE_TO_ONE: -1.0,
+    DepthRange.ZERO_TO_ONE: 0.0,
+    DepthRange.REVERSED: 1.0,
+}
+FARTHER = 0.5  # a depth between near and far in every range
 TITLE = "from above"
 DIRECTIONS = 72  # in which the outline of a body is looked for
 
@@ -31,7 +38,7 @@ def eye_map(stage: Stage, labels: Labels) -> None:
     canvas, palette = stage.canvas, stage.canvas.palette
     side = min(LARGEST, PART * min(canvas.width, canvas.height))
     box = Box(MARGIN, canvas.height - MARGIN - side, side, side)
-    labels.keep_free(box)
+    labels.cover(box)
     canvas.polygon(box.corners, fill=palette.paper, edge=palette.ink, width=1.6)
     outlines = [_outline(body) for body in stage.loaded.bodies]
     sight = _sight(stage)
@@ -77,20 +84,16 @@ def _outline(body: Body) -> Array:
 
 
 def _sight(stage: Stage) -> Array:
-    """Return where the lines of sight at the left and the right of the picture begin and go."""
-    return _unprojected(stage, np.array([[-1.0, 0.0], [1.0, 0.0]]))
+    """Return where sight at the left and the right begins, and a place farther on: (2, 2, 3).
 
-
-def _unprojected(stage: Stage, window: Array) -> Array:
-    """Return where lines of sight (n, 2) in [−1, 1] begin and a place farther on them (2, n, 3)."""
+    It begins on the near plane.
+    """
     world_from_clip = np.array(to_floats(rational.inverse(stage.loaded.clip_from_world)))
     found = []
-    for depth in (0.2, 0.8):
-        clip = np.column_stack([window, np.full(len(window), depth), np.ones(len(window))])
-        world = clip @ world_from_clip.T
+    for depth in (NEAREST[stage.loaded.clip.depth], FARTHER):
+        world = np.array([[-1.0, 0.0, depth, 1.0], [1.0, 0.0, depth, 1.0]]) @ world_from_clip.T
         found.append(world[:, :3] / world[:, 3:])
-    order = np.argsort([float(((one[0] - stage.eye) ** 2).sum()) for one in found])
-    return np.stack([found[i] for i in order])
+    return np.stack(found)
 
 
 def _clipped(loop: Array, box: Box) -> Array:

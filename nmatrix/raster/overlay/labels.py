@@ -64,6 +64,11 @@ class Labels:
         """Let no name stand in a box."""
         self.taken.append(box)
 
+    def cover(self, box: Box) -> None:
+        """Take away the letters in a box that something covers, and let no name stand there."""
+        self.letters = [one for one in self.letters if not box.holds(one[0])]
+        self.keep_free(box)
+
     def write(self) -> tuple[str, ...]:
         """Write each name on the first side of its places that has room; return remarks."""
         for baseline, letter in self.letters:

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 
 from nmatrix.canvas import glyphs
 from nmatrix.canvas.marks import Box, Canvas, Point
-from nmatrix.canvas.paint import pixels
 from nmatrix.canvas.slide import HEIGHT
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import Shown, Theme
@@ -62,10 +61,14 @@ LINE_PART = 0.1  # of the length of edges: a line is no wider
 TRIED = 4000  # edges, to estimate their length
 
 
-def show_over(
+def marked(
     drawn: DrawnScene, shown: Collection[Shown], theme: Theme
-) -> tuple[Array, tuple[str, ...]]:
-    """Draw marks over a picture that was drawn with its depth; return its levels, and remarks."""
+) -> tuple[Canvas, tuple[str, ...]]:
+    """Lay a picture that was drawn with its depth on a canvas, and marks over it; return remarks.
+
+    The canvas has the pixels of the picture. Its units are those of a slide, but for a small
+    picture, whose marks would be too fine.
+    """
     height, width = drawn.levels.shape[:2]
     scale = max(min(width, height) / HEIGHT, LEAST_SCALE)
     canvas = Canvas(width / scale, height / scale, PALETTES[theme], scale)
@@ -75,8 +78,7 @@ def show_over(
     for one in ORDER:
         if one in shown:
             marks.draw(one)
-    remarks = (*marks.remarks, *marks.labels.write())
-    return pixels(canvas), remarks
+    return canvas, (*marks.remarks, *marks.labels.write())
 
 
 @dataclass(eq=False)

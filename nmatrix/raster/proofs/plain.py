@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from nmatrix.canvas.paint import pixels
 from nmatrix.enums import NormalRule, Shown, Theme
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
+from nmatrix.raster.overlay.shown import marked
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error
 from nmatrix.raster.proofs.proof import Proof
 from nmatrix.scene.scene import Scene
@@ -34,10 +36,8 @@ def picture(
     found = Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
     if not shown:
         return found
-    from nmatrix.raster.overlay.shown import show_over  # it loads matplotlib
-
-    image, remarks = show_over(drawn, shown, theme)
-    return replace(found, picture=image, remarks=(*found.remarks, *remarks))
+    canvas, remarks = marked(drawn, shown, theme)
+    return replace(found, picture=pixels(canvas), remarks=(*found.remarks, *remarks))
 
 
 def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
