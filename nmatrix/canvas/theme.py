@@ -40,6 +40,16 @@ class Palette:
     heat: tuple[str, ...] = HEAT_STOPS
 
     @property
+    def bright(self) -> str:
+        """The lighter one of paper and ink: bodies look the same on a dark sheet."""
+        return max(self.paper, self.ink)
+
+    @property
+    def dim(self) -> str:
+        """The darker one of paper and ink."""
+        return min(self.paper, self.ink)
+
+    @property
     def named(self) -> dict[str, str]:
         """The single colours by their names."""
         return {one.name: getattr(self, one.name) for one in fields(self) if one.name != "heat"}

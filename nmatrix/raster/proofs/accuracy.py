@@ -42,7 +42,7 @@ COFACTOR_MULTIPLICATIONS = 18
 SQUASHED = Fraction(1, 1_000_000)
 HUED = (1.0, 0.0, 0.0)  # so that a grey page has three channels as well
 BALL = ShapeGeometry(Shape.SPHERE, (64, 128))
-BEFORE = Pose((-2.2, 1.5, 9.0), radius=1, around=0.0, free=(14, 14, 14, 92))
+BEFORE = Pose((-2.2, 1.5, 9.0), radius=1, room=0.0, free=(14, 14, 14, 92))
 BELOW, NUMBER = 270.0, 52
 SEEN_DEG = 0.1  # an angle that can be seen
 LEAST_DEG, MOST_DEG = 1e-14, 180.0  # the ends of the scale

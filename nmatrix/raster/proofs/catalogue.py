@@ -60,17 +60,18 @@ PROOFS: tuple[ProofEntry, ...] = (
         "spaces", "spaces", "one picture, lit in world, camera, object, static and light space"
     ),
     ProofEntry(
-        "object-rule", "lights", "object space: Mᵀl, M⁻¹l and the exact rule; their terminators"
+        "object-rule", "object_rule", "object space: Mᵀl, M⁻¹l and the exact rule; the light's edge"
     ),
     ProofEntry("mirror", "hard_maps", "cofactors without the sign, the inverse transpose, winding"),
     ProofEntry(
         "stuck-light",
-        "lights",
-        "a light in model space turns with the torus; in eye space not",
+        "stuck_light",
+        "a light in model space turns with the model; in eye space not",
+        Turn(Turning.OBJECT, (0, -1, 0)),  # on its turntable
     ),
     ProofEntry(
         "flashlight",
-        "lights",
+        "flashlight",
         "a light fixed to the eye against one fixed to the world",
         WALK,
     ),

@@ -317,7 +317,7 @@ def _way(stage: Stage, facts: Moved, came_from: Array) -> None:
     if facts.t.any():
         for chain in silhouettes(facts.body.mesh, came_from, stage.eye):
             stage.surface_line(chain, GHOST, palette.soft, dash=GHOST_DASHES)
-    stage.axes(origin, AXES * radius_of(facts.body))
+    stage.axes(np.eye(3, 4, 1) * AXES * radius_of(facts.body))
     a, b = stage.place(origin), stage.place(facts.t)
     if facts.t.any() and a is not None and b is not None:
         arrow(stage.canvas, a, b, Ink.PLAIN, DIAGRAM_SHAFT)

@@ -37,13 +37,13 @@ Array = NDArray[Any]
 COARSE = ShapeGeometry(Shape.SPHERE, (5, 8))
 TALL = World(scale=(1, 3, 1))
 FROM_THE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.6, -0.75, -0.5))
-BESIDE = Pose((1.6, 1.2, 9.2), radius=3, around=0.0, free=(20,) * 4)
+BESIDE = Pose((1.6, 1.2, 9.2), radius=3, room=0.0, free=(20,) * 4)
 PARTS = ("ambient", "diffuse")
 RIM = 3  # pixels from the outline, where there is no step but an end
 STEPS = 9  # of the shade, whose edges show what a smooth one hides
 FLOOR = World(scale=(3, 1, 6))
 FLOOR_AT = (0, -1, -3)
-ALONG_THE_FLOOR = Pose((-2.0, 2.6, 9.2), radius=6.7, up=(0.12, 1, 0), around=0.0, free=(14,) * 4)
+ALONG_THE_FLOOR = Pose((-2.0, 2.6, 9.2), radius=6.7, up=(0.12, 1, 0), room=0.0, free=(14,) * 4)
 COUNTED = Box(0, 0, 480, 270)  # pixels: shares are counted at one size
 SEEN = 8  # levels
 LENGTH_SEEN = 0.005

@@ -31,7 +31,7 @@ Array = NDArray[Any]
 
 COARSE, FINE = (ShapeGeometry(Shape.TORUS, cells) for cells in ((9, 18), (72, 144)))
 FROM_THE_LEFT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(0.17, -0.97, 0.15))
-FROM_ABOVE = Pose((0, 6.2, 7.6), radius=1.4, up=(0.5, 1, 0), around=0.0, free=(16, 14, 16, 64))
+FROM_ABOVE = Pose((0, 6.2, 7.6), radius=1.4, up=(0.5, 1, 0), room=0.0, free=(16, 14, 16, 64))
 LABELS, ROWS_APART, BELOW = 224.0, 66.0, 86.0  # units
 WHERE = {
     Shading.FLAT: "flat: once a face",

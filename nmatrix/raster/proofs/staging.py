@@ -46,6 +46,7 @@ from nmatrix.raster.shading.space import length
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
+from nmatrix.scene.material import Colour
 from nmatrix.scene.scene import Scene
 
 Array = NDArray[Any]
@@ -62,14 +63,14 @@ class Pose:
     """From where a proof looks: an eye about a body of this radius at the origin.
 
     About a body that is larger, or elsewhere, the eye stands as much farther off, on the same side.
-    `around` is the room for arrows about it, a part of its radius; `free` the units at the left,
+    `room` is what stays free around the bodies, for arrows, a part of their radius; `free` the units at the left,
     top, right and bottom of a stage that other marks need.
     """
 
     eye: Vector
     radius: float
     up: Vector = (0, 1, 0)
-    around: float = ARROW
+    room: float = ARROW
     free: tuple[float, float, float, float] = (PAD, PAD, PAD, PAD)
 
     def camera(
@@ -89,13 +90,17 @@ class Pose:
             [*(b.positions_world for one in scenes for b in one.bodies), *beside]
         )
         if settings.is_moving:  # nothing may jump: room for every turn about the origin
-            points = _ball(float(np.sqrt((points * points).sum(axis=1).max())) or 1.0)
+            points = ball(float(np.sqrt((points * points).sum(axis=1).max())) or 1.0)
+        return self.about(points, box)
+
+    def about(self, points: Array, box: Box) -> tuple[View, Lens]:
+        """Return the camera in which points (n, 3) of the world fill a box."""
         low, high = points.min(axis=0), points.max(axis=0)
         centre = (low + high) / 2
         reach = float(np.sqrt(((points - centre) ** 2).sum(axis=1).max())) or 1.0
         eye = centre + np.array(self.eye, float) * reach / self.radius
         view = View(eye=tuple(eye.tolist()), target=tuple(centre.tolist()), up=self.up)
-        return view, filling(view, points, box, self._inside(box), self.around * reach)
+        return view, filling(view, points, box, self._inside(box), self.room * reach)
 
     def _inside(self, box: Box) -> Box:
         """Return the part of a stage that bodies fill: a quarter of each side at the least."""
@@ -110,7 +115,8 @@ class Pose:
         )
 
 
-def _ball(radius: float) -> Array:
+def ball(radius: float) -> Array:
+    """Return points (n, 3) all over a ball about the origin."""
     turns, heights = np.meshgrid(np.linspace(0, 2 * np.pi, 24), np.linspace(-1, 1, 13))
     around = np.sqrt(1 - heights * heights)
     return radius * np.stack([around * np.cos(turns), heights, around * np.sin(turns)], -1).reshape(
@@ -134,18 +140,20 @@ def staged(
     return [draw_on(slide, panel, replace(scene, view=view, lens=lens)) for panel, scene in parts]
 
 
-def draw_on(slide: Slide, panel: Panel, scene: Scene) -> Stage:
-    """Draw a scene, whose camera has the shape of the panel's stage, on it."""
-    return put(slide, panel, drawn_for(slide, panel.stage, scene))
+def draw_on(slide: Slide, panel: Panel, scene: Scene, background: Colour | None = None) -> Stage:
+    """Draw a scene, whose camera has the shape of the panel's stage, on it, or before the night."""
+    return put(slide, panel, drawn_for(slide, panel.stage, scene, background))
 
 
-def drawn_for(slide: Slide, stage: Box, scene: Scene) -> DrawnScene:
+def drawn_for(
+    slide: Slide, stage: Box, scene: Scene, background: Colour | None = None
+) -> DrawnScene:
     """Draw a scene before the colour of stages, in the pixels of one."""
     return drawn_scene(
         replace(scene, has_camera=True),
         keeps_depth=True,
         size=slide.canvas.pixels_of(stage),
-        background=channels(slide.palette.stage),
+        background=background or channels(slide.palette.stage),
     )
 
 
