@@ -106,6 +106,9 @@ def depth(settings: ProofSettings) -> Proof:
         for row, order in zip(left.rows(2, ROWS_APART), RANGES, strict=True)
         for place, buffer in zip(row.columns(len(SHOWN), GUTTER), SHOWN, strict=True)
     ]
+    for i in range(0, len(stages), len(SHOWN)):  # standard floats step as 24 bits do
+        if (stages[i].drawn.levels == stages[i + 1].drawn.levels).all():
+            slide.compare(*slide.panels[i : i + 2], same=True)
     x = left.right + AXIS_WIDE
     _plot(slide, Box(x, body.y, body.right - x, body.height - AXIS_HIGH))
     slide.footer(
