@@ -21,12 +21,12 @@ from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.mesh_lines import silhouettes
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of, rings_around
 from nmatrix.raster.overlay.tacks import Tack, farthest_apart, spread_over
-from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
+from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, RIM_POINTS, Pose, put_inside, staged, tacks
-from nmatrix.raster.shading.normals import angles_deg, unit
+from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
