@@ -208,10 +208,18 @@ class Stage:
         return len(self.canvas.marks) > before
 
     def lights(self) -> None:
-        """Draw every light: one at infinity in the corner that it comes from, others in place."""
+        """Draw every light: one at infinity in the corner that it comes from, others in place.
+
+        One whose place is not in the picture is drawn as it shines from there on the bodies.
+        """
         for placed in self.loaded.lights:
             if placed.position is not None:
-                self.lamp([float(one) for one in placed.position])
+                position = [float(one) for one in placed.position]
+                if self._holds(self.place(position)):
+                    self.lamp(position)
+                elif self.loaded.bodies:
+                    middle = np.mean([one.centre for one in self.loaded.bodies], axis=0)
+                    self.sun((middle - position).tolist())
             elif placed.direction is not None:
                 self.sun([float(one) for one in placed.direction])
 
@@ -308,7 +316,8 @@ class Stage:
 
         One that is zero is a disc without an arrow, with a 0 on it.
         """
-        far_first = sorted(tacks, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
+        shown = [one for one in tacks if self._holds(self.place(one.place))]
+        far_first = sorted(shown, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
         for one in far_first:
             if not one.arrow.any():
                 self._nothing(one, radius)
@@ -317,10 +326,14 @@ class Stage:
             self.vector(one.place, ARROW * radius * one.arrow, ink)
 
     def vector(self, place: Array, vector: Array, ink: Ink) -> None:
-        """Draw a vector of the world as an arrow from a place, whole."""
+        """Draw a vector of the world as an arrow from a place, whole, if its tip is on the stage."""
         a, b = self.place(place), self.place(place + vector)
-        if a is not None and b is not None:
+        if a is not None and b is not None and self.box.holds(b):
             glyphs.arrow(self.canvas, a, b, ink)
+
+    def _holds(self, place: Point | None) -> bool:
+        """True for a place on the stage: marks must not stand on its neighbours."""
+        return place is not None and self.box.holds(place)
 
     def _nothing(self, tack: Tack, radius: float) -> None:
         self.disc(tack.place, tack.normal, ZERO_DISC * radius)
@@ -333,7 +346,7 @@ class Stage:
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
         rim = self.window(rings_around(place[None], normal[None], radius)[0])
-        if np.isfinite(rim).all():
+        if all(self._holds((x, y)) for x, y, _ in rim):
             palette, towards = self.canvas.palette, unit(self.eye - place)
             is_edge_on = abs(float(normal @ towards)) < SILHOUETTE * 2
             edge, width = (palette.ink, EDGE_ON) if is_edge_on else (palette.dim, RIM)

@@ -144,7 +144,9 @@ def mirror(settings: ProofSettings) -> Proof:
     elif right.drawn.rendered.work.fragments:
         slide.no_answer(panels[Part.RIGHT], NO_SURFACE[body.linear_map.rank])
     for part, stage in stages.items():
-        if part is Part.CULLED and stage.drawn.rendered.work.fragments:
+        if not stage.drawn.rendered.work.fragments:
+            continue
+        if part is Part.CULLED:
             put_inside(slide, panels[part], stage.drawn)
         if has_normals or part is Part.BEFORE:
             _mark(part, stage, right, settings)

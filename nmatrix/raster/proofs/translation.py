@@ -17,7 +17,7 @@ from nmatrix.enums import NormalRule, Shading
 from nmatrix.linear import rational
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
-from nmatrix.raster.overlay.mesh_lines import silhouettes
+from nmatrix.raster.overlay.mesh_lines import creases, silhouettes
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.mirror import BELOW
@@ -234,11 +234,12 @@ class Way:
     def draw(self, stage: Stage) -> None:
         """Draw them on a stage."""
         canvas = stage.canvas
-        for chain in silhouettes(self.body.mesh, self.came_from, stage.eye):
+        edges = (self.came_from[chain] for chain in creases(self.body.mesh))
+        for chain in (*edges, *silhouettes(self.body.mesh, self.came_from, stage.eye)):
             stage.surface_line(chain, GHOST, canvas.palette.soft, dash=GHOST_DASHES)
         stage.axes(self.axes)
         a, b = stage.place(self.foot), stage.place(self.tip)
-        if a is None or b is None:
+        if a is None or b is None or not (stage.box.holds(a) and stage.box.holds(b)):
             return
         arrow(canvas, a, b, Ink.PLAIN, DIAGRAM_SHAFT)
         dx, dy = b[0] - a[0], b[1] - a[1]
