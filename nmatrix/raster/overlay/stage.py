@@ -326,13 +326,13 @@ class Stage:
             self.vector(one.place, ARROW * radius * one.arrow, ink)
 
     def vector(self, place: Array, vector: Array, ink: Ink) -> None:
-        """Draw a vector of the world as an arrow from a place, whole, if its tip is on the stage."""
+        """Draw a vector of the world as an arrow, whole, if its tip is on the stage."""
         a, b = self.place(place), self.place(place + vector)
         if a is not None and b is not None and self.box.holds(b):
             glyphs.arrow(self.canvas, a, b, ink)
 
     def _holds(self, place: Point | None) -> bool:
-        """True for a place on the stage: marks must not stand on its neighbours."""
+        """Tell whether a place is on the stage: marks must not stand on its neighbours."""
         return place is not None and self.box.holds(place)
 
     def _nothing(self, tack: Tack, radius: float) -> None:

@@ -62,7 +62,12 @@ PROOFS: tuple[ProofEntry, ...] = (
     ProofEntry(
         "object-rule", "object_rule", "object space: Mᵀl, M⁻¹l and the exact rule; the light's edge"
     ),
-    ProofEntry("mirror", "mirror", "cofactors without the sign, the inverse transpose, winding"),
+    ProofEntry(
+        "mirror",
+        "mirror",
+        "cofactors without the sign, the inverse transpose, winding",
+        Turn(Turning.OBJECT),  # a letter is read upright
+    ),
     ProofEntry(
         "stuck-light",
         "stuck_light",

@@ -12,6 +12,7 @@ import numpy as np
 from nmatrix.canvas.glyphs import Ink, Verdict
 from nmatrix.canvas.slide import GUTTER
 from nmatrix.enums import NormalRule
+from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import linear_part
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
@@ -45,8 +46,8 @@ class Part(Enum):
 class Words:
     """What is true of the picture for one sign of det A.
 
-    `panels` are those that differ, in their order, each with its heading, verdict and caption: under
-    some maps a mistake is none. `number` explains the determinant.
+    `panels` are those that differ, in their order, each with its heading, verdict and caption:
+    under some maps a mistake is none. `number` explains the determinant.
     """
 
     title: str
@@ -140,7 +141,9 @@ def mirror(settings: ProofSettings) -> Proof:
     stages = dict(zip(parts, drawn, strict=True))
     right = stages[Part.RIGHT]
     if has_normals:
-        slide.large_number(slide.frame.x, slide.frame.bottom - 56, _determinant(body), words.number)
+        slide.large_number(
+            slide.frame.x, slide.frame.bottom - 56, _determinant(settings), words.number
+        )
     elif right.drawn.rendered.work.fragments:
         slide.no_answer(panels[Part.RIGHT], NO_SURFACE[body.linear_map.rank])
     for part, stage in stages.items():
@@ -179,7 +182,7 @@ def _mark(part: Part, stage: Stage, right: Stage, settings: ProofSettings) -> No
 
 
 def _is_changed(body: Body) -> bool:
-    """True if the map does more than move a body and make it larger."""
+    """Tell whether the map does more than move a body and make it larger."""
     A = linear_part(body.world_from_object.exact)
     return A[0][0] <= 0 or any(
         A[i][j] != (A[0][0] if i == j else 0) for i in range(3) for j in range(3)
@@ -207,10 +210,11 @@ def _inside_out(one: SceneObject) -> SceneObject:
     return replace(one, geometry=LoadedGeometry(turned), material=material)
 
 
-def _determinant(body: Body) -> str:
+def _determinant(settings: ProofSettings) -> str:
     """Write det A in three digits, or its sign alone where it takes more."""
-    det, sign = body.linear_map.determinant, body.kind.determinant_sign
-    if sign and Fraction(1, 1000) <= abs(det) < 1000:
-        short = f"{float(det):.3g}"
-        return f"det A {'=' if Fraction(short) == det else '≈'} {short}".replace("-", "−")
-    return f"det A {'<=>'[sign + 1]} 0"
+    A = LinearMap.of(linear_part(settings.placed(MIRRORED).world_from_object))
+    if Fraction(1, 1000) <= abs(A.determinant) < 1000:
+        short = f"{float(A.determinant):.3g}"
+        sign = "=" if Fraction(short) == A.determinant else "≈"
+        return f"det A {sign} {short}".replace("-", "−")
+    return f"det A {'<=>'[A.determinant_sign + 1]} 0"

@@ -1,10 +1,9 @@
-"""The proof that a normal has no place: what a translation does to one that is taken for a point."""
+"""The proof that a normal has no place: a translation bends one that is taken for a point."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import hypot
 from typing import Any
 
 import numpy as np
@@ -33,13 +32,14 @@ from nmatrix.scene.world import World
 
 Array = NDArray[Any]
 
+IDENTITY = rational.identity(3)
 MOVED = World(translate=(2.6, 0, 0))
 FROM_THE_FRONT = Pose((5.2, 2.6, 7.4), radius=2, room=0.14, free=(24, 60, 24, 30))
 FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.8, -0.8, -0.15))
 LARGER = 1.6  # tacks, so that they are seen on a ball that has the origin beside it
 AXES = 0.62  # of the body's radius
 FARTHEST = 12.0  # of it, from the origin to a body that still is large beside it
-UNDER = 1.7  # of it, from the origin down to the arrow of t: clear of axes and tacks
+ASIDE = 1.7  # of it, from the origin to the arrow of t: clear of axes and tacks
 BLOWN_DEG = 1.0  # a lean that can be seen
 GHOST, GHOST_DASHES = 2.4, (7.0, 6.0)  # the outline of where a body was
 WHOLE = 1 - 1e-6  # the length of a normal, but for rounding
@@ -50,7 +50,8 @@ class Moved:
     """What a translation t does to a body's normals by wrong rules.
 
     `worst_deg` is the largest angle between A n + t and the right normal, `blown_deg` that between
-    A n + t and A n; `shortest` the least length of a normal measured over four components.
+    A n + t and A n; `shortest` the least length of a normal measured over four components. A body
+    that `only_moves` has the identity for its A, and does not turn.
     """
 
     body: Body
@@ -58,12 +59,14 @@ class Moved:
     worst_deg: float
     blown_deg: float
     shortest: float
+    only_moves: bool
 
     @classmethod
-    def of(cls, scene: Scene) -> Moved | None:
+    def of(cls, scene: Scene, *, is_turned: bool) -> Moved | None:
         """Measure it over the vertices of the one body of a scene; None if it has no normals."""
         ready = loaded(scene)
         (body,) = ready.bodies
+        A = rational.linear_part(body.world_from_object.exact)
         worst = worst_at_vertices(ready, body, NormalRule.TRANSLATED)
         if worst is None:
             return None
@@ -77,6 +80,7 @@ class Moved:
             worst,
             float(blown[some].max()),
             float(lengths.min()),
+            not is_turned and A == IDENTITY,
         )
 
     @property
@@ -89,11 +93,6 @@ class Moved:
     def is_blown(self) -> bool:
         """True if what the translation does to normals can be seen."""
         return self.blown_deg >= BLOWN_DEG
-
-    @property
-    def only_moves(self) -> bool:
-        """True if A is the identity."""
-        return rational.linear_part(self.body.world_from_object.exact) == rational.identity(3)
 
     @property
     def title(self) -> str:
@@ -151,7 +150,7 @@ def translation(settings: ProofSettings) -> Proof:
     """Draw normals that a translation moved, and normals measured over four components."""
     one = settings.object(settings.placed(MOVED), settings.geometry(EGG))
     scene = settings.scene(one, lights=(FROM_ABOVE_RIGHT,))
-    facts = Moved.of(scene)
+    facts = Moved.of(scene, is_turned=settings.is_moving)
     if facts is None:
         return _nothing(settings, scene)
     slide = settings.slide(facts.title)
@@ -210,26 +209,30 @@ def _nothing(settings: ProofSettings, scene: Scene) -> Proof:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """The marks of a translation: the origin, a body before it was moved, and t under both."""
+    """The marks of a translation: the origin, a body before it was moved, and t beside both."""
 
     body: Body
     came_from: Array
+    axes: Array
     foot: Array
     tip: Array
-    axes: Array
+    letter: Array
 
     @classmethod
     def of(cls, facts: Moved) -> Way:
         """Find where they stand for a body that was moved."""
         reach = radius_of(facts.body)
-        foot = np.array([0.0, -UNDER * reach, 0.0])
+        aside = ASIDE * reach * unit(np.cross(facts.t, FROM_THE_FRONT.eye))  # in a turn, as t turns
         came_from = facts.body.positions_world - facts.t
-        return cls(facts.body, came_from, foot, foot + facts.t, np.eye(3, 4, 1) * AXES * reach)
+        axes = np.eye(3, 4, 1) * AXES * reach
+        return cls(facts.body, came_from, axes, aside, aside + facts.t, 1.25 * aside + facts.t / 2)
 
     @property
     def points(self) -> Array:
         """Return the points (n, 3) that a picture must hold to show them."""
-        return np.concatenate([self.came_from, [self.foot, self.tip], self.axes[:, 1:].T])
+        return np.concatenate(
+            [self.came_from, [self.foot, self.tip, self.letter], self.axes[:, 1:].T]
+        )
 
     def draw(self, stage: Stage) -> None:
         """Draw them on a stage."""
@@ -238,15 +241,12 @@ class Way:
         for chain in (*edges, *silhouettes(self.body.mesh, self.came_from, stage.eye)):
             stage.surface_line(chain, GHOST, canvas.palette.soft, dash=GHOST_DASHES)
         stage.axes(self.axes)
-        a, b = stage.place(self.foot), stage.place(self.tip)
-        if a is None or b is None or not (stage.box.holds(a) and stage.box.holds(b)):
+        ends = [stage.place(one) for one in (self.foot, self.tip, self.letter)]
+        a, b, letter = (one if one and stage.box.holds(one) else None for one in ends)
+        if a is None or b is None:
             return
         arrow(canvas, a, b, Ink.PLAIN, DIAGRAM_SHAFT)
-        dx, dy = b[0] - a[0], b[1] - a[1]
-        long = hypot(dx, dy)
-        if long < HEADING:  # it points at the eye, or away
-            return
-        side = 1 if dx > 0 else -1  # below the arrow
-        x = (a[0] + b[0]) / 2 - side * dy / long * HEADING
-        y = (a[1] + b[1]) / 2 + side * dx / long * HEADING + 0.27 * HEADING
-        canvas.text((x, y), "*t*", HEADING, bold=True, align=0.5, halo=canvas.palette.stage)
+        if letter is not None:
+            x, y = letter[0], letter[1] + 0.27 * HEADING
+            halo = canvas.palette.stage
+            canvas.text((x, y), "*t*", HEADING, bold=True, align=0.5, halo=halo)

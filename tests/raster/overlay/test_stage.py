@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nmatrix.canvas.glyphs import Ink
-from nmatrix.canvas.marks import Box, Canvas, Polygon, Stroke
+from nmatrix.canvas.marks import Box, Canvas, Polygon, Text, Stroke
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import DepthRange, NormalRule, Theme
 from nmatrix.linear.projection import ClipSpace
@@ -37,7 +37,7 @@ def stage(
     world: World = SQUASHED, geometry=None, lens: Lens = LENSES[0], scale: float = 1.0
 ) -> Stage:
     canvas = Canvas(300, 200, PALETTES[Theme.LIGHT], scale)
-    place = canvas.onpixels(Box(30, 20, 240, 160))
+    place = canvas.on_pixels(Box(30, 20, 240, 160))
     thing = ProofSettings("thing").object(world, geometry or ShapeGeometry(Shape.SPHERE))
     picture = Settings(size=canvas.pixels_of(place), samples=4, background=(1.0, 0.0, 1.0))
     scene = Scene((thing,), (), VIEW, lens, picture)
@@ -172,11 +172,18 @@ def test_bodies_of_which_little_or_nothing_is_seen_have_few_tacks_or_none(
     found.lights()
 
 
-def test_a_tack_without_a_normal_is_a_disc_or_nothing() -> None:
+def test_a_tack_without_an_arrow_is_a_disc_with_a_0() -> None:
     found = stage()
     nothing = np.zeros(3)
     found.tacks([Tack(nothing, np.array([0, 0, 1.0]), nothing)], Ink.WRONG, 1.0)
-    assert [type(one) for one in found.canvas.marks] == [Polygon]
+    disc, zero = found.canvas.marks
+    assert isinstance(disc, Polygon)
+    assert isinstance(zero, Text)
+    assert zero.text == "0"
+    x, y = found.place(nothing) or (0, 0)
+    left, right = zero.box.x, zero.box.right
+    assert (left + right) / 2 == pytest.approx(x)
+    assert zero.box.y < y < zero.box.bottom
 
 
 @pytest.mark.parametrize("size", [(240, 160), (160, 240), (200, 200)])
@@ -194,3 +201,43 @@ def test_a_filling_lens_leaves_the_pad_and_no_more(size: tuple[int, int]) -> Non
     assert sides[0] == pytest.approx(sides[1])
     assert sides[2] == pytest.approx(sides[3])
     assert 0 < depth.min() < depth.max() < 1
+
+
+def test_marks_stay_on_their_stage() -> None:
+    """What stands beside the stage, or so near to the eye that it covers all, is left out."""
+    found = stage()
+    box, aside = found.box, np.array([0.0, 0, 1.0])
+    eye = np.array(VIEW.eye, float)
+    for place in (np.array([9.0, 0, 0]), np.array([0.0, 9, 0]), eye - 0.05 * unit(eye)):
+        found.tacks([Tack(place, aside, aside)], Ink.RIGHT, 1.0)
+    for mark in found.canvas.marks:
+        for x, y in getattr(mark, "points", None) or mark.loops[0]:
+            assert box.holds((x, y))
+
+
+def test_a_lamp_out_of_the_picture_is_drawn_as_it_shines_in() -> None:
+    far = SceneLight("far", LightKind.POINT, position=(30, 5, 0))
+    near = SceneLight("near", LightKind.POINT, position=(0.5, 1.5, 0))
+    for lamp, is_inside in ((far, False), (near, True)):
+        found = stage(lights=(lamp,))
+        found.lights()
+        light = found.canvas.palette.light
+        discs = [one for one in found.canvas.marks if isinstance(one, Polygon)]
+        assert any(one.fill == light for one in discs)
+        for one in discs:
+            assert all(found.box.holds(point) for point in one.loops[0])
+        place = found.place(lamp.position)
+        assert (place is not None and found.box.holds(place)) == is_inside
+
+
+def test_an_arrow_of_the_world_ends_where_a_surface_hides_it() -> None:
+    found = stage(World())
+    back, aside = np.array([-2.2, 0.0, -3.0]), np.array([0.0, 2.2, 0.0])
+    found.arrow(np.zeros(3), back, Ink.PLAIN)
+    assert not found.canvas.marks, "the ball is before it"
+    found.arrow(np.array([0.0, 1.0, 0.0]), aside, Ink.PLAIN)
+    heads = [one for one in found.canvas.marks if isinstance(one, Polygon)]
+    tip = found.place(aside)
+    assert tip is None or not found.box.holds(tip) or any(
+        np.hypot(*np.subtract(heads[-1].loops[0][2], tip)) < 1e-6 for _ in heads
+    )
