@@ -140,14 +140,23 @@ class Slide:
             self.heading(one.stage.x, one.stage.y - 16, column)
         return found
 
+    def captioned(self, panel: Panel, caption: str) -> Panel:
+        """Write the caption of a panel that was laid without one."""
+        self.caption(panel.stage, caption)
+        return self._instead(panel, replace(panel, caption=caption))
+
+    def _instead(self, panel: Panel, other: Panel) -> Panel:
+        self.panels = [other if one is panel else one for one in self.panels]
+        return other
+
     def _cell(self, stage: Box, heading: str, verdict: Verdict | None) -> Panel:
         """Lay the stage of a panel whose heading stands at its row and its column."""
-        found = replace(self.panel(stage), heading=heading, verdict=verdict)
-        self.panels[-1] = found
-        return found
+        laid = self.panel(stage)
+        return self._instead(laid, replace(laid, heading=heading, verdict=verdict))
 
     def no_answer(self, panel: Panel, reason: str, size: int = HEADING) -> None:
         """Hatch a stage on which there is nothing to draw, and write the reason in it."""
+        self.canvas.polygon(panel.stage.corners, fill=self.palette.stage)
         hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
         (x, y), halo = panel.stage.middle, self.palette.stage
         colour = self.palette.wrong if panel.verdict is Verdict.WRONG else self.palette.ink

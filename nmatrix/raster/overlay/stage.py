@@ -38,7 +38,7 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
-ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+ZERO_DISC, ZERO = 0.18, 26  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
 
 ARROW_STEPS = 121  # at which an arrow of the world is looked for
@@ -188,11 +188,21 @@ class Stage:
             else:
                 glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
 
-    def light_edge(self, body: Body, cosines: Array) -> None:
-        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0."""
+    @property
+    def is_empty(self) -> bool:
+        """True if nothing of the scene is seen."""
+        return not self.drawn.rendered.work.fragments
+
+    def light_edge(self, body: Body, cosines: Array) -> bool:
+        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0.
+
+        Tells whether any of it is seen.
+        """
+        before = len(self.canvas.marks)
         palette = self.canvas.palette
         for points in isoline(body.positions_world, body.mesh.triangles, cosines):
             self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
+        return len(self.canvas.marks) > before
 
     def lights(self) -> None:
         """Draw every light: one at infinity in the corner that it comes from, others in place."""

@@ -192,7 +192,7 @@ def _plan(slide: Slide, panel: Panel, scene: Scene, walk: Walk, lit_from: Sequen
     for i in lit_from:
         beam = _beam(walk, i)
         opacity = 0.75 if i == lit_from[-1] else 0.3
-        outline = stage.window(beam)[:, :2]
+        outline = _inside(panel.stage, stage.window(beam)[:, :2])
         edge = {"edge": palette.ink, "width": glyphs.EDGE, "opacity": opacity}
         canvas.polygon(outline, fill=palette.light, **edge)
     stage.cut_out(palette.body)
@@ -248,6 +248,14 @@ def _beam(walk: Walk, i: int) -> Array:
     turns = heading + np.linspace(-half, half, 33)
     rim = place + long * np.stack([np.cos(turns), np.zeros(33), np.sin(turns)], axis=1)
     return np.concatenate([place[None], rim])
+
+
+def _inside(box: Box, fan: Array) -> Array:
+    """Shorten a fan (n, 2), whose first point is its hub, until it stays inside a box."""
+    away = fan[1:] - fan[0]
+    room = np.where(away > 0, [box.right, box.bottom], [box.x, box.y]) - fan[0]
+    parts = np.divide(room, away, out=np.ones_like(away), where=np.abs(away) > 1e-9)
+    return np.concatenate([fan[:1], fan[0] + min(1.0, float(parts.min())) * away])
 
 
 def _walker(stage: Stage, place: Array, look: Array, number: str) -> None:

@@ -53,7 +53,7 @@ Array = NDArray[Any]
 
 NO_SURFACE = ("a point", "a line", "no normal", "no normal")  # what is left, by the rank of A
 STRIPE, STRIPES = 6.5, 14.0  # of the inside of a surface: its width, and from one to the next
-DIMMEST = 0.7  # part of its colour that a stripe keeps where no light falls
+DIMMEST = 0.6  # part of its colour that a stripe keeps where no light falls
 FIXED = 24  # tacks all over a body that turns
 RIM_POINTS = 12
 
