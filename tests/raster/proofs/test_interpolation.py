@@ -14,6 +14,7 @@ from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.interpolation import FAN, Bend, Mix, most_bent
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.shading.normals import angles_deg, unit
+from nmatrix.scene.camera import View
 from nmatrix.scene.meshes.shapes import box, sphere
 from nmatrix.scene.scene import Settings
 from nmatrix.scene.world import World
@@ -80,7 +81,7 @@ def test_equal_lengths_bend_nothing_and_the_panels_say_so() -> None:
     panels = slide(found).panels
     assert found.numbers["after_level_difference"] == 0
     assert [one.verdict for one in panels[2:4]] == [Verdict.RIGHT, Verdict.RIGHT]
-    assert "nothing bends" in panels[3].caption
+    assert "Nothing bends" in panels[3].caption
     assert panels[0].verdict is Verdict.WRONG, "between corners a mix is short"
     assert (panels[3], panels[5]) in slide(found).same
 
@@ -88,6 +89,7 @@ def test_equal_lengths_bend_nothing_and_the_panels_say_so() -> None:
 def test_on_even_normals_all_three_are_the_same() -> None:
     found = proof(world=World(), mesh=box())
     assert len(slide(found).same) == 2
+    assert {one.verdict for one in slide(found).panels[:6]} == {Verdict.RIGHT}
     assert found.numbers["never_level_difference"] == 0
 
 
@@ -98,6 +100,14 @@ def test_captions_are_true_of_other_maps(scale: tuple) -> None:
     rank = sum(map(bool, scale))
     assert ("No normal survives" in told) == (rank < 2)
     assert ("down to 0.5 long" in told) == (scale == (2, 2, 2))
+
+
+def test_a_verdict_is_of_the_normals_and_not_of_what_happens_to_be_seen() -> None:
+    """From so far nothing of the body is seen: all three pictures are the same."""
+    found = proof(view=View(eye=(0, 0, 300)))
+    panels = slide(found).panels
+    assert [one.verdict for one in panels[1:6:2]] == [Verdict.WRONG, Verdict.WRONG, Verdict.RIGHT]
+    assert len(slide(found).same) == 2
 
 
 def test_the_dashed_edge_is_the_one_that_both_triangles_share() -> None:
