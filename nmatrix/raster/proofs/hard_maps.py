@@ -21,12 +21,12 @@ from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.mesh_lines import silhouettes
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of, rings_around
 from nmatrix.raster.overlay.tacks import Tack, farthest_apart, spread_over
-from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
+from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, RIM_POINTS, Pose, put_inside, staged, tacks
-from nmatrix.raster.shading.normals import angles_deg, unit
+from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
@@ -37,7 +37,7 @@ from nmatrix.scene.world import World
 Array = NDArray[Any]
 
 MIRRORED = World(scale=(-1, 1, 1))
-AT_THE_LETTER = Pose((-5.4, 2.0, 7.8), radius=1.25, around=0.1, free=(20, 112, 20, 30))
+AT_THE_LETTER = Pose((-5.4, 2.0, 7.8), radius=1.25, room=0.1, free=(20, 112, 20, 30))
 NUMBERED = 244.0  # units under the stages, for captions and a number under them
 ON_THE_FACE = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.45, -0.6, -1))
 
@@ -179,7 +179,7 @@ def _determinant(body: Body) -> str:
 
 
 MOVED = World(translate=(2.6, 0, 0))
-FROM_THE_FRONT = Pose((5.2, 2.6, 7.4), radius=2, around=0.14, free=(24, 60, 24, 30))
+FROM_THE_FRONT = Pose((5.2, 2.6, 7.4), radius=2, room=0.14, free=(24, 60, 24, 30))
 FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.8, -0.8, -0.15))
 LARGER = 1.6  # tacks, so that they are seen on a ball that has the origin beside it
 AXES = 0.62  # of the body's radius
@@ -359,7 +359,7 @@ def _way(stage: Stage, facts: Moved, came_from: Array, foot: Array) -> None:
 
 
 FLAT = World(scale=(1, 0, 1), rotate_degrees=(14, 0, -16))
-FROM_ABOVE = Pose((0.4, 2.4, 8.8), radius=1.3, around=0.08, free=(24, 60, 24, 60))
+FROM_ABOVE = Pose((0.4, 2.4, 8.8), radius=1.3, room=0.08, free=(24, 60, 24, 60))
 CAPTIONED = 140.0  # units under the stages, for captions
 ONTO_THE_COIN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.5, -1, -0.35))
 TACKS = 3  # each goes through the coin

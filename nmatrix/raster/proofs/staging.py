@@ -39,9 +39,9 @@ from nmatrix.raster.overlay.tacks import (
     farthest_apart,
     spread_over,
 )
-from nmatrix.raster.proofs.angles import AngleMap, Scale, normals_by, ramp
+from nmatrix.raster.proofs.angles import AngleMap, Scale, ramp
 from nmatrix.raster.proofs.proof import ProofSettings
-from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.normals import normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
