@@ -244,9 +244,9 @@ class Stage:
         return [corner for suns, corner in pairs if suns not in taken]
 
     def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
-        """Draw a lamp at its place; one that the eye cannot see is left out."""
+        """Draw a lamp at its place; one that the picture does not reach is left out."""
         place = self.place(point)
-        if place is not None:
+        if place is not None and self.box.holds(place):
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
 
     def axes(self, frame: Array) -> None:

@@ -190,8 +190,8 @@ class Run:
 
     @property
     def number(self) -> str:
-        """Return the largest error in marked-up text, or how many have no direction at all."""
-        if self.lost:
+        """Return the largest error as text, or how many are lost where that cannot be seen."""
+        if self.lost and (self.worst_deg or 0) < SEEN_DEG:
             return f"{self.lost:,} lost"
         if self.worst_deg is None:
             return "no normal"
@@ -205,7 +205,8 @@ class Run:
             size = f"as many bits as it takes: {bits}"
         else:
             size = f"{np.finfo(self.precision).nmant + 1} bits in a number"
-        return f"{'' if self.lost else 'worst '}of {normals:,} normals;\n{size}"
+        lost = f", {self.lost:,} lost" if self.lost else ""
+        return f"worst of {normals:,} normals{lost};\n{size}"
 
 
 def accuracy(settings: ProofSettings) -> Proof:
