@@ -26,7 +26,9 @@ from nmatrix.scene.world import World
 
 SMALL = ProofSettings("egg", picture=Settings(size=(320, 180), samples=1))
 TRIANGLE = Mesh(
-    np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.tile([0.0, 0, 1], (3, 1)), np.array([[0, 1, 2]])
+    np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]),
+    np.tile([0.0, 0, 1], (3, 1)),
+    np.array([[0, 1, 2]]),
 )
 SKEW = World(scale=(1, 2, 0.7), shear=(0.5, 0, 0.2), rotate_degrees=(10, 20, 30))
 
@@ -58,7 +60,9 @@ def test_one_rule_moves_the_edge_of_the_light_and_the_other_keeps_it() -> None:
 
 
 def test_the_numbers_do_not_change_with_the_size_of_the_slide() -> None:
-    numbers = [proof(picture=Settings(size=one, samples=1)).numbers for one in ((320, 180), (640, 360))]
+    numbers = [
+        proof(picture=Settings(size=one, samples=1)).numbers for one in ((320, 180), (640, 360))
+    ]
     assert numbers[0] == numbers[1]
 
 
