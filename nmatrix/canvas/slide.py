@@ -197,10 +197,12 @@ class Slide:
         assert lines <= y + 24 * LEADING + 1e-6, text  # one line
 
     def compare(self, left: Panel, right: Panel, *, same: bool) -> None:
-        """Draw = or ≠ between two panels."""
+        """Draw = or ≠ between two panels, beside the heading if one stands above the other."""
         if same:
             self.same.append((left, right))
         x = (left.stage.right + right.stage.x) / 2
+        if left.stage.x == right.stage.x:
+            x = left.stage.right - 2 * BADGE_RADIUS
         y = (left.stage.middle[1] + right.stage.middle[1]) / 2
         ring(self.canvas, (x, y), same=same)
 

@@ -39,7 +39,7 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
-ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+ZERO_DISC, ZERO = 0.18, 26  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
 
 ARROW_STEPS = 121  # at which an arrow of the world is looked for
@@ -116,21 +116,25 @@ class Stage:
         """Return a mask of the points (n, 3) of the world that no surface hides."""
         window = self.window(points)
         found = np.isfinite(window).all(axis=1)
-        found[found] = seen(self._pixels(window[found]), self.depth.farthest)
+        found[found] = seen(self.pixels(window[found]), self.depth.farthest)
         return np.asarray(found)
 
     def covers(self, points: Array) -> Array:
         """Return a mask of the points (n, 3) of the world behind or before which a surface is."""
-        x, y, _ = np.nan_to_num(self._pixels(self.window(points)), nan=-1.0).T
+        x, y, _ = np.nan_to_num(self.pixels(self.window(points)), nan=-1.0).T
         height, width = self.depth.farthest.shape
         inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
         column, row = x.astype(int).clip(0, width - 1), y.astype(int).clip(0, height - 1)
         return np.asarray(inside & np.isfinite(self.depth.farthest[row, column]))
 
-    def _pixels(self, window: Array) -> Array:
+    def pixels(self, window: Array) -> Array:
         """Return points of the canvas in pixels of the picture."""
         k = self.canvas.scale
         return np.asarray((window - [self.box.x, self.box.y, 0]) * [k, k, 1])
+
+    def from_pixels(self, points: Array) -> Array:
+        """Return pixels x and y (…, 2) of the picture on the canvas."""
+        return np.asarray(points / self.canvas.scale + [self.box.x, self.box.y])
 
     def outline(self, *, sharp: bool = True) -> None:
         """Draw the outline of all that is covered in ink, and the visible edges inside it."""
@@ -169,8 +173,8 @@ class Stage:
         window = self.window(points)
         if not np.isfinite(window).all():
             return
-        for piece in visible_pieces(self._pixels(window), self.depth.farthest):
-            line = piece[:, :2] / self.canvas.scale + [self.box.x, self.box.y]
+        for piece in visible_pieces(self.pixels(window), self.depth.farthest):
+            line = self.from_pixels(piece[:, :2])
             if halo is not None:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
@@ -306,9 +310,13 @@ class Stage:
         far_first = sorted(tacks, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
         for one in far_first:
             self.disc(one.place, one.normal, DISC * radius)
-            a, b = self.place(one.place), self.place(one.place + ARROW * radius * one.arrow)
-            if a is not None and b is not None:
-                glyphs.arrow(self.canvas, a, b, ink)
+            self.vector(one.place, ARROW * radius * one.arrow, ink)
+
+    def vector(self, place: Array, vector: Array, ink: Ink) -> None:
+        """Draw a vector of the world as an arrow from a place, whole."""
+        a, b = self.place(place), self.place(place + vector)
+        if a is not None and b is not None:
+            glyphs.arrow(self.canvas, a, b, ink)
 
     def nothing(self, tack: Tack, radius: float) -> None:
         """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""

@@ -12,6 +12,7 @@ from nmatrix.canvas.glyphs import Verdict, hatch
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.slide import CAPTION, GUTTER, NARROW_HEADING, Panel, Slide
 from nmatrix.canvas.text import scientific
+from nmatrix.canvas.theme import channels
 from nmatrix.enums import Theme
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_plan, level_difference
 from nmatrix.raster.loaded_scene import loaded
@@ -20,6 +21,7 @@ from nmatrix.raster.planning.effects import RECIPES, of_effect, per_sample
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.showpiece import showpiece
+from nmatrix.raster.shading.texture import from_srgb
 from nmatrix.report import Value
 
 PICTURES, BELOW = 0.70, 116.0  # of the width; units
@@ -133,8 +135,11 @@ def _places(slide: Slide) -> tuple[Box, Box, Box]:
 
 def _drawn(settings: ProofSettings, stage: Box) -> Both:
     """Draw the scene both ways for a stage."""
-    size = settings.slide("").canvas.pixels_of(stage)
-    ready = loaded(showpiece(replace(settings.picture, size=size)))
+    slide = settings.slide("")
+    red, green, blue = from_srgb(np.array(channels(slide.palette.stage))).tolist()
+    size = slide.canvas.pixels_of(stage)
+    picture = replace(settings.picture, size=size, background=(red, green, blue))
+    ready = loaded(showpiece(picture))
     started = settings.clock()
     full = drawn_plan(everything(ready))
     between = settings.clock()

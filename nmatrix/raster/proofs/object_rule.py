@@ -34,13 +34,12 @@ from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
 from nmatrix.raster.overlay.mesh_lines import isoline
 from nmatrix.raster.overlay.stage import Stage
-from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG, TALL
 from nmatrix.raster.proofs.staging import Pose, draw_on, put
 from nmatrix.raster.render import Change
 from nmatrix.raster.shading.lighting import ShadingLight
-from nmatrix.raster.shading.normals import angles_deg
+from nmatrix.raster.shading.normals import angles_deg, normals_by
 from nmatrix.raster.shading.space import Measure, as_array, column, dot, length, quotient
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.light import SceneLight

@@ -26,10 +26,10 @@ from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
 from nmatrix.raster.overlay.stage import Stage, filling, radius_of
 from nmatrix.raster.overlay.tacks import farthest_apart
-from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import Pose, ball, draw_on
+from nmatrix.raster.shading.normals import normals_by
 from nmatrix.raster.shading.space import as_array
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View

@@ -39,9 +39,9 @@ from nmatrix.raster.overlay.tacks import (
     farthest_apart,
     spread_over,
 )
-from nmatrix.raster.proofs.angles import AngleMap, Scale, normals_by, ramp
+from nmatrix.raster.proofs.angles import AngleMap, Scale, ramp
 from nmatrix.raster.proofs.proof import ProofSettings
-from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.normals import normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
@@ -53,7 +53,7 @@ Array = NDArray[Any]
 
 NO_SURFACE = ("a point", "a line", "no normal", "no normal")  # what is left, by the rank of A
 STRIPE, STRIPES = 6.5, 14.0  # of the inside of a surface: its width, and from one to the next
-DIMMEST = 0.7  # part of its colour that a stripe keeps where no light falls
+DIMMEST = 0.6  # part of its colour that a stripe keeps where no light falls
 FIXED = 24  # tacks all over a body that turns
 RIM_POINTS = 12
 

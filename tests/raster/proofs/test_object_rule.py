@@ -1,4 +1,4 @@
-"""Object space as a slide: its lights at their angle, the edge of the light, what the shade is off."""
+"""Object space as a slide: its lights at their angle, the edge of the light, shares of shade."""
 
 from __future__ import annotations
 
@@ -86,10 +86,10 @@ def test_a_share_is_the_shade_of_the_wrong_rule_less_that_of_the_world() -> None
     M = np.array(one.body.world_from_object.exact, float)[:3, :3]
     true = normals @ np.linalg.inv(M)
     true /= np.linalg.norm(true, axis=1)[:, None]
-    l = one.to_light_world[:, 0]
-    wrong = np.linalg.inv(M) @ l
+    light = one.to_light_world[:, 0]
+    wrong = np.linalg.inv(M) @ light
     wrong /= np.linalg.norm(wrong)
-    expected = np.maximum(normals @ wrong, 0) - np.maximum(true @ l, 0)
+    expected = np.maximum(normals @ wrong, 0) - np.maximum(true @ light, 0)
     assert one.too_bright[1] == pytest.approx(expected, abs=1e-12)
     assert one.edge_moves
 
