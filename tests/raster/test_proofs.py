@@ -201,7 +201,7 @@ CLAIMS = {
     "stuck-light": lambda found: (
         found.numbers["vertex_change_model_space"] < 1e-12
         and found.numbers["vertex_change_eye_space"] > 0.5
-        and found.max_level_difference > 100
+        and found.max_level_difference > 90
     ),
     "flashlight": lambda found: found.numbers["middle_change_eye"] <= 1,
     "shading": lambda found: found.numbers["phong_against_blinn_phong"] > 10,
