@@ -63,8 +63,8 @@ class Pose:
     """From where a proof looks: an eye about a body of this radius at the origin.
 
     About a body that is larger, or elsewhere, the eye stands as much farther off, on the same side.
-    `room` is what stays free around the bodies, for arrows, a part of their radius; `free` the units at the left,
-    top, right and bottom of a stage that other marks need.
+    `room` is what stays free around the bodies, for arrows, a part of their radius; `free` the
+    units at the left, top, right and bottom of a stage that other marks need.
     """
 
     eye: Vector
