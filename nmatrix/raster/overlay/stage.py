@@ -25,6 +25,7 @@ from nmatrix.raster.overlay.mesh_lines import creases, isoline, seen, silhouette
 from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.triangles.picture import DepthMap
+from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 
@@ -82,12 +83,12 @@ class Stage:
         y = box.y + (1 - space.y_sign * ndc[:, 1]) / 2 * box.height
         return np.stack([x, y, depth], axis=1)
 
-    def place(self, point: Sequence[float] | Array) -> Point | None:
+    def place(self, point: Sequence[Number] | Array) -> Point | None:
         """Return where a point of the world is on the canvas; None if the eye cannot see there."""
         x, y, _ = self.window(np.array([point], float))[0]
         return (float(x), float(y)) if np.isfinite(x) else None
 
-    def direction(self, direction: Sequence[float] | Array) -> Point:
+    def direction(self, direction: Sequence[Number] | Array) -> Point:
         """Return a direction of the world as the eye sees it, on the canvas, up to its length."""
         camera = np.array(to_floats(self.loaded.camera_from_world.exact))[:3, :3]
         x, y, _ = camera @ np.asarray(direction, float)
@@ -223,7 +224,7 @@ class Stage:
             elif placed.direction is not None:
                 self.sun([float(one) for one in placed.direction])
 
-    def sun(self, direction: Sequence[float], *, lost: bool = False) -> None:
+    def sun(self, direction: Sequence[Number], *, lost: bool = False) -> None:
         """Draw a light at infinity in the corner it comes from, its arrows as they are seen.
 
         One that is lost is drawn nearer to the middle, so that it covers no other.
@@ -233,7 +234,7 @@ class Stage:
             y += 2 * CORNER if y < self.box.middle[1] else -2 * CORNER
         glyphs.sun(self.canvas, (x, y), self.direction(direction), lost=lost)
 
-    def _corner_of_sun(self, direction: Sequence[float]) -> Point:
+    def _corner_of_sun(self, direction: Sequence[Number]) -> Point:
         towards = self.direction(direction)
         x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
         y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
@@ -250,10 +251,10 @@ class Stage:
         pairs = zip(inner.corners, self.box.inset(pad).corners, strict=True)
         return [corner for suns, corner in pairs if suns not in taken]
 
-    def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
-        """Draw a lamp at its place; one that the eye cannot see is left out."""
+    def lamp(self, point: Sequence[Number], *, lost: bool = False, radius: float = 15.0) -> None:
+        """Draw a lamp at its place; one that the picture does not reach is left out."""
         place = self.place(point)
-        if place is not None:
+        if place is not None and self.box.holds(place):
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
 
     def axes(self, frame: Array) -> None:
@@ -292,9 +293,9 @@ class Stage:
         if a is not None and b is not None:
             glyphs.eye(self.canvas, a, (b[0] - a[0], b[1] - a[1]))
 
-    def above_ground(self, point: Sequence[float], ground: float) -> None:
+    def above_ground(self, point: Sequence[Number], ground: float) -> None:
         """Draw a dotted line from a point straight down to the ground, at a height y."""
-        x, y, z = point
+        x, y, z = map(float, point)
         window = self.window(np.array([[x, y, z], [x, ground, z]]))[:, :2]
         if np.isfinite(window).all():
             self.canvas.stroke(window, 2.4, self.canvas.palette.ink, dash=DOTS)
