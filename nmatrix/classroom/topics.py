@@ -115,8 +115,9 @@ def _proofs(setup: Setup) -> Part:
     """Draw two proof images with their numbers in the alternative text."""
     from dataclasses import replace
 
+    from nmatrix.raster.proofs.mirror import mirror
     from nmatrix.raster.proofs.proof import ProofSettings
-    from nmatrix.raster.proofs.rules import mirror, normals
+    from nmatrix.raster.proofs.rules import normals
     from nmatrix.scene.scene import Settings
 
     settings = ProofSettings("normals", picture=replace(Settings(), size=PROOF_SIZE))

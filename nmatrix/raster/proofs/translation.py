@@ -18,12 +18,12 @@ from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.mesh_lines import creases, silhouettes
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of
-from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
+from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.mirror import BELOW
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, staged, tacks
-from nmatrix.raster.shading.normals import angles_deg, unit
+from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
@@ -222,7 +222,9 @@ class Way:
     def of(cls, facts: Moved) -> Way:
         """Find where they stand for a body that was moved."""
         reach = radius_of(facts.body)
-        aside = ASIDE * reach * unit(np.cross(facts.t, FROM_THE_FRONT.eye))  # in a turn, as t turns
+        aside = (
+            ASIDE * reach * unit(np.cross(facts.t, np.array(FROM_THE_FRONT.eye, float)))
+        )  # in a turn, as t turns
         came_from = facts.body.positions_world - facts.t
         axes = np.eye(3, 4, 1) * AXES * reach
         return cls(facts.body, came_from, axes, aside, aside + facts.t, 1.25 * aside + facts.t / 2)
