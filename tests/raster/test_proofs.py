@@ -17,6 +17,7 @@ from nmatrix.enums import NormalRule, PixelFormat
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
 from nmatrix.raster.drawn_scene import drawn_scene
+from nmatrix.raster.image import levels
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.proofs import angles
 from nmatrix.raster.proofs.angles import Scale
@@ -144,7 +145,7 @@ def test_a_line_or_a_point_has_no_normal_to_compare(scale: tuple) -> None:
 def test_a_difference_that_is_rounding_alone_is_drawn_in_one_colour() -> None:
     worst = proof("normals", world=World(rotate_degrees=(20, 30, 40))).max_angle_error_deg
     angles = np.array([0.0, worst])
-    none, some = Scale.reaching(worst).colours(angles, HEAT_STOPS)
+    none, some = levels(Scale.reaching(worst).colours(angles, HEAT_STOPS))
     assert (none == some).all()
     none, some = Scale(worst).colours(
         angles, HEAT_STOPS
