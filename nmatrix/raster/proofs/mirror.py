@@ -135,7 +135,7 @@ def mirror(settings: ProofSettings) -> Proof:
     scenes = {
         Part.BEFORE: replace(after, objects=(_before(settings, one, body),)),
         Part.UNSIGNED: replace(after, settings=without_sign),
-        Part.CULLED: replace(after, objects=(_inside_out(one),)),
+        Part.CULLED: replace(after, objects=(inside_out(one),)),
         Part.RIGHT: after,
     }
     drawn = staged(slide, settings, AT_THE_LETTER, [(panels[part], scenes[part]) for part in parts])
@@ -199,7 +199,7 @@ def _before(settings: ProofSettings, one: SceneObject, after: Body) -> SceneObje
     return settings.object(World(scale=(k, k, k), translate=offset), one.geometry)
 
 
-def _inside_out(one: SceneObject) -> SceneObject:
+def inside_out(one: SceneObject) -> SceneObject:
     """Return an object whose triangles all run the other way, so that its front is culled."""
     mesh = one.geometry.mesh()
     turned = replace(

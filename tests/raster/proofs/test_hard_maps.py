@@ -11,8 +11,11 @@ import pytest
 from nmatrix.canvas.glyphs import Verdict
 from nmatrix.canvas.marks import Polygon, Raster, Stroke, Text
 from nmatrix.canvas.slide import Panel, Slide
+from nmatrix.raster.drawn_scene import drawn_scene
+from nmatrix.raster.proofs import mirror
 from nmatrix.raster.proofs.catalogue import Turning, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame, turns
+from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Settings
@@ -131,6 +134,18 @@ def test_the_letter_after_is_the_mirror_image_of_the_letter_before() -> None:
     assert covered[0].sum() == pytest.approx(covered[3].sum(), rel=0.1)
     assert (covered[0] != covered[3]).mean() > 0.05
     assert (covered[2] == covered[3]).mean() > 0.99, "the inside is seen where the shape is"
+
+
+def test_what_the_other_winding_shows_lies_behind_the_front() -> None:
+    settings = ProofSettings("letter", letter_r(), picture=SMALL)
+    one = settings.object(mirror.MIRRORED)
+    front, inside = (
+        drawn_scene(settings.scene(thing), keeps_depth=True).rendered.depth.farthest
+        for thing in (one, mirror.inside_out(one))
+    )
+    both = np.isfinite(front) & np.isfinite(inside)
+    assert both.sum() > 1000
+    assert (inside[both] > front[both]).mean() > 0.98
 
 
 @pytest.mark.parametrize("of", ["identity", "rotation", "larger", "stretch", "shear", "hard"])
@@ -258,3 +273,13 @@ def test_nothing_jumps_between_frames(name: str) -> None:
         for found in frames
     ]  # fmt: skip
     assert (suns[0] == suns[1]) == (entry.turns.what is not Turning.LIGHT)
+
+
+def test_light_that_turns_changes_the_coin_by_its_normals_and_not_by_a_zero_matrix() -> None:
+    frame = PictureFrame("flatten", ProofSettings("flatten", picture=SMALL))
+    one, other = (frame.turned(angle).draw() for angle in (0, 120))
+    changed = [
+        (picture_of(one, a) != picture_of(other, b)).any()
+        for a, b in zip(slide(one).panels[2:], slide(other).panels[2:], strict=True)
+    ]
+    assert changed == [False, True]
