@@ -21,6 +21,7 @@ from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, RIM_POINTS, Pose, staged, tacks
 from nmatrix.raster.shading.normals import normals_by, unit
+from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.words import LightKind
@@ -34,7 +35,7 @@ FLAT = World(scale=(1, 0, 1), rotate_degrees=(14, 0, -16))
 FROM_ABOVE = Pose((0.4, 2.4, 8.8), radius=1.3, room=0.08, free=(24, 60, 24, 60))
 BELOW = 140.0  # units under the stages, for captions
 ONTO_THE_COIN = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.5, -1, -0.35))
-TACKS = 3  # each goes through the coin
+CANDIDATES, TACKS = 1000, 3  # places that are tried; what is chosen goes through the coin
 CLEAR = 0.25  # from its edge, a part of its radius
 LONG = 0.8  # an arrow of the coin, of its radius
 IDEA = "A squeezes the ball to a coin. Its tangents span a plane, and a plane has a normal."
@@ -49,7 +50,7 @@ NOTHING = 64  # the size of what stands where there is no answer
 
 def flatten(settings: ProofSettings) -> Proof:
     """Draw a flattened object: with no inverse, with a zero matrix, with the cofactors."""
-    one = settings.object(settings.placed(FLAT), settings.geometry(EGG))
+    one = settings.object(settings.placed(FLAT), settings.geometry(LoadedGeometry(EGG.mesh())))
     right = settings.scene(one, lights=(ONTO_THE_COIN,))
     without = replace(right, settings=replace(right.settings, normals=NormalRule.INVERSE))
     (body,) = loaded(right).bodies
@@ -111,7 +112,7 @@ def _through(stage: Stage, body: Body) -> list[Tack]:
     """Return tacks well inside a flat body, where arrows to its back come out in sight."""
     mesh, points, reach = body.mesh, body.positions_world, radius_of(body)
     true = normals_by(stage.loaded, body, NormalRule.EXACT).T
-    found = spread_over(mesh, points)
+    found = spread_over(mesh, points, CANDIDATES)
     place, normal = found.of(mesh, points), unit(found.of(mesh, true))
     rings = rings_around(place, normal, CLEAR * reach, RIM_POINTS)
     inside = stage.covers(rings.reshape(-1, 3)).reshape(-1, RIM_POINTS).all(axis=1)

@@ -25,6 +25,7 @@ from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, staged, tacks
 from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
 from nmatrix.raster.shading.space import length
+from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.words import LightKind
@@ -148,7 +149,7 @@ class Moved:
 
 def translation(settings: ProofSettings) -> Proof:
     """Draw normals that a translation moved, and normals measured over four components."""
-    one = settings.object(settings.placed(MOVED), settings.geometry(EGG))
+    one = settings.object(settings.placed(MOVED), settings.geometry(LoadedGeometry(EGG.mesh())))
     scene = settings.scene(one, lights=(FROM_ABOVE_RIGHT,))
     facts = Moved.of(scene, is_turned=settings.is_moving)
     if facts is None:
