@@ -21,7 +21,7 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.overlay.mesh_lines import creases, isoline, seen, silhouettes, visible_pieces
+from nmatrix.raster.overlay.mesh_lines import creases, seen, silhouettes, visible_pieces
 from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.triangles.picture import DepthMap
@@ -198,14 +198,11 @@ class Stage:
         """True if nothing of the scene is seen."""
         return not self.drawn.rendered.work.fragments
 
-    def light_edge(self, body: Body, cosines: Array) -> bool:
-        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0.
-
-        Tells whether any of it is seen.
-        """
+    def light_edge(self, lines: Sequence[Array]) -> bool:
+        """Draw lines (k, 3) on bodies along which the light ends; tell whether any is seen."""
         before = len(self.canvas.marks)
         palette = self.canvas.palette
-        for points in isoline(body.positions_world, body.mesh.triangles, cosines):
+        for points in lines:
             self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
         return len(self.canvas.marks) > before
 
