@@ -157,7 +157,7 @@ class Stage:
         rims = [line for line in self._rims() if len(line) > 2]
         if rims:
             ink = self.canvas.palette.ink
-            self.canvas.polygon(*rims, fill=fill, edge=ink, width=2 * OUTLINE)
+            self.canvas.polygon(*rims, fill=fill, edge=ink, width=1.4 * OUTLINE)
 
     def surface_line(
         self,
