@@ -6,7 +6,7 @@ import pytest
 
 from nmatrix.canvas.glyphs import Verdict
 from nmatrix.canvas.marks import Text
-from nmatrix.canvas.slide import GUTTER, Slide
+from nmatrix.canvas.slide import GUTTER, Row, Slide
 from nmatrix.enums import Theme
 
 SHAPES = [(1600, 900), (1024, 768), (1000, 1000), (900, 1600), (3000, 700), (64, 64)]
@@ -60,3 +60,29 @@ def test_a_panel_is_told_in_one_line() -> None:
     slide = drawn((1600, 900))
     assert slide.told[0] == "A claim that fits one line"
     assert slide.told[1] == "✓ A⁻ᵀ n: Some words of a caption that wraps here."
+
+
+def test_a_table_has_a_verdict_for_each_row_and_a_heading_for_each_column() -> None:
+    slide = Slide.of("Rows", (1600, 900), Theme.LIGHT)
+    rows = [Row("stuck", Verdict.WRONG, "it turns"), Row("right", Verdict.RIGHT, "it stays")]
+    cells = slide.table(slide.body(80), rows, ["before", "after"], undecided=1)
+    assert [[one.verdict for one in row] for row in cells] == [
+        [None, Verdict.WRONG],
+        [None, Verdict.RIGHT],
+    ]
+    assert cells[1][1].told == "✓ right, after"
+    assert slide.panels == [*cells[0], *cells[1]]
+    for row in cells:
+        assert len({one.stage.y for one in row}) == 1
+    for column in zip(*cells, strict=True):
+        assert len({one.stage.x for one in column}) == 1
+    headings = [one.text for one in slide.canvas.marks if isinstance(one, Text)]
+    assert {"before", "after", "stuck", "right"} <= set(headings)
+
+
+def test_a_caption_may_be_written_after_its_panel() -> None:
+    slide = Slide.of("Later", (1600, 900), Theme.LIGHT)
+    first = slide.panel(slide.body(190), "A panel")
+    second = slide.captioned(first, "What is so.")
+    assert slide.panels == [second]
+    assert second.told == "A panel: What is so."

@@ -150,17 +150,14 @@ def visible_pieces(window: Array, farthest: Array) -> list[Array]:
         for a, b, n in zip(window[:-1], window[1:], steps, strict=True)
     ]
     line = np.concatenate([*parts, window[-1:]])
-    shown = seen(line, farthest)
-    pieces, start = [], None
-    for i, one in enumerate((*shown, False)):
-        if one and start is None:
-            start = i
-        elif not one and start is not None:
-            piece = line[start:i]
-            whole = start == 0 and i == len(line)
-            if len(piece) > 1 and (whole or np.ptp(piece[:, :2], axis=0).max() >= SHORTEST):
-                pieces.append(piece)
-            start = None
+    shown = np.concatenate([[False], seen(line, farthest), [False]])
+    turns = np.flatnonzero(shown[1:] != shown[:-1]).tolist()
+    pieces = []
+    for start, end in zip(turns[::2], turns[1::2], strict=True):
+        piece = line[start:end]
+        whole = start == 0 and end == len(line)
+        if len(piece) > 1 and (whole or np.ptp(piece[:, :2], axis=0).max() >= SHORTEST):
+            pieces.append(piece)
     return pieces
 
 

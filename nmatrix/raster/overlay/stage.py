@@ -21,7 +21,7 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.overlay.mesh_lines import creases, isoline, seen, silhouettes, visible_pieces
+from nmatrix.raster.overlay.mesh_lines import creases, seen, silhouettes, visible_pieces
 from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.triangles.picture import DepthMap
@@ -37,7 +37,7 @@ DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
 EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
-DOTS = (5.0, 5.0)  # of the line to the ground
+DOTS, STEPS = (5.0, 5.0), 64  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
 ZERO_DISC, ZERO = 0.17, 22  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
@@ -157,7 +157,7 @@ class Stage:
         rims = [line for line in self._rims() if len(line) > 2]
         if rims:
             ink = self.canvas.palette.ink
-            self.canvas.polygon(*rims, fill=fill, edge=ink, width=2 * OUTLINE)
+            self.canvas.polygon(*rims, fill=fill, edge=ink, width=1.4 * OUTLINE)
 
     def surface_line(
         self,
@@ -197,14 +197,11 @@ class Stage:
         """True if nothing of the scene is seen."""
         return not self.drawn.rendered.work.fragments
 
-    def light_edge(self, body: Body, cosines: Array) -> bool:
-        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0.
-
-        Tells whether any of it is seen.
-        """
+    def light_edge(self, lines: Sequence[Array]) -> bool:
+        """Draw lines (k, 3) on bodies along which the light ends; tell whether any is seen."""
         before = len(self.canvas.marks)
         palette = self.canvas.palette
-        for points in isoline(body.positions_world, body.mesh.triangles, cosines):
+        for points in lines:
             self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
         return len(self.canvas.marks) > before
 
@@ -290,27 +287,36 @@ class Stage:
         ink = self.canvas.palette.eye
         self.surface_line(np.stack([eye, target]), 3.2, ink, dash=(9.0, 6.0))
         a, b = self.place(eye), self.place(target)
-        if a is not None and b is not None:
+        if a is not None and b is not None and self.box.holds(a):
             glyphs.eye(self.canvas, a, (b[0] - a[0], b[1] - a[1]))
 
     def above_ground(self, point: Sequence[Number], ground: float) -> None:
         """Draw a dotted line from a point straight down to the ground, at a height y."""
         x, y, z = map(float, point)
-        window = self.window(np.array([[x, y, z], [x, ground, z]]))[:, :2]
-        if np.isfinite(window).all():
-            self.canvas.stroke(window, 2.4, self.canvas.palette.ink, dash=DOTS)
-            glyphs.disc(self.canvas, (window[1, 0], window[1, 1]), 5.0, self.canvas.palette.ink)
+        heights = np.linspace(y, ground, STEPS)
+        line = np.stack([np.full(STEPS, x), heights, np.full(STEPS, z)], axis=1)
+        for piece in self._on_stage(line):
+            self.canvas.stroke(piece, 2.4, self.canvas.palette.ink, dash=DOTS)
+        foot = self.place((x, ground, z))
+        if foot is not None and self.box.holds(foot):
+            glyphs.disc(self.canvas, foot, 5.0, self.canvas.palette.ink)
 
     def path(self, points: Array, ink: Ink, width: float = 4.0) -> None:
-        """Draw a dashed way through the world; parts that are not in front of the eye are missing.
+        """Draw a dashed way through the world, as far as it is on the stage.
 
         Nothing hides it: it stands for an idea.
         """
-        window = self.window(points)[:, :2]
         dash = glyphs.DASH_ON * width, glyphs.DASH_OFF * width
-        for piece in np.split(window, np.flatnonzero(~np.isfinite(window[:, 0]))):
-            line = piece[np.isfinite(piece[:, 0])]
-            self.canvas.stroke(line, width, ink.colour(self.canvas.palette), dash=dash, halo=1.6)
+        colour = ink.colour(self.canvas.palette)
+        for piece in self._on_stage(points):
+            self.canvas.stroke(piece, width, colour, dash=dash, halo=glyphs.HALO)
+
+    def _on_stage(self, points: Array) -> list[Array]:
+        """Return the pieces (k, 2) of a line of the world that are in front and on the stage."""
+        window = self.window(points)[:, :2]
+        inside = np.array([self.box.holds((x, y)) for x, y in window.tolist()])
+        runs = np.split(window, np.flatnonzero(inside[1:] != inside[:-1]) + 1)
+        return [run for run in runs if len(run) > 1 and self.box.holds(tuple(run[0]))]
 
     def tacks(self, tacks: Sequence[Tack], ink: Ink, radius: float) -> None:
         """Draw normals as tacks, the far ones first; `radius` is that of the body.

@@ -29,7 +29,7 @@ from nmatrix.raster.shading.space import as_array
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.fitting import enclosing
-from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.material import CHECKER, grey
@@ -87,7 +87,8 @@ def flashlight(settings: ProofSettings) -> Proof:
     slide.footer(
         f"Walk {walked:.4g}° around: what you look at must stay lit.", x=panels[0][0].stage.x
     )
-    changed = [abs(_middle(scene, 0) - _middle(scene, walked)) for scene in (behind, carried)]
+    before = _middle(carried, 0)
+    changed = [abs(before - _middle(scene, walked)) for scene in (behind, carried)]
     return Proof.of(
         settings.subject,
         slide,
@@ -101,7 +102,7 @@ def flashlight(settings: ProofSettings) -> Proof:
 
 def _night(settings: ProofSettings, box: Box) -> Scene:
     """Return the scene with the light that is carried: the body on a floor, a post, a ball."""
-    one = settings.object(settings.placed(VASE))
+    one = settings.object(settings.placed(VASE), LoadedGeometry(settings.geometry().mesh()))
     (body,) = loaded(settings.scene(one)).bodies
     (x, middle, z), unit = body.centre.tolist(), radius_of(body)
     ground = float(body.box[0][1])
@@ -109,7 +110,7 @@ def _night(settings: ProofSettings, box: Box) -> Scene:
     def thing(name: str, shape: Shape, at: Vector, scale: Vector) -> SceneObject:
         place = tuple(a + unit * b for a, b in zip((x, ground, z), at, strict=True))
         world = World(translate=place, scale=tuple(unit * side for side in scale))
-        geometry = ShapeGeometry(shape)
+        geometry = LoadedGeometry(ShapeGeometry(shape).mesh())  # once, not for every picture
         return SceneObject(name, geometry, world.world_from_object, settings.material())
 
     (post_x, post_z), post = POST

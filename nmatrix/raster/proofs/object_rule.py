@@ -57,6 +57,7 @@ FACING = 0.3  # the cosine at the eye from which on a mark on the surface is see
 RADIUS, ASIDE = 80.0, 45.0  # of the circle, and how far from the middle it stands
 UNDER_CIRCLE = 150.0  # for the large number
 LETTERS_APART = 26.0  # degrees
+HELD_AT = 25.0  # degrees: the true light in moving pictures
 AROUND = 3.6  # units: the line around what is off by half the worst or more
 DASHES = (DASH_ON * AROUND, DASH_OFF * AROUND)
 RULES = ("M^{T} *l*", "M^{−1} *l*, no metric", "M^{−1} *l* + metric")
@@ -96,6 +97,11 @@ class CarriedLight:
         """The cosines (V,) of the true normals and the light: the edge of the light is at 0."""
         normals = normals_by(self.scene, self.body, NormalRule.EXACT)
         return np.asarray(dot(normals, self.to_light_world))
+
+    @cached_property
+    def edge(self) -> list[Array]:
+        """The lines (k, 3) in the world along which the light ends."""
+        return isoline(self.body.positions_world, self.body.mesh.triangles, self.cosines)
 
     @cached_property
     def too_bright(self) -> tuple[Array, Array]:
@@ -140,7 +146,8 @@ def object_rule(settings: ProofSettings) -> Proof:
     told = "The shape is still plain here, only the light has moved. Two rules, two lights."
     if carried.points_alike:
         told = "The shape is still plain here, only the light has moved. Both rules move it alike."
-    _two_lights(slide, slide.panel(idea, "In object space", caption=told).stage, carried)
+    plain = slide.panel(idea, "In object space", caption=told).stage
+    _two_lights(slide, plain, carried, held=settings.is_moving)
     agrees = carried.agrees
     verdicts = (*(Verdict.RIGHT if one else Verdict.WRONG for one in agrees), Verdict.RIGHT)
     panels = [slide.panel(*one) for one in zip(boxes, RULES, verdicts, strict=True)]
@@ -156,9 +163,9 @@ def object_rule(settings: ProofSettings) -> Proof:
     for stage in (*wrong, right):
         if not stage.is_empty:
             stage.outline()
-            edge_seen = stage.light_edge(carried.body, carried.cosines)
+            edge_seen = stage.light_edge(carried.edge)
             stage.lights()
-    shares_seen = not wrong[1].is_empty and _mark_shares(wrong[1], carried)
+    shares_seen = not wrong[1].is_empty and _mark_shares(wrong[1], carried, held=settings.is_moving)
     captions = _captions(carried, edge_seen=edge_seen, shares_seen=shares_seen)
     panels = [
         slide.captioned(panel, caption) for panel, caption in zip(panels, captions, strict=True)
@@ -255,18 +262,25 @@ def _verdict(carried: CarriedLight) -> str:
     )
 
 
-def _two_lights(slide: Slide, stage: Box, carried: CarriedLight) -> None:
-    """Draw both lights on the plain shape, in the plane of the two, at their true angle."""
+def _two_lights(slide: Slide, stage: Box, carried: CarriedLight, *, held: bool) -> None:
+    """Draw both lights on the plain shape, in the plane of the two, at their true angle.
+
+    In moving pictures the true one is held in its place: nothing may jump.
+    """
     canvas, palette = slide.canvas, slide.palette
     wrong, right = (one[:, 0] for one in carried.wrong)
     between, alike = carried.between_deg, carried.points_alike
     first = degrees(atan2(right[1], right[0])) if np.abs(right[:2]).max() > ROUNDING else 90.0
     # The wrong one lies on the side on which it is seen along the z axis of object space.
     side = 1 if right[0] * wrong[1] >= right[1] * wrong[0] else -1
+    if held:
+        first, side = HELD_AT, 1
     other = first + side * between
     upper = Box(stage.x, stage.y, stage.width, stage.height - UNDER_CIRCLE)
     middle = _on_circle(upper.middle, -ASIDE, first + side * between / 2)
-    canvas.polygon(circle(middle, RADIUS), fill=palette.body, edge=palette.ink, width=2 * EDGE)
+    canvas.polygon(circle(middle, RADIUS), fill=palette.body)
+    canvas.polygon(arc(middle, RADIUS, first + 90, first + 270), fill=palette.rule)  # the dark half
+    canvas.polygon(circle(middle, RADIUS), fill=None, edge=palette.ink, width=2 * EDGE)
     apart = max(0.0, LETTERS_APART - between) / 2  # letters never cover one another
     lights = [(first, first - side * apart, Ink.RIGHT, "M^{−1}*l*")]
     if alike:
@@ -297,10 +311,10 @@ def _on_circle(middle: Point, radius: float, angle: float) -> Point:
     return middle[0] + radius * cos(turn), middle[1] - radius * sin(turn)
 
 
-def _mark_shares(stage: Stage, carried: CarriedLight) -> bool:
+def _mark_shares(stage: Stage, carried: CarriedLight, *, held: bool) -> bool:
     """Surround what is far too bright and far too dark, and write by how much of the light.
 
-    Tells whether there is any such place that is seen.
+    Tells whether there is any such place that is seen. In moving pictures the words are held.
     """
     body, palette = carried.body, stage.canvas.palette
     points, off = body.positions_world, carried.too_bright[1]
@@ -317,7 +331,8 @@ def _mark_shares(stage: Stage, carried: CarriedLight) -> bool:
         worst = seen[np.argmax(sign * off[seen])]
         place = stage.place(points[worst])
         if place is not None and stage.box.holds(place):
-            corner = min(corners, key=lambda one: hypot(one[0] - place[0], one[1] - place[1]))
+            nearest = min(corners, key=lambda one: hypot(one[0] - place[0], one[1] - place[1]))
+            corner = corners[1 if sign > 0 else 0] if held else nearest
             corners.remove(corner)
             _tag(stage, place, corner, _percent(sign * float(off[worst])), words)
     return len(corners) < len(stage.free_corners(14))

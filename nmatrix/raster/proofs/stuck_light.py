@@ -133,6 +133,7 @@ def stuck_light(settings: ProofSettings) -> Proof:
     panels = slide.table(slide.body(BELOW), ROWS, headings, undecided=1)
     view, lens = _camera(settings, table, light, panels[0][0].stage)
     drawn: list[DrawnScene] = []
+    lost_seen = False
     for above, below, turn, wrong, correct in zip(*panels, turns, stuck, right, strict=True):
         pair = [
             draw_on(slide, panel, replace(scene, view=view, lens=lens))
@@ -144,16 +145,15 @@ def stuck_light(settings: ProofSettings) -> Proof:
         _mark_ride(pair[0], light, turn, whole=is_moving)
         for stage in pair:
             _mark_light(stage, light, table.ground)
-        if turn:
-            _mark_lost(pair[0], light, turn)
+        lost_seen |= turn > 0 and _mark_lost(pair[0], light, turn)
         first, second = (stage.drawn for stage in pair)
         if level_difference(first, second) == 0:
             slide.compare(above, below, same=True)
         drawn += (first, second)
-    slide.footer(
-        "The hollow light is where the wrong program has it: it rides on the turntable.",
-        x=panels[0][0].stage.x,
-    )
+    told = "The light of the wrong program rides on the turntable."
+    if lost_seen:
+        told = "The hollow light is where the wrong program has it: it rides on the turntable."
+    slide.footer(told, x=panels[0][0].stage.x)
     return Proof.of(
         settings.subject,
         slide,
@@ -234,13 +234,15 @@ def _mark_ride(stage: Stage, light: SceneLight, turn: float, *, whole: bool) -> 
     stage.path(_at_height(y, out * np.cos(way), out * np.sin(way)), Ink.WRONG)
 
 
-def _mark_lost(stage: Stage, light: SceneLight, turn: float) -> None:
-    """Draw where the wrong program has the light."""
+def _mark_lost(stage: Stage, light: SceneLight, turn: float) -> bool:
+    """Draw where the wrong program has the light; tell whether that is on the stage."""
     gone = turned_light(light, _rotation(turn))
+    before = len(stage.canvas.marks)
     if light.has_position:
         stage.lamp(gone.position, lost=True)
     else:
         stage.sun(gone.direction, lost=True)
+    return len(stage.canvas.marks) > before
 
 
 def _at_height(y: float, x: Array, z: Array) -> Array:

@@ -13,7 +13,6 @@ from nmatrix.canvas.slide import Slide
 from nmatrix.enums import NormalRule
 from nmatrix.errors import NoAnswerError
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
-from nmatrix.raster.overlay.mesh_lines import isoline
 from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.object_rule import CarriedLight, _scene
@@ -69,12 +68,11 @@ def test_the_numbers_do_not_change_with_the_size_of_the_slide() -> None:
 def test_the_edge_of_the_light_is_where_true_normals_are_across_it() -> None:
     one = carried(world=SKEW)
     points, triangles = one.body.positions_world, one.body.mesh.triangles
-    lines = isoline(points, triangles, one.cosines)
-    assert lines
+    assert one.edge
     normals = normals_by(one.scene, one.body, NormalRule.EXACT)
     crossed = (one.cosines[triangles] > 0).any(axis=1) & (one.cosines[triangles] < 0).any(axis=1)
     near = points[triangles[crossed]].reshape(-1, 3)
-    for place in np.concatenate(lines)[::7]:
+    for place in np.concatenate(one.edge)[::7]:
         nearest = ((near - place) ** 2).sum(axis=1).min()
         assert nearest < 0.02
     assert np.abs((normals.T @ one.to_light_world)[:, 0] - one.cosines).max() < 1e-12

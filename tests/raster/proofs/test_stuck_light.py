@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nmatrix.canvas.glyphs import Verdict
-from nmatrix.canvas.marks import Raster
+from nmatrix.canvas.marks import Raster, Text
 from nmatrix.canvas.slide import Slide
 from nmatrix.linear.affine import rotation_about_axis
 from nmatrix.linear.angle import Angle
@@ -18,6 +18,7 @@ from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings, turned_light
 from nmatrix.raster.proofs.stuck_light import AXIS, TURNS, Turntable, _degrees, _rotation
+from nmatrix.scene.camera import View
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Settings
 from nmatrix.scene.words import LightKind
@@ -118,6 +119,13 @@ def test_a_frame_is_the_still_picture_of_a_body_that_has_turned() -> None:
     assert body.linear_map.rank == 3
     apart = (np.abs(frame[3].astype(int) - still[3]).max(axis=2) > 2).mean()
     assert apart < 0.01, "the tick on the table alone is elsewhere"
+
+
+def test_a_hollow_light_is_spoken_of_only_where_one_is_seen() -> None:
+    for view, seen in ((None, True), (View(eye=(0, 0, 0.1)), False)):
+        found = slide(proof(view=view))
+        texts = [one.text for one in found.canvas.marks if isinstance(one, Text)]
+        assert any("hollow" in one for one in texts) == seen
 
 
 def test_the_wrong_row_comes_first() -> None:
