@@ -112,7 +112,7 @@ class _Painter:
 
         gc = self._gc(mark.colour, mark.width)
         if mark.dash is not None:
-            gc.set_dashes(0, mark.dash)
+            gc.set_dashes(0, [part * self.scale for part in mark.dash])
         gc.set_capstyle("round" if mark.round_ends else "butt")
         gc.set_joinstyle("round")
         self.renderer.draw_path(gc, Path(mark.points), self.to_renderer, None)
@@ -182,7 +182,7 @@ class _Painter:
     def _gc(self, colour: str, line: float) -> Any:  # noqa: ANN401  # matplotlib's graphics context
         gc = self.renderer.new_gc()
         gc.set_foreground(colour)
-        gc.set_linewidth(line)  # in points, which the renderer scales
+        gc.set_linewidth(line * self.scale)
         gc.set_antialiased(True)
         gc.set_snap(False)
         return gc
