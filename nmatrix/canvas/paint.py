@@ -24,8 +24,8 @@ POINTS = 72  # in an inch, and units: a unit is a point
 HALO = 4.0  # units around letters
 HAIR = 1e-6  # points, so that no side is cut to one pixel less
 LEAST_TEXT = 2.0  # pixels: fonts have no smaller letters, and no eye reads them
-AS_WIDE_AS_MEASURED = {"text.hinting": "none"}  # hinted letters stand on whole pixels
-TEXT_AS_TEXT = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
+AS_WIDE_AS_MEASURED: Any = {"text.hinting": "none"}  # hinted letters stand on whole pixels
+TEXT_AS_TEXT: Any = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
 
 
 def pixels(canvas: Canvas) -> NDArray[Any]:
