@@ -217,7 +217,7 @@ def _line_at_crossing(stage: Stage) -> None:
         return
     stage.canvas.stroke(seen, 2.4, palette.ink, dash=(9, 6))
     x, y = min(seen)
-    below = (x + 16, y + 34)
+    below = x + 16, min(max(y, stage.box.y) + 34, stage.box.bottom - 64)
     stage.canvas.text(below, f"{CROSSING:.0f} m", CAPTION, bold=True, halo=palette.paper)
 
 
