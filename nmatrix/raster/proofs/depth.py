@@ -192,7 +192,7 @@ def _floors(settings: ProofSettings, key: Key, *materials: Material) -> Scene:
     scene = settings.still.scene(*reversed(objects))
     clip = replace(settings.lens.clip, depth=order)
     lens = Lens(fov_degrees=FOV_DEG, near=NEAR, far=FAR, clip=clip)
-    roll = np.radians(ROLL_DEG + settings.picture.turn_degrees)
+    roll = np.radians((ROLL_DEG + settings.picture.turn_degrees) % 360)
     up = (float(np.sin(roll)), float(np.cos(roll)), 0.0)
     x, y, z = AHEAD
     view = View(eye=(0, HEIGHT, 0), target=(x, HEIGHT + y, z), up=up)
