@@ -37,9 +37,9 @@ def pixels(canvas: Canvas) -> NDArray[Any]:
     figure = _figure(canvas, canvas.scale)
     agg = FigureCanvasAgg(figure)
     with mpl.rc_context(AS_WIDE_AS_MEASURED):
-        agg.draw()
+        agg.draw()  # type: ignore[no-untyped-call]
     wide, high = canvas.pixels
-    return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])
+    return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])  # type: ignore[no-untyped-call]
 
 
 def vector(canvas: Canvas, kind: VectorFormat, texts: Mapping[str, str]) -> bytes:
@@ -88,7 +88,7 @@ class _Painter:
         from matplotlib.transforms import Affine2D
 
         self.renderer, self.canvas = renderer, canvas
-        self.scale = renderer.points_to_pixels(scale)
+        self.scale = scale
         self.height = canvas.pixels[1] / canvas.scale * self.scale
         flipped = Affine2D().scale(self.scale, -self.scale)
         self.to_renderer = flipped.translate(0, self.height)
