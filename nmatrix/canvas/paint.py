@@ -37,9 +37,9 @@ def pixels(canvas: Canvas) -> NDArray[Any]:
     figure = _figure(canvas, canvas.scale)
     agg = FigureCanvasAgg(figure)
     with mpl.rc_context(AS_WIDE_AS_MEASURED):
-        agg.draw()
+        agg.draw()  # type: ignore[no-untyped-call]
     wide, high = canvas.pixels
-    return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])
+    return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])  # type: ignore[no-untyped-call]
 
 
 def vector(canvas: Canvas, kind: VectorFormat, texts: Mapping[str, str]) -> bytes:
@@ -88,7 +88,7 @@ class _Painter:
         from matplotlib.transforms import Affine2D
 
         self.renderer, self.canvas = renderer, canvas
-        self.scale = renderer.points_to_pixels(scale)
+        self.scale = scale
         self.height = canvas.pixels[1] / canvas.scale * self.scale
         flipped = Affine2D().scale(self.scale, -self.scale)
         self.to_renderer = flipped.translate(0, self.height)
@@ -112,7 +112,7 @@ class _Painter:
 
         gc = self._gc(mark.colour, mark.width)
         if mark.dash is not None:
-            gc.set_dashes(0, mark.dash)
+            gc.set_dashes(0, [part * self.scale for part in mark.dash])
         gc.set_capstyle("round" if mark.round_ends else "butt")
         gc.set_joinstyle("round")
         self.renderer.draw_path(gc, Path(mark.points), self.to_renderer, None)
@@ -182,7 +182,7 @@ class _Painter:
     def _gc(self, colour: str, line: float) -> Any:  # noqa: ANN401  # matplotlib's graphics context
         gc = self.renderer.new_gc()
         gc.set_foreground(colour)
-        gc.set_linewidth(line)  # in points, which the renderer scales
+        gc.set_linewidth(line * self.scale)
         gc.set_antialiased(True)
         gc.set_snap(False)
         return gc

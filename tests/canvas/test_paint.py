@@ -102,3 +102,18 @@ def test_ideas_are_legible_on_their_stage(theme: Theme) -> None:
         assert contrast(name) > 4.5, name
     assert contrast("wrong") > 3.8, "large or bold only"
     assert contrast("soft") > 4.5
+
+
+@pytest.mark.parametrize("scale", [0.25, 0.5625, 1.0, 2.0])
+def test_a_picture_of_any_size_is_the_same_drawing(scale: float) -> None:
+    """Lines are as wide, dashes as long and letters as wide in units, whatever a unit's pixels."""
+    canvas = Canvas(800, 200, PALETTES[Theme.LIGHT], scale)
+    canvas.stroke(((0, 60), (800, 60)), 40, "#000000", round_ends=False)
+    canvas.stroke(((0, 120), (800, 120)), 8, "#000000", dash=(100, 100))
+    text = canvas.text((20, 180), "as wide as it is measured", 40)
+    found = pixels(canvas)[:, :, 0] / 255
+    dark = 1 - found
+    assert dark[: round(90 * scale), round(400 * scale)].sum() / scale == pytest.approx(40, abs=1)
+    assert dark[round(120 * scale)].mean() == pytest.approx(0.5, abs=0.05)
+    columns = np.nonzero(dark[round(140 * scale) :].max(axis=0) > 0.5)[0]
+    assert columns[-1] / scale == pytest.approx(text.box.right, abs=5 + 1 / scale)

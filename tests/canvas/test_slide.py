@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from nmatrix.canvas.glyphs import Verdict
-from nmatrix.canvas.marks import Text
+from nmatrix.canvas.marks import Box, Polygon, Text
 from nmatrix.canvas.slide import GUTTER, Row, Slide
 from nmatrix.enums import Theme
 
@@ -86,3 +86,30 @@ def test_a_caption_may_be_written_after_its_panel() -> None:
     second = slide.captioned(first, "What is so.")
     assert slide.panels == [second]
     assert second.told == "A panel: What is so."
+
+
+def test_an_equals_sign_stands_between_its_panels_and_on_no_heading() -> None:
+    slide = Slide.of("A claim", (1600, 900), Theme.LIGHT)
+    upper, lower = slide.body(90).rows(2, 62)
+    left, right = (slide.panel(box, "standard") for box in upper.columns(2, GUTTER))
+    below = slide.panel(lower.columns(2, GUTTER)[0], "reversed")
+    slide.compare(left, right, same=True)
+    beside = ring_of(slide)
+    assert beside.middle == pytest.approx(
+        ((left.stage.right + right.stage.x) / 2, left.stage.middle[1])
+    )
+    slide.compare(left, below, same=True)
+    stacked = ring_of(slide)
+    assert left.stage.bottom < stacked.middle[1] < below.stage.y
+    heading = next(
+        one for one in slide.canvas.marks if isinstance(one, Text) and one.text == "reversed"
+    )
+    assert stacked.x > heading.box.right
+    assert slide.same == [(left, right), (left, below)]
+
+
+def ring_of(slide: Slide) -> Box:
+    """Return the box of the last ring that was drawn."""
+    *_, ring = (one for one in slide.canvas.marks if isinstance(one, Polygon))
+    x, y = zip(*ring.loops[0], strict=True)
+    return Box(min(x), min(y), max(x) - min(x), max(y) - min(y))

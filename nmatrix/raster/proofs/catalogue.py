@@ -83,13 +83,12 @@ PROOFS: tuple[ProofEntry, ...] = (
     ProofEntry(
         "shading",
         "shading",
-        "flat, Gouraud, Phong; Lambert, Phong and Blinn-Phong highlights, toon",
+        "flat, Gouraud, Phong; Phong and Blinn-Phong highlights; toon",
     ),
     ProofEntry(
         "interpolation",
         "interpolation",
         "normalise never, after, before and after; perspective or not",
-        Turn(Turning.OBJECT),  # a floor is among the objects
     ),
     ProofEntry(
         "translation",

@@ -192,7 +192,7 @@ def _floors(settings: ProofSettings, key: Key, *materials: Material) -> Scene:
     scene = settings.still.scene(*reversed(objects))
     clip = replace(settings.lens.clip, depth=order)
     lens = Lens(fov_degrees=FOV_DEG, near=NEAR, far=FAR, clip=clip)
-    roll = np.radians(ROLL_DEG + settings.picture.turn_degrees)
+    roll = np.radians((ROLL_DEG + settings.picture.turn_degrees) % 360)
     up = (float(np.sin(roll)), float(np.cos(roll)), 0.0)
     x, y, z = AHEAD
     view = View(eye=(0, HEIGHT, 0), target=(x, HEIGHT + y, z), up=up)
@@ -217,7 +217,7 @@ def _line_at_crossing(stage: Stage) -> None:
         return
     stage.canvas.stroke(seen, 2.4, palette.ink, dash=(9, 6))
     x, y = min(seen)
-    below = (x + 16, y + 34)
+    below = x + 16, min(max(y, stage.box.y) + 34, stage.box.bottom - 64)
     stage.canvas.text(below, f"{CROSSING:.0f} m", CAPTION, bold=True, halo=palette.paper)
 
 

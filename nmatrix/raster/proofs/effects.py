@@ -174,12 +174,17 @@ def _drawn(settings: ProofSettings, stage: Box) -> Both:
 
 
 def _put(slide: Slide, panel: Panel, drawn: DrawnScene, *, in_grey: bool) -> None:
-    """Lay a picture on its stage, and the lamps that are in sight."""
+    """Lay a picture on its stage, with the sun, and the lamps that are in sight."""
     shown = drawn.levels
     if in_grey:
         shown = np.rint(shown @ np.array(LUMA))[:, :, None].repeat(3, axis=2).astype(np.uint8)
     slide.canvas.image(panel.stage, shown)
-    Stage(slide.canvas, panel.stage, drawn).lights()
+    stage = Stage(slide.canvas, panel.stage, drawn)
+    for placed in stage.loaded.lights:
+        if placed.position is not None:
+            stage.lamp([float(one) for one in placed.position])
+        elif placed.direction is not None:
+            stage.sun([float(one) for one in placed.direction])
 
 
 def _bars(slide: Slide, box: Box, found: Both) -> float:

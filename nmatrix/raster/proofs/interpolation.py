@@ -329,9 +329,8 @@ def _floors(slide: Slide, settings: ProofSettings, box: Box) -> list[DrawnScene]
     right = slide.panel(
         lower, "weighed by 1/*w*, *w* the depth", Verdict.RIGHT, told, size=NARROW_HEADING
     )
-    (true,) = staged(
-        slide, replace(settings, view=None), ALONG_THE_FLOOR, [(right, _floor(settings))]
-    )
+    own = _of_floors(settings)
+    (true,) = staged(slide, own, ALONG_THE_FLOOR, [(right, _floor(own))])
     affine = put(slide, wrong, true.drawn.redrawn(_affine))
     (body,) = true.loaded.bodies
     shared = np.intersect1d(*body.mesh.triangles)
@@ -345,18 +344,23 @@ def _floors(slide: Slide, settings: ProofSettings, box: Box) -> list[DrawnScene]
     return [affine.drawn, true.drawn]
 
 
+def _of_floors(settings: ProofSettings) -> ProofSettings:
+    """Return the settings of the floor: its own view, however the body is seen or turns."""
+    return replace(settings.still, view=None)
+
+
 def _floor(settings: ProofSettings) -> Scene:
-    """Return a floor of two large triangles that runs away from the eye."""
+    """Return a floor of two large triangles that runs away from the eye, and never turns."""
     colour = grey(0.85) if settings.theme is Theme.PRINT else CREAM
     material = Material("checker", ambient=colour, diffuse=grey(0.0), texture=CHECKER)
-    place = settings.in_turn(FLOOR).under(translation_matrix(FLOOR_AT)).world_from_object
+    place = FLOOR.under(translation_matrix(FLOOR_AT)).world_from_object
     return settings.scene(SceneObject("floor", ShapeGeometry(Shape.PLANE), place, material))
 
 
 def _moved_part(settings: ProofSettings) -> float:
     """Count the part of a floor that the wrong weights colour wrong, in a picture of one size."""
-    scene = _floor(replace(settings, theme=Theme.LIGHT))
-    own = replace(settings, view=None)
+    own = _of_floors(replace(settings, theme=Theme.LIGHT))
+    scene = _floor(own)
     view, lens = ALONG_THE_FLOOR.camera(own, [loaded(scene)], COUNTED)
     size = (int(COUNTED.width), int(COUNTED.height))
     right = drawn_scene(replace(scene, view=view, lens=lens, has_camera=True), size=size, samples=1)

@@ -246,3 +246,23 @@ def test_an_arrow_of_the_world_is_hidden_where_a_surface_is_before_it() -> None:
     head = found.canvas.marks[-1]
     assert isinstance(head, Polygon)
     assert head.loops[0][2] == pytest.approx(found.place(tip))
+
+
+def test_a_filling_lens_leaves_as_much_free_on_each_side_as_is_asked() -> None:
+    points = sphere(12, 24).positions
+    view, area, inner = View(eye=(0, 0, 5)), Box(0, 0, 300, 200), Box(40, 10, 250, 120)
+    lens = filling(view, points, area, inner=inner)
+    thing = ProofSettings("thing").object(World(), ShapeGeometry(Shape.SPHERE))
+    scene = Scene((thing,), (), view, lens, Settings(size=(300, 200), samples=1))
+    canvas = Canvas(300, 200, PALETTES[Theme.LIGHT])
+    x, y, _ = Stage(canvas, area, drawn_scene(scene, keeps_depth=True)).window(points).T
+    assert (y.min(), y.max()) == pytest.approx((10, 130))
+    assert (x.min() + x.max()) / 2 == pytest.approx(inner.middle[0])
+
+
+def test_a_lamp_beside_the_picture_is_not_drawn_over_what_stands_there() -> None:
+    found = stage()
+    found.lamp((0.0, 90.0, 0.0))
+    assert not found.canvas.marks
+    found.lamp((0.0, 0.0, 0.0))
+    assert found.canvas.marks

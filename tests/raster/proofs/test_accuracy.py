@@ -106,7 +106,8 @@ def test_the_title_is_true_of_other_maps(world: World, title: str) -> None:
         if angle is None:
             assert panel.verdict is None
         else:
-            assert (panel.verdict is Verdict.WRONG) == (angle >= SEEN_DEG)
+            is_seen = angle >= SEEN_DEG or "lost" in panel.caption
+            assert (panel.verdict is Verdict.WRONG) == is_seen
 
 
 def test_normals_that_are_lost_are_seen() -> None:
