@@ -37,7 +37,7 @@ def stage(
     world: World = SQUASHED, geometry=None, lens: Lens = LENSES[0], scale: float = 1.0
 ) -> Stage:
     canvas = Canvas(300, 200, PALETTES[Theme.LIGHT], scale)
-    place = canvas.onpixels(Box(30, 20, 240, 160))
+    place = canvas.on_pixels(Box(30, 20, 240, 160))
     thing = ProofSettings("thing").object(world, geometry or ShapeGeometry(Shape.SPHERE))
     picture = Settings(size=canvas.pixels_of(place), samples=4, background=(1.0, 0.0, 1.0))
     scene = Scene((thing,), (), VIEW, lens, picture)
