@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nmatrix.canvas.glyphs import Ink
-from nmatrix.canvas.marks import Box, Canvas, Polygon, Stroke
+from nmatrix.canvas.marks import Box, Canvas, Polygon, Stroke, Text
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import DepthRange, NormalRule, Theme
 from nmatrix.linear.projection import ClipSpace
@@ -172,11 +172,11 @@ def test_bodies_of_which_little_or_nothing_is_seen_have_few_tacks_or_none(
     found.lights()
 
 
-def test_a_tack_without_a_normal_is_a_disc_or_nothing() -> None:
+def test_a_tack_without_a_normal_is_a_disc_with_a_0() -> None:
     found = stage()
     nothing = np.zeros(3)
     found.tacks([Tack(nothing, np.array([0, 0, 1.0]), nothing)], Ink.WRONG, 1.0)
-    assert [type(one) for one in found.canvas.marks] == [Polygon]
+    assert [type(one) for one in found.canvas.marks] == [Polygon, Text]
 
 
 @pytest.mark.parametrize("size", [(240, 160), (160, 240), (200, 200)])
