@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from nmatrix.canvas.glyphs import Verdict
-from nmatrix.canvas.marks import Box, Text
+from nmatrix.canvas.marks import SMALLEST_TEXT, Box, Text
 from nmatrix.canvas.slide import Panel, Slide
 from nmatrix.canvas.text import plain as marked_down
 from nmatrix.output.inline_images import inline_image
@@ -52,11 +52,16 @@ def parts_of(slide: Slide, image: Array) -> tuple[Part, ...]:
     """Cut the stages out of the image of a slide, each with the words that stand nearest to it."""
     k, stages = slide.canvas.scale, [one.stage for one in slide.panels]
     words: list[list[Text]] = [[] for _ in stages]
+    last, owner = None, 0
     for mark in slide.canvas.marks:
-        if isinstance(mark, Text) and mark.text != slide.title:
-            away = [_distance(stage, mark) for stage in stages]
-            if min(away, default=0.0) > 0.0:  # else it stands on a stage, and is part of it
-                words[away.index(min(away))].append(mark)
+        if not isinstance(mark, Text) or mark.text == slide.title or mark.size <= SMALLEST_TEXT:
+            continue
+        if last is None or not _goes_on(last, mark):
+            away = [_distance(stage, mark.box) for stage in stages]
+            owner = away.index(min(away, default=0.0)) if min(away, default=0.0) > 0.0 else -1
+        if owner >= 0:  # else it stands on a stage, and is part of it
+            words[owner].append(mark)
+        last = mark
     return tuple(
         Part(
             image[
@@ -68,25 +73,31 @@ def parts_of(slide: Slide, image: Array) -> tuple[Part, ...]:
     )
 
 
-def _distance(stage: Box, text: Text) -> float:
-    """Return how far from a stage a text begins, 0 on it."""
-    x, y = text.place
-    aside = max(stage.x - x, x - stage.right, 0.0)
-    return hypot(aside, max(stage.y - y, y - stage.bottom, 0.0))
+def _goes_on(last: Text, text: Text) -> bool:
+    """Tell whether a text is the next line of the one before it, or stands right behind it."""
+    (x, y), (left, level) = text.place, last.place
+    is_below = x == left and text.size == last.size and 0 < y - level < 1.5 * text.size
+    return is_below or (y == level and 0 < x - last.box.right < text.size)
+
+
+def _distance(stage: Box, text: Box) -> float:
+    """Return how far a text is from a stage, 0 where it stands on it."""
+    aside = max(stage.x - text.right, text.x - stage.right, 0.0)
+    return hypot(aside, max(stage.y - text.bottom, text.y - stage.bottom, 0.0))
 
 
 def _told(panel: Panel, words: Sequence[Text]) -> str:
     """Write what stands above a stage in one line, and what stands below it in another."""
-    above, below = [], []
+    heading = marked_down(panel.heading)
+    above: list[str] = []
+    below: list[str] = []
     for one in sorted(words, key=lambda one: (one.place[1], one.place[0])):
         text = marked_down(one.text)
-        if one.place[1] >= panel.stage.y:
-            below.append(text)
-        elif one.text == panel.heading and panel.verdict is not None:
-            above.append(f"{VERDICTS[panel.verdict]} {text}")
-        else:
-            above.append(text)
-    return f"{': '.join(above)}\n{' '.join(below)}".strip()
+        if text not in heading:  # of a table it says the row and the column
+            (above if one.place[1] < panel.stage.y else below).append(text)
+    mark = "" if panel.verdict is None else f"{VERDICTS[panel.verdict]} "
+    first = ": ".join(filter(None, (*above, f"{mark}{heading}".strip())))
+    return f"{first}\n{' '.join(below)}".strip()
 
 
 def preview(image: Array, parts: Sequence[Part], screen: Screen) -> str:
