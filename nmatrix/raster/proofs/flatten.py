@@ -16,11 +16,11 @@ from nmatrix.raster.drawn_scene import DrawnScene, level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of, rings_around
 from nmatrix.raster.overlay.tacks import Tack, farthest_apart, spread_over
-from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
+from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, RIM_POINTS, Pose, staged, tacks
-from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.normals import normals_by, unit
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.words import LightKind

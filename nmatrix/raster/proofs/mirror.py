@@ -16,10 +16,11 @@ from nmatrix.linear.rational import linear_part
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.stage import Stage, radius_of
-from nmatrix.raster.proofs.angles import normals_by, rule_error
+from nmatrix.raster.proofs.angles import rule_error
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, put_inside, staged, tacks
+from nmatrix.raster.shading.normals import normals_by
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import SceneObject

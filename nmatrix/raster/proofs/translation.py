@@ -19,12 +19,12 @@ from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.mesh_lines import creases, silhouettes
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of
-from nmatrix.raster.proofs.angles import INVISIBLE_DEG, normals_by, rule_error, worst_at_vertices
+from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error, worst_at_vertices
 from nmatrix.raster.proofs.mirror import BELOW
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG
 from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, staged, tacks
-from nmatrix.raster.shading.normals import angles_deg, unit
+from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
