@@ -17,8 +17,7 @@ from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES, LightKind
 
-ANGLES = ("max_angle_error_deg", "mean_angle_error_deg")
-NUMBERS = (*ANGLES, "triangles", "fragments")
+NUMBERS = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
 SCENES = (".toml", *GLTF_SUFFIXES)
 SHEET_SETTINGS = Settings(size=SHEET)  # of a proof
 
@@ -170,17 +169,13 @@ def render(proof: Proof, image: str | None = None, milliseconds: float | None = 
         "effects": list(proof.effects),
         "numbers": dict(proof.numbers),
     }
-    told = {key: data[key] for key in NUMBERS}
-    title: tuple[Block, ...] = ()
     alternative = f"a picture of {proof.subject}"
-    if proof.is_slide:  # its claim comes first, and what is not measured is not told
-        alternative = proof.texts["Title"]
-        title = (Heading(alternative),)
-        told = {key: told[key] for key in ANGLES if told[key] is not None}
-    blocks: tuple[Block, ...] = (
-        *title,
+    about: tuple[Block, ...] = (
         Verdict(proof.verdict),
-        *(Quantity(key, value) for key, value in told.items()),  # type: ignore[arg-type]  # numbers
-        *([Figure(image, alternative)] if image else []),
+        *(Quantity(key, data[key]) for key in NUMBERS if data[key] is not None),  # type: ignore[arg-type]
     )
-    return Report("render", data, blocks, proof.remarks)
+    if proof.is_slide:  # its claim and its sentence say the numbers that matter
+        alternative = proof.texts["Title"]
+        about = (Heading(alternative), Verdict(proof.verdict))
+    file = (Figure(image, alternative),) if image else ()
+    return Report("render", data, (*about, *file), proof.remarks)

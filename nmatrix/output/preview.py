@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from nmatrix.canvas.glyphs import Verdict
-from nmatrix.canvas.marks import Box, Text
+from nmatrix.canvas.marks import SMALLEST_TEXT, Box, Text
 from nmatrix.canvas.slide import Panel, Slide
 from nmatrix.canvas.text import plain as marked_down
 from nmatrix.output.inline_images import inline_image
@@ -40,6 +40,9 @@ VERDICTS = {Verdict.WRONG: "✗", Verdict.RIGHT: "✓"}
 LEGIBLE = 0.6  # of its size: smaller, the captions of a picture are no longer read
 
 
+Paragraph = list[Text]
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """A part of a picture, 8-bit (height, width, 3), and the words that belong to it."""
@@ -51,42 +54,58 @@ class Part:
 def parts_of(slide: Slide, image: Array) -> tuple[Part, ...]:
     """Cut the stages out of the image of a slide, each with the words that stand nearest to it."""
     k, stages = slide.canvas.scale, [one.stage for one in slide.panels]
-    words: list[list[Text]] = [[] for _ in stages]
-    for mark in slide.canvas.marks:
-        if isinstance(mark, Text) and mark.text != slide.title:
-            away = [_distance(stage, mark) for stage in stages]
-            if min(away, default=0.0) > 0.0:  # else it stands on a stage, and is part of it
-                words[away.index(min(away))].append(mark)
-    return tuple(
-        Part(
-            image[
-                round(k * box.y) : round(k * box.bottom), round(k * box.x) : round(k * box.right)
-            ],
-            _told(panel, found),
+    beside: list[list[Paragraph]] = [[] for _ in stages]
+    for one in _paragraphs(slide):
+        away = [_distance(stage, one[0].box) for stage in stages]
+        if min(away, default=0.0) > 0.0:  # else it stands on a stage, and is part of it
+            beside[away.index(min(away))].append(one)
+    found = []
+    for panel, paragraphs in zip(slide.panels, beside, strict=True):
+        left, top, right, bottom = (
+            round(k * side)
+            for side in (panel.stage.x, panel.stage.y, panel.stage.right, panel.stage.bottom)
         )
-        for panel, box, found in zip(slide.panels, stages, words, strict=True)
-    )
+        found.append(Part(image[top:bottom, left:right], _told(panel, paragraphs)))
+    return tuple(found)
 
 
-def _distance(stage: Box, text: Text) -> float:
-    """Return how far from a stage a text begins, 0 on it."""
-    x, y = text.place
-    aside = max(stage.x - x, x - stage.right, 0.0)
-    return hypot(aside, max(stage.y - y, y - stage.bottom, 0.0))
+def _paragraphs(slide: Slide) -> list[Paragraph]:
+    """Gather the lines of text that go on from one another; ticks and the title are no words."""
+    found: list[Paragraph] = []
+    for mark in slide.canvas.marks:
+        if isinstance(mark, Text) and mark.text != slide.title and mark.size > SMALLEST_TEXT:
+            if found and _goes_on(found[-1][-1], mark):
+                found[-1].append(mark)
+            else:
+                found.append([mark])
+    return found
 
 
-def _told(panel: Panel, words: Sequence[Text]) -> str:
-    """Write what stands above a stage in one line, and what stands below it in another."""
-    above, below = [], []
-    for one in sorted(words, key=lambda one: (one.place[1], one.place[0])):
-        text = marked_down(one.text)
-        if one.place[1] >= panel.stage.y:
-            below.append(text)
-        elif one.text == panel.heading and panel.verdict is not None:
-            above.append(f"{VERDICTS[panel.verdict]} {text}")
-        else:
-            above.append(text)
-    return f"{': '.join(above)}\n{' '.join(below)}".strip()
+def _goes_on(last: Text, text: Text) -> bool:
+    """Tell whether a text is the next line of the one before it, or stands right behind it."""
+    (x, y), (left, level) = text.place, last.place
+    is_below = x == left and text.size == last.size and 0 < y - level < 1.5 * text.size
+    return is_below or (y == level and 0 < x - last.box.right < text.size)
+
+
+def _distance(stage: Box, text: Box) -> float:
+    """Return how far a text is from a stage, 0 where it stands on it."""
+    aside = max(stage.x - text.right, text.x - stage.right, 0.0)
+    return hypot(aside, max(stage.y - text.bottom, text.y - stage.bottom, 0.0))
+
+
+def _told(panel: Panel, paragraphs: Sequence[Paragraph]) -> str:
+    """Write what stands above a stage in one line, and each paragraph below it in another."""
+    heading = marked_down(panel.heading)
+    above: list[str] = []
+    below: list[str] = []
+    for one in sorted(paragraphs, key=lambda one: (one[0].place[1], one[0].place[0])):
+        text = " ".join(marked_down(line.text) for line in one)
+        if text not in heading:  # of a table it says the row and the column
+            (above if one[0].place[1] < panel.stage.y else below).append(text)
+    mark = "" if panel.verdict is None else f"{VERDICTS[panel.verdict]} "
+    first = ": ".join(filter(None, (*above, f"{mark}{heading}".strip())))
+    return "\n".join((first, *below)).strip()
 
 
 def preview(image: Array, parts: Sequence[Part], screen: Screen) -> str:
@@ -128,6 +147,8 @@ def _rows(parts: Sequence[Part], screen: Screen) -> Iterator[str]:
     width = (screen.columns - GAP * (across - 1)) // across
     for first in range(0, len(parts), across):
         row = parts[first : first + across]
+        if first:
+            yield "\n"
         yield from _beside([_wrapped(one.words, width, screen) for one in row], width)
         yield from _beside([list(_drawn(one.image, width, screen)) for one in row], width)
 

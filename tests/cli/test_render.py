@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 from nmatrix.cli.app import run
-from nmatrix.enums import PixelFormat, Shown, Space
+from nmatrix.enums import PixelFormat, Shown, Space, VectorFormat
 from nmatrix.errors import IllegalValueError
 from nmatrix.output import files
 from nmatrix.output.files import PICTURES
@@ -188,11 +188,20 @@ def test_frames_are_numbered_files_or_one_animation(nmatrix, ending: str) -> Non
         with Image.open(name) as image:
             assert image.format.lower() == PICTURES[ending]
             assert getattr(image, "n_frames", 1) == (3 if animated else 1)
-            assert told_in(name)["Title"] == "nmatrix normals"
+            assert told_in(name)["Title"].startswith("Stretch a shape by A")
     assert nmatrix(line).code == 2
 
 
-@pytest.mark.parametrize("name", ["a.svg", "a.pdf", "a.mp4", "a.exr", "a", ".png", "a.png.txt"])
+@pytest.mark.parametrize("ending", VectorFormat)
+def test_only_a_proof_is_written_as_lines(nmatrix, scene: str, ending: VectorFormat) -> None:
+    assert nmatrix(f"render normals {SMALL} -o a.{ending}").code == 0
+    found = nmatrix(f"render {scene} {SMALL} --show axes -o b.{ending}")
+    assert found.code == 2
+    assert found.is_one_line
+    assert not Path(f"b.{ending}").exists()
+
+
+@pytest.mark.parametrize("name", ["a.mp4", "a.exr", "a", ".png", "a.png.txt"])
 @pytest.mark.parametrize("frames", ["", "--frames 2 --turn"])
 def test_another_ending_is_refused_before_anything_is_drawn(
     nmatrix, monkeypatch, name: str, frames: str

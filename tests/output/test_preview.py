@@ -181,7 +181,7 @@ def test_each_word_of_a_slide_stands_with_its_nearest_stage() -> None:
     image = ramp(180, 320)
     one, other = parts_of(slide, image)
     assert one.words == "Group: ✗ A n\nit leans"
-    assert other.words == "✓ A⁻ᵀn\nit stands 36.9° off"
+    assert other.words == "✓ A⁻ᵀn\nit stands\n36.9° off"
     k, box = slide.canvas.scale, first.stage
     corner = image[round(k * box.y), round(k * box.x)]
     assert np.array_equal(one.image[0, 0], corner)

@@ -99,7 +99,9 @@ class Hedgehog:
                 self.stage.vector(tacks[i].place, long * tacks[i].arrow, ink)
         without = sum(int((~one.ruled.any(axis=1)).sum()) for one in self.chosen)
         if without:
-            self.remarks.append(f"{without} normals that are zero have no arrow.")
+            self.remarks.append(
+                f"{without} of them are zero by this rule: a 0 stands on their discs."
+            )
 
     def tangents(self) -> None:
         """Draw a line along a tangent through each place."""

@@ -335,12 +335,14 @@ class Stage:
     def vector(self, place: Array, vector: Array, ink: Ink) -> None:
         """Draw a vector of the world as an arrow, whole, if its tip is on the stage."""
         a, b = self.place(place), self.place(place + vector)
-        if a is not None and b is not None and self.box.holds(b):
+        if a is not None and b is not None and self._holds(b):
             glyphs.arrow(self.canvas, a, b, ink)
 
     def _holds(self, place: Point | None) -> bool:
-        """Tell whether a place is on the stage: marks must not stand on its neighbours."""
-        return place is not None and self.box.holds(place)
+        """Tell whether a mark may stand at a place: beside the stage there may be others."""
+        box, canvas = self.box, self.canvas
+        is_alone = (box.width, box.height) == (canvas.width, canvas.height)
+        return place is not None and (is_alone or box.holds(place))
 
     def _nothing(self, tack: Tack, radius: float) -> None:
         self.disc(tack.place, tack.normal, ZERO_DISC * radius)
