@@ -13,11 +13,14 @@ from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.report import Report, Text, Verdict
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
-FROM_ABOVE = (1.5, 1.75, 3.25)  # a torus seen from its side shows no hole
-SHORT_LIGHT = Light((-1, -1, -1))  # the usual light, in numbers that fit their boxes
+FROM_ABOVE = View(eye=(3.6, 1.5, 9.2))  # the page comes as near as the body lets it
+LONG_LENS = Lens(fov_degrees=30)  # a short one bends a ball near the rim
+FROM_THE_RIGHT = Light((-0.85, -0.55, -0.65))  # both a lit and a dark side are seen
 STRETCHED = World(scale=(1, 2, 1))  # without a stretch every rule is right, and nothing is seen
 
 HELP = {
@@ -49,9 +52,11 @@ def explore(
         setup = replace(
             setup,
             world=setup.world if groups.world.given else STRETCHED,
-            view=setup.view if groups.view.given else replace(setup.view, eye=FROM_ABOVE),
-            light=setup.light if groups.light.given else SHORT_LIGHT,
+            view=setup.view if groups.view.given else FROM_ABOVE,
+            lens=setup.lens if groups.lens.given else LONG_LENS,
+            light=setup.light if groups.light.given else FROM_THE_RIGHT,
         )
-    write_file(path, written(setup), force=force)
+    fits = groups.scene.scene is None and not groups.view.given
+    write_file(path, written(setup, fits=fits), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), common)
