@@ -5,7 +5,7 @@ const DISC = 0.09, ARROW = 0.27;  // of the body's mean and largest radius
 
 class Pen {
   constructor(canvas, size, theme, k = size / 470) {
-    this.context = canvas.getContext("2d");
+    this.context = canvas.getContext("2d", { willReadFrequently: true });
     if (canvas.width !== size) canvas.width = canvas.height = size;
     this.size = size; this.k = k; this.palette = data.palettes[theme]; this.context.lineCap = this.context.lineJoin = "round";
   }
@@ -172,9 +172,8 @@ function drawTacks(pen, s, side, found, tacks) {
 function sunPlace(found, light, size) {
   const [x, y] = apply(linear(found.camera), unit(light)), along = [x, -y], flat = Math.hypot(x, y);
   const from = flat > 0.05 ? [-along[0] / flat, -along[1] / flat] : [Math.SQRT1_2, -Math.SQRT1_2];
-  const reach = 0.405 / Math.max(Math.abs(from[0]), Math.abs(from[1]));
-  const at = from.map((d) => (0.5 + d * Math.min(reach, 0.5)) * size);
-  return { at: [Math.min(0.905, Math.max(0.095, at[0] / size)) * size, Math.min(0.86, Math.max(0.11, at[1] / size)) * size], along };
+  const pushed = from.map((d) => Math.sign(d) * Math.abs(d) ** 0.4), reach = 0.4 / Math.max(...pushed.map(Math.abs));  // towards a corner
+  return { at: pushed.map((d) => (0.5 + d * reach) * size), along };
 }
 function drawLight(pen, s, side, found) {
   const isStuck = side === "wrong" && s.rule === STUCK && !found.isSame;

@@ -89,11 +89,35 @@ const MESHES = {
   R: letterR,
 };
 const BODY_NAMES = { egg: "ball", torus: "torus", R: "letter R" };
+// The edges between two triangles, by places: seams of a grid hold each place twice.
+function edgesOf(points, triangles) {
+  const places = new Map(), at = points.map((p) => { const key = p.map((x) => x.toFixed(9)).join(); if (!places.has(key)) places.set(key, places.size); return places.get(key); });
+  const open = new Map(), edges = [];
+  for (let i = 0; i < triangles.length; i += 3) for (let k = 0; k < 3; k++) {
+    const a = triangles[i + k], b = triangles[i + ((k + 1) % 3)], key = at[a] < at[b] ? `${at[a]} ${at[b]}` : `${at[b]} ${at[a]}`;
+    if (open.has(key)) edges.push([a, b, open.get(key), i]); else open.set(key, i);
+  }
+  return edges;
+}
+// The edges where the body turns away from the eye, and so ends for it: pairs of vertices.
+function silhouette(mesh, clip_from_object) {
+  const [X, Y, , W] = clip_from_object, { triangles } = mesh, seen = mesh.points.map(([x, y, z]) => {
+    const w = W[0] * x + W[1] * y + W[2] * z + W[3];
+    return [(X[0] * x + X[1] * y + X[2] * z + X[3]) / w, (Y[0] * x + Y[1] * y + Y[2] * z + Y[3]) / w];
+  });
+  const areas = new Float64Array(triangles.length);
+  for (let i = 0; i < triangles.length; i += 3) {
+    const a = seen[triangles[i]], b = seen[triangles[i + 1]], c = seen[triangles[i + 2]];
+    areas[i] = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+  return mesh.edges.flatMap(([a, b, first, second]) => (areas[first] > 0 !== areas[second] > 0 ? [a, b] : []));
+}
 const built = {};
 function meshOf(shape) {
   if (!built[shape]) {
     const mesh = MESHES[shape](), triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3));
-    built[shape] = { ...mesh, shape, points: triples(mesh.positions), directions: triples(mesh.normals) };
+    const points = triples(mesh.positions);
+    built[shape] = { ...mesh, shape, points, directions: triples(mesh.normals), edges: edgesOf(points, mesh.triangles) };
   }
   return built[shape];
 }

@@ -4,13 +4,14 @@ const CHECK = "M5 12.5 L10 17.5 L19.5 7", CROSS = "M6.5 6.5 L17.5 17.5 M17.5 6.5
 const badge = (kind) => `<svg viewBox="0 0 24 24" aria-hidden="true">${kind === "right" ? '<circle cx="12" cy="12" r="12"/>' : '<rect width="24" height="24" rx="4"/>'}<path d="${kind === "right" ? CHECK : CROSS}"/></svg>`;
 
 // --- Stories: each sets a few things and shows the sliders that belong to it -----------------------------
-const PLAIN = { sx: 1, sy: 1, sz: 1, mx: 0, my: 0, mz: 0, rx: 0, ry: 0, rz: 0, hxy: 0, hxz: 0, hyz: 0, rule: "none", shape: "egg", yaw: 0, tilt: 0 };
+const PLAIN = { sx: 1, sy: 1, sz: 1, mx: 0, my: 0, mz: 0, rx: 0, ry: 0, rz: 0, hxy: 0, hxz: 0, hyz: 0, rule: "none", shape: "egg", yaw: 0, tilt: 0,
+  lx: data.start.lx, ly: data.start.ly, lz: data.start.lz };
 const STORIES = {
   stretch: { name: "Stretch", set: { sy: 2 }, group: "scale" },
-  mirror: { name: "Mirror", set: { mx: 1, rule: "cofactor", shape: "R" }, group: "mirror" },
+  mirror: { name: "Mirror", set: { mx: 1, rule: "cofactor", shape: "R", lx: -0.55, ly: -0.6, lz: -1 }, group: "mirror" },
   flatten: { name: "Flatten", set: { sy: 0, tilt: 16 }, group: "scale" },
   shear: { name: "Shear", set: { hxy: 1 }, group: "shear" },
-  stuck: { name: "Stuck light", set: { ry: 60, rule: STUCK, shape: "R" }, group: "turn" },
+  stuck: { name: "Stuck light", set: { ry: 60, rule: STUCK, shape: "R", lx: -1, ly: -0.6, lz: 0.3 }, group: "turn" },
   turn: { name: "Only turn: proves nothing", set: { rz: 30, shape: "R" }, group: "turn" },
   even: { name: "Even scale: proves nothing", set: { sx: 1.5, sy: 1.5, sz: 1.5, shape: "torus", tilt: 12 }, group: "even" },
 };
@@ -109,7 +110,6 @@ function buildChoices() {
   buttons("stories", "story", Object.fromEntries(Object.entries(STORIES).map(([key, one]) => [key, one.name])));
   buttons("mode", "mode", { arrows: "arrows", heat: "heat", plain: "plain" }, (text) => `show ${text}`);
   buttons("layout", "layout", { pair: "two views", divider: "one view, divided" });
-  buttons("theme", "theme", { light: "light", dark: "dark" }, (text) => `${text} colours`);
   for (const [key, words] of [["shape", BODY_NAMES], ["rule", MISTAKES]]) {
     byId(key).innerHTML = Object.entries(words).map(([value, text]) => `<option value="${value}">${text}</option>`).join("");
     byId(key).addEventListener("change", (event) => { state[key] = event.target.value; changed(null); });
@@ -124,8 +124,7 @@ function buildChoices() {
   }
 }
 function choose(key, value) {
-  if (key === "theme") document.documentElement.dataset.theme = value;
-  else if (key === "story") {
+  if (key === "story") {
     const kept = Object.fromEntries(Object.keys(PLAIN).map((one) => [one, storyStart(value)[one]]));
     state = { ...state, ...kept, story: value }; open.clear();
   } else state[key] = value;
@@ -135,8 +134,8 @@ function fill(except) {
   for (const input of document.querySelectorAll("input[data-keys]")) if (input !== except) input.value = state[input.dataset.keys.split(" ")[0]];
   for (const [key] of GROUPS.mirror.switches) byId(key).setAttribute("aria-pressed", String(Boolean(state[key])));
   for (const key of ["shape", "rule"]) byId(key).value = state[key];
-  const chosen = { ...state, theme: themeNow() };
-  for (const key of ["story", "mode", "layout", "space", "theme"]) for (const button of document.querySelectorAll(`button[data-${key}]`)) button.setAttribute("aria-pressed", String(button.dataset[key] === chosen[key]));
+  byId("theme").setAttribute("aria-pressed", String(themeNow() === "dark"));
+  for (const key of ["story", "mode", "layout", "space"]) for (const button of document.querySelectorAll(`button[data-${key}]`)) button.setAttribute("aria-pressed", String(button.dataset[key] === state[key]));
   for (const name of Object.keys(GROUPS)) {
     const isOwn = STORIES[state.story].group === name;
     byId(`group-${name}`).hidden = !isOwn && !open.has(name);
@@ -159,11 +158,11 @@ function themeNow() {
 function matrixTable(name, label, A, kind, other) {
   const rowsOf = A.map((row, i) => `<tr>${row.map((x, j) => {
     const isZero = x instanceof Fraction ? x.isZero : x === 0, differs = other && String(other[i][j]) !== String(x);
-    return `<td class="${differs ? kind : isZero ? "zero" : ""}">${x instanceof Fraction ? fractionText(x) : figure(x)}</td>`;
+    return `<td class="${differs ? kind : isZero ? "zero" : ""}">${x instanceof Fraction ? fractionText(x) : figure(x, 4)}</td>`;
   }).join("")}</tr>`).join("");
   return `<div class="matrix"><span>${name}</span><table aria-label="${label}"><tbody>${rowsOf}</tbody></table></div>`;
 }
-const fractionText = (x) => (String(x).length > 11 ? figure(Number(x.top) / Number(x.bottom)) : String(x));
+const fractionText = (x) => (String(x).length > 11 ? figure(Number(x.top) / Number(x.bottom), 4) : String(x));
 function matricesHtml(s, found) {
   const exact = exactLinear(s), rule = s.rule === STUCK ? "none" : s.rule;
   const of = (name) => (exact ? exactRule(name, exact) : name === "exact" ? found.N : name === "not-transposed" && found.isFlat ? null : ruleMatrix(name, found.A, found.isFlat));
@@ -176,7 +175,7 @@ function matricesHtml(s, found) {
   }
   if (N) parts.push(matrixTable(SYMBOLS.exact, "A⁻ᵀ, the inverse transpose", N, "right", isTold && W));
   else { parts.push(goneHtml(SYMBOLS.exact)); if (rule !== "cofactor") parts.push(matrixTable("C", "C, the cofactors", right, "right", isTold && W)); }
-  const note = exact ? "" : `<p class="note-small">Decimals, since sines and cosines of these angles are no fractions.</p>`;
+  const note = exact ? "" : `<p class="note-small">Decimals to four digits: sines of these angles are no fractions.</p>`;
   return `<div class="matrices">${parts.join("")}</div><p class="note-small">det A = ${exact ? detText(exact, found) : figure(found.det)}</p>${note}`;
 }
 const detText = (exact, found) => { const C = exactCofactor(exact); return fractionText(exact[0].reduce((sum, x, i) => sum.plus(x.times(C[0][i])), new Fraction(0n))); };
@@ -199,23 +198,25 @@ const commands = (s, found) => ({
 });
 function glsl() { const pair = shadersOf(state.space, meaningNow()); return `${pair.vertex}// ---- fragment shader ----\n${pair.fragment}`; }
 
+const put = (id, html) => { const at = byId(id); if (at.told !== html) at.innerHTML = at.told = html; };  // what stays is not laid out again
 function writeWords(s, found) {
   const { title, number } = numberWords(s, found), names = tags(s, found), isStuck = s.rule === STUCK;
-  byId("sentence").innerHTML = sentence(s, found);
-  byId("number-title").textContent = title; byId("number").textContent = number;
+  put("sentence", sentence(s, found));
+  put("number-title", title); put("number", number);
   const top = isStuck ? found.brightness : found.largest;
   byId("bar").hidden = !top; byId("bar-top").textContent = isStuck ? `${Math.round(100 * top)} %` : degreesText(top || 0); byId("bar-low").textContent = isStuck ? "0 %" : "0°";
   byId("map-title").textContent = isStuck ? (top ? "brightness is off by" : "brightness is right everywhere") : found.largest === null ? "no angle to show" : top ? "angle to the true normal" : "0° everywhere";
   for (const tag of document.querySelectorAll(".tag")) {
     const side = tag.dataset.side, kind = side === "wrong" && !found.isSame ? "wrong" : "right";
-    tag.className = `tag ${kind}`; tag.innerHTML = `${badge(kind)}<span>${names[side]}</span>`;
+    const html = `${badge(kind)}<span>${names[side]}</span>`;
+    if (tag.told !== html) { tag.className = `tag ${kind}`; tag.innerHTML = tag.told = html; }
   }
   byId("same").hidden = !found.isSame;
-  byId("matrices").innerHTML = matricesHtml(s, found);
-  for (const [id, text] of Object.entries(commands(s, found))) byId(id).textContent = text;
-  byId("shader").textContent = glsl();
-  byId("shader-title").textContent = `The shader of ${s.space} space`;
-  byId("journey").innerHTML = journey(s, found).map(rowOf).join("");
+  put("matrices", matricesHtml(s, found));
+  for (const [id, text] of Object.entries(commands(s, found))) put(id, text.replace(/</g, "&lt;"));
+  put("shader", glsl().replace(/&/g, "&amp;").replace(/</g, "&lt;"));
+  put("shader-title", `The shader of ${s.space} space`);
+  put("journey", journey(s, found).map(rowOf).join(""));
   const plain = byId("sentence").textContent;
   for (const [id, words] of [["wrong", `The ${BODY_NAMES[s.shape]} by the mistake, ${MISTAKES[s.rule]}.`], ["right", `The ${BODY_NAMES[s.shape]} as it should be.`], ["both", `The ${BODY_NAMES[s.shape]}: the mistake at the left of the divider, right at its right.`]]) byId(id).setAttribute("aria-label", `${words} Arrow keys turn the view. ${plain}`);
   byId("map").setAttribute("aria-label", `Map of the error over the surface, from 0 to ${byId("bar-top").textContent}.`);
@@ -227,13 +228,13 @@ function writeWords(s, found) {
 }
 
 // --- Drawing, on demand alone ------------------------------------------------------------------------------------------
-const painter = new Painter(true);
-let drawnArrows = {}, framesDrawn = 0, isScheduled = false, later = 0;
+const painter = new Painter();
+let drawnArrows = {}, framesDrawn = 0, isScheduled = false, isMoving = false, later = 0;
 const isDivided = () => narrow.matches || state.layout === "divider";
 let known = { key: "" };
 function meaningNow() {
   const { yaw, tilt, v, cut, mode, layout, ...rest } = state, key = JSON.stringify(rest);
-  const story = storyStart(state.story), first = worldMatrix({ ...state, ...Object.fromEntries(Object.keys(PLAIN).filter((k) => /^[smrh]/.test(k) && typeof PLAIN[k] === "number").map((k) => [k, story[k]])) }, data.translate);
+  const story = storyStart(state.story), first = worldMatrix({ ...state, ...Object.fromEntries(Object.keys(PLAIN).filter((k) => /^[smrh][xyz]/.test(k) && typeof PLAIN[k] === "number").map((k) => [k, story[k]])) }, data.translate);
   if (known.key !== key) {
     const found = meaning(state, radius(meshOf(state.shape), first));
     known = { key, found: Object.assign(found, { radii: radiiOf(found), brightness: state.rule === STUCK ? brightnessError(found) : 0 }) };
@@ -243,14 +244,19 @@ function meaningNow() {
   if (["camera", "light"].includes(state.space)) { found.S = spaceFromWorld(state.space, found); }
   return found;
 }
+// While a hand moves, a pixel is drawn once; where it rests, as four.
+function paint(pen, body) {
+  const samples = isMoving ? 1 : 2;
+  painter.picture({ ...body, size: pen.size, samples, ink: rgb(pen.palette.ink), outline: 2 * pen.k * samples });
+  painter.copyTo(pen.context, pen.size, samples);
+}
 function drawSide(pen, s, side, found, tacks) {
   pen.clear();
   if (s.rule === STUCK && s.story === "stuck" && found.rank === 3) drawTurntable(pen, s, found);
   const body = s.mode === "heat" ? mapOf(s, side, found) : bodyOf(s, side, found);
   if (!body) { pen.hatch(["1 / 0", "no answer"]); return; }
   if (painter.gl && found.rank > 1) {
-    painter.picture({ ...body, size: pen.size, ink: rgb(pen.palette.ink), outline: 1.6 * pen.k });
-    painter.copyTo(pen.context, pen.size);
+    paint(pen, body);
   } else if (found.rank < 2) drawLine(pen, found);
   if (s.mode === "arrows") drawnArrows[side] = drawTacks(pen, s, side, found, tacks);
   if (s.mode !== "heat" || s.rule === STUCK) drawLight(pen, s, side, found);
@@ -287,7 +293,7 @@ function drawMap(s, found) {
   const size = sizeOf(canvas), pen = new Pen(canvas, size, themeNow()), body = mapOf(s, "wrong", found);
   pen.clear();
   if (!body || found.largest === null) { pen.hatch(["—", "no answer"]); return; }
-  if (painter.gl && found.rank > 1) { painter.picture({ ...body, size, ink: rgb(pen.palette.ink), outline: 1.6 * pen.k }); painter.copyTo(pen.context, size); }
+  if (painter.gl && found.rank > 1) paint(pen, body);
 }
 function drawPlaces() {
   const found = meaningNow();
@@ -299,10 +305,12 @@ function draw() {
   document.body.classList.toggle("divided", isDivided());
   drawViews(state, found); drawMap(state, found); writeWords(state, found);
   framesDrawn += 1;
-  clearTimeout(later); later = setTimeout(drawPlaces, 120);  // small stages follow when the hand rests
+  clearTimeout(later);
+  if (isMoving) later = setTimeout(settle, 160);
 }
-function schedule() { if (!isScheduled) { isScheduled = true; requestAnimationFrame(draw); } }
-function drawNow() { fill(null); draw(); clearTimeout(later); drawPlaces(); }
+function settle() { isMoving = false; draw(); drawPlaces(); }  // the small stages follow when the hand rests
+function schedule() { isMoving = true; if (!isScheduled) { isScheduled = true; requestAnimationFrame(draw); } }
+function drawNow() { fill(null); settle(); }
 
 // --- Hands: drag, touch and keys ------------------------------------------------------------------------------------------
 const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -348,6 +356,7 @@ function connect() {
   byId("copy-glsl").addEventListener("click", () => copy(glsl(), "GLSL"));
   byId("copy-link").addEventListener("click", () => { writeHash(); copy(location.href, "link"); });
   byId("reset").addEventListener("click", () => { state = { ...START }; open.clear(); changed(null); });
+  byId("theme").addEventListener("click", () => { document.documentElement.dataset.theme = themeNow() === "dark" ? "light" : "dark"; drawNow(); });
   byId("print").addEventListener("click", () => window.print());
   addEventListener("hashchange", () => { readHash(); drawNow(); });
   addEventListener("beforeprint", () => { isPrinting = true; drawNow(); });

@@ -4,11 +4,11 @@ const PLACES = {
   object: "the shape is plain; light and eye are carried here by M⁻¹",
   world: "everything stands where you put it",
   camera: "the eye is the origin and looks down −z",
-  light: "the origin is at the light, which shines down −z",
+  light: data.has_position ? "the lamp is the origin and looks down −z" : "the light shines down −z",
   static: "M is baked into every vertex; no M is left",
   custom: "carried by any matrix S that you give",
 };
-const OBSERVER = [0.5, 0.42, 1], LETTERS = ["x", "y", "z"];
+const OBSERVER = [-0.62, 0.42, 0.9], LETTERS = ["x", "y", "z"];
 
 // The four corners of what the eye sees, at a distance, in camera space.
 function frustumCorners(distance) {
@@ -20,13 +20,13 @@ function standing(s, found) {
   const R = found.reach, middle = point(found.M, [0, 0, 0]), back = inverse4(found.camera), floor = Math.min(...found.mesh.points.map((p) => point(found.M, p)[1]));
   const away = length(minus(found.eye, data.target)), grid = [];
   for (let i = -2; i <= 2; i++) for (const along of [0, 1]) {
-    const at = (a) => plus(middle, along ? [(a * R) / 1.6, 0, (i * R) / 1.6] : [(i * R) / 1.6, 0, (a * R) / 1.6]).map((x, k) => (k === 1 ? floor : x));
+    const at = (a) => plus(middle, along ? [(a * R) / 1.8, 0, (i * R) / 1.8] : [(i * R) / 1.8, 0, (a * R) / 1.8]).map((x, k) => (k === 1 ? floor : x));
     grid.push([at(-2), at(2)]);
   }
   const towards = data.has_direction ? unit(found.light.map((x) => -x)) : null;
   return {
     grid, eye: found.eye, target: data.target, corners: frustumCorners(away).map((p) => point(back, p)),
-    sun: towards && plus(middle, towards, 2.1 * R), sunTip: towards && plus(middle, towards, 1.2 * R), lamp: found.lamp,
+    sun: towards && plus(middle, towards, 2.4 * R), sunTip: towards && plus(middle, towards, 1.4 * R), lamp: found.lamp,
     vertex: point(found.M, found.mesh.points[vertexNumber(s, found)]),
   };
 }
@@ -46,7 +46,7 @@ function drawPlace(canvas, size, s, found, space) {
   const there = standing(s, found), carry = (p) => point(S, p), reach = 0.9 * length(minus(found.eye, data.target)) ** 0.5;
   const axes = [0, 1, 2].map((i) => identity3[i].map((x) => x * reach)), body = found.mesh.points.filter((_, i) => i % 9 === 0).map((p) => carry(point(found.M, p)));
   const lights = [there.sun, there.lamp].filter(Boolean).map(carry);
-  const view = observed([[0, 0, 0], ...axes.map((p) => p.map((x) => 1.15 * x)), ...body, carry(there.eye), ...there.corners.map(carry), ...lights]);
+  const view = observed([[0, 0, 0], ...axes.map((p) => p.map((x) => 1.15 * x)), ...body, carry(there.eye), ...there.corners.map(carry), ...there.grid.flat().map(carry), ...lights]);
   const at = (p) => { const q = point(view, p); return [((q[0] + 1) / 2) * size, ((1 - q[1]) / 2) * size]; }, from = (p) => at(carry(p));
   const { ink, grid, eye, soft } = pen.palette;
   for (const line of there.grid) pen.line(line.map(from), grid, 1.4);
@@ -60,10 +60,10 @@ function drawPlace(canvas, size, s, found, space) {
   if (painter.gl && found.rank > 1) {
     const inSpace = { ...found, S }, isBaked = space === "static";
     painter.picture({
-      size, ink: rgb(ink), mesh: isBaked ? baked(found.mesh, found.M, found.right) : found.mesh, key: isBaked ? "baked" : undefined,
-      pair: shadersOf(space, found), uniforms: uniformsFor(s, space, "right", inSpace, times(view, S)), isFlat: found.isFlat, outline: 1.2 * pen.k,
+      size, samples: 2, ink: rgb(ink), mesh: isBaked ? baked(found.mesh, found.M, found.right) : found.mesh, key: isBaked ? "baked" : undefined,
+      pair: shadersOf(space, found), uniforms: uniformsFor(s, space, "right", inSpace, times(view, S)), isFlat: found.isFlat, outline: 3.2 * pen.k, viewed: times(times(view, S), found.M),
     });
-    painter.copyTo(pen.context, size);
+    painter.copyTo(pen.context, size, 2);
   }
   if (space === "static") for (let i = 0; i < found.mesh.points.length; i += 37) {
     const p = point(found.M, found.mesh.points[i]), n = apply(found.right, found.mesh.directions[i]);

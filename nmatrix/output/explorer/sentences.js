@@ -95,6 +95,6 @@ function numberWords(s, found) {
 }
 function tags(s, found) {
   const right = found.isFlat && s.space !== "object" ? "C <i>n</i>" : s.space === "object" ? "<i>n</i>" : `${SYMBOLS.exact} <i>n</i>`;
-  if (s.rule === STUCK) return { wrong: "light stuck", right: "light in the world" };
+  if (s.rule === STUCK) return { wrong: "light stuck", right: "light fixed" };
   return { wrong: s.space === "object" ? "<i>n</i>" : `${SYMBOLS[s.rule]} <i>n</i>`, right };
 }

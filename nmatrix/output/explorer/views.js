@@ -4,16 +4,17 @@ const SETTERS = { mat4: "uniformMatrix4fv", mat3: "uniformMatrix3fv", vec3: "uni
 const flat = (A) => transpose(A).flat();
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 const HEAD = "#version 300 es\nprecision highp float;\n";
-// An outline is the body's own silhouette, drawn in ink around it in eight directions.
+// Lines in ink, where the body ends for the eye and along its creases; four copies make them thick.
 const INK = {
-  vertex: `${HEAD}uniform mat4 clip_from_object; uniform vec2 reach; in vec3 vertex_position;
+  vertex: `${HEAD}uniform mat4 clip_from_object; uniform vec2 reach; uniform float nearer; in vec3 vertex_position;
 void main() {
     gl_Position = clip_from_object * vec4(vertex_position, 1.0);
-    float a = 0.785398163 * float(gl_InstanceID);
+    float a = 1.57079633 * float(gl_InstanceID) + 0.785398163;
     gl_Position.xy += reach * vec2(cos(a), sin(a)) * gl_Position.w;
+    gl_Position.z -= nearer * gl_Position.w;  // lines lie on what they outline
 }`,
   fragment: `${HEAD}uniform vec3 ink; out vec4 color; void main() { color = vec4(ink, 1.0); }`,
-  uniforms: [["clip_from_object", "mat4"], ["reach", "vec2"], ["ink", "vec3"]],
+  uniforms: [["clip_from_object", "mat4"], ["reach", "vec2"], ["nearer", "float"], ["ink", "vec3"]],
 };
 // The map: an angle between two normals, or what two lights differ by, as a share of `whole`.
 const MAP = {
@@ -41,9 +42,9 @@ void main() {
 };
 
 class Painter {
-  constructor(antialias) {
+  constructor() {
     this.canvas = document.createElement("canvas");
-    this.gl = this.canvas.getContext("webgl2", { antialias, alpha: true, preserveDrawingBuffer: true });
+    this.gl = this.canvas.getContext("webgl2", { antialias: false, alpha: true });
     this.programs = new Map(); this.meshes = new Map(); this.errors = [];
   }
   program(pair) {
@@ -66,9 +67,9 @@ class Painter {
   send(mesh, key = mesh.shape) {
     const gl = this.gl, old = this.meshes.get(key);
     if (old && old.mesh === mesh) return old;
-    const sent = old || { buffers: [0, 1, 2, 3].map(() => gl.createBuffer()) };
+    const sent = old || { buffers: [0, 1, 2, 3].map(() => gl.createBuffer()) };  // the last holds lines
     sent.mesh = mesh;
-    [[gl.ARRAY_BUFFER, Float32Array, mesh.positions], [gl.ARRAY_BUFFER, Float32Array, mesh.normals], [gl.ELEMENT_ARRAY_BUFFER, Uint16Array, mesh.triangles], [gl.ELEMENT_ARRAY_BUFFER, Uint16Array, mesh.creases]]
+    [[gl.ARRAY_BUFFER, Float32Array, mesh.positions], [gl.ARRAY_BUFFER, Float32Array, mesh.normals], [gl.ELEMENT_ARRAY_BUFFER, Uint16Array, mesh.triangles]]
       .forEach(([kind, type, values], i) => { gl.bindBuffer(kind, sent.buffers[i]); gl.bufferData(kind, new type(values), gl.DYNAMIC_DRAW); });
     this.meshes.set(key, sent);
     return sent;
@@ -81,37 +82,44 @@ class Painter {
       else gl[SETTERS[kind]](at, uniforms[name]);
     }
   }
-  // A size in pixels, the colours' theme, the body's shaders, and whether it is one flat sheet. Such
-  // a sheet has both its sides in one place: only those that are turned to the eye are drawn, with
+  // A body in its shaders. One that is a flat sheet has both its sides in one place: only those that are turned to the eye are drawn, with
   // nothing behind to hide.
-  picture({ size, ink, mesh, key, pair, uniforms, isFlat, outline }) {
-    const gl = this.gl;
-    if (this.canvas.width < size || this.canvas.height < size) { this.canvas.width = this.canvas.height = size; }
-    gl.viewport(0, 0, size, size); gl.disable(gl.SCISSOR_TEST);
+  picture({ size, samples = 1, ink, mesh, key, pair, uniforms, isFlat, outline = 0, nearer = 0.01, viewed = uniforms.clip_from_object }) {
+    const gl = this.gl, side = size * samples;
+    if (this.canvas.width < side) this.canvas.width = this.canvas.height = side;
+    gl.viewport(0, 0, side, side); gl.enable(gl.SCISSOR_TEST); gl.scissor(0, 0, side, side);
     gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const { buffers } = this.send(mesh, key), reach = outline ? (2 * outline) / size : 0;
+    const { buffers } = this.send(mesh, key), reach = (0.5 * outline) / size;
     for (const place of [0, 1]) {
       gl.bindBuffer(gl.ARRAY_BUFFER, buffers[place]);
       gl.enableVertexAttribArray(place); gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
     }
-    const drawInk = (kind, buffer, count, reached, copies) => {
-      this.use(INK, { clip_from_object: uniforms.clip_from_object, reach: [reached, reached], ink });
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers[buffer]);
-      gl.drawElementsInstanced(kind, count, gl.UNSIGNED_SHORT, 0, copies);
-    };
-    gl.disable(gl.CULL_FACE); gl.disable(gl.DEPTH_TEST); gl.disable(gl.POLYGON_OFFSET_FILL);
-    if (outline) drawInk(gl.TRIANGLES, 2, mesh.triangles.length, reach, 8);
     (isFlat ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
     (isFlat ? gl.disable : gl.enable).call(gl, gl.DEPTH_TEST);
-    if (mesh.creases.length) { gl.enable(gl.POLYGON_OFFSET_FILL); gl.polygonOffset(1, 2); }
     this.use(pair, uniforms);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers[2]);
     gl.drawElements(gl.TRIANGLES, mesh.triangles.length, gl.UNSIGNED_SHORT, 0);
-    if (outline && mesh.creases.length) drawInk(gl.LINES, 3, mesh.creases.length, 0, 1);
+    if (outline) {
+      const lines = new Uint16Array([...mesh.creases, ...silhouette(mesh, viewed)]);
+      this.use(INK, { clip_from_object: uniforms.clip_from_object, reach: [reach, reach], nearer, ink });
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers[3]); gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, lines, gl.STREAM_DRAW);
+      gl.drawElementsInstanced(gl.LINES, lines.length, gl.UNSIGNED_SHORT, 0, 4);
+    }
     const error = gl.getError();
     if (error) this.errors.push("GL error " + error);
   }
-  copyTo(context, size) { context.drawImage(this.canvas, 0, this.canvas.height - size, size, size, 0, 0, size, size); }
+  // The pixels go by way of memory: a drawing that takes them from WebGL itself is slow ever after.
+  // Edges are smooth where a pixel is drawn as several, and their mean is taken here.
+  copyTo(context, size, samples = 1) {
+    const gl = this.gl, side = size * samples, read = (this.read ??= document.createElement("canvas"));
+    if (read.width !== side) {
+      read.width = read.height = side;
+      this.pixels = new ImageData(side, side); this.reader = read.getContext("2d", { willReadFrequently: true });
+    }
+    gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(this.pixels.data.buffer));
+    this.reader.putImageData(this.pixels, 0, 0);
+    context.save(); context.scale(1, -1); context.imageSmoothingQuality = "high"; context.drawImage(read, 0, -size, size, size); context.restore();  // WebGL counts rows from below
+  }
 }
 
 // --- What the shaders are given -----------------------------------------------------------------------
@@ -132,6 +140,12 @@ function uniformsFor(s, space, side, found, viewed) {
     normal_world_from_space: transpose(B),
   };
 }
+// The depth, on the screen, between the body's middle and a point that is nearer by an 80th.
+function creaseDepth(found) {
+  const depth = (p) => { const [, , z, w] = apply(times(data.webgl_from_clip, found.clip_from_world), [...p, 1]); return z / w; };
+  const middle = point(found.M, [0, 0, 0]), gap = Math.abs(depth(middle) - depth(plus(middle, minus(found.eye, middle), 0.012)));
+  return Number.isFinite(gap) ? gap : 0;
+}
 // On grey paper the surface keeps its lightness and gives up its colour.
 function constants() {
   if (themeNow() !== "print") return data.constants;
@@ -147,7 +161,7 @@ function bodyOf(s, side, found) {
   if (!found.S || (side === "wrong" && !found.wrong) || (side === "wrong" && s.rule === STUCK && !(found.stuckLight || found.stuckLamp))) return null;
   const uniforms = uniformsFor(s, s.space, side, found, times(data.webgl_from_clip, found.clip_from_world));
   const isBaked = s.space === "static";
-  return { mesh: isBaked ? baked(found.mesh, found.M, side === "wrong" ? found.wrong : found.right) : found.mesh, key: isBaked ? "baked" : undefined, pair: shadersOf(s.space, found), uniforms, isFlat: found.isFlat };
+  return { mesh: isBaked ? baked(found.mesh, found.M, side === "wrong" ? found.wrong : found.right) : found.mesh, key: isBaked ? "baked" : undefined, pair: shadersOf(s.space, found), uniforms, isFlat: found.isFlat, nearer: creaseDepth(found), viewed: times(times(data.webgl_from_clip, found.clip_from_world), found.M) };
 }
 function mapOf(s, side, found) {
   const W = side === "wrong" ? found.wrong : found.right, isStuck = s.rule === STUCK;
@@ -160,5 +174,5 @@ function mapOf(s, side, found) {
     wrong: scaled(W, 1 / (norm(W) || 1)), right: scaled(found.right, 1 / (norm(found.right) || 1)), whole, two_sided: Number(found.isFlat),
     of_light: Number(isStuck), is_near: near, light, stuck_light: (isStuck && side === "wrong" && stuck) || light,
   };
-  return { mesh: found.mesh, pair: MAP, uniforms, isFlat: found.isFlat };
+  return { mesh: found.mesh, pair: MAP, uniforms, isFlat: found.isFlat, nearer: creaseDepth(found) };
 }
