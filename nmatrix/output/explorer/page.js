@@ -43,14 +43,15 @@ function readHash() {
     if (Object.hasOwn(CHOICES, key) && CHOICES[key].includes(value)) state[key] = value;
   }
 }
+let isUnwritten = false, written = 0;
 function writeHash() {
+  isUnwritten = false;
   const changed = Object.keys(state).filter((key) => state[key] !== START[key]);
   history.replaceState(null, "", "#" + changed.map((key) => `${key}=${state[key]}`).join("&"));
 }
-let written = 0;
 function changed(input) {
   fill(input); schedule();
-  clearTimeout(written); written = setTimeout(writeHash, input === undefined ? 150 : 0);  // browsers allow few changes a second
+  isUnwritten = true; clearTimeout(written); written = setTimeout(writeHash, input === undefined ? 150 : 0);  // browsers allow few changes a second
 }
 
 // --- Sliders, buttons, choices ---------------------------------------------------------------------------------
@@ -185,16 +186,16 @@ const given = (option, values, usual) => (values.every((x, i) => x === usual[i])
 function worldWords(s) {
   return [given("scale", scaleOf(s), [1, 1, 1]), given("rotate", [s.rx, s.ry, s.rz], [0, 0, 0]), given("shear", [s.hxy, s.hxz, s.hyz], [0, 0, 0]), given("translate", data.translate, [0, 0, 0])];
 }
-function sceneWords(s, found) {
-  const camera = data.looks ? [given("eye", found.eye, [0, 0, 5]), data.options.camera] : [`--view-matrix "${found.camera.map((row) => row.join(" ")).join("; ")}"`];
-  return [...worldWords(s), ...camera, data.options.lens, data.has_direction ? given("light-direction", found.light, data.has_position ? [] : [-1, -1, -1]) || (data.has_position ? `--light-direction ${found.light.join(" ")}` : "") : "",
-    found.lamp ? `--light-position ${found.lamp.join(" ")}` : "", s.space === "custom" ? data.options.space : ""];
+const cameraWords = (s, found) => (data.looks ? [given("eye", found.eye, [0, 0, 5]), data.options.camera] : [`--view-matrix "${found.camera.map((row) => row.join(" ")).join("; ")}"`]).concat(data.options.lens);
+function lightWords(found) {
+  const usual = data.has_position ? [NaN, NaN, NaN] : [-1, -1, -1];  // beside a lamp it is always told
+  return [data.has_direction ? given("light-direction", found.light, usual) : "", found.lamp ? `--light-position ${found.lamp.join(" ")}` : ""];
 }
 const spoken = (words) => words.filter(Boolean).join(" ");
 const commands = (s, found) => ({
   command: spoken(["nmatrix world", ...worldWords(s)]),
-  "shader-command": spoken([`nmatrix space ${s.space} --reflection lambert -f glsl`, ...sceneWords(s, found)]),
-  "trace-command": spoken([`nmatrix trace --point ${found.mesh.points[vertexNumber(s, found)].join(" ")}`, ...sceneWords({ ...s, space: "world" }, found)]),
+  "shader-command": spoken([`nmatrix space ${s.space} --reflection lambert -f glsl`, ...worldWords(s), ...cameraWords(s, found), ...lightWords(found), s.space === "custom" ? data.options.space : ""]),
+  "trace-command": spoken([`nmatrix trace --point ${found.mesh.points[vertexNumber(s, found)].join(" ")}`, ...worldWords(s), ...cameraWords(s, found)]),
 });
 function glsl() { const pair = shadersOf(state.space, meaningNow()); return `${pair.vertex}// ---- fragment shader ----\n${pair.fragment}`; }
 
@@ -362,7 +363,8 @@ function connect() {
   addEventListener("beforeprint", () => { isPrinting = true; drawNow(); });
   addEventListener("afterprint", () => { isPrinting = false; drawNow(); });
   for (const media of [darkScheme, onPaper, narrow]) media.addEventListener("change", drawNow);
-  new ResizeObserver(schedule).observe(byId("views"));
+  let width = byId("views").clientWidth;
+  new ResizeObserver(() => { if (byId("views").clientWidth !== width) { width = byId("views").clientWidth; schedule(); } }).observe(byId("views"));
 }
 async function copy(text, what) {
   try { await navigator.clipboard.writeText(text); byId("said").textContent = `The ${what} is copied.`; }
