@@ -1,4 +1,4 @@
-"""`nmatrix explore`: one page with sliders."""
+"""`nmatrix explore`: one page to turn and drag."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The explorer's numbers are Python's, its pictures the rasterizer's, its commands its own state."""
+"""The explorer's numbers are Python's, its pictures the rasterizer's, its commands true."""
 
 from __future__ import annotations
 
@@ -271,8 +271,11 @@ def test_each_space_is_nmatrixs(calm) -> None:
     for one in drawn_states(6):
         numbers = told(calm, written(one))
         given = replace(
-            SETUP, world=world_of(one), view=View(eye=tuple(numbers["eye"])), space_matrix=OTHER_SPACE
-        )  # fmt: skip
+            SETUP,
+            world=world_of(one),
+            view=View(eye=tuple(numbers["eye"])),
+            space_matrix=OTHER_SPACE,
+        )
         for space in Space:
             theirs = np.array(to_floats(given.maps.space_from_world(space).exact))
             assert np.allclose(numbers["spaces"][space], theirs, atol=1e-12, rtol=1e-12), space
@@ -348,8 +351,8 @@ def test_a_singular_matrix_is_named_and_never_nan(calm) -> None:
 def test_numbers_work_without_webgl(browser, file) -> None:
     context = browser.new_context()
     context.add_init_script(
-        "const old = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext"
-        " = function (kind, ...more) { return kind === 'webgl2' ? null : old.call(this, kind, ...more); }"
+        "const made = HTMLCanvasElement.prototype, old = made.getContext; made.getContext = function"
+        " (kind, ...more) { return kind === 'webgl2' ? null : old.call(this, kind, ...more) }"
     )
     found = context.new_page()
     found.goto(f"file://{file}")

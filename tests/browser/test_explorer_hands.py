@@ -81,7 +81,9 @@ def test_each_story_keeps_what_its_name_claims(opened, file) -> None:
         assert seen["errors"] == []
         same = seen["isSame"]
         assert found.locator("#same").is_visible() is same
-        badges = found.locator(".view:visible .tag").evaluate_all("all => all.map(e => e.className)")
+        badges = found.locator(".view:visible .tag").evaluate_all(
+            "all => all.map(e => e.className)"
+        )
         assert badges == ["tag right" if same else "tag wrong", "tag right"]
         if same:
             assert found.locator("#number").text_content() == "0°"
@@ -91,7 +93,8 @@ def test_each_story_keeps_what_its_name_claims(opened, file) -> None:
 def test_a_mirror_is_seen_on_the_letter(opened, file) -> None:
     found = opened(file, "#sy=1&shape=R&yaw=0")
     script = """() => { const m = meaningNow();
-        return [[-0.45, 0.6], [0.45, 0.4]].map(p => onStage(m, point(m.M, [...p, 0.24]), 1)[0]); }"""
+        const front = p => onStage(m, point(m.M, [...p, 0.24]), 1);
+        return [[-0.45, 0.6], [0.45, 0.4]].map(p => front(p)[0]); }"""
     stem, bowl = found.evaluate(script)
     assert stem < bowl
     found.locator("#more-mirror").click()
@@ -105,8 +108,9 @@ def test_arrows_stand_on_the_surface_and_end_where_their_tip_is_projected(opened
     found = opened(file, f"#{story}")
     seen = state(found)
     ends = found.evaluate(
-        """() => { const m = meaningNow(); return tacksOf(m).map(t => ({ at: t.at, up: t.upright,
-            ends: ["wrong", "right"].map(side => arrowOf(t, m[side], m.isFlat, m.radii.far)) })); }"""
+        """() => { const m = meaningNow(), end = (t, W) => arrowOf(t, W, m.isFlat, m.radii.far);
+            return tacksOf(m).map(t => (
+                { up: t.upright, ends: [end(t, m.wrong), end(t, m.right)] })); }"""
     )
     assert len(ends) >= 5
     V = np.array(seen["camera"])
@@ -146,8 +150,9 @@ def test_a_finger_drags_too(opened, file) -> None:
     found = opened(file, **PHONE)
     before = state(found)["eye"]
     found.evaluate(
-        """() => { const at = byId("both"), send = (kind, x) => at.dispatchEvent(new PointerEvent(kind,
-            { pointerType: "touch", pointerId: 1, isPrimary: true, clientX: x, clientY: 300, bubbles: true }));
+        """() => { const at = byId("both"), finger = { pointerType: "touch", pointerId: 1 };
+            const send = (kind, x) => at.dispatchEvent(
+                new PointerEvent(kind, { ...finger, clientX: x, clientY: 300, bubbles: true }));
             at.setPointerCapture = () => {};
             send("pointerdown", 100); send("pointermove", 160); send("pointerup", 160); }"""
     )
@@ -194,15 +199,15 @@ def test_all_is_reached_by_tab_with_a_focus_that_is_seen_and_a_name_of_its_own(o
     found = opened(file)
     places = found.evaluate(
         """() => [...document.querySelectorAll("button, input, select, summary, [tabindex]")]
-            .filter(e => e.offsetParent && e.tabIndex >= 0).map(e => e.id || e.textContent)"""
+            .filter(e => e.checkVisibility() && e.tabIndex >= 0).map(e => e.id || e.textContent)"""
     )
     reached, names = [], []
     found.locator("body").press("Tab")
     for _ in range(len(places) + 2):
         now, name, outline = found.evaluate(
-            """() => { const e = document.activeElement;
-                return [e.id || e.textContent, e.getAttribute("aria-label") || (e.labels && e.labels[0] &&
-                e.labels[0].textContent) || e.textContent, getComputedStyle(e).outlineStyle]; }"""
+            """() => { const e = document.activeElement, label = e.labels && e.labels[0];
+                const name = e.getAttribute("aria-label") || (label || e).textContent;
+                return [e.id || e.textContent, name, getComputedStyle(e).outlineStyle]; }"""
         )
         if now in reached or found.evaluate("document.activeElement === document.body"):
             break
@@ -311,8 +316,10 @@ def test_on_a_phone_nothing_scrolls_sideways_and_a_thumb_meets_all(opened, file,
         assert found.evaluate("document.documentElement.scrollWidth") <= 390
         small = found.evaluate(
             """() => [...document.querySelectorAll("button, input, select, summary, [role=slider]")]
-                .filter(e => e.offsetParent).map(e => [e.id || e.textContent, e.getBoundingClientRect()])
-                .filter(([, box]) => box.width < 40 || box.height < 40).map(([name]) => name)"""
+                .filter(e => e.checkVisibility()).filter(e => {
+                    const { width, height } = e.getBoundingClientRect();
+                    return Math.min(width, height) < 40; })
+                .map(e => e.id || e.textContent)"""
         )
         assert small == []
     found.evaluate("window.scrollTo(0, 500)")

@@ -126,7 +126,7 @@ function tacksOf(found) {
   const R = found.radii.mean, placed = found.mesh.points.map((p) => point(found.M, p)), kept = [];
   for (const [p, n] of found.mesh.tacks) {
     const at = point(found.M, p), normal = unit(apply(found.right, n)), towards = towardsEye(found, at);
-    if (length(normal) < 0.5) continue;
+    if (length(apply(found.right, n)) < 1e-9 * norm(found.right)) continue;  // it lies in the plane that is left
     const facing = dot(normal, towards), upright = found.isFlat && facing < 0 ? normal.map((x) => -x) : normal;
     if ((!found.isFlat && facing < -0.02) || kept.some((other) => length(minus(other.at, at)) < 0.36 * R)) continue;
     if (!found.isFlat && isHidden(found, plus(at, upright, 0.004 * R), towards, placed)) continue;

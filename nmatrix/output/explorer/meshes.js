@@ -94,6 +94,7 @@ function edgesOf(points, triangles) {
   const places = new Map(), at = points.map((p) => { const key = p.map((x) => x.toFixed(9)).join(); if (!places.has(key)) places.set(key, places.size); return places.get(key); });
   const open = new Map(), edges = [];
   for (let i = 0; i < triangles.length; i += 3) for (let k = 0; k < 3; k++) {
+    if (new Set(triangles.slice(i, i + 3).map((vertex) => at[vertex])).size < 3) break;  // a sliver at a pole
     const a = triangles[i + k], b = triangles[i + ((k + 1) % 3)], key = at[a] < at[b] ? `${at[a]} ${at[b]}` : `${at[b]} ${at[a]}`;
     if (open.has(key)) edges.push([a, b, open.get(key), i]); else open.set(key, i);
   }

@@ -11,7 +11,7 @@ const STORIES = {
   mirror: { name: "Mirror", set: { mx: 1, rule: "cofactor", shape: "R", lx: -0.55, ly: -0.6, lz: -1 }, group: "mirror" },
   flatten: { name: "Flatten", set: { sy: 0, tilt: 16 }, group: "scale" },
   shear: { name: "Shear", set: { hxy: 1 }, group: "shear" },
-  stuck: { name: "Stuck light", set: { ry: 60, rule: STUCK, shape: "R", lx: -1, ly: -0.6, lz: 0.3 }, group: "turn" },
+  stuck: { name: "Stuck light", set: { ry: 60, rule: STUCK, shape: "R", lx: -1, ly: -0.45, lz: 0.1 }, group: "turn" },
   turn: { name: "Only turn: proves nothing", set: { rz: 30, shape: "R" }, group: "turn" },
   even: { name: "Even scale: proves nothing", set: { sx: 1.5, sy: 1.5, sz: 1.5, shape: "torus", tilt: 12 }, group: "even" },
 };
@@ -167,7 +167,7 @@ const fractionText = (x) => (String(x).length > 11 ? figure(Number(x.top) / Numb
 function matricesHtml(s, found) {
   const exact = exactLinear(s), rule = s.rule === STUCK ? "none" : s.rule;
   const of = (name) => (exact ? exactRule(name, exact) : name === "exact" ? found.N : name === "not-transposed" && found.isFlat ? null : ruleMatrix(name, found.A, found.isFlat));
-  const A = of("none"), N = of("exact"), W = of(rule), right = N || of("cofactor"), isTold = !found.isSame && s.rule !== STUCK && W;
+  const A = of("none"), N = of("exact"), W = of(rule), right = N || of("cofactor"), isTold = !found.isSame && s.rule !== STUCK && found.rank > 1 && W;
   const parts = [];
   if (rule === "none") parts.push(matrixTable("A", "A, the linear part of M", A, "wrong", isTold && right));
   else {
@@ -210,6 +210,7 @@ function writeWords(s, found) {
   for (const tag of document.querySelectorAll(".tag")) {
     const side = tag.dataset.side, kind = side === "wrong" && !found.isSame ? "wrong" : "right";
     const html = `${badge(kind)}<span>${names[side]}</span>`;
+    tag.hidden = found.rank < 2 && !isStuck;  // a line has no normal to be right
     if (tag.told !== html) { tag.className = `tag ${kind}`; tag.innerHTML = tag.told = html; }
   }
   byId("same").hidden = !found.isSame;
@@ -248,7 +249,7 @@ function meaningNow() {
 // While a hand moves, a pixel is drawn once; where it rests, as four.
 function paint(pen, body) {
   const samples = isMoving ? 1 : 2;
-  painter.picture({ ...body, size: pen.size, samples, ink: rgb(pen.palette.ink), outline: 2 * pen.k * samples });
+  painter.picture({ ...body, size: pen.size, samples, ink: rgb(pen.palette.ink), outline: 1.7 * pen.k * samples });
   painter.copyTo(pen.context, pen.size, samples);
 }
 function drawSide(pen, s, side, found, tacks) {
@@ -304,7 +305,8 @@ function draw() {
   isScheduled = false;
   const found = meaningNow();
   document.body.classList.toggle("divided", isDivided());
-  drawViews(state, found); drawMap(state, found); writeWords(state, found);
+  drawViews(state, found); writeWords(state, found);
+  if (!isMoving || framesDrawn % 2) drawMap(state, found);  // the small map may lag by a frame
   framesDrawn += 1;
   clearTimeout(later);
   if (isMoving) later = setTimeout(settle, 160);

@@ -20,7 +20,7 @@ from nmatrix.enums import DepthRange, Handedness, NormalRule, Reflection, Space,
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.decompose import parts
 from nmatrix.linear.projection import window_from_ndc
-from nmatrix.linear.rational import RationalMatrix, to_floats
+from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
 from nmatrix.report import Number
 from nmatrix.scene.camera import AIM, View
@@ -48,7 +48,8 @@ SCHEMES = {  # when the page takes a theme's colours; the last that holds wins
     Theme.PRINT: "@media print {:root:root {%s}}",
 }
 CHOSEN = ":root[data-theme=%s] {%s}"
-OTHER_SPACE = ((2, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))  # where none was given
+# where none was given
+OTHER_SPACE = rational_matrix([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 BODIES = {"rigid": World(), "stretched": World(scale=(1, 2, 1))}
 DEPTH_IN_WEBGL = {  # the row of z, by what an interface's depth runs from and to
     DepthRange.MINUS_ONE_TO_ONE: (0, 0, 1, 0),
@@ -67,7 +68,9 @@ def page(setup: Setup, *, fits: bool = False) -> bytes:
     """
     script = "\n".join(_text(f"{name}.js") for name in SCRIPTS)
     style = _colours() + _text("page.css")
-    data = json.dumps(page_data(setup, fits=fits), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    data = json.dumps(
+        page_data(setup, fits=fits), ensure_ascii=False, separators=(",", ":"), allow_nan=False
+    )
     text = _text("page.html")
     for name, value in (
         ("SCRIPT_HASH", _hash(script)),

@@ -33,7 +33,7 @@ function scaleWords(scale) {
   }
   if (mirrored) words.push(`mirrored along ${mirrored}`);
   if (flat) words.push(`flattened along ${flat}`);
-  return words;
+  return words.length ? [joined(words)] : [];
 }
 function doneWords(s, found) {
   const words = [...shearWords(s), ...scaleWords(found.scale), ...turnedWords(s)];

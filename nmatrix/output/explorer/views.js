@@ -4,13 +4,12 @@ const SETTERS = { mat4: "uniformMatrix4fv", mat3: "uniformMatrix3fv", vec3: "uni
 const flat = (A) => transpose(A).flat();
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 const HEAD = "#version 300 es\nprecision highp float;\n";
-// Lines in ink, where the body ends for the eye and along its creases; four copies make them thick.
+// Lines in ink, where the body ends for the eye and along its creases; nine copies make them thick.
 const INK = {
   vertex: `${HEAD}uniform mat4 clip_from_object; uniform vec2 reach; uniform float nearer; in vec3 vertex_position;
 void main() {
     gl_Position = clip_from_object * vec4(vertex_position, 1.0);
-    float a = 1.57079633 * float(gl_InstanceID) + 0.785398163;
-    gl_Position.xy += reach * vec2(cos(a), sin(a)) * gl_Position.w;
+    gl_Position.xy += reach * vec2(gl_InstanceID % 3 - 1, gl_InstanceID / 3 - 1) * gl_Position.w;
     gl_Position.z -= nearer * gl_Position.w;  // lines lie on what they outline
 }`,
   fragment: `${HEAD}uniform vec3 ink; out vec4 color; void main() { color = vec4(ink, 1.0); }`,
@@ -89,7 +88,7 @@ class Painter {
     if (this.canvas.width < side) this.canvas.width = this.canvas.height = side;
     gl.viewport(0, 0, side, side); gl.enable(gl.SCISSOR_TEST); gl.scissor(0, 0, side, side);
     gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const { buffers } = this.send(mesh, key), reach = (0.5 * outline) / size;
+    const { buffers } = this.send(mesh, key), reach = Math.max(0, outline - 1) / side;
     for (const place of [0, 1]) {
       gl.bindBuffer(gl.ARRAY_BUFFER, buffers[place]);
       gl.enableVertexAttribArray(place); gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
@@ -103,7 +102,7 @@ class Painter {
       const lines = new Uint16Array([...mesh.creases, ...silhouette(mesh, viewed)]);
       this.use(INK, { clip_from_object: uniforms.clip_from_object, reach: [reach, reach], nearer, ink });
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers[3]); gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, lines, gl.STREAM_DRAW);
-      gl.drawElementsInstanced(gl.LINES, lines.length, gl.UNSIGNED_SHORT, 0, 4);
+      gl.drawElementsInstanced(gl.LINES, lines.length, gl.UNSIGNED_SHORT, 0, 9);
     }
     const error = gl.getError();
     if (error) this.errors.push("GL error " + error);
