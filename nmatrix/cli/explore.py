@@ -13,13 +13,11 @@ from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.report import Report, Text, Verdict
-from nmatrix.scene.camera import View
-from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
-FROM_ABOVE = View(eye=(3.6, 1.5, 9.2))  # the page comes as near as the body lets it
-LONG_LENS = Lens(fov_degrees=30)  # a short one bends a ball near the rim
+FROM_ABOVE = (3.6, 1.5, 9.2)  # the page comes as near as the body lets it
+LONG_LENS = 30.0  # degrees; a short one bends a ball near the rim
 FROM_THE_RIGHT = Light((-0.85, -0.55, -0.65))  # both a lit and a dark side are seen
 STRETCHED = World(scale=(1, 2, 1))  # without a stretch every rule is right, and nothing is seen
 
@@ -52,8 +50,8 @@ def explore(
         setup = replace(
             setup,
             world=setup.world if groups.world.given else STRETCHED,
-            view=setup.view if groups.view.given else FROM_ABOVE,
-            lens=setup.lens if groups.lens.given else LONG_LENS,
+            view=setup.view if groups.view.given else replace(setup.view, eye=FROM_ABOVE),
+            lens=setup.lens if groups.lens.given else replace(setup.lens, fov_degrees=LONG_LENS),
             light=setup.light if groups.light.given else FROM_THE_RIGHT,
         )
     fits = groups.scene.scene is None and not groups.view.given

@@ -302,13 +302,46 @@ def test_the_copied_command_gives_what_the_page_shows(calm, capsys) -> None:
     assert f"up to {shown[:-1]}" in capsys.readouterr().out
 
 
+def assert_journey_is_the_trace(found, capsys, words: str) -> None:
+    numbers = told(found, words)
+    traced = answer(found.locator("#trace-command").text_content(), capsys)
+    for name, values in numbers["journey"]:
+        key = next(one for one in (name, f"{name}_position") if one in traced)
+        assert np.allclose(values, traced[key], rtol=1e-9, atol=1e-9), name
+
+
 def test_the_journey_is_the_trace(calm, capsys) -> None:
     for words in ("", "sx=0.5&rz=33&hxy=0.5&mx=1&v=0.7&yaw=20&tilt=10", "shape=R&v=0.1"):
-        numbers = told(calm, words)
-        found = answer(calm.locator("#trace-command").text_content(), capsys)
-        for name, values in numbers["journey"]:
-            key = next(one for one in (name, f"{name}_position") if one in found)
-            assert np.allclose(values, found[key], rtol=1e-9, atol=1e-9), name
+        assert_journey_is_the_trace(calm, capsys, words)
+
+
+LENSES = [
+    "--api vulkan",
+    "--depth reversed",
+    "--handed left",
+    "--ortho -3 3 -3 3 --near 1",
+    "--frustum -1 1 -1 1 --near 2 --far inf",
+    "--elevation -20 --angle 10 --eye 1 2 6",
+    "--up 1 1 0 --target 0 0.5 0 --api direct3d",
+]
+
+
+@pytest.mark.parametrize("options", LENSES)
+def test_every_lens_draws_the_body_in_the_middle_and_is_told(
+    opened, tmp_path, capsys, options
+) -> None:
+    path = tmp_path / "page.html"
+    assert run(["explore", *options.split(), "-o", str(path)]) == 0
+    found = opened(path)
+    assert found.complaints == []
+    for words in ("mode=plain", "mode=plain&yaw=25&tilt=8"):
+        assert moved(found, words)["errors"] == []
+        drawn = pixels(found.evaluate(BARE, "right"))
+        body = (drawn != STAGE).any(axis=2)
+        assert 0.03 < body.mean() < 0.9
+        lit, dark = drawn[body].sum(axis=1).max(), drawn[body].sum(axis=1).min()
+        assert lit - dark > 150, "the front is seen, with its lit and its dark side"
+        assert_journey_is_the_trace(found, capsys, words)
 
 
 @pytest.mark.parametrize("body", ["", "sy=1", "hxy=1"])
@@ -351,13 +384,15 @@ def test_a_singular_matrix_is_named_and_never_nan(calm) -> None:
 def test_numbers_work_without_webgl(browser, file) -> None:
     context = browser.new_context()
     context.add_init_script(
-        "const made = HTMLCanvasElement.prototype, old = made.getContext; made.getContext = function"
-        " (kind, ...more) { return kind === 'webgl2' ? null : old.call(this, kind, ...more) }"
+        """const made = HTMLCanvasElement.prototype, old = made.getContext;
+        made.getContext = function (kind, ...more) {
+            return kind === "webgl2" ? null : old.call(this, kind, ...more); };"""
     )
     found = context.new_page()
     found.goto(f"file://{file}")
     assert found.locator("#no-gl").is_visible()
     assert state(found)["largest"] == pytest.approx(36.8699, abs=1e-3)
     found.locator("#sy-n").fill("1")
-    found.wait_for_function("JSON.parse(byId('state').textContent).largest === 0")
+    found.evaluate("drawNow()")
+    assert state(found)["largest"] == 0
     context.close()

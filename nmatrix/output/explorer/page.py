@@ -9,17 +9,17 @@ from __future__ import annotations
 
 import json
 from base64 import b64encode
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any
 
 from nmatrix.canvas.theme import PALETTES, Palette
-from nmatrix.enums import DepthRange, Handedness, NormalRule, Reflection, Space, Theme
+from nmatrix.enums import API_PRESETS, DepthRange, Handedness, NormalRule, Reflection, Space, Theme
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.decompose import parts
-from nmatrix.linear.projection import window_from_ndc
+from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, window_from_ndc
 from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
 from nmatrix.report import Number
@@ -33,7 +33,7 @@ from nmatrix.shaders.sheet import Request, program_of
 SCRIPTS = ("matrices", "meshes", "map", "sentences", "views", "marks", "places", "page")
 TESSELLATION = (32, 64)
 WINDOW = (512, 512)  # what `trace` uses where no window is given
-LENS = {"fov_degrees": "fov", "aspect": "aspect", "near": "near", "far": "far"}
+LENS = {"fov": "fov_degrees", "aspect": "aspect", "near": "near", "far": "far"}
 WRONG_RULES = (
     NormalRule.NONE,
     NormalRule.NOT_TRANSPOSED,
@@ -124,6 +124,7 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
         "target": _floats(maps.target),
         "up": _floats(maps.up),
         "looks": looks,
+        "looks_down": "−z" if setup.lens.clip.forward_z < 0 else "+z",
         "fits": fits,
         "has_direction": light.direction is not None,
         "has_position": light.position is not None,
@@ -193,22 +194,39 @@ def _shader(setup: Setup, space: Space) -> dict[str, Any]:
 
 def _options(setup: Setup, *, looks: bool) -> dict[str, str]:
     """Write the options that no slider changes; the page itself writes where its eye stands."""
-    lens, maps, camera = setup.lens, setup.maps, ""
+    camera = ""
     if looks:
         usual = View()
         given = [one for one in AIM if getattr(setup.view, one) != getattr(usual, one)]
         camera = " ".join(f"--{one} {_spaced(getattr(setup.view, one))}" for one in given)
-    shape = [one for one in LENS if getattr(lens, one) != getattr(Lens(), one)]
-    plain = replace(Lens(), **{one: getattr(lens, one) for one in LENS})
-    told = " ".join(f"--{LENS[one]} {getattr(lens, one):.17g}" for one in shape)
-    if lens != plain:
-        told = f"--projection-matrix {_literal(maps.clip_from_camera)}"
     custom = _with_custom_space(setup).maps.space_from_world(Space.CUSTOM)
     return {
         "camera": camera,
-        "lens": told,
+        "lens": " ".join(_lens_words(setup.lens)),
         "space": f"--space-matrix {_literal(custom.exact)}",
     }
+
+
+def _lens_words(lens: Lens) -> Iterator[str]:
+    if lens.matrix is not None:
+        yield f"--projection-matrix {_literal(lens.matrix)}"
+    for option, field in LENS.items():
+        value = getattr(lens, field)
+        if value != getattr(Lens(), field) and lens.matrix is None:
+            yield f"--{option} {value:.17g}"
+    for name, window in (("ortho", lens.ortho), ("frustum", lens.frustum)):
+        if window is not None:
+            sides = (window.left, window.right, window.bottom, window.top)
+            yield f"--{name} {_spaced(sides)}"
+    clip = lens.clip
+    if clip == DEFAULT_CLIP_SPACE:
+        return
+    parts = (clip.depth, clip.handed, clip.clip_y, clip.origin)
+    for api, preset in API_PRESETS.items():
+        if preset == parts:
+            yield f"--api {api}"
+            return
+    yield f"--depth {clip.depth} --clip-y {clip.clip_y} --handed {clip.handed}"
 
 
 def _spaced(values: Iterable[Number]) -> str:

@@ -3,7 +3,7 @@
 const PLACES = {
   object: "the shape is plain; light and eye are carried here by M⁻¹",
   world: "everything stands where you put it",
-  camera: "the eye is the origin and looks down −z",
+  camera: `the eye is the origin and looks down ${data.looks_down}`,
   light: data.has_position ? "the lamp is the origin and looks down −z" : "the light shines down −z",
   static: "M is baked into every vertex; no M is left",
   custom: "carried by any matrix S that you give",
