@@ -381,6 +381,54 @@ def test_a_singular_matrix_is_named_and_never_nan(calm) -> None:
         assert state(calm)["errors"] == []
 
 
+def test_the_sign_that_the_sentence_names_is_that_of_the_space_of_shading(opened, tmp_path) -> None:
+    path = tmp_path / "mirror.html"
+    mirror = "-1 0 0; 0 1 0; 0 0 1"
+    assert run(["explore", "--space-matrix", mirror, "-o", str(path)]) == 0
+    found = opened(path)
+    for mirrored, sign in ((0, "det(S A) = −2 is negative"), (1, "det(S A) = 2 is positive")):
+        numbers = told(found, f"mx={mirrored}&space=custom&rule=cofactor")
+        assert sign in found.locator("#sentence").text_content()
+        assert numbers["largest"] == (0 if mirrored else 180)
+
+
+SENTENCES = {
+    "sy=1": "Left as it is: lengths and angles stay",
+    "sy=1&ry=30": "Turned 30° about y: lengths and angles stay",
+    "sy=1&mx=1": "Only the rule that forgets the sign of det A would fail.",
+    "sx=2&sz=2": "Scaled 2× in every direction: A n and A−T n differ in length alone",
+    "sx=0.5&sy=3": "Stretched 3× along y and squeezed to 0.5× along x",
+    "sy=0": "det A = 0, so the inverse is gone",
+    "sy=0&sx=0": "the shape became a line",
+    "sy=0&sx=0&sz=0": "nothing is left but a point",
+    "sy=0&rule=not-transposed": "asks for the inverse and has no answer",
+    "sy=0&rule=cofactor": "it is right here",
+    "rule=cofactor": "det A = 2 is positive",
+    "hxy=1&rule=not-transposed": "inverts and forgets to transpose, and is up to",
+    "sy=1&rule=not-transposed": "with this very map A−1 n and A−T n point the same way",
+    "sy=1&rz=40&rule=not-inverted": "turns normals another way, up to 80° off",
+    "space=object": "no normal matrix, so none to get wrong",
+    "sy=0&space=object": "no inverse leads back to object space",
+    "sy=1&space=custom": "custom space stretches on its own",
+    "sy=1&rule=stuck": "arrives where it was, so this test proves nothing",
+    "sy=1&rz=40&rule=stuck": "the light was carried along as if it belonged to the model",
+    "hxy=1&sy=1": "x slides 1 for each unit of y",
+}
+
+
+@pytest.mark.parametrize("words", SENTENCES)
+def test_the_sentence_is_true_and_holds_the_number(calm, words) -> None:
+    numbers = told(calm, words)
+    said = calm.locator("#sentence").text_content()
+    assert SENTENCES[words] in said
+    assert numbers["isSame"] == ("proves nothing" in said or "it is right here" in said
+                                 or "none to get wrong" in said)  # fmt: skip
+    if numbers["largest"]:
+        degrees_said = calm.locator("#number").text_content()
+        assert degrees_said in said
+        assert float(degrees_said[:-1]) == pytest.approx(numbers["largest"], abs=0.05)
+
+
 def test_numbers_work_without_webgl(browser, file) -> None:
     context = browser.new_context()
     context.add_init_script(

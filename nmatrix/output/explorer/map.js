@@ -25,7 +25,6 @@ function spaceFromWorld(space, found) {
 
 // --- The camera: it turns about what it looks at, and steps back where the body would not fit -----
 const ROOM = 1.36;  // of the body's radius, for arrows
-const rounded = (x, digits) => Number(x.toFixed(digits));
 function radius(mesh, M) { return Math.max(1e-9, ...mesh.points.map((p) => length(minus(point(M, p), data.target)))); }
 function cameraOf(s, reach) {
   if (!data.looks) {

@@ -56,13 +56,13 @@ class Pen {
     }
   }
   // Light from infinity: a disc and three arrows along the way that it goes.
-  sun(at, along, { isStuck = false } = {}) {
+  sun(at, along, { isStuck = false, radius = SUN } = {}) {
     const { light, ink, wrong, stage } = this.palette, long = Math.hypot(...along), k = this.k;
-    if (isStuck) this.disc(at, SUN, stage, wrong, { width: 3, dash: [6, 4] }); else this.disc(at, SUN, light, ink);
+    if (isStuck) this.disc(at, radius, stage, wrong, { width: 3, dash: [6, 4] }); else this.disc(at, radius, light, ink);
     if (long < 0.08) return;
-    const way = along.map((x) => x / long), side = [-way[1], way[0]], reach = 17 + 31 * long;
-    for (const shift of [-18, 0, 18]) {
-      const from = [0, 1].map((i) => at[i] + k * ((SUN + 6) * way[i] + shift * side[i])), to = [0, 1].map((i) => from[i] + k * reach * way[i]);
+    const way = along.map((x) => x / long), side = [-way[1], way[0]], reach = (17 + 31 * long) * (radius / SUN);
+    for (const shift of [-0.95 * radius, 0, 0.95 * radius]) {
+      const from = [0, 1].map((i) => at[i] + k * ((radius + 6) * way[i] + shift * side[i])), to = [0, 1].map((i) => from[i] + k * reach * way[i]);
       if (isStuck) this.arrow(from, to, "wrong", 3); else { this.edged(from, to, 4, ink, 1.5); this.edged(from, to, 4, light, 0); }
     }
   }
@@ -130,7 +130,9 @@ function tacksOf(found) {
     const facing = dot(normal, towards), upright = found.isFlat && facing < 0 ? normal.map((x) => -x) : normal;
     if ((!found.isFlat && facing < -0.02) || kept.some((other) => length(minus(other.at, at)) < 0.36 * R)) continue;
     if (!found.isFlat && isHidden(found, plus(at, upright, 0.004 * R), towards, placed)) continue;
-    kept.push({ at, upright, n, depth: length(minus(found.eye, at)) });
+    const seen = onStage(found, at, 1);
+    if (!seen || kept.some((other) => Math.hypot(...minus(other.seen, seen)) < 0.075)) continue;
+    kept.push({ at, seen, upright, n, depth: length(minus(found.eye, at)) });
   }
   return kept.sort((a, b) => b.depth - a.depth);
 }
@@ -172,7 +174,7 @@ function drawTacks(pen, s, side, found, tacks) {
 function sunPlace(found, light, size) {
   const [x, y] = apply(linear(found.camera), unit(light)), along = [x, -y], flat = Math.hypot(x, y);
   const from = flat > 0.05 ? [-along[0] / flat, -along[1] / flat] : [Math.SQRT1_2, -Math.SQRT1_2];
-  const pushed = from.map((d) => Math.sign(d) * Math.abs(d) ** 0.4), reach = 0.4 / Math.max(...pushed.map(Math.abs));  // towards a corner
+  const pushed = from.map((d) => Math.sign(d) * Math.abs(d) ** 0.4), reach = 0.425 / Math.max(...pushed.map(Math.abs));  // towards a corner
   return { at: pushed.map((d) => (0.5 + d * reach) * size), along };
 }
 function drawLight(pen, s, side, found) {

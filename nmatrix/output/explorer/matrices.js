@@ -23,6 +23,7 @@ const identity3 = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const identity4 = affine(identity3, [0, 0, 0]);
 const norm = (A) => length(A.flat());
 const AXES = ["x", "y", "z"];
+const rounded = (x, digits) => Number(x.toFixed(digits));
 
 // Exact at quarter turns, where a sine of floats would leave 6e-17.
 function turn(degrees) {

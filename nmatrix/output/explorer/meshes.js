@@ -30,7 +30,7 @@ const HALF_DEPTH = 0.24;
 // are the sides that another part covers, and `round` has normals that run on from wall to wall.
 function letterR() {
   const mesh = { positions: [], normals: [], triangles: [], creases: [] };
-  const vertex = (p, n) => { mesh.positions.push(...p); mesh.normals.push(...n); return mesh.positions.length / 3 - 1; };
+  const vertex = (p, n) => { mesh.positions.push(...p.map((x) => rounded(x, 6))); mesh.normals.push(...n); return mesh.positions.length / 3 - 1; };
   const line = (a, b) => mesh.creases.push(vertex(a, [0, 0, 1]), vertex(b, [0, 0, 1]));
   const quad = (corners, normals) => { const [a, b, c, d] = corners.map((p, i) => vertex(p, normals[i])); mesh.triangles.push(a, b, c, a, c, d); };
   function wall(points, round, center, outward) {  // the body lies to the left of the way

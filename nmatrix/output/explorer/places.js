@@ -26,7 +26,7 @@ function standing(s, found) {
   const towards = data.has_direction ? unit(found.light.map((x) => -x)) : null;
   return {
     grid, eye: found.eye, target: data.target, corners: frustumCorners(away).map((p) => point(back, p)),
-    sun: towards && plus(middle, towards, 2.4 * R), sunTip: towards && plus(middle, towards, 1.4 * R), lamp: found.lamp,
+    sun: towards && plus(middle, towards, 2.7 * R), sunTip: towards && plus(middle, towards, 1.7 * R), lamp: found.lamp,
     vertex: point(found.M, found.mesh.points[vertexNumber(s, found)]),
   };
 }
@@ -40,7 +40,7 @@ function observed(points) {
   return times([[1 / size, 0, 0, -middle[0] / size], [0, 1 / size, 0, -middle[1] / size], [0, 0, -1 / deep, middle[2] / deep], [0, 0, 0, 1]], rows);
 }
 function drawPlace(canvas, size, s, found, space) {
-  const pen = new Pen(canvas, size, themeNow(), size / 400), S = spaceFromWorld(space, found);
+  const pen = new Pen(canvas, size, themeNow(), Math.max(size / 400, 0.6 * Math.min(2, devicePixelRatio))), S = spaceFromWorld(space, found);
   pen.clear();
   if (!S) { pen.hatch(["1 / 0", space === "object" ? "M has no inverse" : "no direction"]); return; }
   const there = standing(s, found), carry = (p) => point(S, p), reach = 0.9 * length(minus(found.eye, data.target)) ** 0.5;
@@ -73,7 +73,7 @@ function drawPlace(canvas, size, s, found, space) {
   pen.disc(at([0, 0, 0]), 5, ink, null);
   pen.line([from(there.eye), from(there.target)], eye, 1.8, { dash: [4, 4] });
   pen.eye(from(there.eye), minus(from(there.target), from(there.eye)), 17);
-  if (there.sun) pen.sun(from(there.sun), minus(from(there.sunTip), from(there.sun)).map((x) => x / (90 * pen.k)).map((x) => Math.max(-1, Math.min(1, x))));
+  if (there.sun) pen.sun(from(there.sun), minus(from(there.sunTip), from(there.sun)).map((x) => x / (90 * pen.k)).map((x) => Math.max(-1, Math.min(1, x))), { radius: 14 });
   if (there.lamp) pen.lamp(from(there.lamp));
   pen.disc(from(there.vertex), 6, pen.palette.normal, pen.palette.paper, { width: 2 });
 }

@@ -60,7 +60,7 @@ function sentence(s, found) {
     return s.rule === "none" && found.largest > 89.999999 ? `${gone} ${wrong} lies in the plane itself, 90° off.` : `${gone} ${wrong} is up to ${off} off.`;
   }
   if (found.isSame) return sameSentence(s, found, done);
-  if (s.rule === "cofactor") return `${done}: det A = ${figure(found.det)} is negative. Cofactors alone forget that sign, so every ${wrong} points into the body, ${off} off.`;
+  if (s.rule === "cofactor") return `${done}: ${determinantWords(s, found)} is negative. Cofactors alone forget that sign, so every ${wrong} points into the body, ${off} off.`;
   if (found.isConformal) return s.rule === "none"
     ? `${done}: lengths alone change, but ${s.space} space stretches on its own. There ${wrong} leans up to ${off}.`
     : `${done}: ${right} has the direction of A n here, yet ${wrong} turns normals another way, up to ${off} off.`;
@@ -69,10 +69,15 @@ function sentence(s, found) {
   const slip = { "not-transposed": "inverts and forgets to transpose", "not-inverted": "transposes and forgets to invert" }[s.rule];
   return `${done}: ${ask}. ${wrong} ${slip}, and is up to ${off} off.`;
 }
+// A space that mirrors has its say in the sign too.
+function determinantWords(s, found) {
+  const own = determinant(linear(found.S));
+  return own > 0 ? `det A = ${figure(found.det)}` : `${s.space} space mirrors, so det(S A) = ${figure(own * found.det)}`;
+}
 function sameSentence(s, found, done) {
   const both = `${formula("right", `${SYMBOLS[s.rule]} n`)} and ${formula("right", `${SYMBOLS.exact} n`)}`;
   const nothing = "so a test with this map proves nothing";
-  if (s.rule === "cofactor") return `${done}: det A = ${figure(found.det)} is positive, so cofactors are ${SYMBOLS.exact} up to length. ${both} point the same way, ${nothing} about the sign.`;
+  if (s.rule === "cofactor") return `${done}: ${determinantWords(s, found)} is positive, so cofactors are ${SYMBOLS.exact} up to length. ${both} point the same way, ${nothing} about the sign.`;
   if (found.isConformal && s.rule === "none") {
     const mirror = found.det < 0 ? " Only the rule that forgets the sign of det A would fail." : "";
     if (found.isRigid) return `${done}: lengths and angles stay, and ${SYMBOLS.exact} is A itself. ${both} are equal, ${nothing}.${mirror}`;
