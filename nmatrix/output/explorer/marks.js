@@ -75,7 +75,7 @@ class Pen {
   lamp(at, { isStuck = false, radius = 13 } = {}) {
     const { light, ink, wrong, stage } = this.palette, k = this.k;
     for (let i = 0; i < 12; i++) {
-      const way = [Math.cos((i * Math.PI) / 6), Math.sin((i * Math.PI) / 6)], ray = [radius + 4, radius + 11].map((r) => [at[0] + r * k * way[0], at[1] + r * k * way[1]]);
+      const [y, x] = turn(30 * i), ray = [radius + 4, radius + 11].map((r) => [at[0] + r * k * x, at[1] + r * k * y]);
       if (isStuck) this.line(ray, wrong, 2.5); else { this.line(ray, ink, 4.5); this.line(ray, light, 2.2); }
     }
     if (isStuck) this.disc(at, radius, stage, wrong, { width: 3, dash: [5, 4] }); else this.disc(at, radius, light, ink);
@@ -104,7 +104,10 @@ function onStage(found, p, size) {
   const [x, y, , w] = apply(found.clip_from_world, [...p, 1]);
   return w > 1e-9 ? [((x / w + 1) / 2) * size, ((1 - (data.webgl_from_clip[1][1] * y) / w) / 2) * size] : null;
 }
-const towardsEye = (found, p) => (data.clip_from_camera[3][2] !== 0 ? unit(minus(found.eye, p)) : unit(linear(found.camera)[2].map((x) => -x * Math.sign(data.clip_from_camera[2][2] || -1))));
+function towardsEye(found, p) {
+  if (data.clip_from_camera[3][2] !== 0) return unit(minus(found.eye, p));
+  return unit(linear(found.camera)[2].map((x) => (data.looks_down === "−z" ? x : -x)));  // lines of sight never meet
+}
 // Whether a triangle of the body stands between a point and the eye.
 function isHidden(found, from, way, placed) {
   const { triangles } = found.mesh;
@@ -154,7 +157,10 @@ function drawTacks(pen, s, side, found, tacks) {
   const kind = side === "wrong" && !found.isSame && s.rule !== STUCK ? "wrong" : "right";
   for (const tack of tacks) {
     const first = unit(cross(tack.upright, Math.abs(tack.upright[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0])), second = cross(tack.upright, first);
-    const rim = Array.from({ length: 28 }, (_, i) => onStage(found, plus(plus(tack.at, first, DISC * R.mean * Math.cos((i * Math.PI) / 14)), second, DISC * R.mean * Math.sin((i * Math.PI) / 14)), pen.size));
+    const rim = Array.from({ length: 30 }, (_, i) => {
+      const [y, x] = turn(12 * i).map((side) => side * DISC * R.mean);
+      return onStage(found, plus(plus(tack.at, first, x), second, y), pen.size);
+    });
     if (rim.every(Boolean)) pen.shape(rim, pen.palette.paper, pen.palette.ink, 2.2);
   }
   for (const tack of tacks) {
@@ -199,9 +205,13 @@ function drawLight(pen, s, side, found) {
 }
 // A turntable under the body shows how far it was turned, where the light is left on it.
 function drawTurntable(pen, s, found) {
-  const low = Math.min(...found.mesh.points.map((p) => p[1])), at = (radius, degrees) => onStage(found, point(found.M, [radius * turn(degrees)[1], low, -radius * turn(degrees)[0]]), pen.size);
+  const low = Math.min(...found.mesh.points.map((p) => p[1]));
+  const at = (radius, degrees) => { const [z, x] = turn(degrees); return onStage(found, point(found.M, [radius * x, low, -radius * z]), pen.size); };
   const rim = Array.from({ length: 72 }, (_, i) => at(1.15, 5 * i));
   if (!rim.every(Boolean)) return;
   pen.shape(rim, pen.palette.paper, pen.palette.ink);
-  for (let i = 0; i < 12; i++) { const ends = [at(i ? 1.02 : 0.8, 30 * i), at(1.15, 30 * i)]; if (ends.every(Boolean)) pen.line(ends, pen.palette.ink, i ? 1.6 : 6); }
+  for (let i = 0; i < 12; i++) {
+    const ends = [at(i ? 1.02 : 0.8, 30 * i), at(1.15, 30 * i)];
+    if (ends.every(Boolean)) pen.line(ends, pen.palette.ink, i ? 1.6 : 6);
+  }
 }

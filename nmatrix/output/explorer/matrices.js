@@ -38,7 +38,11 @@ function rotation(x, y, z) {
 }
 function about(axis, degrees) {
   const [s, c] = turn(degrees), [x, y, z] = unit(axis), t = 1 - c;
-  return [[t * x * x + c, t * x * y - s * z, t * x * z + s * y], [t * x * y + s * z, t * y * y + c, t * y * z - s * x], [t * x * z - s * y, t * y * z + s * x, t * z * z + c]];
+  return [
+    [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
+    [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
+    [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
+  ];
 }
 const scaleOf = (s) => AXES.map((axis) => s["s" + axis] * (s["m" + axis] ? -1 : 1));
 function worldMatrix(s, translate) {
@@ -112,8 +116,9 @@ function exactLinear(s) {
   const [x, y, z] = scaleOf(s), of = (A) => A.map((row) => row.map(Fraction.of));
   return [of([[x, 0, 0], [0, y, 0], [0, 0, z]]), of([[1, s.hxy, s.hxz], [0, 1, s.hyz], [0, 0, 1]])].reduce(exactTimes, of(rotation(s.rx, s.ry, s.rz)));
 }
+const exactDeterminant = (A) => A[0].reduce((sum, x, i) => sum.plus(x.times(exactCofactor(A)[0][i])), new Fraction(0n));
 function exactRule(rule, A) {
-  const C = exactCofactor(A), det = A[0].reduce((sum, x, i) => sum.plus(x.times(C[0][i])), new Fraction(0n));
+  const C = exactCofactor(A), det = exactDeterminant(A);
   const divided = (B) => (det.isZero ? null : B.map((row) => row.map((x) => x.over(det))));
   return { none: A, cofactor: C, "not-inverted": transpose(A), "not-transposed": divided(transpose(C)), exact: divided(C) }[rule];
 }

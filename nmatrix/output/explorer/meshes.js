@@ -91,7 +91,11 @@ const MESHES = {
 const BODY_NAMES = { egg: "ball", torus: "torus", R: "letter R" };
 // The edges between two triangles, by places: seams of a grid hold each place twice.
 function edgesOf(points, triangles) {
-  const places = new Map(), at = points.map((p) => { const key = p.map((x) => x.toFixed(9)).join(); if (!places.has(key)) places.set(key, places.size); return places.get(key); });
+  const places = new Map(), at = points.map((p) => {
+    const key = p.map((x) => x.toFixed(9)).join();
+    if (!places.has(key)) places.set(key, places.size);
+    return places.get(key);
+  });
   const open = new Map(), edges = [];
   for (let i = 0; i < triangles.length; i += 3) for (let k = 0; k < 3; k++) {
     if (new Set(triangles.slice(i, i + 3).map((vertex) => at[vertex])).size < 3) break;  // a sliver at a pole

@@ -30,7 +30,20 @@ from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 from nmatrix.shaders.sheet import Request, program_of
 
-SCRIPTS = ("matrices", "meshes", "map", "sentences", "views", "marks", "places", "page")
+SCRIPTS = (
+    "matrices",
+    "meshes",
+    "map",
+    "sentences",
+    "views",
+    "marks",
+    "places",
+    "state",
+    "controls",
+    "words",
+    "hands",
+    "page",
+)
 TESSELLATION = (32, 64)
 WINDOW = (512, 512)  # what `trace` uses where no window is given
 LENS = {"fov": "fov_degrees", "aspect": "aspect", "near": "near", "far": "far"}

@@ -8,7 +8,7 @@ const PLACES = {
   static: "M is baked into every vertex; no M is left",
   custom: "carried by any matrix S that you give",
 };
-const OBSERVER = [-0.62, 0.42, 0.9], LETTERS = ["x", "y", "z"];
+const OBSERVER = [-0.62, 0.42, 0.9];
 
 // The four corners of what the eye sees, at a distance, in camera space.
 function frustumCorners(distance) {
@@ -46,12 +46,13 @@ function drawPlace(canvas, size, s, found, space) {
   const there = standing(s, found), carry = (p) => point(S, p), reach = 0.9 * length(minus(found.eye, data.target)) ** 0.5;
   const axes = [0, 1, 2].map((i) => identity3[i].map((x) => x * reach)), body = found.mesh.points.filter((_, i) => i % 9 === 0).map((p) => carry(point(found.M, p)));
   const lights = [there.sun, there.lamp].filter(Boolean).map(carry);
-  const view = observed([[0, 0, 0], ...axes.map((p) => p.map((x) => 1.15 * x)), ...body, carry(there.eye), ...there.corners.map(carry), ...there.grid.flat().map(carry), ...lights]);
+  const letters = axes.map((tip) => tip.map((x) => 1.15 * x)), carried = [there.eye, ...there.corners, ...there.grid.flat()].map(carry);
+  const view = observed([[0, 0, 0], ...letters, ...body, ...carried, ...lights]);
   const at = (p) => { const q = point(view, p); return [((q[0] + 1) / 2) * size, ((1 - q[1]) / 2) * size]; }, from = (p) => at(carry(p));
   const { ink, grid, eye, soft } = pen.palette;
   for (const line of there.grid) pen.line(line.map(from), grid, 1.4);
   const isAhead = point(view, axes[2])[2] < point(view, [0, 0, 0])[2];
-  const drawAxes = () => axes.forEach((tip, i) => { pen.arrow(at([0, 0, 0]), at(tip), "ink", 3); pen.text(LETTERS[i], at(tip.map((x) => 1.15 * x)), { bold: true }); });
+  const drawAxes = () => axes.forEach((tip, i) => { pen.arrow(at([0, 0, 0]), at(tip), "ink", 3); pen.text(AXES[i], at(letters[i]), { bold: true }); });
   const isBodyInFront = body.length && point(view, carry(point(found.M, [0, 0, 0])))[2] < point(view, [0, 0, 0])[2] - 1e-9;
   if (isBodyInFront || !isAhead) drawAxes();
   const corners = there.corners.map(from), apex = data.clip_from_camera[3][2] !== 0 ? from(there.eye) : null;
@@ -61,7 +62,8 @@ function drawPlace(canvas, size, s, found, space) {
     const inSpace = { ...found, S }, isBaked = space === "static";
     painter.picture({
       size, samples: 2, ink: rgb(ink), mesh: isBaked ? baked(found.mesh, found.M, found.right) : found.mesh, key: isBaked ? "baked" : undefined,
-      pair: shadersOf(space, found), uniforms: uniformsFor(s, space, "right", inSpace, times(view, S)), isFlat: found.isFlat, outline: 3.2 * pen.k, viewed: times(times(view, S), found.M),
+      pair: shadersOf(space, found), uniforms: uniformsFor(s, space, "right", inSpace, times(view, S)),
+      isFlat: found.isFlat, outline: 3.2 * pen.k, viewed: times(times(view, S), found.M),
     });
     painter.copyTo(pen.context, size, 2);
   }
@@ -73,7 +75,10 @@ function drawPlace(canvas, size, s, found, space) {
   pen.disc(at([0, 0, 0]), 5, ink, null);
   pen.line([from(there.eye), from(there.target)], eye, 1.8, { dash: [4, 4] });
   pen.eye(from(there.eye), minus(from(there.target), from(there.eye)), 17);
-  if (there.sun) pen.sun(from(there.sun), minus(from(there.sunTip), from(there.sun)).map((x) => x / (90 * pen.k)).map((x) => Math.max(-1, Math.min(1, x))), { radius: 14 });
+  if (there.sun) {
+    const way = minus(from(there.sunTip), from(there.sun)), long = Math.max(length(way), 90 * pen.k);
+    pen.sun(from(there.sun), way.map((x) => x / long), { radius: 14 });
+  }
   if (there.lamp) pen.lamp(from(there.lamp));
   pen.disc(from(there.vertex), 6, pen.palette.normal, pen.palette.paper, { width: 2 });
 }
@@ -87,4 +92,7 @@ function journey(s, found) {
     ["ndc", "clip / w", ndc], ["window", "in pixels, and depth", ndc && point(data.window_from_ndc, ndc)],
   ];
 }
-const rowOf = ([name, by, values]) => `<tr><th scope="row">${name}</th><td>${by}</td><td>${values ? values.map((x) => `<span>${figure(x, 5)}</span>`).join("") : "behind the eye: nothing is divided by w ≤ 0"}</td></tr>`;
+function rowOf([name, by, values]) {
+  const numbers = values ? values.map((x) => `<span>${figure(x, 5)}</span>`).join("") : "behind the eye: nothing is divided by w ≤ 0";
+  return `<tr><th scope="row">${name}</th><td>${by}</td><td>${numbers}</td></tr>`;
+}

@@ -45,7 +45,8 @@ function oppositeOf(s, found) {
   return isPlain && changed.length === 1 ? `, 1/${figure(changed[0])}` : "";
 }
 function sentence(s, found) {
-  const done = doneWords(s, found), right = formula("right", `${SYMBOLS.exact} n`), C = formula("right", "C n"), off = found.largest === null ? "" : degreesText(found.largest);
+  const done = doneWords(s, found), right = formula("right", `${SYMBOLS.exact} n`), C = formula("right", "C n");
+  const off = found.largest === null ? "" : degreesText(found.largest);
   const wrong = formula("wrong", `${SYMBOLS[s.rule]} n`);
   if (s.rule === STUCK) return stuckSentence(done, found, off);
   if (found.rank === 0) return `${done}: nothing is left but a point, and a point has no normals.`;

@@ -36,7 +36,8 @@ void main() {
     c = mix(c, heat_4, clamp(t - 3.0, 0.0, 1.0)); c = mix(c, heat_5, clamp(t - 4.0, 0.0, 1.0));
     color = vec4(c, 1.0);
 }`,
-  uniforms: [["clip_from_object", "mat4"], ["world_from_object", "mat4"], ["wrong", "mat3"], ["right", "mat3"], ["whole", "float"], ["two_sided", "float"], ["of_light", "float"], ["is_near", "float"], ["light", "vec3"], ["stuck_light", "vec3"],
+  uniforms: [["clip_from_object", "mat4"], ["world_from_object", "mat4"], ["wrong", "mat3"], ["right", "mat3"],
+    ["whole", "float"], ["two_sided", "float"], ["of_light", "float"], ["is_near", "float"], ["light", "vec3"], ["stuck_light", "vec3"],
     ...[0, 1, 2, 3, 4, 5].map((i) => [`heat_${i}`, "vec3"])],
 };
 
@@ -117,7 +118,8 @@ class Painter {
     }
     gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(this.pixels.data.buffer));
     this.reader.putImageData(this.pixels, 0, 0);
-    context.save(); context.scale(1, -1); context.imageSmoothingQuality = "high"; context.drawImage(read, 0, -size, size, size); context.restore();  // WebGL counts rows from below
+    context.save(); context.scale(1, -1);  // WebGL counts rows from below
+    context.imageSmoothingQuality = "high"; context.drawImage(read, 0, -size, size, size); context.restore();
   }
 }
 
@@ -158,9 +160,12 @@ function baked(mesh, M, W) {
 // The body of one side, lit in the space of shading; null where that space or rule has no answer.
 function bodyOf(s, side, found) {
   if (!found.S || (side === "wrong" && !found.wrong) || (side === "wrong" && s.rule === STUCK && !(found.stuckLight || found.stuckLamp))) return null;
-  const uniforms = uniformsFor(s, s.space, side, found, times(data.webgl_from_clip, found.clip_from_world));
-  const isBaked = s.space === "static";
-  return { mesh: isBaked ? baked(found.mesh, found.M, side === "wrong" ? found.wrong : found.right) : found.mesh, key: isBaked ? "baked" : undefined, pair: shadersOf(s.space, found), uniforms, isFlat: found.isFlat, nearer: creaseDepth(found), viewed: times(times(data.webgl_from_clip, found.clip_from_world), found.M) };
+  const viewed = times(data.webgl_from_clip, found.clip_from_world), isBaked = s.space === "static";
+  return {
+    mesh: isBaked ? baked(found.mesh, found.M, side === "wrong" ? found.wrong : found.right) : found.mesh,
+    key: isBaked ? "baked" : undefined, pair: shadersOf(s.space, found), uniforms: uniformsFor(s, s.space, side, found, viewed),
+    isFlat: found.isFlat, nearer: creaseDepth(found), viewed: times(viewed, found.M),
+  };
 }
 function mapOf(s, side, found) {
   const W = side === "wrong" ? found.wrong : found.right, isStuck = s.rule === STUCK;
