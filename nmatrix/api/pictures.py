@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterable
 from pathlib import Path
 
 from nmatrix.api.report import Picture
 from nmatrix.api.setup import Setup, setup_values
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, Theme, chosen
 from nmatrix.linear.values import named_file, number, vector
 from nmatrix.scene.camera import View
-from nmatrix.scene.lens import Lens
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 from nmatrix.spaces.shading_spaces import space_named
 
@@ -27,6 +27,8 @@ def render(
     space: str | Space | None = None,
     samples: int | None = None,
     effects: str | Effort = Effort.PLANNED,
+    theme: str | Theme = Theme.LIGHT,
+    show: str | Iterable[str] = (),
 ) -> Picture:
     r"""Draw a proof by its name, a scene file, a glTF file or a mesh.
 
@@ -40,9 +42,12 @@ def render(
     mesh
         For a proof: a mesh file to draw it of.
     size
-        Width and height in pixels, for a proof of each panel.
-    shading, reflection, normals, space, samples, effects
+        Width and height of the picture in pixels.
+    shading, reflection, normals, space, samples, effects, theme
         As the command line has them; None leaves them to the file or the proof.
+    show
+        For a file: what is drawn over it, of `normals`, `tangents`, `axes`, `lights`, `eye`,
+        `wireframe`, `bounds`.
 
     Raises
     ------
@@ -55,7 +60,14 @@ def render(
     >>> picture.image.dtype, picture.png[:4]
     (dtype('uint8'), b'\x89PNG')
     """
-    from nmatrix.answers.render import PANEL, PictureChoices, is_proof, proof_frame, scene_frame
+    from nmatrix.answers.render import (
+        PictureChoices,
+        is_proof,
+        proof_frame,
+        scene_frame,
+        scene_lights,
+        shown_named,
+    )
     from nmatrix.answers.render import render as answer
     from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.scene.meshes.file import read_mesh
@@ -70,20 +82,22 @@ def render(
         None if space is None else space_named(space),
         None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
+        chosen(Theme, theme, "theme"),
+        shown_named(show),
     )
     if is_proof(name, setup=setup, mesh=mesh):
         values = setup_values(Setup() if setup is None else setup)
-        if values.lens.aspect == Lens().aspect:  # a panel's own
-            values = replace(values, lens=replace(values.lens, aspect=choices.aspect(PANEL)))
         of_mesh = None if mesh is None else named_file(mesh, "mesh")
         own = ProofSettings(
             name if of_mesh is None else of_mesh.stem,
             None if of_mesh is None else read_mesh(of_mesh),
             None if values.world == World() else values.world,
             None if values.view == View() else values.view,
+            values.lens,
+            None if values.light == Light() else scene_lights(values.light),
         )
         frame = proof_frame(name, own, values, choices)
     else:
         frame = scene_frame(scene_of(Path(name)), Path(name).stem, choices)
     proof = frame.draw()
-    return Picture(answer(proof), proof.image, proof.texts)
+    return Picture(answer(proof), proof)

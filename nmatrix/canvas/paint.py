@@ -23,17 +23,20 @@ if TYPE_CHECKING:
 POINTS = 72  # in an inch, and units: a unit is a point
 HALO = 4.0  # units around letters
 LEAST_TEXT = 2.0  # pixels: fonts have no smaller letters, and no eye reads them
+AS_WIDE_AS_MEASURED = {"text.hinting": "none"}  # hinted letters stand on whole pixels
 TEXT_AS_TEXT = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
 
 
 def pixels(canvas: Canvas) -> NDArray[Any]:
     """Paint a canvas as 8-bit pixels (height, width, 3)."""
+    import matplotlib as mpl
     import numpy as np
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     figure = _figure(canvas, canvas.scale)
     agg = FigureCanvasAgg(figure)
-    agg.draw()
+    with mpl.rc_context(AS_WIDE_AS_MEASURED):
+        agg.draw()
     wide, high = canvas.pixels
     return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])
 
@@ -106,7 +109,7 @@ class _Painter:
 
         gc = self._gc(mark.colour, mark.width)
         if mark.dash is not None:
-            gc.set_dashes(0, [part * self.scale for part in mark.dash])
+            gc.set_dashes(0, mark.dash)
         gc.set_capstyle("round" if mark.round_ends else "butt")
         gc.set_joinstyle("round")
         self.renderer.draw_path(gc, Path(mark.points), self.to_renderer, None)
@@ -176,7 +179,7 @@ class _Painter:
     def _gc(self, colour: str, line: float) -> Any:  # noqa: ANN401  # matplotlib's graphics context
         gc = self.renderer.new_gc()
         gc.set_foreground(colour)
-        gc.set_linewidth(line * self.scale)
+        gc.set_linewidth(line)  # in points, which the renderer scales
         gc.set_antialiased(True)
         gc.set_snap(False)
         return gc

@@ -1,27 +1,28 @@
 """The layout of a proof: the claim as title, panels that say one thing each, one large number.
 
 A slide is 1600 × 900 units, or as much wider or higher as the picture's shape asks for: stages
-grow, type keeps its size. Beyond 2.4 : 1 and 0.8 : 1 the slide stays as it is, in the middle.
+grow, type keeps its size. Beyond 2.4 : 1 and 1.45 : 1 the slide stays as it is, in the middle.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, ring
+from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, hatch, ring
 from nmatrix.canvas.marks import Box, Canvas
 from nmatrix.canvas.text import LEADING, fitting, plain, width
 from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import Theme
 
 WIDTH, HEIGHT = 1600.0, 900.0
-WIDEST, HIGHEST = 2.4, 0.8  # width over height
+WIDEST, HIGHEST = 2.4, 1.45  # width over height
 MARGIN = 48.0
 TITLE_SIZES = range(36, 45)
 HEADING, NARROW_HEADING, CAPTION, BIG = 30, 24, 22, 84
 TITLE_AT, HEADING_AT, STAGE_AT = 76.0, 140.0, 156.0
 GUTTER = 20.0
+LABELS, LARGE_BADGE = 196.0, 27.0  # the words beside the rows of a table
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +40,15 @@ class Panel:
         mark = {Verdict.WRONG: "✗ ", Verdict.RIGHT: "✓ ", None: ""}[self.verdict]
         caption = plain(self.caption.replace("\n", " "))
         return mark + ": ".join(filter(None, (plain(self.heading), caption)))
+
+
+@dataclass(frozen=True)
+class Row:
+    """What a row of a table of panels shows: a word with its verdict, and a sentence under it."""
+
+    heading: str
+    verdict: Verdict
+    caption: str
 
 
 @dataclass(eq=False)
@@ -99,6 +109,61 @@ class Slide:
             self.caption(box, caption)
         return found
 
+    def table(
+        self, box: Box, rows: Sequence[Row], columns: Sequence[str], undecided: int = 0
+    ) -> list[list[Panel]]:
+        """Lay rows of panels under the headings of their columns, beside the words of each row.
+
+        In the first columns, as many as are `undecided`, the rows do not differ yet.
+        """
+        inner = Box(box.x + LABELS, box.y, box.width - LABELS, box.height)
+        found = []
+        for place, row in zip(inner.rows(len(rows), GUTTER), rows, strict=True):
+            badge(self.canvas, (box.x + LARGE_BADGE, place.y + 44), row.verdict, LARGE_BADGE)
+            colour = self.palette.named[row.verdict.value]
+            self.canvas.text((box.x, place.y + 112), row.heading, HEADING - 2, colour, bold=True)
+            self.canvas.paragraph(
+                (box.x, place.y + 148), row.caption, CAPTION, LABELS - GUTTER, self._soft
+            )
+            found.append(
+                [
+                    self._cell(stage, f"{row.heading}, {column}", row.verdict if decided else None)
+                    for decided, stage, column in zip(
+                        (i >= undecided for i in range(len(columns))),
+                        place.columns(len(columns), GUTTER),
+                        columns,
+                        strict=True,
+                    )
+                ]
+            )
+        for one, column in zip(found[0], columns, strict=True):
+            self.heading(one.stage.x, one.stage.y - 16, column)
+        return found
+
+    def captioned(self, panel: Panel, caption: str) -> Panel:
+        """Write the caption of a panel that was laid without one."""
+        self.caption(panel.stage, caption)
+        return self._instead(panel, replace(panel, caption=caption))
+
+    def _instead(self, panel: Panel, other: Panel) -> Panel:
+        self.panels = [other if one is panel else one for one in self.panels]
+        return other
+
+    def _cell(self, stage: Box, heading: str, verdict: Verdict | None) -> Panel:
+        """Lay the stage of a panel whose heading stands at its row and its column."""
+        laid = self.panel(stage)
+        return self._instead(laid, replace(laid, heading=heading, verdict=verdict))
+
+    def no_answer(self, panel: Panel, reason: str, size: int = HEADING) -> None:
+        """Hatch a stage on which there is nothing to draw, and write the reason in it."""
+        self.canvas.polygon(panel.stage.corners, fill=self.palette.stage)
+        hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
+        (x, y), halo = panel.stage.middle, self.palette.stage
+        colour = self.palette.wrong if panel.verdict is Verdict.WRONG else self.palette.ink
+        self.canvas.text(
+            (x, y + 0.36 * size), reason, size, colour, bold=True, align=0.5, halo=halo
+        )
+
     def heading(
         self, x: float, y: float, text: str, verdict: Verdict | None = None, *, size: int = HEADING
     ) -> None:
@@ -132,10 +197,12 @@ class Slide:
         assert lines <= y + 24 * LEADING + 1e-6, text  # one line
 
     def compare(self, left: Panel, right: Panel, *, same: bool) -> None:
-        """Draw = or ≠ between two panels."""
+        """Draw = or ≠ between two panels, beside the heading if one stands above the other."""
         if same:
             self.same.append((left, right))
         x = (left.stage.right + right.stage.x) / 2
+        if left.stage.x == right.stage.x:
+            x = left.stage.right - 2 * BADGE_RADIUS
         y = (left.stage.middle[1] + right.stage.middle[1]) / 2
         ring(self.canvas, (x, y), same=same)
 

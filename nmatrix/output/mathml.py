@@ -9,10 +9,10 @@ from html import escape
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.formulas.mathml import equation, mathml, matrix
 from nmatrix.output.formulas.spoken import matrix_in_words, spoken
+from nmatrix.output.style import RAISED
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
-_RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")
 _PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
 _PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
 
@@ -33,7 +33,7 @@ def prose(text: str) -> str:
     'A<sup>−T</sup>\xa0n &lt; 1'
     """
     joined = _PRODUCT.sub("\\1\N{NO-BREAK SPACE}\\2", text)
-    return _RAISED.sub(lambda run: f"<sup>{run[0].translate(_PLAIN)}</sup>", escape(joined))
+    return RAISED.sub(lambda run: f"<sup>{run[0].translate(_PLAIN)}</sup>", escape(joined))
 
 
 class MathML(Dialect):

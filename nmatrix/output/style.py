@@ -1,16 +1,20 @@
 """What a terminal can show: text in styled pieces, few colours, and ASCII where it knows no more.
 
-A line is a tuple of spans; its width is counted before any colour goes in.
+A line is a tuple of spans; its width is counted before any colour goes in. Colours are of the fixed
+part of the 256: the first sixteen are each theme's own, and some of them cannot be read on its own
+background. Those chosen here stand out from black and from white alike.
 """
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from enum import StrEnum
 
 from nmatrix.output.write import Charset, Colour
 
 RESET = "\x1b[0m"
+GREY, ROSE, OLIVE, BLUE, GREEN, ORANGE = 244, 197, 64, 33, 29, 166  # of the 256 colours
 
 
 class Style(StrEnum):
@@ -18,14 +22,16 @@ class Style(StrEnum):
 
     PLAIN = ""
     TITLE = "\x1b[1m"
-    DIM = "\x1b[2m"
-    X = "\x1b[31m"
-    Y = "\x1b[32m"
-    Z = "\x1b[34m"
-    GOOD = "\x1b[1;32m"
-    BAD = "\x1b[1;31m"
+    DIM = f"\x1b[38;5;{GREY}m"
+    X = f"\x1b[38;5;{ROSE}m"
+    Y = f"\x1b[38;5;{OLIVE}m"
+    Z = f"\x1b[38;5;{BLUE}m"
+    RIGHT = f"\x1b[1;38;5;{GREEN}m"
+    WRONG = f"\x1b[1;38;5;{ORANGE}m"
 
 
+RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")  # a whole exponent
+_ON_THE_LINE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789-T")
 _ASCII = str.maketrans(
     {
         "−": "-",
@@ -44,12 +50,6 @@ _ASCII = str.maketrans(
         "→": "->",
         "⇒": "=>",
         "⇔": "<=>",
-        "ᵀ": "^T",
-        "⁻": "^-",
-        "¹": "1",
-        "²": "^2",
-        "³": "^3",
-        "⁴": "^4",
         "∞": "inf",
         "‖": "|",
         "⊥": " perpendicular to ",
@@ -68,6 +68,7 @@ _ASCII = str.maketrans(
         "κ": "kappa",
         "λ": "lambda",
         "μ": "mu",
+        "µ": "u",
         "π": "pi",
         "σ": "sigma",
         "τ": "tau",
@@ -89,6 +90,8 @@ _ASCII = str.maketrans(
     }
 )
 AXES = {"x": Style.X, "y": Style.Y, "z": Style.Z}
+MARKS = {"✓": Style.RIGHT, "✗": Style.WRONG}
+_MARK = re.compile(f"([{''.join(MARKS)}])")
 
 
 @dataclass(frozen=True)
@@ -103,8 +106,15 @@ Line = tuple[Span, ...]
 
 
 def plain(text: str) -> Line:
-    """Make a line of ordinary text."""
-    return (Span(text),)
+    """Make a line of ordinary text, in which only ✓ and ✗ have a colour.
+
+    Examples
+    --------
+    >>> [span.style.name for span in plain("✗ A n")]
+    ['WRONG', 'PLAIN']
+    """
+    pieces = _MARK.split(text) if not text.isascii() else [text]
+    return tuple(Span(piece, MARKS.get(piece, Style.PLAIN)) for piece in pieces if piece)
 
 
 def width(line: Line) -> int:
@@ -157,10 +167,11 @@ def spelled(text: str, charset: Charset) -> str:
 
     Examples
     --------
-    >>> spelled("A⁻ᵀ is 90° − θ", Charset.ASCII)
-    'A^-T is 90 deg - theta'
+    >>> spelled("A⁻ᵀ is 90° − θ, to 10⁻¹⁴", Charset.ASCII)
+    'A^-T is 90 deg - theta, to 10^-14'
     """
     if charset is Charset.UNICODE or text.isascii():
         return text
-    known = text.replace("⁻ᵀ", "^-T").translate(_ASCII)
+    level = RAISED.sub(lambda found: "^" + found[0].translate(_ON_THE_LINE), text)
+    known = level.translate(_ASCII)
     return known.encode("ascii", "backslashreplace").decode("ascii")

@@ -229,9 +229,29 @@ def test_the_list_names_every_proof(nmatrix) -> None:
 
 
 def test_a_preview_is_drawn_in_characters(nmatrix) -> None:
-    found = nmatrix(f"render normals {SMALL} --preview")
+    found = nmatrix("render normals --size 320 180 --preview")
     assert max(map(len, found.out.splitlines())) <= 80
     assert ":::::" in found.out
+    assert "✗ A n" in found.out
+
+
+@pytest.mark.parametrize("beside", ["-f json", "-f markdown", "-o -"])
+def test_a_preview_does_not_stand_within_what_a_program_reads(nmatrix, beside: str) -> None:
+    found = nmatrix(f"render normals {SMALL} --preview {beside}")
+    assert found.code == 2
+    assert found.is_one_line
+    assert "--preview" in found.err
+    assert not list(Path().iterdir())
+
+
+def test_a_proof_says_its_claim_first_and_nothing_that_was_not_measured(nmatrix) -> None:
+    found = nmatrix(f"render normals {SMALL}").out.splitlines()
+    data = nmatrix(f"render normals {SMALL} --force -f json").data
+    assert found[0].startswith("Stretch a shape by A")
+    assert found[3] == "With A itself the normals are up to 36.87° off."
+    assert found[-1] == "normals.png"
+    assert not [line for line in found if "none" in line or "camera" in line]
+    assert {"triangles", "fragments", "image"} <= set(data)
 
 
 def test_a_picture_can_go_to_stdout(capfdbinary, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
+from nmatrix.raster.proofs.lights import SPUN
 from PIL import Image
 
 from nmatrix.enums import NormalRule
@@ -15,11 +16,11 @@ from nmatrix.errors import NoAnswerError
 from nmatrix.linear.classify import classify
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.proofs import angles
-from nmatrix.raster.proofs.angles import Scale, normals_by
+from nmatrix.raster.proofs.angles import Scale
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame, turns
-from nmatrix.raster.proofs.lights import SPUN
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
+from nmatrix.raster.shading.normals import normals_by
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import sphere, torus
 from nmatrix.scene.scene import Settings
