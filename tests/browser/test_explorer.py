@@ -25,9 +25,10 @@ from nmatrix.linear.rounding import integers
 from nmatrix.output.explorer.page import OTHER_SPACE, SURFACE, TESSELLATION, page, page_data
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import everything
+from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.render import render
 from nmatrix.scene.camera import View
-from nmatrix.scene.geometry import ShapeGeometry
+from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material
@@ -45,6 +46,7 @@ BARE = """side => {
   return pen.context.canvas.toDataURL();
 }""" % (SIZE, SIZE, SIZE)  # noqa: UP031 (the script has braces of its own)
 STAGE = tuple(int(PALETTES[Theme.LIGHT].stage[i : i + 2], 16) for i in (1, 3, 5))
+TORUS = ShapeGeometry(Shape.TORUS, TESSELLATION)
 TURNS = {f"r{a}": 0 for a in "xyz"}
 
 
@@ -180,13 +182,14 @@ def pixels(address: str) -> np.ndarray:
     return np.asarray(image, int)
 
 
-def rasterized(world: World, space: Space, rule: NormalRule, eye: tuple) -> np.ndarray:
+def rasterized(
+    world: World, space: Space, rule: NormalRule, eye: tuple, shape: object = TORUS
+) -> np.ndarray:
     material = Material(
         ambient=SURFACE["ambient_color"],
         diffuse=SURFACE["diffuse_color"],
         reflection=Reflection.LAMBERT,
     )
-    shape = ShapeGeometry(Shape.TORUS, TESSELLATION)
     light = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-1, -2, -1))
     settings = replace(
         Settings(),
@@ -240,6 +243,16 @@ def test_its_pictures_are_the_rasterizers(calm, space, rule, more) -> None:
         share = (off <= 2).mean()
         assert share >= 0.995, (side, share)
         assert (ours != STAGE).any(axis=2).mean() > 0.05, "something is drawn"
+
+
+def test_the_letter_is_the_one_of_the_proofs(calm) -> None:
+    numbers = moved(calm, "shape=R&mx=1&ry=20")
+    world = world_of({**page_data(SETUP)["start"], "mx": 1, "ry": 20})
+    letter = LoadedGeometry(letter_r())
+    ours = rasterized(world, Space.WORLD, NormalRule.EXACT, tuple(numbers["eye"]), letter)
+    off = np.abs(ours - pixels(calm.evaluate(BARE, "right"))).max(axis=2)
+    assert (off <= 2).mean() >= 0.995
+    assert (ours != STAGE).any(axis=2).mean() > 0.05
 
 
 def test_two_wrong_pictures_would_not_pass(calm) -> None:

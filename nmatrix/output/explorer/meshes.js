@@ -10,7 +10,7 @@ function grid(rings, sectors, at) {
     const a = i * (sectors + 1) + j, b = a + sectors + 1;
     triangles.push(a, a + 1, b, b, a + 1, b + 1);
   }
-  return { positions, normals, triangles, creases: [] };
+  return { positions, normals, triangles };
 }
 function onSphere(u, around) {
   const out = u === 1 ? 0 : Math.sin(u * Math.PI);
@@ -25,57 +25,15 @@ function onTorus(u, around) {
 }
 const ringOf = (at, u, count, shift) => Array.from({ length: count }, (_, j) => at(u, ((j + shift) / count) * 2 * Math.PI));
 
-const HALF_DEPTH = 0.24;
-// Each part of the letter is a strip between two lines of points, from one to the other; `open`
-// are the sides that another part covers, and `round` has normals that run on from wall to wall.
+// The letter is the one of the proofs; its tacks stand in the middle of its faces and walls.
 function letterR() {
-  const mesh = { positions: [], normals: [], triangles: [], creases: [] };
-  const vertex = (p, n) => { mesh.positions.push(...p.map((x) => rounded(x, 6))); mesh.normals.push(...n); return mesh.positions.length / 3 - 1; };
-  const line = (a, b) => mesh.creases.push(vertex(a, [0, 0, 1]), vertex(b, [0, 0, 1]));
-  const quad = (corners, normals) => { const [a, b, c, d] = corners.map((p, i) => vertex(p, normals[i])); mesh.triangles.push(a, b, c, a, c, d); };
-  function wall(points, round, center, outward) {  // the body lies to the left of the way
-    for (let i = 0; i + 1 < points.length; i++) {
-      const [a, b] = [points[i], points[i + 1]], flat = unit([b[1] - a[1], a[0] - b[0], 0]);
-      const at = (p) => (round(p) ? unit([outward * (p[0] - center[0]), outward * (p[1] - center[1]), 0]) : flat);
-      const isBent = round(a) && round(b), [m, n] = isBent ? [at(a), at(b)] : [flat, flat];
-      quad([[...a, HALF_DEPTH], [...a, -HALF_DEPTH], [...b, -HALF_DEPTH], [...b, HALF_DEPTH]], [m, m, n, n]);
-      for (const z of [HALF_DEPTH, -HALF_DEPTH]) line([...a, z], [...b, z]);
-      if (i === 0 || !isBent) line([...a, HALF_DEPTH], [...a, -HALF_DEPTH]);
-    }
-    const last = points[points.length - 1];
-    line([...last, HALF_DEPTH], [...last, -HALF_DEPTH]);
-  }
-  function faces(outer, inner) {
-    for (let i = 0; i + 1 < outer.length; i++) for (const side of [1, -1]) {
-      const corners = [outer[i], inner[i], inner[i + 1], outer[i + 1]].map((p) => [...p, side * HALF_DEPTH]);
-      if (side < 0) corners.reverse();
-      quad(corners, corners.map(() => [0, 0, side]));
-    }
-  }
-  const straight = () => false;
-  const stem = [[-0.25, 1], [-0.65, 1], [-0.65, -1], [-0.25, -1]];
-  faces([stem[0], stem[3]], [stem[1], stem[2]]);
-  const [middle, steps] = [[0.1, 0.43], 24];
-  const arc = (radius) => Array.from({ length: steps + 1 }, (_, i) => {
-    const [s, c] = turn(90 - (180 * i) / steps);
-    return [middle[0] + radius * c, middle[1] + radius * s];
-  });
-  const bowl = (radius) => [[-0.25, middle[1] + radius], ...arc(radius), [-0.25, middle[1] - radius]];
-  const [outer, inner] = [bowl(0.57), bowl(0.2)];
-  faces(outer, inner);
-  const bent = (p) => p[0] >= middle[0] - 1e-9;
-  wall([...stem, [-0.25, outer[steps + 2][1]]], straight);
-  wall([[-0.25, inner[steps + 2][1]], [-0.25, inner[0][1]]], straight);
-  wall([...outer].reverse(), bent, middle, 1);
-  wall(inner, bent, middle, -1);
-  const leg = [[-0.12, -0.14], [0.32, -1], [0.78, -1], [0.3, -0.1]];
-  faces([leg[3], leg[2]], [leg[0], leg[1]]);
-  wall(leg, straight);
-  const front = [[-0.45, 0.62], [-0.45, -0.6], [0.45, -0.75], [0.48, 0.43]];
-  mesh.tacks = [...front.map((p) => [[...p, HALF_DEPTH], [0, 0, 1]]), ...front.map((p) => [[...p, -HALF_DEPTH], [0, 0, -1]]),
-    [[-0.45, 1, 0], [0, 1, 0]], [[-0.65, 0, 0], [-1, 0, 0]], [[0.1 + 0.57 * Math.SQRT1_2, 0.43 + 0.57 * Math.SQRT1_2, 0], [Math.SQRT1_2, Math.SQRT1_2, 0]],
-    [[0.52, -0.521, 0], unit([0.9, 0.48, 0])], [[0.55, -1, 0], [0, -1, 0]]];
-  return mesh;
+  const front = [[-0.42, 0.62], [-0.42, -0.6], [0.24, -0.62], [0.5, 0.44]], [bowl, slope] = [Math.SQRT1_2, unit([0.88, 0.54, 0])];
+  const tacks = [1, -1].flatMap((side) => front.map((p) => [[...p, 0.24 * side], [0, 0, side]]));
+  return {
+    ...data.letter, isSmooth: false,
+    tacks: [...tacks, [[-0.42, 1, 0], [0, 1, 0]], [[-0.62, 0, 0], [-1, 0, 0]], [[0.12 + 0.56 * bowl, 0.44 + 0.56 * bowl, 0], [bowl, bowl, 0]],
+      [[0.39, -0.56, 0], slope], [[0.46, -1, 0], [0, -1, 0]]],
+  };
 }
 const MESHES = {
   egg: () => Object.assign(grid(data.tessellation[0], data.tessellation[1], onSphere), {
@@ -104,6 +62,11 @@ function edgesOf(points, triangles) {
   }
   return edges;
 }
+// The edges at which a body is sharp: its two faces there are more than 22° apart.
+function creasesOf(points, triangles, edges) {
+  const faceNormal = (i) => { const [a, b, c] = [0, 1, 2].map((k) => points[triangles[i + k]]); return unit(cross(minus(b, a), minus(c, a))); };
+  return edges.flatMap(([a, b, first, second]) => (dot(faceNormal(first), faceNormal(second)) < turn(22)[1] ? [a, b] : []));
+}
 // The edges where the body turns away from the eye, and so ends for it: pairs of vertices.
 function silhouette(mesh, clip_from_object) {
   const [X, Y, , W] = clip_from_object, { triangles } = mesh, seen = mesh.points.map(([x, y, z]) => {
@@ -121,8 +84,8 @@ const built = {};
 function meshOf(shape) {
   if (!built[shape]) {
     const mesh = MESHES[shape](), triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3));
-    const points = triples(mesh.positions);
-    built[shape] = { ...mesh, shape, points, directions: triples(mesh.normals), edges: edgesOf(points, mesh.triangles) };
+    const points = triples(mesh.positions), edges = edgesOf(points, mesh.triangles);
+    built[shape] = { ...mesh, shape, points, directions: triples(mesh.normals), edges, creases: creasesOf(points, mesh.triangles, edges) };
   }
   return built[shape];
 }

@@ -22,6 +22,8 @@ from nmatrix.linear.decompose import parts
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, window_from_ndc
 from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
+from nmatrix.raster.proofs.letter import letter_r
+from nmatrix.raster.proofs.proof import AMBIENT, DIFFUSE
 from nmatrix.report import Number
 from nmatrix.scene.camera import AIM, View
 from nmatrix.scene.lens import Lens
@@ -54,7 +56,7 @@ WRONG_RULES = (
     NormalRule.COFACTOR,
 )
 DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a direction
-SURFACE = {"ambient_color": (0.19, 0.24, 0.36), "diffuse_color": (0.79, 0.66, 0.44)}
+SURFACE = {"ambient_color": AMBIENT, "diffuse_color": DIFFUSE}
 SCHEMES = {  # when the page takes a theme's colours; the last that holds wins
     Theme.LIGHT: ":root {%s}",
     Theme.DARK: "@media (prefers-color-scheme: dark) {:root {%s}}",
@@ -149,8 +151,16 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
             for theme, palette in PALETTES.items()
         },
         "tessellation": TESSELLATION,
+        "letter": _letter(),
         "options": _options(setup, looks=looks),
     }
+
+
+def _letter() -> dict[str, list[float]]:
+    """Write the letter R as WebGL takes it: flat, to six decimals, finer than any screen."""
+    mesh = letter_r()
+    arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}
+    return {name: array.round(6).ravel().tolist() for name, array in arrays.items()}
 
 
 def _start(setup: Setup) -> dict[str, float | str]:
