@@ -43,7 +43,8 @@ def settled(found) -> dict:
     """The state once everything is drawn and the address is written."""
     found.evaluate(
         """async () => { const rest = () => new Promise(done => setTimeout(done, 20));
-            while (isMoving || isScheduled || isUnwritten) await rest(); }"""
+            const isLate = () => [...stages()].some(one => one.isSeen && one.isStale);
+            while (isMoving || isScheduled || isUnwritten || isLate()) await rest(); }"""
     )
     return state(found)
 
@@ -266,6 +267,8 @@ def test_a_space_is_chosen_where_it_is_drawn_and_the_picture_stays(opened, file)
     before = picture(found, "#right")
     for space in Space:
         found.locator(f".place[data-space={space}]").click()
+        found.locator(f".place[data-space={space}]").scroll_into_view_if_needed()
+        found.wait_for_timeout(100)
         settled(found)
         after = picture(found, "#right")
         assert (np.abs(before - after) > 3).mean() < 0.005, space

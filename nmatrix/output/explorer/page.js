@@ -68,10 +68,21 @@ function drawMap(s, found) {
   if (!body || found.largest === null) { pen.hatch(["—", "no answer"]); return; }
   if (painter.gl && found.rank > 1) paint(pen, body);
 }
-function drawPlaces() {
+// A small stage is drawn when it is on the screen, or on paper.
+const stages = () => document.querySelectorAll(".place canvas");
+function drawStale() {
   const found = meaningNow();
-  for (const canvas of document.querySelectorAll(".place canvas")) drawPlace(canvas, sizeOf(canvas), state, found, canvas.parentElement.dataset.space);
+  for (const canvas of stages()) {
+    if (!canvas.isStale || !(canvas.isSeen || themeNow() === "print")) continue;
+    drawPlace(canvas, sizeOf(canvas), state, found, canvas.parentElement.dataset.space);
+    canvas.isStale = false;
+  }
 }
+function drawPlaces() { for (const canvas of stages()) canvas.isStale = true; drawStale(); }
+const seen = new IntersectionObserver((entries) => {
+  for (const entry of entries) entry.target.isSeen = entry.isIntersecting;
+  drawStale();
+});
 function draw() {
   isScheduled = false;
   const found = meaningNow();
@@ -87,6 +98,7 @@ function schedule() { isMoving = true; if (!isScheduled) { isScheduled = true; r
 function drawNow() { fill(null); settle(); }
 
 readHash(); buildGroups(); buildChoices(); connect();
+for (const canvas of stages()) seen.observe(canvas);
 byId("no-gl").hidden = Boolean(painter.gl);
 document.body.classList.toggle("without-pictures", !painter.gl);
 drawNow();
