@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, hatch, ring
-from nmatrix.canvas.marks import Box, Canvas
+from nmatrix.canvas.marks import Box, Canvas, Point
 from nmatrix.canvas.text import LEADING, fitting, plain, width
 from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import Theme
@@ -154,15 +154,16 @@ class Slide:
         laid = self.panel(stage)
         return self._instead(laid, replace(laid, heading=heading, verdict=verdict))
 
-    def no_answer(self, panel: Panel, reason: str, size: int = HEADING) -> None:
+    def no_answer(
+        self, panel: Panel, reason: str, size: int = HEADING, place: Point | None = None
+    ) -> None:
         """Hatch a stage on which there is nothing to draw, and write the reason in it."""
         self.canvas.polygon(panel.stage.corners, fill=self.palette.stage)
         hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
-        (x, y), halo = panel.stage.middle, self.palette.stage
+        (x, y), halo = place or panel.stage.middle, self.palette.stage
         colour = self.palette.wrong if panel.verdict is Verdict.WRONG else self.palette.ink
-        self.canvas.text(
-            (x, y + 0.36 * size), reason, size, colour, bold=True, align=0.5, halo=halo
-        )
+        y += 0.36 * size
+        self.canvas.text((x, y), reason, size, colour, bold=True, align=0.5, halo=halo)
 
     def heading(
         self, x: float, y: float, text: str, verdict: Verdict | None = None, *, size: int = HEADING

@@ -143,10 +143,10 @@ def _scene(
     """
     from nmatrix.answers.render import scene_frame, scene_lights
 
+    choices = picture.choices(groups.space.chosen())
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
     read, one = groups.scene.scene, groups.scene.chosen_object
     assert read is not None and one is not None  # a file was named
-    choices = picture.choices(groups.space.chosen())
     setup = groups.setup(common, aspect=choices.aspect(read.settings))
     moved = one
     if groups.world.given:

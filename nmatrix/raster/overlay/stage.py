@@ -25,6 +25,7 @@ from nmatrix.raster.overlay.mesh_lines import creases, isoline, seen, silhouette
 from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.triangles.picture import DepthMap
+from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 
@@ -38,9 +39,8 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
-ZERO_DISC, ZERO = 0.18, 26  # the disc of a normal that is zero, and the size of its 0
+ZERO_DISC, ZERO = 0.17, 22  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
-
 ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
@@ -83,12 +83,12 @@ class Stage:
         y = box.y + (1 - space.y_sign * ndc[:, 1]) / 2 * box.height
         return np.stack([x, y, depth], axis=1)
 
-    def place(self, point: Sequence[float] | Array) -> Point | None:
+    def place(self, point: Sequence[Number] | Array) -> Point | None:
         """Return where a point of the world is on the canvas; None if the eye cannot see there."""
         x, y, _ = self.window(np.array([point], float))[0]
         return (float(x), float(y)) if np.isfinite(x) else None
 
-    def direction(self, direction: Sequence[float] | Array) -> Point:
+    def direction(self, direction: Sequence[Number] | Array) -> Point:
         """Return a direction of the world as the eye sees it, on the canvas, up to its length."""
         camera = np.array(to_floats(self.loaded.camera_from_world.exact))[:3, :3]
         x, y, _ = camera @ np.asarray(direction, float)
@@ -209,14 +209,22 @@ class Stage:
         return len(self.canvas.marks) > before
 
     def lights(self) -> None:
-        """Draw every light: one at infinity in the corner that it comes from, others in place."""
+        """Draw every light: one at infinity in the corner that it comes from, others in place.
+
+        One whose place is not in the picture is drawn as it shines from there on the bodies.
+        """
         for placed in self.loaded.lights:
             if placed.position is not None:
-                self.lamp([float(one) for one in placed.position])
+                position = [float(one) for one in placed.position]
+                if self._holds(self.place(position)):
+                    self.lamp(position)
+                elif self.loaded.bodies:
+                    middle = np.mean([one.centre for one in self.loaded.bodies], axis=0)
+                    self.sun((middle - position).tolist())
             elif placed.direction is not None:
                 self.sun([float(one) for one in placed.direction])
 
-    def sun(self, direction: Sequence[float], *, lost: bool = False) -> None:
+    def sun(self, direction: Sequence[Number], *, lost: bool = False) -> None:
         """Draw a light at infinity in the corner it comes from, its arrows as they are seen.
 
         One that is lost is drawn nearer to the middle, so that it covers no other.
@@ -226,7 +234,7 @@ class Stage:
             y += 2 * CORNER if y < self.box.middle[1] else -2 * CORNER
         glyphs.sun(self.canvas, (x, y), self.direction(direction), lost=lost)
 
-    def _corner_of_sun(self, direction: Sequence[float]) -> Point:
+    def _corner_of_sun(self, direction: Sequence[Number]) -> Point:
         towards = self.direction(direction)
         x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
         y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
@@ -243,10 +251,10 @@ class Stage:
         pairs = zip(inner.corners, self.box.inset(pad).corners, strict=True)
         return [corner for suns, corner in pairs if suns not in taken]
 
-    def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
-        """Draw a lamp at its place; one that the eye cannot see is left out."""
+    def lamp(self, point: Sequence[Number], *, lost: bool = False, radius: float = 15.0) -> None:
+        """Draw a lamp at its place; one that the picture does not reach is left out."""
         place = self.place(point)
-        if place is not None:
+        if place is not None and self.box.holds(place):
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
 
     def axes(self, frame: Array) -> None:
@@ -285,9 +293,9 @@ class Stage:
         if a is not None and b is not None:
             glyphs.eye(self.canvas, a, (b[0] - a[0], b[1] - a[1]))
 
-    def above_ground(self, point: Sequence[float], ground: float) -> None:
+    def above_ground(self, point: Sequence[Number], ground: float) -> None:
         """Draw a dotted line from a point straight down to the ground, at a height y."""
-        x, y, z = point
+        x, y, z = map(float, point)
         window = self.window(np.array([[x, y, z], [x, ground, z]]))[:, :2]
         if np.isfinite(window).all():
             self.canvas.stroke(window, 2.4, self.canvas.palette.ink, dash=DOTS)
@@ -305,34 +313,45 @@ class Stage:
             self.canvas.stroke(line, width, ink.colour(self.canvas.palette), dash=dash, halo=1.6)
 
     def tacks(self, tacks: Sequence[Tack], ink: Ink, radius: float) -> None:
-        """Draw normals as tacks, the far ones first; `radius` is that of the body."""
-        far_first = sorted(tacks, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
+        """Draw normals as tacks, the far ones first; `radius` is that of the body.
+
+        One that is zero is a disc without an arrow, with a 0 on it.
+        """
+        shown = [one for one in tacks if self._holds(self.place(one.place))]
+        far_first = sorted(shown, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
         for one in far_first:
+            if not one.arrow.any():
+                self._nothing(one, radius)
+                continue
             self.disc(one.place, one.normal, DISC * radius)
             self.vector(one.place, ARROW * radius * one.arrow, ink)
 
     def vector(self, place: Array, vector: Array, ink: Ink) -> None:
-        """Draw a vector of the world as an arrow from a place, whole."""
+        """Draw a vector of the world as an arrow from a place, whole, if its tip is on the stage."""
         a, b = self.place(place), self.place(place + vector)
-        if a is not None and b is not None:
+        if a is not None and b is not None and self.box.holds(b):
             glyphs.arrow(self.canvas, a, b, ink)
 
-    def nothing(self, tack: Tack, radius: float) -> None:
-        """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""
+    def _holds(self, place: Point | None) -> bool:
+        """True for a place on the stage: marks must not stand on its neighbours."""
+        return place is not None and self.box.holds(place)
+
+    def _nothing(self, tack: Tack, radius: float) -> None:
         self.disc(tack.place, tack.normal, ZERO_DISC * radius)
         place = self.place(tack.place)
         if place is not None:
             palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
-            halo = palette.paper
-            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
+            halo = palette.bright
+            self.canvas.text(at, "0", ZERO, palette.dim, bold=True, align=0.5, halo=halo)
 
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
         rim = self.window(rings_around(place[None], normal[None], radius)[0])
-        if np.isfinite(rim).all():
-            ink, towards = self.canvas.palette.ink, unit(self.eye - place)
-            width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
-            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=ink, width=width)
+        if all(self._holds((x, y)) for x, y, _ in rim):
+            palette, towards = self.canvas.palette, unit(self.eye - place)
+            is_edge_on = abs(float(normal @ towards)) < SILHOUETTE * 2
+            edge, width = (palette.ink, EDGE_ON) if is_edge_on else (palette.dim, RIM)
+            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=edge, width=width)
 
     def _rims(self) -> list[Array]:
         """Return the lines on the canvas that part what is covered from what is not."""

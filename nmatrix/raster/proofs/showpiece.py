@@ -52,7 +52,7 @@ LIGHTS = (
     SceneLight(
         "bulb",
         LightKind.POINT,
-        position=(-1.4, 2.6, 2),
+        position=(-1.4, 2.2, 2),
         color=(1, 0.9, 0.7),
         intensity=0.6,
         attenuation=(1, 0.05, 0.02),

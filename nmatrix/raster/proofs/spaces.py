@@ -255,7 +255,8 @@ class _Surroundings:
             low, high, ground = np.full(3, -away), np.full(3, away), -away
         middle, half = (low + high) / 2, 0.62 * float(max((high - low)[[0, 2]])) or 1.0
         middle[1] = ground
-        return middle + half * np.array([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]])
+        corners = np.array([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]])
+        return np.asarray(middle + half * corners)
 
     @cached_property
     def axes(self) -> Array:
@@ -268,7 +269,7 @@ class _Surroundings:
     @cached_property
     def held(self) -> Array:
         """Points (n, 3) of the world that the stage must hold, but for the axes."""
-        around = [self.eye[None], self.floor] + ([] if self.lamp is None else [self.lamp[None]])
+        around = [self.eye[None], self.floor, *([] if self.lamp is None else [self.lamp[None]])]
         points = self.body.positions_world
         if not self.settings.is_moving:
             return np.concatenate([points, *around])

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import atan2, degrees
+from math import atan2, degrees, hypot
 from typing import Any
 
 import numpy as np
@@ -77,7 +77,7 @@ class Turntable:
     @property
     def lamp(self) -> SceneLight:
         """A lamp beside the body, whatever its size: outside of all that it sweeps."""
-        unit = float(np.hypot((self.top - self.ground) / 2, self.reach)) or 1.0
+        unit = hypot((self.top - self.ground) / 2, self.reach) or 1.0
         x, y, z = (unit * side for side in LAMP)
         return SceneLight("lamp", LightKind.POINT, position=(x, self.ground + y, z))
 
@@ -98,7 +98,7 @@ class Turntable:
             turn = np.radians(degrees_turned + 360 * i / TICKS)
             out = np.array([np.cos(turn), 0, np.sin(turn)]) * self.radius
             inner, width = (0.72, 8.0) if i == 0 else (0.88, 3.0)
-            line = np.stack([inner * out, 0.985 * out]) + [0, self.ground, 0]
+            line = np.stack([inner * out, 0.985 * out]) + np.array([0, self.ground, 0])
             stage.surface_line(line, width, ink)
 
 
@@ -201,8 +201,8 @@ def _camera(
         return settings.view, through(settings.lens, box)
     rings = [around(table.radius, table.ground), around(table.reach, table.top)]
     if light.has_position:
-        x, y, z = light.position
-        rings.append(around(float(np.hypot(x, z)), y))
+        x, y, z = map(float, light.position)
+        rings.append(around(hypot(x, z), y))
     return IN_FRONT.about(np.concatenate(rings), box)
 
 
@@ -227,10 +227,10 @@ def _mark_ride(stage: Stage, light: SceneLight, turn: float, *, whole: bool) -> 
     """Draw the way on which the wrong program carries a lamp; moving pictures show all of it."""
     if not light.has_position:
         return
-    x, y, z = light.position
+    x, y, z = map(float, light.position)
     end = 2 * np.pi if whole else np.radians(turn)
     way = atan2(z, x) + np.linspace(0, end, 97)
-    out = float(np.hypot(x, z))
+    out = hypot(x, z)
     stage.path(_at_height(y, out * np.cos(way), out * np.sin(way)), Ink.WRONG)
 
 
