@@ -1,7 +1,7 @@
 // What a state means: its matrices, its camera, the right normals, and those of the mistake.
 const STUCK = "stuck";  // the mistake that is no rule for normals: the light is left in the model
 const SYMBOLS = { none: "A", cofactor: "C", "not-transposed": "A<sup>−1</sup>", "not-inverted": "A<sup>T</sup>", exact: "A<sup>−T</sup>" };
-const MISTAKES = { ...data.rules, [STUCK]: "a light that is left in the model" };
+const MISTAKES = { ...data.rules, [STUCK]: "a light left in the model" };
 const lightOf = (s) => AXES.map((axis) => s["l" + axis]);
 const lampOf = (s) => (data.has_position ? AXES.map((axis) => s["p" + axis]) : null);
 
