@@ -68,7 +68,9 @@ function creasesOf(points, triangles, edges) {
   return edges.flatMap(([a, b, first, second]) => (dot(faceNormal(first), faceNormal(second)) < turn(22)[1] ? [a, b] : []));
 }
 // The edges where the body turns away from the eye, and so ends for it: pairs of vertices.
+let outlined = {};  // both views and the map share the lines of one frame
 function silhouette(mesh, clip_from_object) {
+  if (outlined.from === clip_from_object) return outlined.lines;
   const [X, Y, , W] = clip_from_object, { triangles } = mesh, seen = mesh.points.map(([x, y, z]) => {
     const w = W[0] * x + W[1] * y + W[2] * z + W[3];
     return [(X[0] * x + X[1] * y + X[2] * z + X[3]) / w, (Y[0] * x + Y[1] * y + Y[2] * z + Y[3]) / w];
@@ -78,7 +80,9 @@ function silhouette(mesh, clip_from_object) {
     const a = seen[triangles[i]], b = seen[triangles[i + 1]], c = seen[triangles[i + 2]];
     areas[i] = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
-  return mesh.edges.flatMap(([a, b, first, second]) => (areas[first] > 0 !== areas[second] > 0 ? [a, b] : []));
+  const lines = mesh.edges.flatMap(([a, b, first, second]) => (areas[first] > 0 !== areas[second] > 0 ? [a, b] : []));
+  outlined = { from: clip_from_object, lines };
+  return lines;
 }
 const built = {};
 function meshOf(shape) {

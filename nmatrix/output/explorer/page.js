@@ -11,6 +11,7 @@ function meaningNow() {
   }
   const found = { ...known.found, ...cameraOf(state, known.found.reach) };
   found.clip_from_world = times(data.clip_from_camera, found.camera);
+  found.viewed = times(times(data.webgl_from_clip, found.clip_from_world), found.M);
   if (["camera", "light"].includes(state.space)) { found.S = spaceFromWorld(state.space, found); }
   return found;
 }

@@ -164,7 +164,7 @@ function bodyOf(s, side, found) {
   return {
     mesh: isBaked ? baked(found.mesh, found.M, side === "wrong" ? found.wrong : found.right) : found.mesh,
     key: isBaked ? "baked" : undefined, pair: shadersOf(s.space, found), uniforms: uniformsFor(s, s.space, side, found, viewed),
-    isFlat: found.isFlat, nearer: creaseDepth(found), viewed: times(viewed, found.M),
+    isFlat: found.isFlat, nearer: creaseDepth(found), viewed: found.viewed,
   };
 }
 function mapOf(s, side, found) {
@@ -174,7 +174,7 @@ function mapOf(s, side, found) {
   const heat = Object.fromEntries(data.palettes[themeNow()].heat.map((hex, i) => [`heat_${i}`, rgb(hex)]));
   const [light, stuck] = near ? [found.lamp, found.stuckLamp] : [found.light, found.stuckLight];
   const uniforms = {
-    ...heat, clip_from_object: times(times(data.webgl_from_clip, found.clip_from_world), found.M), world_from_object: found.M,
+    ...heat, clip_from_object: found.viewed, world_from_object: found.M,
     wrong: scaled(W, 1 / (norm(W) || 1)), right: scaled(found.right, 1 / (norm(found.right) || 1)), whole, two_sided: Number(found.isFlat),
     of_light: Number(isStuck), is_near: near, light, stuck_light: (isStuck && side === "wrong" && stuck) || light,
   };
