@@ -71,7 +71,7 @@ COMMANDS = {
         Panel.CLASSROOM, "handout", "Printable sheets: theory, numbers, pictures, exercises"
     ),
     "explore": CatalogueEntry(
-        Panel.CLASSROOM, "explore", "One page with sliders: wrong normals beside right ones, live"
+        Panel.CLASSROOM, "explore", "One page to turn and drag: wrong normals beside right ones"
     ),
     "inspect": CatalogueEntry(
         Panel.FILES, "inspect", "Which nodes of a file need the inverse transpose"

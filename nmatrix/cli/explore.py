@@ -1,4 +1,4 @@
-"""`nmatrix explore`: one page with sliders."""
+"""`nmatrix explore`: one page to turn and drag."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ from nmatrix.report import Report, Text, Verdict
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
-FROM_ABOVE = (1.5, 1.75, 3.25)  # a torus seen from its side shows no hole
-SHORT_LIGHT = Light((-1, -1, -1))  # the usual light, in numbers that fit their boxes
+FROM_ABOVE = (3.6, 1.5, 9.2)  # the page comes as near as the body lets it
+LONG_LENS = 30.0  # degrees; a short one bends a ball near the rim
+FROM_THE_RIGHT = Light((-0.85, -0.55, -0.65))  # both a lit and a dark side are seen
 STRETCHED = World(scale=(1, 2, 1))  # without a stretch every rule is right, and nothing is seen
 
 HELP = {
@@ -50,8 +51,10 @@ def explore(
             setup,
             world=setup.world if groups.world.given else STRETCHED,
             view=setup.view if groups.view.given else replace(setup.view, eye=FROM_ABOVE),
-            light=setup.light if groups.light.given else SHORT_LIGHT,
+            lens=setup.lens if groups.lens.given else replace(setup.lens, fov_degrees=LONG_LENS),
+            light=setup.light if groups.light.given else FROM_THE_RIGHT,
         )
-    write_file(path, written(setup), force=force)
+    fits = groups.scene.scene is None and not groups.view.given
+    write_file(path, written(setup, fits=fits), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), common)

@@ -13,9 +13,13 @@ import pytest
 pytestmark = pytest.mark.usefixtures("own_folder")
 
 
-def start(name: str) -> dict:
+def data(name: str) -> dict:
     text = Path(name).read_text(encoding="utf-8")
-    return json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])["start"]
+    return json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
+
+
+def start(name: str) -> dict:
+    return data(name)["start"]
 
 
 def test_one_small_file_that_fetches_nothing(nmatrix) -> None:
@@ -23,7 +27,7 @@ def test_one_small_file_that_fetches_nothing(nmatrix) -> None:
     assert (code, err) == (0, "")
     assert json.loads(out)["file"] == "explore.html"
     text = Path("explore.html").read_text(encoding="utf-8")
-    assert len(text) < 80_000
+    assert len(text.encode()) < 250_000
     assert "default-src 'none'" in text
     assert not re.findall(r"(?:src|href)=\"", text)
     assert "http://" not in text
@@ -75,4 +79,20 @@ def test_nothing_is_overwritten_or_put_nowhere(nmatrix, line: str, words: str) -
 def test_without_a_scene_the_page_starts_where_there_is_something_to_see(nmatrix) -> None:
     assert nmatrix("explore")[0] == 0
     found = start("explore.html")
-    assert [found[key] for key in ("sx", "sy", "sz", "lx", "ly", "lz")] == [1, 2, 1, -1, -1, -1]
+    assert [found[key] for key in ("sx", "sy", "sz")] == [1, 2, 1]
+    assert [found[key] for key in ("lx", "ly", "lz")] == [-0.85, -0.55, -0.65]
+
+
+def test_an_eye_that_was_given_keeps_its_distance(nmatrix) -> None:
+    for words, fits in (("", True), ("--eye 0 0 20", False)):
+        assert nmatrix(f"explore {words} -o page{fits}.html")[0] == 0
+        assert data(f"page{fits}.html")["fits"] is fits
+
+
+@pytest.mark.parametrize("lens", ["--fov 20 --far inf", "--ortho -2 2 -2 2", "--api vulkan"])
+def test_every_lens_is_written_as_the_option_that_makes_it(nmatrix, lens: str) -> None:
+    assert nmatrix(f"explore {lens} -o lens.html")[0] == 0
+    said = data("lens.html")["options"]["lens"]
+    answers = [nmatrix(f"projection {one} -f json")[1] for one in (lens, said)]
+    matrices = [json.loads(one)["clip_from_camera"] for one in answers]
+    assert matrices[0] == matrices[1]

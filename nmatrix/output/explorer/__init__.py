@@ -1,1 +1,1 @@
-"""One page with sliders: wrong normals beside right ones, by the shaders that nmatrix prints."""
+"""One page to turn and drag: wrong normals beside right ones, by the printed shaders."""

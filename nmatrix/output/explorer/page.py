@@ -1,36 +1,54 @@
-"""The explorer's page: a template, its style and script, and the data of one scene.
+"""The explorer's page: a template, its style and scripts, and the data of one scene.
 
-The shaders are those that `space -f glsl` prints for a stretched object in this scene, so that
-object space has its metric. The script is allowed by its hash alone, and nothing is fetched.
+The shaders are those that `space -f glsl` prints for this scene, for a body that keeps its shape
+and for one that does not: object space has a metric for the second alone. Style and script are
+allowed by their hashes, and nothing is fetched.
 """
 
 from __future__ import annotations
 
 import json
 from base64 import b64encode
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any
 
-from nmatrix.enums import Handedness, NormalRule, Space
+from nmatrix.canvas.theme import PALETTES, Palette
+from nmatrix.enums import API_PRESETS, DepthRange, Handedness, NormalRule, Reflection, Space, Theme
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.decompose import parts
-from nmatrix.linear.rational import RationalMatrix, to_floats
+from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, window_from_ndc
+from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
+from nmatrix.raster.proofs.letter import letter_r
+from nmatrix.raster.proofs.proof import AMBIENT, DIFFUSE
 from nmatrix.report import Number
-from nmatrix.scene.camera import View
+from nmatrix.scene.camera import AIM, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import WHITE
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
-from nmatrix.shaders.sheet import MATERIAL, Request, program_of
+from nmatrix.shaders.sheet import Request, program_of
 
-SPACES = (Space.WORLD, Space.CAMERA, Space.OBJECT, Space.STATIC, Space.LIGHT)
+SCRIPTS = (
+    "matrices",
+    "meshes",
+    "map",
+    "sentences",
+    "views",
+    "marks",
+    "places",
+    "state",
+    "controls",
+    "words",
+    "hands",
+    "page",
+)
 TESSELLATION = (32, 64)
-PLACED = ("eye", "target", "up")  # what places a camera that looks at something
-BACKGROUND = (0.93, 0.93, 0.93)
+WINDOW = (512, 512)  # what `trace` uses where no window is given
+LENS = {"fov": "fov_degrees", "aspect": "aspect", "near": "near", "far": "far"}
 WRONG_RULES = (
     NormalRule.NONE,
     NormalRule.NOT_TRANSPOSED,
@@ -38,22 +56,37 @@ WRONG_RULES = (
     NormalRule.COFACTOR,
 )
 DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a direction
-STRETCHED = World(scale=(1, 2, 1))  # calls for everything that a shader may need
+SURFACE = {"ambient_color": AMBIENT, "diffuse_color": DIFFUSE}
+SCHEMES = {  # when the page takes a theme's colours; the last that holds wins
+    Theme.LIGHT: ":root {%s}",
+    Theme.DARK: "@media (prefers-color-scheme: dark) {:root {%s}}",
+    Theme.PRINT: "@media print {:root:root {%s}}",
+}
+CHOSEN = ":root[data-theme=%s] {%s}"
+# where none was given
+OTHER_SPACE = rational_matrix([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+BODIES = {"rigid": World(), "stretched": World(scale=(1, 2, 1))}
+DEPTH_IN_WEBGL = {  # the row of z, by what an interface's depth runs from and to
+    DepthRange.MINUS_ONE_TO_ONE: (0, 0, 1, 0),
+    DepthRange.ZERO_TO_ONE: (0, 0, 2, -1),
+    DepthRange.REVERSED: (0, 0, -2, 1),
+}
 
 
-def page(setup: Setup) -> bytes:
-    """Write the page for a scene.
+def page(setup: Setup, *, fits: bool = False) -> bytes:
+    """Write the page for a scene; the eye comes nearer where the body should fit its view.
 
     Raises
     ------
     NoAnswerError
         If the world matrix is singular and not given by its parts: sliders cannot show it.
     """
-    folder = files(__package__)
-    script = folder.joinpath("explorer.js").read_text(encoding="utf-8")
-    style = folder.joinpath("explorer.css").read_text(encoding="utf-8")
-    text = folder.joinpath("page.html").read_text(encoding="utf-8")
-    data = json.dumps(page_data(setup), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    script = "\n".join(_text(f"{name}.js") for name in SCRIPTS)
+    style = _colours() + _text("page.css")
+    data = json.dumps(
+        page_data(setup, fits=fits), ensure_ascii=False, separators=(",", ":"), allow_nan=False
+    )
+    text = _text("page.html")
     for name, value in (
         ("SCRIPT_HASH", _hash(script)),
         ("STYLE_HASH", _hash(style)),
@@ -65,41 +98,80 @@ def page(setup: Setup) -> bytes:
     return text.encode()
 
 
-def page_data(setup: Setup) -> dict[str, Any]:
+def _text(name: str) -> str:
+    return files(__package__).joinpath(name).read_text(encoding="utf-8")
+
+
+def _colours() -> str:
+    """Write the palettes as variables of the style: by the reader's scheme, by choice, on paper."""
+    told = {theme: _variables(palette) for theme, palette in PALETTES.items()}
+    chosen = [CHOSEN % (theme.value, told[theme]) for theme in (Theme.LIGHT, Theme.DARK)]
+    first, second, last = (SCHEMES[theme] % told[theme] for theme in SCHEMES)
+    return "\n".join((first, second, *chosen, last, ""))
+
+
+def _variables(palette: Palette) -> str:
+    named = [f"--{name}:{colour}" for name, colour in palette.named.items()]
+    return ";".join((*named, f"--heat:{','.join(palette.heat)}"))
+
+
+def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
     """Collect the data that the script works with."""
-    maps = setup.maps
+    maps, view = setup.maps, setup.view
     light = maps.light
+    looks = view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT
     return {
         "start": _start(setup),
         "translate": _floats(row[3] for row in maps.world_from_object.exact[:3]),
         "camera_from_world": to_floats(maps.camera_from_world.exact),
         "clip_from_camera": to_floats(maps.clip_from_camera),
+        "webgl_from_clip": (
+            (1, 0, 0, 0),
+            (0, setup.lens.clip.y_sign, 0, 0),
+            DEPTH_IN_WEBGL[setup.lens.clip.depth],
+            (0, 0, 0, 1),
+        ),
+        "window_from_ndc": to_floats(window_from_ndc(*WINDOW, setup.lens.clip)),
+        "custom_from_world": to_floats(
+            _with_custom_space(setup).maps.space_from_world(Space.CUSTOM).exact
+        ),
         "eye": _floats(maps.eye),
+        "target": _floats(maps.target),
         "up": _floats(maps.up),
+        "looks": looks,
+        "looks_down": "−z" if setup.lens.clip.forward_z < 0 else "+z",
+        "fits": fits,
         "has_direction": light.direction is not None,
-        "light_position": None if light.position is None else _floats(light.position),
+        "has_position": light.position is not None,
         "shaders": _shaders(setup),
         "rules": {rule.value: RULES[rule].title for rule in WRONG_RULES},
-        "constants": {
-            "light_color": WHITE,
-            "ambient_color": MATERIAL.ambient,
-            "diffuse_color": MATERIAL.diffuse,
-            "specular_color": MATERIAL.specular,
-            "shininess": MATERIAL.shininess,
+        "constants": {"light_color": WHITE, **SURFACE},
+        "palettes": {
+            theme.value: {**palette.named, "heat": palette.heat}
+            for theme, palette in PALETTES.items()
         },
-        "background": BACKGROUND,
         "tessellation": TESSELLATION,
-        "options": _options(setup),
+        "letter": _letter(),
+        "options": _options(setup, looks=looks),
     }
+
+
+def _letter() -> dict[str, list[float]]:
+    """Write the letter R as WebGL takes it: flat, to six decimals, finer than any screen."""
+    mesh = letter_r()
+    arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}
+    return {name: array.round(6).ravel().tolist() for name, array in arrays.items()}
 
 
 def _start(setup: Setup) -> dict[str, float | str]:
     """Place the sliders."""
     scale, rotate, shear = _sliders(setup)
     direction = _floats(setup.maps.light.direction or DOWNWARDS)
-    start: dict[str, float | str] = {"rule": "none", "space": "world", "shape": "torus"}
-    for axis, s, r, d in zip("xyz", scale, rotate, direction, strict=True):
-        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"l{axis}": d}
+    place = _floats(setup.maps.light.position or (0, 0, 0))
+    start: dict[str, float | str] = {"rule": NormalRule.NONE.value, "space": Space.WORLD.value}
+    for axis, s, r, d, p in zip("xyz", scale, rotate, direction, place, strict=True):
+        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r}
+        start |= {f"l{axis}": d, f"p{axis}": p}
     return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
 
 
@@ -119,35 +191,65 @@ def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[
     return _floats(taken.scale), _floats(taken.rotate), _floats(taken.shear)
 
 
-def _shaders(setup: Setup) -> dict[str, dict[str, Any]]:
-    maps = replace(setup, world=STRETCHED).maps
-    found = {}
-    for space in SPACES:
-        request = Request(space)
-        shown = program_of(maps, request)
-        found[space.value] = {
-            "vertex": shown.vertex_shader,
-            "fragment": shown.fragment_shader,
-            "uniforms": [(one.name, one.kind) for one in shown.uniforms],
+def _with_custom_space(setup: Setup) -> Setup:
+    return setup if setup.space_matrix else replace(setup, space_matrix=OTHER_SPACE)
+
+
+def _shaders(setup: Setup) -> dict[str, dict[str, dict[str, Any]]]:
+    """Write each space's shaders, for a body that keeps its shape and for one that does not."""
+    return {
+        space.value: {
+            body: _shader(_with_custom_space(replace(setup, world=world)), space)
+            for body, world in BODIES.items()
         }
-    return found
+        for space in Space
+    }
 
 
-def _options(setup: Setup) -> list[str]:
-    """Write the rest of a command that shows the same scene."""
-    view, lens, light = setup.view, setup.lens, setup.maps.light
-    found = []
-    if view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT:
+def _shader(setup: Setup, space: Space) -> dict[str, Any]:
+    shown = program_of(setup.maps, Request(space, reflection=Reflection.LAMBERT))
+    return {
+        "vertex": shown.vertex_shader,
+        "fragment": shown.fragment_shader,
+        "uniforms": [(one.name, one.kind) for one in shown.uniforms],
+    }
+
+
+def _options(setup: Setup, *, looks: bool) -> dict[str, str]:
+    """Write the options that no slider changes; the page itself writes where its eye stands."""
+    camera = ""
+    if looks:
         usual = View()
-        given = [one for one in PLACED if getattr(view, one) != getattr(usual, one)]
-        found += [f"--{one} {_spaced(getattr(view, one))}" for one in given]
-    else:
-        found.append(f"--view-matrix {_literal(setup.maps.camera_from_world.exact)}")
-    if lens != Lens():
-        found.append(f"--projection-matrix {_literal(lens.clip_from_camera)}")
-    if light.position is not None:
-        found.append(f"--light-position {_spaced(light.position)}")
-    return found
+        given = [one for one in AIM if getattr(setup.view, one) != getattr(usual, one)]
+        camera = " ".join(f"--{one} {_spaced(getattr(setup.view, one))}" for one in given)
+    custom = _with_custom_space(setup).maps.space_from_world(Space.CUSTOM)
+    return {
+        "camera": camera,
+        "lens": " ".join(_lens_words(setup.lens)),
+        "space": f"--space-matrix {_literal(custom.exact)}",
+    }
+
+
+def _lens_words(lens: Lens) -> Iterator[str]:
+    if lens.matrix is not None:
+        yield f"--projection-matrix {_literal(lens.matrix)}"
+    for option, field in LENS.items():
+        value = getattr(lens, field)
+        if value != getattr(Lens(), field) and lens.matrix is None:
+            yield f"--{option} {value:.17g}"
+    for name, window in (("ortho", lens.ortho), ("frustum", lens.frustum)):
+        if window is not None:
+            sides = (window.left, window.right, window.bottom, window.top)
+            yield f"--{name} {_spaced(sides)}"
+    clip = lens.clip
+    if clip == DEFAULT_CLIP_SPACE:
+        return
+    parts = (clip.depth, clip.handed, clip.clip_y, clip.origin)
+    for api, preset in API_PRESETS.items():
+        if preset == parts:
+            yield f"--api {api}"
+            return
+    yield f"--depth {clip.depth} --clip-y {clip.clip_y} --handed {clip.handed}"
 
 
 def _spaced(values: Iterable[Number]) -> str:
