@@ -21,12 +21,15 @@ from nmatrix.report import (
     Code,
     Figure,
     Formula,
+    Framed,
     Heading,
     PageBreak,
     Quantity,
     Report,
     Step,
+    Symbols,
     Table,
+    Task,
     Text,
     Verdict,
 )
@@ -110,8 +113,14 @@ class _Writer:
                 lines = self._code(block)
             case Figure():
                 lines = self._figure(block)
+            case Symbols(meanings):
+                lines = self._table(Table(("", ""), meanings))
+            case Framed(blocks):
+                lines = [line for one in blocks for line in self._block(one)]
             case Blank(rows, columns):
                 lines = [plain("  ".join(["_" * BLANK] * columns))] * rows
+            case Task(title, blocks):
+                lines = [line for one in (Heading(title), *blocks) for line in self._block(one)]
             case PageBreak():
                 lines = []
         return lines
@@ -186,6 +195,8 @@ class _Writer:
             return "yes" if cell else "no"
         if is_number(cell):
             return significant(cell, self.options.digits)
+        if isinstance(cell, Formula):
+            return self._spelled(draw_formula(cell))
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:

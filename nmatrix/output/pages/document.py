@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from itertools import pairwise
 from typing import assert_never
 
-from nmatrix.report import Blank, Block, Heading, PageBreak
+from nmatrix.canvas.theme import PALETTES
+from nmatrix.enums import Theme, VectorFormat
+from nmatrix.report import Block
+
+INK_ON_PAPER = PALETTES[Theme.PRINT]
+ROOM_HIGH, ANSWER_WIDE, ANSWER_HIGH = 36, 32, 7  # millimetres: to work, and a line of an answer
+DOTS_APART = 6  # millimetres
 
 
 class Paper(StrEnum):
@@ -27,6 +32,11 @@ class PageFormat(StrEnum):
     TEX = "tex"
     MD = "md"
 
+    @property
+    def drawings(self) -> VectorFormat:
+        """The format of its drawings: TeX knows no SVG, and Typst no PDF that can be heard."""
+        return VectorFormat.PDF if self is PageFormat.TEX else VectorFormat.SVG
+
 
 PAGES: Mapping[str, PageFormat] = {
     **{f".{one}": one for one in PageFormat},
@@ -36,35 +46,41 @@ WITH_PICTURES_BESIDE = (PageFormat.TYP, PageFormat.TEX, PageFormat.MD)
 
 
 @dataclass(frozen=True)
+class Field:
+    """A part of the line above the title; without a value there is a line to write on.
+
+    `room` is the length of that line in millimetres.
+    """
+
+    label: str
+    value: str = ""
+    room: int = 40
+
+
+@dataclass(frozen=True)
 class Document:
     """One document.
 
     Parameters
     ----------
-    title, subtitle
-        What it is, and whose.
+    title
+        What it is; of a sheet, the claim that it makes.
     blocks
         The same blocks that a terminal shows.
+    head
+        What stands above the title: the course, the date; the last one, the name, at the right.
+    foot
+        What stands at the foot of every page, beside its number.
     pictures
-        PNG files by the path that their `Figure` names.
-    note
-        The small print at the end.
+        PNG, SVG and PDF files by the path that their `Figure` names.
     """
 
     title: str
     blocks: tuple[Block, ...]
-    subtitle: str = ""
+    head: tuple[Field, ...] = ()
+    foot: str = ""
     pictures: Mapping[str, bytes] = field(default_factory=dict)
-    note: str = ""
     paper: Paper = Paper.A4
-
-    def sections(self) -> Iterator[tuple[tuple[Block, ...], bool]]:
-        """Part the blocks at headings; an exercise, which is True, must stay on one page."""
-        begins = [i for i, block in enumerate(self.blocks) if i == 0 or isinstance(block, Heading)]
-        for begin, end in pairwise((*begins, len(self.blocks))):
-            section = self.blocks[begin:end]
-            kinds = set(map(type, section))
-            yield section, Blank in kinds and PageBreak not in kinds
 
 
 def write(document: Document, kind: PageFormat) -> bytes:

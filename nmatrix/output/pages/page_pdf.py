@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from nmatrix.canvas.text import font_file
 from nmatrix.errors import IllegalValueError, MissingPackageError, quantity
 from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.page_typst import typ
@@ -38,6 +39,7 @@ def pdf(document: Document) -> bytes:
             root=name,
             format="pdf",
             ignore_system_fonts=True,
+            font_paths=[font_file().parent],
             pdf_standards=["ua-1"],  # refuses what has no alternative text
             timestamp=NO_TIME,
         )
