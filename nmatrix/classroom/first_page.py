@@ -9,9 +9,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from nmatrix.canvas.diagrams import circle_to_ellipse
 from nmatrix.canvas.marks import Box, Canvas
+from nmatrix.canvas.paint import vector
 from nmatrix.canvas.theme import PALETTES
-from nmatrix.enums import Space
+from nmatrix.enums import Space, Theme
 from nmatrix.linear.classify import condition
 from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Figure, Formula, Framed, Heading, Symbols, Table, Text, Verdict
@@ -22,7 +24,6 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from nmatrix.output.pages.document import PageFormat
-    from nmatrix.report import Cells
     from nmatrix.scene.setup import Setup
 
 CLAIM = "A normal is carried by the inverse transpose"
@@ -48,18 +49,19 @@ BLOCKS = "For a direction take the 3×3 block of V and of L. Every row gives the
 
 @dataclass(frozen=True)
 class Part:
-    """One topic on paper: its blocks, and the drawings that their figures name."""
+    """One topic on paper: its blocks, and the files that their figures name."""
 
     blocks: tuple[Block, ...]
-    pictures: Mapping[str, Canvas] = field(default_factory=dict)
+    pictures: Mapping[str, bytes] = field(default_factory=dict)
 
 
 def rule(setup: Setup, kind: PageFormat) -> Part:
     """State the theorem under its drawing, prove it in one line, and introduce the letters."""
     stretch = _stretch(setup)
     part = "half" if stretch == HALVED else f"{short_text(stretch, 2)} of"
+    name = f"{IDEA}.{kind.drawings}"
     figure = Figure(
-        IDEA,
+        name,
         f"A circle and the ellipse that A makes of it, {part} as high. On the circle the normal n "
         "stands at a right angle to the tangent t. On the ellipse A n, dashed, leans away from "
         "the right angle to A t, which the inverse transpose of A times n keeps.",
@@ -73,9 +75,9 @@ def rule(setup: Setup, kind: PageFormat) -> Part:
             Formula(("(A⁻ᵀ n) · (A t) = nᵀ A⁻¹ A t = n · t = 0",)),
         )
     )
-    canvas = Canvas(*IDEA_SIZE, replace(PALETTES[kind.theme], stage=PALETTES[kind.theme].paper))
-    _draw(canvas, float(stretch))
-    return Part((figure, theorem, Symbols(SYMBOLS)), {IDEA: canvas})
+    drawing = _drawing(float(stretch), kind.theme)
+    written = vector(drawing, kind.drawings, {"Title": CLAIM, "Description": figure.alternative})
+    return Part((figure, theorem, Symbols(SYMBOLS)), {name: written})
 
 
 def _stretch(setup: Setup) -> Fraction | float:
@@ -86,10 +88,12 @@ def _stretch(setup: Setup) -> Fraction | float:
     return 1 / kappa
 
 
-def _draw(canvas: Canvas, stretch: float) -> None:
-    from nmatrix.canvas.diagrams import circle_to_ellipse
-
+def _drawing(stretch: float, theme: Theme) -> Canvas:
+    """Draw the idea on paper, without a stage."""
+    palette = PALETTES[theme]
+    canvas = Canvas(*IDEA_SIZE, replace(palette, stage=palette.paper))
     circle_to_ellipse(canvas, Box(0, ABOVE, canvas.width, canvas.height - ABOVE), stretch)
+    return canvas
 
 
 def spaces(setup: Setup, kind: PageFormat) -> Part:
@@ -118,5 +122,3 @@ def _row(space: Space, *, is_flat: bool) -> Iterator[str | Formula]:
     yield Formula((f"{block} l = (0, 0, 1)" if space is Space.LIGHT else f"{block} l",))
     yield Formula(("(0, 0, 0)" if profile.eye_is_origin else f"{letter} e",))
     yield Formula(("|v|² = vᵀ Aᵀ A v",)) if space is Space.OBJECT else "as usual"
-
-

@@ -2,33 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from enum import StrEnum
-from fractions import Fraction
 
+from nmatrix.classroom.first_page import Part, rule, spaces
+from nmatrix.classroom.worked import in_each, worked
 from nmatrix.enums import Space
-from nmatrix.errors import NoAnswerError
-from nmatrix.linear.rounding import short_text
-from nmatrix.report import Block, Cells, Figure, Heading, Quantity, Table, Text, Verdict
+from nmatrix.output.pages.document import PageFormat
+from nmatrix.report import Block, Cells, Figure, Heading, Table, Text
 from nmatrix.scene.setup import Setup
-from nmatrix.spaces.shading_spaces import PROFILES, UNMOVED, USUAL_SPACES
+from nmatrix.spaces.shading_spaces import USUAL_SPACES
 
 
 class Topic(StrEnum):
     """The topics of a handout, in the order in which they are printed."""
 
     RULE = "rule"
-    WORKED = "worked"
     SPACES = "spaces"
+    EXERCISES = "exercises"
+    WORKED = "worked"
     PROOFS = "proofs"
     PITFALLS = "pitfalls"
     COST = "cost"
-    EXERCISES = "exercises"
 
 
-USUAL = (Topic.RULE, Topic.WORKED, Topic.SPACES, Topic.PROOFS, Topic.PITFALLS)
+USUAL = (Topic.RULE, Topic.SPACES, Topic.WORKED, Topic.PROOFS, Topic.PITFALLS)
 PROOF_SIZE = (220, 220)
 TOLD = {
     "normals": "Three pictures of a stretched sphere: lit by normals that A itself carried, lit by "
@@ -43,7 +41,21 @@ def _worked(setup: Setup, kind: PageFormat) -> Part:
 
 
 def _proofs(setup: Setup, kind: PageFormat) -> Part:
-    raise NotImplementedError
+    """Draw two proof images with their numbers in the alternative text."""
+    from dataclasses import replace
+
+    from nmatrix.raster.proofs.proof import ProofSettings
+    from nmatrix.raster.proofs.rules import mirror, normals
+    from nmatrix.scene.scene import Settings
+
+    settings = ProofSettings("normals", picture=replace(Settings(), size=PROOF_SIZE))
+    blocks: list[Block] = [Heading("Wrong and right, seen")]
+    pictures = {}
+    for name, draw in (("normals", normals), ("mirror", mirror)):
+        proof = draw(replace(settings, subject=name))
+        pictures[f"{name}.png"] = proof.png()
+        blocks.append(Figure(f"{name}.png", f"{TOLD[name]} {proof.verdict}", proof.verdict))
+    return Part(tuple(blocks), pictures)
 
 
 def _pitfalls(setup: Setup, kind: PageFormat) -> Part:

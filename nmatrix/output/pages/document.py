@@ -37,6 +37,11 @@ class PageFormat(StrEnum):
         """The format of its drawings: TeX knows no SVG, and Typst no PDF that can be heard."""
         return VectorFormat.PDF if self is PageFormat.TEX else VectorFormat.SVG
 
+    @property
+    def theme(self) -> Theme:
+        """The theme of its pictures: HTML gives a drawing the colours of each reader's page."""
+        return Theme.LIGHT if self is PageFormat.HTML else Theme.PRINT
+
 
 PAGES: Mapping[str, PageFormat] = {
     **{f".{one}": one for one in PageFormat},

@@ -113,6 +113,11 @@ class HtmlPage(MathML):
         super().__init__(OutputOptions())
         self.pictures = document.pictures
 
+    def paragraph(self, text: str) -> str:
+        """Write a paragraph; one that leads to something stays on the page of it."""
+        kind = ' class="leads"' if text.endswith(":") else ""
+        return f"<p{kind}>{prose(text)}</p>"
+
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table that scrolls by itself where the screen is narrow.
 

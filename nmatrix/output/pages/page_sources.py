@@ -54,7 +54,7 @@ LOOK = rf"""\definecolor{{tint}}{{rgb}}{{0.94,0.94,0.94}}
   \fbox{{\vbox to {ROOM_HIGH}mm{{{ROOM_LINE * (ROOM_HIGH // DOTS_APART)}\vfil}}}}\par}}
 \newcommand{{\points}}[1]{{\fbox{{\rule{{0pt}}{{9pt}}\hspace{{9mm}}\small\sffamily / #1\hspace{{2mm}}}}}}
 \newenvironment{{task}}[2]{{\par\addvspace{{14pt}}\begin{{minipage}}{{\linewidth}}%
-  \setlength{{\parskip}}{{4pt}}{{\large\sffamily\bfseries #1}}\hfill\points{{#2}}\par}}%
+  \setlength{{\parskip}}{{2pt}}{{\large\sffamily\bfseries #1}}\hfill\points{{#2}}\par}}%
   {{\end{{minipage}}\par}}
 \newsavebox{{\framedbox}}
 \newenvironment{{framed}}{{\par\addvspace{{6pt}}\begin{{lrbox}}{{\framedbox}}%
@@ -95,6 +95,10 @@ def _latex_field(field: Field) -> str:
 
 class LatexPage(latex.Latex):
     """How a page of LaTeX writes each kind of block."""
+
+    def paragraph(self, text: str) -> str:
+        """Write a paragraph; one that leads to something stays on the page of it."""
+        return latex.escaped(text) + r"\nopagebreak" * text.endswith(":")
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table with rules under its head and its end; long cells wrap, and pages turn."""
@@ -176,7 +180,7 @@ def md(document: Document) -> bytes:
     body = blocks_in(document.blocks, MarkdownPage(OutputOptions()))
     head = " · ".join(_markdown_field(one) for one in document.head)
     title, foot = f"# {markdown.escaped(document.title)}", markdown.escaped(document.foot)
-    parts = (head, title, body, "---", foot)
+    parts = (title, head, body, "---", foot)
     return ("\n\n".join(part for part in parts if part) + "\n").encode("utf-8", "replace")
 
 

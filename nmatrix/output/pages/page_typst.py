@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import chain
 
 from nmatrix.output.documents import Cells, blocks_in
 from nmatrix.output.formulas.spoken import matrix_in_words, spoken
 from nmatrix.output.formulas.typst import matrix, typst
+from nmatrix.output.mathml import ON_THE_LINE, PRODUCT, RAISED
 from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
@@ -22,6 +23,7 @@ from nmatrix.output.typst import Typst, escaped
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Blank, Figure, Formula, Task
 
+NARROWEST, WIDEST = 8, 60  # shares of a table's columns
 SHORT_TABLE = 9  # rows that stay on one page
 SIZES = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
@@ -46,6 +48,7 @@ LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 ))
 #let points(most) = box(stroke: 0.5pt, inset: 5pt, sans(9pt)[#h(2.2em) / #most])
 #let task(title, most, body) = block(breakable: false, width: 100%, above: 1.7em)[
+  #set par(spacing: 0.62em)
   #grid(columns: (1fr, auto), align: (left + bottom, right), title, points(most))
   #body
 ]
@@ -89,7 +92,7 @@ def typ(document: Document) -> bytes:
 )
 {LOOK}
 
-{head}= {escaped(document.title)}
+{head}= {prose(document.title)}
 
 {body}
 """
@@ -99,6 +102,18 @@ def typ(document: Document) -> bytes:
 def _field(field: Field) -> str:
     label = f"{escaped(field.label)} " if field.label else ""
     return label + (escaped(field.value) if field.value else f"#fill-in({field.room}mm)")
+
+
+def prose(text: str) -> str:
+    r"""Write words for a page, with exponents raised by markup: fonts differ in where ᵀ stands.
+
+    Examples
+    --------
+    >>> print(prose("A⁻ᵀ n = 1"))
+    A#super[−T];~n \= 1
+    """
+    joined = PRODUCT.sub("\\1\N{NO-BREAK SPACE}\\2", text)
+    return RAISED.sub(lambda run: f"#super[{run[0].translate(ON_THE_LINE)}];", escaped(joined))
 
 
 def quoted(text: str) -> str:
@@ -116,6 +131,22 @@ def quoted(text: str) -> str:
 class TypstPage(Typst):
     """How a page writes each kind of block; every formula says what it looks like."""
 
+    def heading(self, text: str) -> str:
+        """Write a heading."""
+        return f"== {prose(text)}"
+
+    def paragraph(self, text: str) -> str:
+        """Write a paragraph; one that leads to something stays on the page of it."""
+        return f"#block(sticky: true)[{prose(text)}]" if text.endswith(":") else prose(text)
+
+    def strong(self, text: str) -> str:
+        """Write the one-line conclusion."""
+        return f"*{prose(text)}*"
+
+    def words(self, text: str) -> str:
+        """Escape a text, so that it is shown as it is."""
+        return prose(text)
+
     def matrix(self, key: str, title: str, cells: Cells) -> str:
         """Write a matrix under its name."""
         about = f"#block(sticky: true)[{escaped(title)}]\n" if title else ""
@@ -123,10 +154,10 @@ class TypstPage(Typst):
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table whose first row is its head; a short one stays on its page."""
-        head = ", ".join(f"[{escaped(column)}]" for column in columns)
+        head = ", ".join(f"[{prose(column)}]" for column in columns)
         cells = ", ".join(f"[{cell}]" for row in rows for cell in row)
-        widths = ", ".join(["auto"] * (len(columns) - 1) + ["1fr"])
-        about = f"#block(sticky: true)[*{escaped(title)}*]\n" if title else ""
+        widths = ", ".join(f"{share}fr" for share in _shares(columns, rows))
+        about = f"#block(sticky: true)[*{prose(title)}*]\n" if title else ""
         table = f"#table(columns: ({widths},), table.header({head}), {cells})"
         return f"#together[\n{about}{table}\n]" if len(rows) <= SHORT_TABLE else about + table
 
@@ -142,7 +173,7 @@ class TypstPage(Typst):
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Write a step that stays together on a page."""
         mark = "✓" if verified else "not proved:"
-        reason = f"#pad(left: 1.2em)[#text(fill: soft)[{mark} {escaped(because)}]]"
+        reason = f"#pad(left: 1.2em)[#text(fill: soft)[{mark} {prose(because)}]]"
         return f"#together[\n{self.formula(formula)}\n{reason}\n]"
 
     def inline(self, text: str) -> str:
@@ -153,7 +184,7 @@ class TypstPage(Typst):
     def figure(self, figure: Figure) -> str:
         """Write a picture with its alternative text."""
         image = f"image({quoted(figure.path)}, alt: {quoted(figure.alternative)}, width: 100%)"
-        return f"#figure({image}, caption: [{escaped(figure.caption)}], numbering: none)"
+        return f"#figure({image}, caption: [{prose(figure.caption)}], numbering: none)"
 
     def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
         """Write letters and their words in two columns, read downwards."""
@@ -181,11 +212,18 @@ class TypstPage(Typst):
     def task(self, task: Task, body: str) -> str:
         """Write an exercise that stays on its page, with a box for its points."""
         most = "" if task.points is None else str(task.points)
-        return f"#task[== {escaped(task.title)}][{most}][\n{body}\n]"
+        return f"#task[== {prose(task.title)}][{most}][\n{body}\n]"
 
     def page_break(self) -> str:
         """End a page."""
         return "#pagebreak(weak: true)"
+
+
+def _shares(columns: Sequence[str], rows: Cells) -> Iterator[int]:
+    """Share the line among columns by their longest words; the markup of formulas says nothing."""
+    for column in zip(columns, *rows, strict=True):
+        plain = (len(cell) for cell in column if not cell.startswith("#"))
+        yield min(max(*plain, NARROWEST), WIDEST)
 
 
 def _equation(body: str, said: str) -> str:
