@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 CLAIM = "A normal is carried by the inverse transpose"
 IDEA = "idea"  # the name of the drawing
-IDEA_SIZE = (900.0, 262.0)  # units: the width of a page, so that 26 of them are letters of 14 points
-ABOVE = 34.0  # units that the arrows need above the circle
+IDEA_SIZE = (900.0, 240.0)  # units: the width of a page, so that 26 of them are letters of 14 points
+IDEA_BOX = Box(0, 40, 900, 230)  # of the diagram, whose pad paper does not need
 HALVED = 0.5
 DRAWN = (1.25, 4.0)  # conditions that can be seen and fit the page
 
@@ -92,7 +92,7 @@ def _drawing(stretch: float, theme: Theme) -> Canvas:
     """Draw the idea on paper, without a stage."""
     palette = PALETTES[theme]
     canvas = Canvas(*IDEA_SIZE, replace(palette, stage=palette.paper))
-    circle_to_ellipse(canvas, Box(0, ABOVE, canvas.width, canvas.height - ABOVE), stretch)
+    circle_to_ellipse(canvas, IDEA_BOX, stretch)
     return canvas
 
 

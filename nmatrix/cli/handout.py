@@ -95,7 +95,7 @@ class HandoutOptions:
 
         wants_exercises = self.exercises is not None or self.roster is not None
         if self.topics is None:
-            words = [] if self.roster is not None else list(USUAL)
+            words = [] if self.roster is not None else [topic.value for topic in USUAL]
             wants_exercises = wants_exercises or self.key
         else:
             words = [word.strip() for word in self.topics.split(",")]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import assert_never
@@ -14,6 +14,9 @@ from nmatrix.report import Block
 INK_ON_PAPER = PALETTES[Theme.PRINT]
 ROOM_HIGH, ANSWER_WIDE, ANSWER_HIGH = 36, 32, 7  # millimetres: to work, and a line of an answer
 DOTS_APART = 6  # millimetres
+SHORT_TABLE = 9  # rows that stay on one page
+NARROWEST, WIDEST = 8, 60  # characters of a table's columns
+FORMULAS = ("#math", "$")  # how cells with formulas begin
 
 
 class Paper(StrEnum):
@@ -86,6 +89,22 @@ class Document:
     foot: str = ""
     pictures: Mapping[str, bytes] = field(default_factory=dict)
     paper: Paper = Paper.A4
+
+
+def shares(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[float]:
+    """Share the line among columns by their longest words; markup of formulas says nothing.
+
+    Examples
+    --------
+    >>> shares(["", "true"], [["x" * 30, "y" * 90]])
+    [0.3333333333333333, 0.6666666666666666]
+    """
+    longest = [
+        max(len(cell) for cell in (head, *cells) if not cell.startswith(FORMULAS))
+        for head, *cells in zip(columns, *rows, strict=True)
+    ]
+    kept = [min(max(length, NARROWEST), WIDEST) for length in longest]
+    return [length / sum(kept) for length in kept]
 
 
 def write(document: Document, kind: PageFormat) -> bytes:

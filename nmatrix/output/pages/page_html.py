@@ -20,6 +20,7 @@ from nmatrix.output.pages.document import (
     ANSWER_WIDE,
     DOTS_APART,
     ROOM_HIGH,
+    SHORT_TABLE,
     Document,
     Field,
     Paper,
@@ -35,7 +36,6 @@ LENGTHS = {
     "ANSWER_HIGH": ANSWER_HIGH,
     "DOTS_APART": DOTS_APART,
 }
-SHORT_TABLE = 9  # rows that stay on one page
 _PROLOGUE = re.compile(r"^.*?(?=<svg)|<metadata>.*?</metadata>|<title>.*?</title>", re.DOTALL)
 _SIZE = re.compile(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"')
 

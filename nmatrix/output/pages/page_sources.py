@@ -16,6 +16,7 @@ from nmatrix.output.pages.document import (
     Document,
     Field,
     Paper,
+    shares,
 )
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Blank, Figure, Formula, Task
@@ -67,7 +68,7 @@ def tex(document: Document) -> bytes:
     body = blocks_in(document.blocks, LatexPage(OutputOptions()))
     source = rf"""\documentclass[11pt,{SIZES[document.paper]}]{{article}}
 {PACKAGES}
-\usepackage[hmargin=18mm,top=15mm,bottom=22mm,footskip=9mm]{{geometry}}
+\usepackage[hmargin=18mm,top=13mm,bottom=19mm,footskip=9mm]{{geometry}}
 \newcommand{{\sheetfoot}}{{{latex.escaped(document.foot)}}}
 {LOOK}
 \begin{{document}}
@@ -102,15 +103,14 @@ class LatexPage(latex.Latex):
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table with rules under its head and its end; long cells wrap, and pages turn."""
-        shares = [max(map(len, column)) for column in zip(columns, *rows, strict=True)]
         head = " & ".join(rf"\columnhead{{{latex.escaped(column)}}}" for column in columns)
         body = "\n".join(f"{' & '.join(row)} \\\\" for row in rows)
         about = f"\\textbf{{{latex.escaped(title)}}}\n\n" if title else ""
-        if max(shares, default=0) <= LONG:
+        if all(len(cell) <= LONG or cell.startswith("$") for row in rows for cell in row):
             shape = f"@{{}}{'l' * len(columns)}@{{}}"
             whole = f"{head} \\\\ \\hline\n{body} \\hline"
             return f"{about}\\begin{{tabular}}{{{shape}}}\n{whole}\n\\end{{tabular}}"
-        shape = "".join(map(_wrapping, [share / sum(shares) for share in shares]))
+        shape = "".join(map(_wrapping, shares(columns, rows)))
         whole = f"{head} \\\\ \\hline \\endhead\n{body} \\hline"
         return f"{about}\\begin{{longtable}}{{@{{}}{shape}@{{}}}}\n{whole}\n\\end{{longtable}}"
 

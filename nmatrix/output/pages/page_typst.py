@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import chain
 
 from nmatrix.output.documents import Cells, blocks_in
@@ -15,19 +15,20 @@ from nmatrix.output.pages.document import (
     DOTS_APART,
     INK_ON_PAPER,
     ROOM_HIGH,
+    SHORT_TABLE,
     Document,
     Field,
     Paper,
+    shares,
 )
 from nmatrix.output.typst import Typst, escaped
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Blank, Figure, Formula, Task
 
-NARROWEST, WIDEST = 8, 60  # shares of a table's columns
-SHORT_TABLE = 9  # rows that stay on one page
 SIZES = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 #set par(justify: false, leading: 0.6em, spacing: 0.85em)
+#set super(typographic: false)
 #let ink = rgb("{INK_ON_PAPER.ink}")
 #let soft = rgb("{INK_ON_PAPER.soft}")
 #let thin = 0.5pt + rgb("{INK_ON_PAPER.rule}")
@@ -83,7 +84,7 @@ def typ(document: Document) -> bytes:
     source = f"""#set document(title: {quoted(document.title)}, author: ())
 #set page(
   paper: "{SIZES[document.paper]}",
-  margin: (x: 18mm, top: 15mm, bottom: 17mm),
+  margin: (x: 18mm, top: 13mm, bottom: 16mm),
   numbering: "1 / 1",
   footer: context [
     #set text(size: 8pt, fill: luma(25%))
@@ -156,7 +157,7 @@ class TypstPage(Typst):
         """Write a table whose first row is its head; a short one stays on its page."""
         head = ", ".join(f"[{prose(column)}]" for column in columns)
         cells = ", ".join(f"[{cell}]" for row in rows for cell in row)
-        widths = ", ".join(f"{share}fr" for share in _shares(columns, rows))
+        widths = ", ".join(f"{share:.3f}fr" for share in shares(columns, rows))
         about = f"#block(sticky: true)[*{prose(title)}*]\n" if title else ""
         table = f"#table(columns: ({widths},), table.header({head}), {cells})"
         return f"#together[\n{about}{table}\n]" if len(rows) <= SHORT_TABLE else about + table
@@ -217,13 +218,6 @@ class TypstPage(Typst):
     def page_break(self) -> str:
         """End a page."""
         return "#pagebreak(weak: true)"
-
-
-def _shares(columns: Sequence[str], rows: Cells) -> Iterator[int]:
-    """Share the line among columns by their longest words; the markup of formulas says nothing."""
-    for column in zip(columns, *rows, strict=True):
-        plain = (len(cell) for cell in column if not cell.startswith("#"))
-        yield min(max(*plain, NARROWEST), WIDEST)
 
 
 def _equation(body: str, said: str) -> str:
