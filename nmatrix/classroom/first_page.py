@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from nmatrix.canvas.diagrams import circle_to_ellipse
@@ -21,17 +23,19 @@ from nmatrix.spaces.shading_spaces import PROFILES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
-    from fractions import Fraction
 
     from nmatrix.output.pages.document import PageFormat
     from nmatrix.scene.setup import Setup
 
 CLAIM = "A normal is carried by the inverse transpose"
 IDEA = "idea"  # the name of the drawing
-IDEA_SIZE = (900.0, 240.0)  # units: the width of a page, so that 26 of them are letters of 14 points
-IDEA_BOX = Box(0, 40, 900, 230)  # of the diagram, whose pad paper does not need
-HALVED = 0.5
-DRAWN = (1.25, 4.0)  # conditions that can be seen and fit the page
+IDEA_SIZE = (
+    900.0,
+    236.0,
+)  # units: the width of a page, so that 26 of them are letters of 14 points
+IDEA_BOX = Box(0, -11, 900, 282)  # of the diagram, whose pad paper does not need
+DOUBLED = 2
+DRAWN = (Decimal("1.8"), Decimal(4))  # conditions that can be seen and fit the page
 
 SYMBOLS = (
     ("M", "world from object, 4×4"),
@@ -58,20 +62,23 @@ class Part:
 def rule(setup: Setup, kind: PageFormat) -> Part:
     """State the theorem under its drawing, prove it in one line, and introduce the letters."""
     stretch = _stretch(setup)
-    part = "half" if stretch == HALVED else f"{short_text(stretch, 2)} of"
+    shown = short_text(stretch, 3)
+    times = "twice" if shown == str(DOUBLED) else f"{shown} times"
     name = f"{IDEA}.{kind.drawings}"
     figure = Figure(
         name,
-        f"A circle and the ellipse that A makes of it, {part} as high. On the circle the normal n "
+        f"A circle and the ellipse that A makes of it, {times} as wide. On the circle the normal n "
         "stands at a right angle to the tangent t. On the ellipse A n, dashed, leans away from "
-        "the right angle to A t, which the inverse transpose of A times n keeps.",
-        f"A presses the circle to {part} its height, and its tangent t becomes A t. The normal does "
-        "not become A n (dashed), which leans: at a right angle to A t stands A⁻ᵀ n.",
+        "the right angle to A t; the inverse transpose of A times n keeps it.",
+        f"A makes the circle {times} as wide, and its tangent t becomes A t. The normal does not "
+        "become A n (dashed), which leans: at a right angle to A t stands A⁻ᵀ n.",
     )
     theorem = Framed(
         (
             Verdict("If A moves a surface, then A⁻ᵀ, the inverse of A transposed, moves normals."),
-            Text("Why: the new normal A⁻ᵀ n and the new tangent A t make a right angle, as n and t."),
+            Text(
+                "Why: the new normal A⁻ᵀ n and the new tangent A t make a right angle, as n and t."
+            ),
             Formula(("(A⁻ᵀ n) · (A t) = nᵀ A⁻¹ A t = n · t = 0",)),
         )
     )
@@ -80,12 +87,12 @@ def rule(setup: Setup, kind: PageFormat) -> Part:
     return Part((figure, theorem, Symbols(SYMBOLS)), {name: written})
 
 
-def _stretch(setup: Setup) -> Fraction | float:
-    """Return how flat the ellipse is: as far as A goes, where that can be drawn."""
+def _stretch(setup: Setup) -> Fraction:
+    """Return how far A stretches one way more than another, where that can be drawn; else 2."""
     kappa = condition(setup.maps.world_from_object.linear_map)
     if kappa is None or not DRAWN[0] <= kappa <= DRAWN[1]:
-        return HALVED
-    return 1 / kappa
+        return Fraction(DOUBLED)
+    return Fraction(kappa)
 
 
 def _drawing(stretch: float, theme: Theme) -> Canvas:

@@ -1,4 +1,4 @@
-"""The numbers of a scene in steps: its matrices, one normal on its way, and what A would make of it.
+"""The numbers of a scene in steps: its matrices, one normal on its way, and where A would lead.
 
 n and t are a normal and a tangent of the object; A the 3×3 block of the world matrix M, C its
 cofactors.
@@ -100,7 +100,9 @@ def _one_normal(setup: Setup, A: RationalMatrix) -> Iterator[Block]:
         return
     yield _shown(f"{letter} n = ", _column(Ct), ",  A n = ", _column(wrong))
     yield Text(f"5. The right angle: {letter} n keeps it.")
-    yield _shown(f"({letter} n) · (A t) = ", dot(Ct, moved), ",  (A n) · (A t) = ", dot(wrong, moved))
+    yield _shown(
+        f"({letter} n) · (A t) = ", dot(Ct, moved), ",  (A n) · (A t) = ", dot(wrong, moved)
+    )
     angle = setup.maps.world_from_object.linear_map.angle_without_deg(n) if det else None
     if angle is not None and dot(wrong, moved):
         yield Text(f"A n leans {short_text(Fraction(angle), DIGITS)}° away from {letter} n.")

@@ -63,11 +63,13 @@ class HandoutOptions:
     ] = None
     title: Annotated[
         str | None,
-        Option(metavar="TEXT", help="What stands at the head: course, sheet, date (lines to fill)."),
+        Option(
+            metavar="TEXT", help="What stands at the head: course, sheet, date (lines to fill)."
+        ),
     ] = None
-    points: Annotated[
-        str | None, Option(metavar="N", help="Of each exercise (a box to fill).")
-    ] = None
+    points: Annotated[str | None, Option(metavar="N", help="Of each exercise (a box to fill).")] = (
+        None
+    )
     key: Annotated[bool, Option("--key", help="Write the answers too, as a second file.")] = False
     paper: Annotated[Paper, Option(help="What it is printed on.")] = Paper.A4
     output: Annotated[

@@ -144,7 +144,7 @@ def _not_shown_yet(report: Report) -> Iterator[Quantity]:
             yield Quantity(leaf.key, leaf.value)
 
 
-def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901  # one branch for each kind of block
+def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901, PLR0912  # one branch for each kind of block
     match block:
         case Heading(text):
             found = dialect.heading(text)
@@ -166,8 +166,10 @@ def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901  # one branch f
         case Figure():
             found = dialect.figure(block)
         case Symbols(meanings):
-            rows = [(dialect.inline_formula(Formula((a,))), dialect.words(b)) for a, b in meanings]
-            found = dialect.symbols(rows)
+            written = ((Formula((letter,)), words) for letter, words in meanings)
+            found = dialect.symbols(
+                [(dialect.inline_formula(one), dialect.words(words)) for one, words in written]
+            )
         case Framed(blocks):
             found = dialect.framed(blocks_in(blocks, dialect))
         case Blank():

@@ -115,12 +115,13 @@ def test_every_printed_page_says_whose_it_is() -> None:
     style = page.partition("<style>")[2].partition("</style>")[0]
     content = re.search(r'@bottom-left \{ content: "([^"]*)"', style)
     assert content is not None
-    assert re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1]) == f"{name} · seed 7"
+    shown = re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1])
+    assert shown.startswith(f"{name} · seed 7 · ")
     for kind in (PageFormat.TYP, PageFormat.TEX):
         head = student_files(
             HandoutPlan((Topic.EXERCISES,), Setup(), 1, kind), Sheet("7", "Zoe")
         ).sheet.decode()
-        assert re.search(r"(footer: context|markright)[^$]*Zoe", head)
+        assert re.search(r"(footer: context|sheetfoot)[^$]*Zoe", head)
 
 
 @pytest.mark.parametrize(

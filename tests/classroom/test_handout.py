@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shlex
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from nmatrix.classroom.roster import slug, students
 from nmatrix.classroom.topics import Topic
 from nmatrix.cli.app import run
 from nmatrix.lessons.exercises.scheme import Sheet
-from nmatrix.output.pages.document import Document, PageFormat, Paper, write
+from nmatrix.output.pages.document import Document, Field, PageFormat, Paper, write
 from nmatrix.raster.image import png
 from nmatrix.reading.records import records_of
 from nmatrix.report import (
@@ -25,11 +26,14 @@ from nmatrix.report import (
     Code,
     Figure,
     Formula,
+    Framed,
     Heading,
     PageBreak,
     Quantity,
     Step,
+    Symbols,
     Table,
+    Task,
     Text,
     Verdict,
 )
@@ -66,11 +70,16 @@ def everything(word: str = "word") -> Document:
         Step(formula, word, verified=False),
         Code("glsl", "void main() {}\n"),
         Figure("a.png", word, word),
-        Blank(2, 3),
+        Symbols((("M", word), ("l", word), ("n", word))),
+        Framed((Verdict(word), formula)),
+        Task(word, (Text(word), Code("glsl", "x;\n"), Blank(2, 3, has_room=True)), 4),
+        Task(word, (Blank(3, 1), Blank(1, 1))),
+        Table((word, "n"), tuple((word, formula) for _ in range(30))),
         PageBreak(),
         Text("- 1. + = /"),
     )
-    return Document(word, blocks, word, {"a.png": a_picture()}, word)
+    head = (Field(word, word), Field(word))
+    return Document(word, blocks, head, word, {"a.png": a_picture()})
 
 
 @pytest.mark.parametrize("kind", FORMATS)
@@ -86,7 +95,7 @@ def test_hostile_words_are_only_words(kind: PageFormat, paper: Paper) -> None:
     if kind is PageFormat.PDF:
         typst_or_skip()
     document = everything(EVIL)
-    text = write(Document(EVIL, document.blocks, EVIL, document.pictures, EVIL, paper), kind)
+    text = write(replace(document, paper=paper), kind)
     if kind is PageFormat.HTML:
         assert b"<script" not in text
     if kind is PageFormat.TEX:

@@ -13,6 +13,7 @@ from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.page_typst import typ
 from nmatrix.report import Text
 
+STYLES = ((False, False), (True, False), (False, True), (True, True))
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
 
 
@@ -27,6 +28,8 @@ def pdf(document: Document) -> bytes:
     check_typst()
     import typst
 
+    # Of headings and drawings; the folder of these also holds a font with boxes for all characters.
+    faces = [font_file(bold=bold, oblique=oblique) for bold, oblique in STYLES]
     with TemporaryDirectory() as name:
         folder = Path(name)
         for path, content in document.pictures.items():
@@ -39,7 +42,7 @@ def pdf(document: Document) -> bytes:
             root=name,
             format="pdf",
             ignore_system_fonts=True,
-            font_paths=[font_file().parent],
+            font_paths=[str(face) for face in faces],
             pdf_standards=["ua-1"],  # refuses what has no alternative text
             timestamp=NO_TIME,
         )

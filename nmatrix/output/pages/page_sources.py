@@ -11,7 +11,6 @@ from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
     DOTS_APART,
-    INK_ON_PAPER,
     ROOM_HIGH,
     Document,
     Field,
@@ -53,7 +52,8 @@ LOOK = rf"""\definecolor{{tint}}{{rgb}}{{0.94,0.94,0.94}}
 \newcommand{{\room}}{{\setlength{{\inside}}{{\linewidth}}\addtolength{{\inside}}{{-2\fboxsep}}%
   \addtolength{{\inside}}{{-2\fboxrule}}%
   \fbox{{\vbox to {ROOM_HIGH}mm{{{ROOM_LINE * (ROOM_HIGH // DOTS_APART)}\vfil}}}}\par}}
-\newcommand{{\points}}[1]{{\fbox{{\rule{{0pt}}{{9pt}}\hspace{{9mm}}\small\sffamily / #1\hspace{{2mm}}}}}}
+\newcommand{{\points}}[1]{{%
+  \fbox{{\rule{{0pt}}{{9pt}}\hspace{{9mm}}\small\sffamily / #1\hspace{{2mm}}}}}}
 \newenvironment{{task}}[2]{{\par\addvspace{{14pt}}\begin{{minipage}}{{\linewidth}}%
   \setlength{{\parskip}}{{2pt}}{{\large\sffamily\bfseries #1}}\hfill\points{{#2}}\par}}%
   {{\end{{minipage}}\par}}

@@ -202,7 +202,9 @@ class TypstPage(Typst):
         """Leave dotted room to work, and lines for the answer."""
         room = "#room\n" if blank.has_room else ""
         if blank.names:
-            names = (f"#emph[{name}] \\= #answer" if name else "Answer #answer" for name in blank.names)
+            names = (
+                f"#emph[{name}] \\= #answer" if name else "Answer #answer" for name in blank.names
+            )
             return f"{room}#block[{' #h(1em) '.join(names)}]"
         lines = ", ".join(["answer"] * blank.rows * blank.columns)
         widths = ", ".join(["auto"] * blank.columns)
