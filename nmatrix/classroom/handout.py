@@ -158,7 +158,7 @@ def _in_quotes(word: str) -> str:
 def _head(plan: HandoutPlan, sheet: Sheet) -> tuple[Field, ...]:
     """Head a sheet by what the teacher calls it, or by lines to fill in, and by its student."""
     called = (Field("", plan.title),) if plan.title else TO_FILL_IN
-    return (*called, Field("Name", sheet.student, 46))
+    return (*called, Field("Name", sheet.student, 44))
 
 
 def _foot(plan: HandoutPlan, sheet: Sheet) -> str:

@@ -6,6 +6,7 @@ cofactors.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
 SHOWN_SPACES = (Space.OBJECT, Space.WORLD, Space.CAMERA)
 DIGITS = 4  # of a number that is no short fraction
 LARGEST_TOP = 10**6  # of a number that is written out
+_POWER = re.compile(r"\^(−?[0-9]+)")
+_SMALL = str.maketrans("−0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 PAIRS = tuple(
     (tuple(map(Fraction, n)), tuple(map(Fraction, t)))
     for n, t in (
@@ -113,16 +116,19 @@ def _one_normal(setup: Setup, A: RationalMatrix) -> Iterator[Block]:
 def _light_and_eye(setup: Setup) -> Table:
     """Tabulate the light and the eye in each space that there is."""
     maps = setup.maps
-    has_place = maps.light.position is not None
+    light = maps.light
+    columns = ["space"]
+    columns += ["l, to the light, length 1"] * (light.direction is not None)
+    columns += ["the lamp"] * (light.position is not None)
 
     def row(space: Space) -> Cells:
-        light, eye = light_in(maps, space), maps.eye_in(space)
-        towards = None if light.direction is None else [-x for x in light.direction]
-        places = (light.position,) * has_place
-        return (space.value, *map(_in_a_row, (towards, *places, eye)))
+        found = light_in(maps, space)
+        towards = None if found.direction is None else tuple(-x for x in found.direction)
+        there = (one for one in (towards, found.position) if one is not None)
+        return (space.value, *map(_in_a_row, (*there, maps.eye_in(space))))
 
-    columns = ("space", "l, to the light, length 1", *("the lamp",) * has_place, "e, the eye")
-    return Table(columns, in_each(SHOWN_SPACES, row), "The light and the eye in three spaces")
+    rows = in_each(SHOWN_SPACES, row)
+    return Table((*columns, "e, the eye"), rows, "The light and the eye, space by space")
 
 
 def _shown(*parts: str | Fraction | RationalMatrix) -> Formula:
@@ -151,19 +157,18 @@ def _short(x: Fraction) -> str:
     mantissa, mark, exponent = short_text(x, DIGITS).replace("-", "−").partition("e")
     if not mark:
         return mantissa
-    power = f"10^{exponent.removeprefix('+')}"
-    return power if mantissa == "1" else f"{mantissa}·{power}"
+    power = f"10^{exponent.removeprefix('+').replace('−0', '−').lstrip('0')}"
+    return power.join(mantissa.rsplit("1", 1)) if mantissa in ("1", "−1") else f"{mantissa}·{power}"
 
 
 def _column(v: Sequence[Fraction]) -> RationalMatrix:
     return tuple((x,) for x in v)
 
 
-def _in_a_row(vector: Sequence[float | Fraction] | None) -> str:
-    if vector is None:
-        return "none"
-    return f"({', '.join(_plain(Fraction(x)) for x in vector)})"
+def _in_a_row(vector: Sequence[float | Fraction]) -> str:
+    numbers = (_POWER.sub(_raised, _short(Fraction(x))) for x in vector)
+    return f"({', '.join(numbers)})"
 
 
-def _plain(x: Fraction) -> str:
-    return short_text(x, DIGITS).replace("-", "−")
+def _raised(power: re.Match[str]) -> str:
+    return power[1].translate(_SMALL)

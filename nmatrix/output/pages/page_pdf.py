@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import UTC, datetime
+from itertools import product
 from pathlib import Path
+from shutil import copy
 from tempfile import TemporaryDirectory
 
 from nmatrix.canvas.text import font_file
@@ -13,7 +15,6 @@ from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.page_typst import typ
 from nmatrix.report import Text
 
-STYLES = ((False, False), (True, False), (False, True), (True, True))
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
 
 
@@ -28,13 +29,15 @@ def pdf(document: Document) -> bytes:
     check_typst()
     import typst
 
-    # Of headings and drawings; the folder of these also holds a font with boxes for all characters.
-    faces = [font_file(bold=bold, oblique=oblique) for bold, oblique in STYLES]
     with TemporaryDirectory() as name:
         folder = Path(name)
         for path, content in document.pictures.items():
             folder.joinpath(path).parent.mkdir(parents=True, exist_ok=True)
             folder.joinpath(path).write_bytes(content)
+        fonts = folder / "fonts"  # beside these, matplotlib has one with a box for any character
+        fonts.mkdir()
+        for bold, oblique in product((False, True), repeat=2):
+            copy(font_file(bold=bold, oblique=oblique), fonts)
         source = folder / "main.typ"
         source.write_bytes(typ(document))
         found = typst.compile(
@@ -42,7 +45,7 @@ def pdf(document: Document) -> bytes:
             root=name,
             format="pdf",
             ignore_system_fonts=True,
-            font_paths=[str(face) for face in faces],
+            font_paths=[str(fonts)],
             pdf_standards=["ua-1"],  # refuses what has no alternative text
             timestamp=NO_TIME,
         )

@@ -36,7 +36,9 @@ LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 #let together(body) = block(breakable: false, width: 100%, body)
 #let fill-in(width) = box(width: width, baseline: 1.5pt, line(length: 100%, stroke: 0.5pt))
 #let head(..parts, last) = {{
-  sans(9pt, grid(columns: (1fr, auto), gutter: 1em, parts.pos().join(h(1.2em)), last))
+  sans(9pt, grid(
+    columns: (2fr, 1fr), align: (left, right), parts.pos().map(box).join(h(1.2em, weak: true)), last,
+  ))
   v(-0.4em)
   line(length: 100%, stroke: 0.5pt)
 }}
