@@ -61,8 +61,7 @@ class Part:
 
 def rule(setup: Setup, kind: PageFormat) -> Part:
     """State the theorem under its drawing, prove it in one line, and introduce the letters."""
-    stretch = _stretch(setup)
-    shown = short_text(stretch, 3)
+    shown = short_text(_stretch(setup), 3)
     times = "twice" if shown == str(DOUBLED) else f"{shown} times"
     name = f"{IDEA}.{kind.drawings}"
     figure = Figure(
@@ -82,7 +81,7 @@ def rule(setup: Setup, kind: PageFormat) -> Part:
             Formula(("(A⁻ᵀ n) · (A t) = nᵀ A⁻¹ A t = n · t = 0",)),
         )
     )
-    drawing = _drawing(float(stretch), kind.theme)
+    drawing = drawn_idea(setup, kind.theme)
     written = vector(drawing, kind.drawings, {"Title": CLAIM, "Description": figure.alternative})
     return Part((figure, theorem, Symbols(SYMBOLS)), {name: written})
 
@@ -95,11 +94,11 @@ def _stretch(setup: Setup) -> Fraction:
     return Fraction(kappa)
 
 
-def _drawing(stretch: float, theme: Theme) -> Canvas:
-    """Draw the idea on paper, without a stage."""
+def drawn_idea(setup: Setup, theme: Theme) -> Canvas:
+    """Draw the circle and its ellipse on paper, without a stage."""
     palette = PALETTES[theme]
     canvas = Canvas(*IDEA_SIZE, replace(palette, stage=palette.paper))
-    circle_to_ellipse(canvas, IDEA_BOX, stretch)
+    circle_to_ellipse(canvas, IDEA_BOX, float(_stretch(setup)))
     return canvas
 
 
