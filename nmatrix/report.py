@@ -110,6 +110,8 @@ class Code:
 class Figure:
     """A picture file with the sentence that replaces it for those who cannot see it.
 
+    `title` is the claim that the caption begins with.
+
     Raises
     ------
     ValueError
@@ -119,6 +121,7 @@ class Figure:
     path: str
     alternative: str
     caption: str = ""
+    title: str = ""
 
     def __post_init__(self) -> None:
         if not self.alternative.strip():

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, Theme
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
-from nmatrix.raster.proofs.proof import Proof, ProofSettings
+from nmatrix.raster.proofs.proof import SHEET, Proof, ProofSettings
 from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene, Settings
@@ -18,7 +18,7 @@ from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES, LightKind
 
 NUMBERS = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
 SCENES = (".toml", *GLTF_SUFFIXES)
-PANEL = Settings(size=(360, 360))  # of one panel of a proof
+SHEET_SETTINGS = Settings(size=SHEET)  # of a proof
 
 
 @dataclass(frozen=True)
@@ -32,6 +32,7 @@ class PictureChoices:
     space: Space | None = None
     samples: Number | None = None
     effort: Effort | None = None
+    theme: Theme = Theme.LIGHT
 
     def over(self, settings: Settings) -> Settings:
         """Put what was chosen in place of the settings' own."""
@@ -48,13 +49,12 @@ class PictureChoices:
 def proof_frame(
     name: str, own: ProofSettings, setup: Setup, choices: PictureChoices
 ) -> PictureFrame:
-    """Frame a proof of these settings under the lens and the light of a setup, drawn as chosen."""
+    """Frame a proof of these settings, drawn as chosen; a setup may bring a shading space."""
     settings = replace(
         own,
-        lens=setup.lens,
-        lights=scene_lights(setup.light),
-        picture=replace(choices.over(PANEL), space_matrix=setup.space_matrix),
-        reflection=choices.reflection or own.reflection,
+        picture=replace(choices.over(SHEET_SETTINGS), space_matrix=setup.space_matrix),
+        reflection=choices.reflection,
+        theme=choices.theme,
     )
     return PictureFrame(name, settings=settings)
 

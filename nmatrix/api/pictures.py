@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 from nmatrix.api.report import Picture
 from nmatrix.api.setup import Setup, setup_values
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, chosen
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, Theme, chosen
 from nmatrix.linear.values import named_file, number, vector
 from nmatrix.scene.camera import View
-from nmatrix.scene.lens import Lens
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 from nmatrix.spaces.shading_spaces import space_named
 
@@ -27,6 +26,7 @@ def render(
     space: str | Space | None = None,
     samples: int | None = None,
     effects: str | Effort = Effort.PLANNED,
+    theme: str | Theme = Theme.LIGHT,
 ) -> Picture:
     r"""Draw a proof by its name, a scene file, a glTF file or a mesh.
 
@@ -40,8 +40,8 @@ def render(
     mesh
         For a proof: a mesh file to draw it of.
     size
-        Width and height in pixels, for a proof of each panel.
-    shading, reflection, normals, space, samples, effects
+        Width and height of the picture in pixels.
+    shading, reflection, normals, space, samples, effects, theme
         As the command line has them; None leaves them to the file or the proof.
 
     Raises
@@ -55,7 +55,13 @@ def render(
     >>> picture.image.dtype, picture.png[:4]
     (dtype('uint8'), b'\x89PNG')
     """
-    from nmatrix.answers.render import PANEL, PictureChoices, is_proof, proof_frame, scene_frame
+    from nmatrix.answers.render import (
+        PictureChoices,
+        is_proof,
+        proof_frame,
+        scene_frame,
+        scene_lights,
+    )
     from nmatrix.answers.render import render as answer
     from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.scene.meshes.file import read_mesh
@@ -70,20 +76,21 @@ def render(
         None if space is None else space_named(space),
         None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
+        chosen(Theme, theme, "theme"),
     )
     if is_proof(name, setup=setup, mesh=mesh):
         values = setup_values(Setup() if setup is None else setup)
-        if values.lens.aspect == Lens().aspect:  # a panel's own
-            values = replace(values, lens=replace(values.lens, aspect=choices.aspect(PANEL)))
         of_mesh = None if mesh is None else named_file(mesh, "mesh")
         own = ProofSettings(
             name if of_mesh is None else of_mesh.stem,
             None if of_mesh is None else read_mesh(of_mesh),
             None if values.world == World() else values.world,
             None if values.view == View() else values.view,
+            values.lens,
+            None if values.light == Light() else scene_lights(values.light),
         )
         frame = proof_frame(name, own, values, choices)
     else:
         frame = scene_frame(scene_of(Path(name)), Path(name).stem, choices)
     proof = frame.draw()
-    return Picture(answer(proof), proof.image, proof.texts)
+    return Picture(answer(proof), proof)

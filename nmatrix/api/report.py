@@ -7,12 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nmatrix import report
-from nmatrix.enums import Format, Layout, chosen
+from nmatrix.enums import Format, Layout, PixelFormat, chosen
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.linear.values import flag, named_file
+
+if TYPE_CHECKING:
+    from nmatrix.raster.proofs.proof import Proof
 
 BESIDE = ("command", "version", "layout", "remarks")  # in the JSON, beside the answer's own keys
 
@@ -113,28 +116,29 @@ def _written(
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Picture(Report):
-    """A picture with its numbers: pixels in `image`, PNG in `png`; a notebook shows it.
+    """A picture with its numbers: pixels in `image`, PNG in `png`; a notebook shows it."""
 
-    Parameters
-    ----------
-    image
-        (height, width, 3) bytes of sRGB, the top row first.
-    texts
-        The numbers that a file of it tells, by their names.
-    """
+    drawn: Proof
 
-    image: Any
-    texts: Mapping[str, str]
+    @property
+    def image(self) -> Any:  # noqa: ANN401  # an array, of a module that is not loaded for words
+        """The pixels: (height, width, 3) bytes of sRGB, the top row first."""
+        return self.drawn.image
+
+    @property
+    def texts(self) -> Mapping[str, str]:
+        """The numbers that a file of it tells, by their names."""
+        return self.drawn.texts
 
     @cached_property
     def png(self) -> bytes:
         """The picture as a PNG file, with its numbers in text chunks."""
-        from nmatrix.raster.image import png
-
-        return png(self.image, self.texts)
+        return self.drawn.file(PixelFormat.PNG)
 
     def save(self, path: str | Path, *, force: bool = False) -> None:
         """Write a .png, .gif, .webp or .jpg file, whole or not at all, with its numbers inside.
+
+        A proof may also be a .svg or a .pdf: then its text is text, and its lines are lines.
 
         Raises
         ------
@@ -142,17 +146,16 @@ class Picture(Report):
             For another ending, a file that exists unless `force`, or a place that cannot be
             written.
         """
-        from nmatrix.output.files import PICTURES, kind_of, write_file
-        from nmatrix.raster.image import picture_file
+        from nmatrix.output.files import PICTURES, SLIDES, kind_of, write_file
 
         target = named_file(path, "path")
-        kind = kind_of(target, PICTURES, "path")
+        kind = kind_of(target, SLIDES if self.drawn.is_slide else PICTURES, "path")
         if target.exists() and not flag(force, "force"):
             next_step = "give force=True, or another path"
             raise IllegalValueError(f"path ({target})", "the file exists", next_step)
         if not target.parent.is_dir():
             raise IllegalValueError(f"path ({target})", "there is no such folder", "make it first")
-        write_file(target, picture_file([self.image], self.texts, kind), force=True)
+        write_file(target, self.drawn.file(kind), force=True)
 
     def _repr_png_(self) -> bytes:
         return self.png

@@ -247,7 +247,7 @@ def ramp_bar(canvas: Canvas, box: Box, ends: tuple[str, str], size: float = 22.0
     steps = 96
     stops = canvas.palette.heat
     for i, part in enumerate(box.columns(steps, 0)):
-        wide = Box(part.x, part.y, min(part.width + 0.6, box.right - part.x), part.height)
+        wide = Box(part.x, part.y, box.right - part.x, part.height)  # over all that follow: no seam
         canvas.polygon(wide.corners, fill=blend(stops, i / (steps - 1)))
     canvas.text((box.x, box.y - 10), ends[0], size)
     canvas.text((box.right, box.y - 10), ends[1], size, align=1.0)
@@ -263,9 +263,7 @@ def blend(stops: Sequence[str], part: float) -> str:
     """
     place = min(max(part, 0.0), 1.0) * (len(stops) - 1)
     i = min(int(place), len(stops) - 2)
-    a, b = (
-        [int(stops[j][k : k + 2], 16) for k in (1, 3, 5)] for j in (i, i + 1)
-    )
+    a, b = ([int(stops[j][k : k + 2], 16) for k in (1, 3, 5)] for j in (i, i + 1))
     mixed = (round(x + (place - i) * (y - x)) for x, y in zip(a, b, strict=True))
     return "#" + "".join(f"{one:02X}" for one in mixed)
 

@@ -150,11 +150,10 @@ class Canvas:
         return round(self.width * self.scale), round(self.height * self.scale)
 
     def on_pixels(self, box: Box) -> Box:
-        """Return a box with its sides moved to the nearest edges of pixels, a pixel at least."""
+        """Return a box moved to the nearest pixels, so that boxes of one size stay so."""
         k = self.scale
-        left, top = round(box.x * k), round(box.y * k)
-        right, bottom = max(round(box.right * k), left + 1), max(round(box.bottom * k), top + 1)
-        return Box(left / k, top / k, (right - left) / k, (bottom - top) / k)
+        wide, high = max(round(box.width * k), 1), max(round(box.height * k), 1)
+        return Box(round(box.x * k) / k, round(box.y * k) / k, wide / k, high / k)
 
     def pixels_of(self, box: Box) -> tuple[int, int]:
         """Return the pixels of the sides of a box that lies on pixels."""

@@ -1,7 +1,7 @@
 """The layout of a proof: the claim as title, panels that say one thing each, one large number.
 
 A slide is 1600 × 900 units, or as much wider or higher as the picture's shape asks for: stages
-grow, type keeps its size. Beyond 2.4 : 1 and 0.8 : 1 the slide stays as it is, in the middle.
+grow, type keeps its size. Beyond 2.4 : 1 and 1.45 : 1 the slide stays as it is, in the middle.
 """
 
 from __future__ import annotations
@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, ring
+from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, hatch, ring
 from nmatrix.canvas.marks import Box, Canvas
 from nmatrix.canvas.text import LEADING, fitting, plain, width
 from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import Theme
 
 WIDTH, HEIGHT = 1600.0, 900.0
-WIDEST, HIGHEST = 2.4, 0.8  # width over height
+WIDEST, HIGHEST = 2.4, 1.45  # width over height
 MARGIN = 48.0
 TITLE_SIZES = range(36, 45)
 HEADING, NARROW_HEADING, CAPTION, BIG = 30, 24, 22, 84
@@ -98,6 +98,13 @@ class Slide:
         if caption:
             self.caption(box, caption)
         return found
+
+    def no_answer(self, panel: Panel, reason: str) -> None:
+        """Hatch a stage on which there is nothing to draw, and write the reason in it."""
+        hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
+        place = panel.stage.middle
+        halo = self.palette.stage
+        self.canvas.text(place, reason, HEADING, bold=True, align=0.5, halo=halo)
 
     def heading(
         self, x: float, y: float, text: str, verdict: Verdict | None = None, *, size: int = HEADING

@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from nmatrix.classroom.first_page import Part, rule, spaces
 from nmatrix.classroom.worked import in_each, worked
-from nmatrix.enums import Space
+from nmatrix.enums import Space, Theme
 from nmatrix.output.pages.document import PageFormat
 from nmatrix.report import Block, Cells, Figure, Heading, Table, Text
 from nmatrix.scene.setup import Setup
@@ -27,13 +27,8 @@ class Topic(StrEnum):
 
 
 USUAL = (Topic.RULE, Topic.SPACES, Topic.WORKED, Topic.PROOFS, Topic.PITFALLS)
-PROOF_SIZE = (220, 220)
-TOLD = {
-    "normals": "Three pictures of a stretched sphere: lit by normals that A itself carried, lit by "
-    "those of the inverse transpose, and a map of the angle between the two.",
-    "mirror": "Three pictures of a mirrored object: by cofactors without the sign, by the inverse "
-    "transpose, and with the winding of its triangles left as it was.",
-}
+PROOFS = ("normals", "bias")
+PICTURE_POINTS = 493.0  # the width of a picture on A4
 
 
 def _worked(setup: Setup, kind: PageFormat) -> Part:
@@ -41,20 +36,27 @@ def _worked(setup: Setup, kind: PageFormat) -> Part:
 
 
 def _proofs(setup: Setup, kind: PageFormat) -> Part:
-    """Draw two proof images with their numbers in the alternative text."""
-    from dataclasses import replace
-
+    """Draw proofs for paper, each with its claim and the words around its panels as a caption."""
+    from nmatrix.canvas.paint import vector
+    from nmatrix.canvas.paper import on_paper
+    from nmatrix.canvas.slide import Slide
+    from nmatrix.canvas.text import plain
+    from nmatrix.raster.proofs.catalogue import catalogued
     from nmatrix.raster.proofs.proof import ProofSettings
-    from nmatrix.raster.proofs.rules import mirror, normals
-    from nmatrix.scene.scene import Settings
 
-    settings = ProofSettings("normals", picture=replace(Settings(), size=PROOF_SIZE))
-    blocks: list[Block] = [Heading("Wrong and right, seen")]
+    blocks: list[Block] = [Heading("What it looks like")]
     pictures = {}
-    for name, draw in (("normals", normals), ("mirror", mirror)):
-        proof = draw(replace(settings, subject=name))
-        pictures[f"{name}.png"] = proof.png()
-        blocks.append(Figure(f"{name}.png", f"{TOLD[name]} {proof.verdict}", proof.verdict))
+    for name in PROOFS:
+        entry = catalogued(name)
+        assert entry is not None
+        found = entry.load()(ProofSettings(name, theme=Theme.PRINT))
+        slide = found.picture
+        assert isinstance(slide, Slide)
+        cutting = on_paper(slide, PICTURE_POINTS)
+        path = f"{name}.{kind.drawings}"
+        pictures[path] = vector(cutting.canvas, kind.drawings, found.texts)
+        told = f"{'. '.join(slide.told)}. {cutting.words}"
+        blocks.append(Figure(path, told, cutting.words, plain(slide.title)))
     return Part(tuple(blocks), pictures)
 
 

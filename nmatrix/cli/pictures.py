@@ -11,12 +11,12 @@ from typer import Option
 
 from nmatrix.cli.shared_options import whole_number
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading
+from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading, Theme
 from nmatrix.reading.numbers import number, numbers
 
 if TYPE_CHECKING:
     from nmatrix.answers.render import PictureChoices
-    from nmatrix.enums import Space
+    from nmatrix.enums import Space, VectorFormat
 
 in_picture = partial(Option, rich_help_panel="Picture")
 in_frames = partial(Option, rich_help_panel="Frames")
@@ -27,15 +27,18 @@ MOST_FRAMES = 10_000
 class PictureOptions:
     """What a picture looks like; what is not given is the scene file's or the proof's."""
 
-    size: Annotated[
-        str | None, in_picture(metavar="W H", help="Pixels of a picture, or of each panel.")
-    ] = None
+    size: Annotated[str | None, in_picture(metavar="W H", help="Pixels of the whole picture.")] = (
+        None
+    )
     shading: Annotated[Shading | None, in_picture(help="Where light is evaluated.")] = None
     reflection: Annotated[Reflection | None, in_picture(help="How the surface reflects.")] = None
     normals: Annotated[NormalRule | None, in_picture(help="The rule that carries normals.")] = None
     samples: Annotated[
         str | None, in_picture(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
     ] = None
+    theme: Annotated[
+        Theme, in_picture(help="Colours of proofs: a page, a dark slide, grey paper.")
+    ] = Theme.LIGHT
     effects: Annotated[Effort, in_picture(help="What the scene calls for, or everything.")] = (
         Effort.PLANNED
     )
@@ -52,6 +55,7 @@ class PictureOptions:
             space=space,
             samples=None if self.samples is None else number(self.samples, "--samples"),
             effort=self.effects,
+            theme=self.theme,
         )
 
 
@@ -62,7 +66,10 @@ class FileOptions:
     output: Annotated[
         str | None,
         Option(
-            "--output", "-o", metavar="FILE", help="FILE.png, .gif, .webp or .jpg; - is stdout."
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="FILE.png .gif .webp .jpg, proofs .svg .pdf; - is stdout.",
         ),
     ] = None
     force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False
@@ -88,7 +95,7 @@ class FrameOptions(WorkerOptions):
         return whole_number(self.frames or default, "--frames", range(1, MOST_FRAMES + 1), 2)
 
 
-def frame_names(path: Path, count: int, kind: PixelFormat) -> list[Path]:
+def frame_names(path: Path, count: int, kind: PixelFormat | VectorFormat) -> list[Path]:
     """Name the files of so many frames: one file, or numbered ones where a file holds one picture.
 
     Examples
@@ -98,7 +105,7 @@ def frame_names(path: Path, count: int, kind: PixelFormat) -> list[Path]:
     >>> [str(one) for one in frame_names(Path("a.gif"), 2, PixelFormat.GIF)]
     ['a.gif']
     """
-    if count == 1 or kind.is_animated:
+    if count == 1 or (isinstance(kind, PixelFormat) and kind.is_animated):
         return [path]
     digits = len(str(count - 1))
     return [path.with_stem(f"{path.stem}-{i:0{digits}}") for i in range(count)]

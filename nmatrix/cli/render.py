@@ -14,12 +14,13 @@ from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.enums import PixelFormat
-from nmatrix.output.files import PICTURES, kind_of, refuse_existing, write_file
+from nmatrix.output.files import PICTURES, SLIDES, kind_of, refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from nmatrix.enums import VectorFormat
     from nmatrix.raster.proofs.frames import PictureFrame
     from nmatrix.raster.proofs.proof import Proof
 
@@ -61,7 +62,7 @@ def _write(
     usual = PixelFormat.GIF if frames.count > 1 else PixelFormat.PNG
     target = Path(file.output or f"{frame.name}.{usual}")
     is_stdout = str(target) == "-"
-    kind = usual if is_stdout else kind_of(target, PICTURES)
+    kind = usual if is_stdout else kind_of(target, SLIDES if frame.is_slide else PICTURES)
     names = frame_names(target, frames.count, kind)
     refuse_existing(names, force=file.force)
     started = time.perf_counter()
@@ -103,7 +104,7 @@ def _proof(
     common: CommonOptions,
 ) -> PictureFrame:
     """Frame a proof: a scene lends its object, its camera and its light."""
-    from nmatrix.answers.render import PANEL, proof_frame
+    from nmatrix.answers.render import SHEET_SETTINGS, proof_frame, scene_lights
     from nmatrix.raster.proofs.proof import ProofSettings
     from nmatrix.scene.meshes.file import read_mesh
 
@@ -112,13 +113,15 @@ def _proof(
     loaded = None if mesh is None else read_mesh(Path(mesh))
     if loaded is None and groups.scene.chosen_object is not None:
         loaded = groups.scene.chosen_object.geometry.mesh()
-    setup = groups.setup(common, aspect=choices.aspect(PANEL))
+    setup = groups.setup(common, aspect=choices.aspect(SHEET_SETTINGS))
     own_view = groups.view.given or (lent is not None and lent.has_camera)
     own = ProofSettings(
         name if mesh is None else Path(mesh).stem,
         loaded,
         setup.world if groups.world.given or lent is not None else None,
         setup.view if own_view else None,
+        setup.lens,
+        scene_lights(setup.light) if groups.light.given or lent is not None else None,
         clock=time.perf_counter,
     )
     return proof_frame(name, own, setup, choices)
@@ -164,13 +167,13 @@ def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
         return list(progress(drawn(pictures, executor), len(pictures), "frames"))
 
 
-def _files(proofs: Sequence[Proof], kind: PixelFormat) -> list[bytes]:
+def _files(proofs: Sequence[Proof], kind: PixelFormat | VectorFormat) -> list[bytes]:
     """Encode the pictures: one file of all, or one each; an animation tells the first's numbers."""
     from nmatrix.raster.image import picture_file
 
-    if kind.is_animated:
+    if isinstance(kind, PixelFormat) and kind.is_animated:
         return [picture_file([one.image for one in proofs], proofs[0].texts, kind)]
-    return [picture_file([one.image], one.texts, kind) for one in proofs]
+    return [one.file(kind) for one in proofs]
 
 
 def _named(names: Sequence[Path]) -> str:

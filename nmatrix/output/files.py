@@ -17,10 +17,9 @@ PICTURES: Mapping[str, PixelFormat] = {
     **{f".{one}": one for one in PixelFormat},
     ".jpg": PixelFormat.JPEG,
 }
-CHARTS: Mapping[str, PixelFormat | VectorFormat] = {
-    **{f".{one}": one for one in VectorFormat},
-    **PICTURES,
-}
+_VECTORS: Mapping[str, VectorFormat] = {f".{one}": one for one in VectorFormat}
+CHARTS: Mapping[str, PixelFormat | VectorFormat] = {**_VECTORS, **PICTURES}
+SLIDES: Mapping[str, PixelFormat | VectorFormat] = {**PICTURES, **_VECTORS}
 
 
 def kind_of(path: Path, kinds: Mapping[str, Kind], name: str = "output") -> Kind:

@@ -22,7 +22,7 @@ from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.shading.surface import PictureStyle, Surface
 from nmatrix.raster.shading.texture import to_srgb
 from nmatrix.raster.triangles.fragments import Fragments
-from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
+from nmatrix.raster.triangles.picture import DepthMap, Drawable, Drawing, Picture
 from nmatrix.raster.triangles.vertices import project
 from nmatrix.scene.light import PlacedLight
 from nmatrix.scene.words import LightKind
@@ -50,12 +50,14 @@ class Work:
 class Rendered:
     """An image (height, width, 1 or 3) of levels in [0, 1], and the work that it took.
 
-    `remarks` tell of bodies that came out black although light was meant for them.
+    `remarks` tell of bodies that came out black although light was meant for them; `depth` is
+    there where it was asked for.
     """
 
     image: Array
     work: Work
     remarks: tuple[str, ...] = ()
+    depth: DepthMap | None = None
 
     @property
     def rgb(self) -> Array:
@@ -68,7 +70,11 @@ def _as_it_is(surface: Surface) -> Surface:
 
 
 def render(
-    plan: Plan, finish: Callable[[Array], Array] = np.asarray, change: Change = _as_it_is
+    plan: Plan,
+    finish: Callable[[Array], Array] = np.asarray,
+    change: Change = _as_it_is,
+    *,
+    keeps_depth: bool = False,
 ) -> Rendered:
     """Draw a plan's loaded scene; `finish` turns rows of levels into what is kept of them.
 
@@ -87,7 +93,8 @@ def render(
     drawn = [*plan.drawn, *(_hull_plan(loaded, one) for one in outlined)]
     drawables = [_drawable(plan, body, maps, change) for body in drawn]
     background = np.array(loaded.settings.background[: plan.channels], np.float64)
-    drawing = Drawing(drawables, loaded.canvas, background, loaded.settings.depth)
+    buffer = loaded.settings.depth
+    drawing = Drawing(drawables, loaded.canvas, background, buffer, keeps_depth)
     has_gamma = plan.picture[Effect.GAMMA].on
     picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))
     passes = 1 + sum(map(len, maps.values())) + bool(outlined)
@@ -96,9 +103,8 @@ def render(
         for body, one, samples in zip(plan.drawn, drawables, picture.shaded, strict=False)
         if samples and isinstance(one.fragment, _Watched) and one.fragment.is_black
     ]
-    return Rendered(
-        picture.image, _work(drawn, picture, passes), tuple(_why_black(one) for one in dark)
-    )
+    remarks = tuple(_why_black(one) for one in dark)
+    return Rendered(picture.image, _work(drawn, picture, passes), remarks, picture.depth)
 
 
 class _Watched:

@@ -161,11 +161,11 @@ def test_a_pipe_is_written_to_and_not_replaced(tmp_path: Path) -> None:
 def test_a_lost_picture_comes_back(nmatrix) -> None:
     line = f"{roster('Ada')} --topics proofs,exercises --to md"
     assert nmatrix(line)[0] == 0
-    pictures = sorted(Path("out").glob("*.png"))
+    pictures = sorted(Path("out").glob("*.svg"))
     assert pictures
     pictures[0].unlink()
     assert nmatrix(line)[0] == 0
-    assert sorted(Path("out").glob("*.png")) == pictures
+    assert sorted(Path("out").glob("*.svg")) == pictures
 
 
 def test_a_killed_process_is_told_and_the_next_run_goes_on(nmatrix, monkeypatch) -> None:

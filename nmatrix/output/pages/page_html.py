@@ -36,7 +36,10 @@ LENGTHS = {
     "ANSWER_HIGH": ANSWER_HIGH,
     "DOTS_APART": DOTS_APART,
 }
-_PROLOGUE = re.compile(r"^.*?(?=<svg)|<metadata>.*?</metadata>|<title>.*?</title>", re.DOTALL)
+_NOT_OF_A_PAGE = re.compile(
+    r'^.*?(?=<svg)|<metadata>.*?</metadata>|<title>.*?</title>| id="(?:figure|patch)_[0-9]+"',
+    re.DOTALL,
+)
 _SIZE = re.compile(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"')
 
 
@@ -98,12 +101,17 @@ def _foot(text: str) -> str:
     )
 
 
-def themed(svg: bytes) -> str:
-    """Turn a drawing in the light theme into elements that follow the page's theme."""
-    found = _SIZE.sub(r"\1", _PROLOGUE.sub("", svg.decode()))
+def inline(svg: bytes) -> str:
+    """Turn an SVG file into elements of a page, as wide as the page lets them be.
+
+    A drawing in the light theme follows the page's theme; a picture that holds pixels does not.
+    """
+    found = _SIZE.sub(r"\1", _NOT_OF_A_PAGE.sub("", svg.decode())).strip()
+    if "<image" in found:
+        return found
     for name, colour in PALETTES[Theme.LIGHT].named.items():
         found = found.replace(colour.lower(), f"var(--{name})")
-    return found.strip()
+    return found
 
 
 class HtmlPage(MathML):
@@ -146,12 +154,13 @@ class HtmlPage(MathML):
         """Write a picture with its alternative text; a drawing follows the page's theme."""
         content, said = self.pictures[figure.path], escape(figure.alternative)
         if figure.path.endswith(".svg"):
-            image = f'<div role="img" aria-label="{said}">{themed(content)}</div>'
+            image = f'<div role="img" aria-label="{said}">{inline(content)}</div>'
         else:
             data = b64encode(content).decode()
             image = f'<img src="data:image/png;base64,{data}" alt="{said}">'
-        caption = f"<figcaption>{prose(figure.caption)}</figcaption>" if figure.caption else ""
-        return f"<figure>{image}{caption}</figure>"
+        title = f"<b>{prose(figure.title)}.</b> " if figure.title else ""
+        caption = title + prose(figure.caption)
+        return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
 
     def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
         """Write letters and their words in two columns, one on a phone."""

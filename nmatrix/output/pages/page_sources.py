@@ -132,7 +132,8 @@ class LatexPage(latex.Latex):
         """Write a picture above its caption; its alternative text stands in a comment."""
         comment = latex.escaped(" ".join(figure.alternative.split()))
         include = rf"\includegraphics[width=\linewidth]{{{figure.path}}}"
-        caption = rf"{{\small {latex.escaped(figure.caption)}}}"
+        title = rf"\textbf{{{latex.escaped(figure.title)}.}} " if figure.title else ""
+        caption = rf"{{\small {title}{latex.escaped(figure.caption)}}}"
         return f"% alt: {comment}\n{include}\\nopagebreak\n\n{caption}"
 
     def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
@@ -207,6 +208,7 @@ class MarkdownPage(markdown.Markdown):
     def figure(self, figure: Figure) -> str:
         """Write a picture with its alternative text."""
         alternative, caption = map(markdown.escaped, (figure.alternative, figure.caption))
+        caption = f"**{markdown.escaped(figure.title)}.** {caption}" if figure.title else caption
         return f"![{alternative}]({figure.path})\n\n{caption}"
 
     def page_break(self) -> str:

@@ -37,7 +37,8 @@ LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 #let fill-in(width) = box(width: width, baseline: 1.5pt, line(length: 100%, stroke: 0.5pt))
 #let head(..parts, last) = {{
   sans(9pt, grid(
-    columns: (2fr, 1fr), align: (left, right), parts.pos().map(box).join(h(1.2em, weak: true)), last,
+    columns: (2fr, 1fr), align: (left, right),
+    parts.pos().map(box).join(h(1.2em, weak: true)), last,
   ))
   v(-0.4em)
   line(length: 100%, stroke: 0.5pt)
@@ -187,7 +188,8 @@ class TypstPage(Typst):
     def figure(self, figure: Figure) -> str:
         """Write a picture with its alternative text."""
         image = f"image({quoted(figure.path)}, alt: {quoted(figure.alternative)}, width: 100%)"
-        return f"#figure({image}, caption: [{prose(figure.caption)}], numbering: none)"
+        title = f"*{prose(figure.title)}.* " if figure.title else ""
+        return f"#figure({image}, caption: [{title}{prose(figure.caption)}], numbering: none)"
 
     def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
         """Write letters and their words in two columns, read downwards."""

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, NormalRule
 from nmatrix.linear.projection import front_sign
-from nmatrix.raster.image import Legend
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
@@ -22,8 +21,6 @@ from nmatrix.raster.triangles.vertices import project
 
 Array = NDArray[Any]
 
-STOPS = ((13, 8, 80), (78, 35, 140), (158, 50, 128), (214, 92, 82), (248, 160, 48), (250, 240, 110))
-STEPS = 256
 ROUNDING_DEG = 1e-6  # far above the rounding of this rasterizer, far below what can be seen
 INVISIBLE_DEG = 1e-4  # far below what a picture can show
 UNDEFINED = 0.5
@@ -114,7 +111,7 @@ def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
 
 @dataclass(frozen=True)
 class Scale:
-    """Colours from dark blue for 0 to yellow for `largest_deg`; lightness grows all the way.
+    """Colours for angles from 0 to `largest_deg`; lightness grows all the way.
 
     Angles that are rounding alone are shown on a scale to 1°, all dark: stretched to the full
     range they would look like a finding.
@@ -127,25 +124,34 @@ class Scale:
         """Return the scale that ends at the worst angle."""
         return cls(worst_deg if worst_deg is not None and worst_deg > ROUNDING_DEG else 1.0)
 
-    @property
-    def legend(self) -> Legend:
-        """Return the scale as the image shows it."""
-        red, green, blue = (np.rint(channel * 255).astype(int).tolist() for channel in _colours().T)
-        return Legend(tuple(zip(red, green, blue, strict=True)), f"{self.largest_deg:.3g}", "°")
-
-    def colours(self, angle_deg: Array) -> Array:
-        """Return a colour (…, 3) in [0, 1] for each angle.
+    def colours(self, angle_deg: Array, stops: Sequence[str]) -> Array:
+        """Return a colour (…, 3) in [0, 1] for each angle, along stops of one distance.
 
         Examples
         --------
-        >>> blue, yellow = Scale(90.0).colours(np.array([0.0, 90.0]))
-        >>> bool(yellow.sum() > blue.sum())
-        True
+        >>> Scale(90.0).colours(np.array([0.0, 45.0, 90.0]), ("#000000", "#FF0000"))[:, 0].tolist()
+        [0.0, 0.5, 1.0]
         """
-        index = np.rint(angle_deg / self.largest_deg * (STEPS - 1)).astype(np.intp)
-        return np.asarray(_colours()[index.clip(0, STEPS - 1)])
+        return ramp(angle_deg / self.largest_deg, stops)
 
 
-def _colours() -> Array:
-    at, stops = np.linspace(0, 1, STEPS), np.linspace(0, 1, len(STOPS))
-    return np.stack([np.interp(at, stops, [c[i] / 255 for c in STOPS]) for i in range(3)], axis=1)
+def ramp(parts: Array, stops: Sequence[str]) -> Array:
+    """Return the colours (…, 3) in [0, 1] so far along stops of one distance, for parts of 1."""
+    levels = np.array([[int(one[i : i + 2], 16) / 255 for i in (1, 3, 5)] for one in stops])
+    at = np.linspace(0, 1, len(stops))
+    return np.stack([np.interp(parts, at, levels[:, i]) for i in range(3)], axis=-1)
+
+
+def worst_at_vertices(loaded: LoadedScene, body: Body, rule: NormalRule) -> float | None:
+    """Return the largest angle between a rule's normals and the right ones, over the vertices.
+
+    Nothing of a camera or a picture is in it. None where no vertex has both.
+    """
+    wrong, right = (unit(normals_by(loaded, body, one).T) for one in (rule, NormalRule.EXACT))
+    both = wrong.any(axis=1) & right.any(axis=1)
+    if not both.any():
+        return None
+    angles = angles_deg(wrong[both], right[both])
+    if body.linear_map.rank < 3:
+        angles = np.minimum(angles, 180 - angles)
+    return float(angles.max())

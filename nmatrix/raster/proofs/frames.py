@@ -20,6 +20,11 @@ class PictureFrame:
     settings: ProofSettings | None = None
     scene: Scene | None = None
 
+    @property
+    def is_slide(self) -> bool:
+        """True for a proof: its lines and letters can be written as such."""
+        return self.scene is None
+
     def turned(self, degrees: float) -> PictureFrame:
         """Return the picture frame some way around: what the proof is about, or a scene's eye."""
         entry = catalogued(self.name)

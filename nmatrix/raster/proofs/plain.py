@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from nmatrix.enums import NormalRule
+from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error
-from nmatrix.raster.proofs.proof import DrawnScene, Proof, drawn_scene, level_difference
+from nmatrix.raster.proofs.proof import Proof
 from nmatrix.scene.scene import Scene
 
 

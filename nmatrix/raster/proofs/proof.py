@@ -7,10 +7,12 @@ from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any, assert_never
 
-import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Effect, Reflection
+from nmatrix.canvas.paint import pixels, vector
+from nmatrix.canvas.slide import Slide
+from nmatrix.canvas.text import plain
+from nmatrix.enums import PixelFormat, Reflection, Theme, VectorFormat
 from nmatrix.linear.affine import rotation_about_axis
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import (
@@ -21,17 +23,16 @@ from nmatrix.linear.rational import (
     linear_part,
     rational_vector,
 )
-from nmatrix.raster.image import levels, png
-from nmatrix.raster.loaded_scene import LoadedScene, loaded
-from nmatrix.raster.planning.plan import Plan, plan_for
+from nmatrix.raster.drawn_scene import DrawnScene
+from nmatrix.raster.image import picture_file
 from nmatrix.raster.proofs.catalogue import Turn, Turning
-from nmatrix.raster.render import Change, Rendered, Work, render
+from nmatrix.raster.render import Work
 from nmatrix.report import Value
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, LoadedGeometry, ShapeGeometry
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import Material
+from nmatrix.scene.material import Material, grey
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Shape
@@ -43,15 +44,18 @@ SPHERE = ShapeGeometry(Shape.SPHERE)
 TORUS = ShapeGeometry(Shape.TORUS)
 SUN = SceneLight("sun", LightKind.DIRECTIONAL)
 IDENTITY = identity(4)
+SHEET = (1600, 900)  # pixels
+AMBIENT, DIFFUSE = (0.19, 0.24, 0.36), (0.79, 0.66, 0.44)
+PRINTED_AMBIENT, PRINTED_DIFFUSE = grey(0.24), grey(0.68)
 
 
 @dataclass(frozen=True)
 class ProofSettings:
     """A proof's settings: the object and its place, the camera, the light, the picture.
 
-    `mesh` is None for the proof's own shape, `world` None for its own map, and `view` None for a
-    camera that is fitted to what is drawn. `object_turn` turns the object in the world. `clock`
-    tells seconds; by default it is always 0.
+    What is None is the proof's own: its shape, its map, a camera that is fitted to what is drawn,
+    its light. The size of `picture` is that of the whole sheet. `object_turn` turns the object in
+    the world. `clock` tells seconds; by default it is always 0.
     """
 
     subject: str
@@ -59,10 +63,12 @@ class ProofSettings:
     world: World | None = None
     view: View | None = None
     lens: Lens = field(default_factory=Lens)
-    lights: tuple[SceneLight, ...] = (SUN,)
-    picture: Settings = field(default_factory=Settings)
-    reflection: Reflection = Reflection.LAMBERT
+    lights: tuple[SceneLight, ...] | None = None
+    picture: Settings = field(default_factory=lambda: Settings(size=SHEET))
+    reflection: Reflection | None = None
+    theme: Theme = Theme.LIGHT
     object_turn: RationalMatrix = IDENTITY
+    light_turn: RationalMatrix = IDENTITY
     clock: Callable[[], float] = float
 
     def turned(self, turn: Turn, degrees: float) -> ProofSettings:
@@ -74,7 +80,7 @@ class ProofSettings:
             case Turning.EYE:
                 return replace(self, picture=replace(self.picture, turn_degrees=degrees))
             case Turning.LIGHT:
-                return replace(self, lights=tuple(_turned(one, rotation) for one in self.lights))
+                return replace(self, light_turn=rotation)
         assert_never(turn.what)
 
     @property
@@ -94,23 +100,43 @@ class ProofSettings:
         """Return an object's place as far around as the object has turned."""
         return world if self.object_turn is IDENTITY else world.under(self.object_turn)
 
-    def scene(self, world: World, geometry: Geometry | None = None, **picture: Any) -> Scene:  # noqa: ANN401  # fields of Settings
-        """Return a scene with the one object; `picture` replaces settings of the picture."""
-        material = Material(reflection=self.reflection)
-        place = self.in_turn(world).world_from_object
-        thing = SceneObject(self.subject, geometry or self.geometry(), place, material)
-        return self.with_objects(thing, **picture)
+    @property
+    def is_moving(self) -> bool:
+        """True for a frame of an animation in which the object turns, the first included."""
+        return self.object_turn is not IDENTITY
 
-    def with_objects(self, *objects: SceneObject, **picture: Any) -> Scene:  # noqa: ANN401  # fields of Settings
-        """Return a scene with these objects; `picture` replaces settings of the picture."""
-        return Scene(
-            objects,
-            self.lights,
-            self.view or View(),
-            self.lens,
-            replace(self.picture, **picture),
-            has_camera=self.view is not None,
+    def lit_by(self, *lights: SceneLight) -> tuple[SceneLight, ...]:
+        """Return the lights that were asked for, or the proof's own, as far as they have turned."""
+        return tuple(_turned(one, self.light_turn) for one in self.lights or lights)
+
+    def material(self, **changes: Any) -> Material:  # noqa: ANN401  # fields of Material
+        """Return the surface of every proof: warm where light falls, cool where none does."""
+        own = Material(
+            ambient=PRINTED_AMBIENT if self.theme is Theme.PRINT else AMBIENT,
+            diffuse=PRINTED_DIFFUSE if self.theme is Theme.PRINT else DIFFUSE,
+            reflection=self.reflection or Reflection.LAMBERT,
         )
+        return replace(own, **changes)
+
+    def object(
+        self,
+        world: World,
+        geometry: Geometry | None = None,
+        **material: Any,  # noqa: ANN401  # fields of Material
+    ) -> SceneObject:
+        """Return the object of the proof under a map, as far around as it has turned."""
+        place = self.in_turn(world).world_from_object
+        return SceneObject(
+            self.subject, geometry or self.geometry(), place, self.material(**material)
+        )
+
+    def scene(self, *objects: SceneObject, lights: tuple[SceneLight, ...] = (SUN,)) -> Scene:
+        """Return a scene with these objects under the proof's light, not yet under a camera."""
+        return Scene(objects, self.lit_by(*lights), settings=self.picture, has_camera=False)
+
+    def slide(self, title: str) -> Slide:
+        """Begin the picture of a proof with its claim."""
+        return Slide.of(title, self.picture.size, self.theme)
 
 
 def _turned(light: SceneLight, rotation: RationalMatrix) -> SceneLight:
@@ -124,9 +150,9 @@ def _turned(light: SceneLight, rotation: RationalMatrix) -> SceneLight:
 
 @dataclass(frozen=True, eq=False)
 class Proof:
-    """A finished picture and the numbers that it shows."""
+    """A finished picture and the numbers that it shows: a slide, or an image of a scene."""
 
-    image: Array
+    picture: Slide | Array
     subject: str
     verdict: str
     work: Work
@@ -141,7 +167,7 @@ class Proof:
     def of(
         cls,
         subject: str,
-        image: Array,
+        picture: Slide | Array,
         verdict: str,
         drawn: Sequence[DrawnScene],
         **measured: Any,  # noqa: ANN401  # the other fields
@@ -150,13 +176,31 @@ class Proof:
         works = (asdict(one.rendered.work).values() for one in drawn)
         work, last = Work(*map(sum, zip(*works, strict=True))), drawn[-1]
         remarks = (*last.plan.remarks, *last.rendered.remarks)
-        return cls(image, subject, verdict, work, last.effects, remarks=remarks, **measured)
+        return cls(picture, subject, verdict, work, last.effects, remarks=remarks, **measured)
+
+    @property
+    def is_slide(self) -> bool:
+        """True if its lines and letters can be written as such."""
+        return isinstance(self.picture, Slide)
+
+    @cached_property
+    def image(self) -> Array:
+        """Return the picture as 8-bit levels (height, width, 3)."""
+        return pixels(self.picture.canvas) if isinstance(self.picture, Slide) else self.picture
+
+    def file(self, kind: PixelFormat | VectorFormat) -> bytes:
+        """Return the picture as a file with its numbers inside; only a slide has vectors."""
+        if isinstance(kind, PixelFormat):
+            return picture_file([self.image], self.texts, kind)
+        assert isinstance(self.picture, Slide)  # whoever asks knows
+        return vector(self.picture.canvas, kind, self.texts)
 
     @property
     def texts(self) -> dict[str, str]:
         """Return what a file of the picture tells beside it: its numbers, never a time."""
+        title = plain(self.picture.title) if isinstance(self.picture, Slide) else self.subject
         return {
-            "Title": f"nmatrix {self.subject}",
+            "Title": title,
             "Description": self.verdict,
             "max_angle_error_deg": repr(self.max_angle_error_deg),
             "mean_angle_error_deg": repr(self.mean_angle_error_deg),
@@ -164,50 +208,3 @@ class Proof:
             **{name: str(count) for name, count in asdict(self.work).items()},
             **{k: repr(v) for k, v in self.numbers.items() if not k.startswith("milliseconds")},
         }
-
-    def png(self) -> bytes:
-        """Return the picture as a PNG file, its numbers in text chunks."""
-        return png(self.image, self.texts)
-
-
-@dataclass(frozen=True, eq=False)
-class DrawnScene:
-    """A scene that was drawn: its plan, and the picture."""
-
-    plan: Plan
-    rendered: Rendered
-
-    @property
-    def loaded(self) -> LoadedScene:
-        """Return the loaded scene."""
-        return self.plan.loaded
-
-    @cached_property
-    def levels(self) -> Array:
-        """Return the 8-bit image (height, width, 3)."""
-        return levels(self.rendered.rgb)
-
-    @property
-    def effects(self) -> tuple[str, ...]:
-        """Return the names of the effects that were on, in the order of the table."""
-        return tuple(one.value for one in Effect if one in self.plan.effects)
-
-    def redrawn(self, change: Change) -> DrawnScene:
-        """Draw the scene again with its surfaces changed."""
-        return DrawnScene(self.plan, render(self.plan, change=change))
-
-
-def drawn_scene(scene: Scene, **settings: Any) -> DrawnScene:  # noqa: ANN401  # fields of Settings
-    """Draw a scene by its plan; `settings` replace those of the scene."""
-    changed = replace(scene, settings=replace(scene.settings, **settings))
-    return drawn_plan(plan_for(loaded(changed)))
-
-
-def drawn_plan(plan: Plan) -> DrawnScene:
-    """Draw the scene of a plan."""
-    return DrawnScene(plan, render(plan))
-
-
-def level_difference(a: DrawnScene, b: DrawnScene) -> int:
-    """Return the largest difference of two pictures, in 8-bit levels."""
-    return int(np.abs(a.levels.astype(int) - b.levels).max())

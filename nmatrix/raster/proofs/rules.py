@@ -1,221 +1,223 @@
-"""Proofs about the rule that carries normals: right and wrong ones, side by side."""
+"""Proofs that A itself bends normals, and that a test which only turns things cannot tell."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nmatrix.enums import NormalRule, Shading
-from nmatrix.linear.classify import Classification
-from nmatrix.raster.image import Panel, compose, levels
+from nmatrix.canvas.diagrams import circle_to_ellipse
+from nmatrix.canvas.glyphs import Ink, Verdict
+from nmatrix.canvas.slide import CAPTION, GUTTER, HEADING, STAGE_AT, Panel, Slide
+from nmatrix.enums import Kind, NormalRule
+from nmatrix.raster.drawn_scene import level_difference
+from nmatrix.raster.loaded_scene import Body, loaded
+from nmatrix.raster.overlay.stage import Stage, radius_of
 from nmatrix.raster.proofs.angles import (
     INVISIBLE_DEG,
-    ROUNDING_DEG,
-    UNDEFINED,
-    AngleMap,
     Scale,
     normals_by,
     rule_error,
+    worst_at_vertices,
 )
-from nmatrix.raster.proofs.proof import (
-    TORUS,
-    DrawnScene,
-    Proof,
-    ProofSettings,
-    drawn_scene,
-    level_difference,
-)
-from nmatrix.raster.shading.space import length
-from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.raster.proofs.proof import Proof, ProofSettings
+from nmatrix.raster.proofs.staging import Pose, put_heat, staged, tacks
+from nmatrix.raster.shading.normals import unit
+from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
+from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
+from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 
-Array = NDArray[Any]
-
+EGG = ShapeGeometry(Shape.SPHERE, (64, 128))
 TALL = World(scale=(1, 2, 1))
-TURNED = World(rotate_degrees=(20, 30, 40))
+BESIDE = Pose((3.6, 1.5, 9.2), radius=2)
+FROM_THE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.85, -0.55, -0.65))
+STRETCHED_IDEA = "A tangent rides along with A. A normal must stay at a right angle to it."
+EVEN_IDEA = "A tangent rides along with A, and so does the normal: their right angle stays."
+NO_SURFACE = ("a point", "a line", "no normal", "no normal")  # what is left, by the rank of A
+BELOW = 190.0  # units under the stages, for captions and a number
+TURNED = World(rotate_degrees=(0, 0, -38))
+STRETCHED = World(rotate_degrees=(0, 0, -62)).under(
+    World(scale=(0.85, 1.7, 0.85)).world_from_object
+)
+FRONT = Pose((2.0, 1.6, 9.2), radius=2)
+FROM_ABOVE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.6, -0.75, -0.45))
 
-# What the right rule is called, by the rank of A.
-RIGHT_RULE = {
-    3: ("Right: A⁻ᵀ n", "the inverse transpose carries them"),
-    2: ("Right: C n, two-sided", "no inverse is left; the cofactors carry them"),
-}
-NO_RULE = ("Right: none", "no plane is left to be normal to")
+
+@dataclass(frozen=True)
+class Claim:
+    """What the picture of normals shows for one map and one mesh: the words that are true of it."""
+
+    title: str
+    wrong: str
+    right: str = "The inverse transpose keeps every normal upright."
+    heading: str = "A^{−T} *n*"
+    agrees: bool = False
+
+    @classmethod
+    def about(cls, settings: ProofSettings, body: Body, worst_deg: float | None) -> Claim:
+        """Find the words for a body whose normals A itself bends so far at the worst."""
+        kind, rank = body.kind, body.linear_map.rank
+        if worst_deg is None:
+            return cls(
+                "Where no plane is left, no normal is",
+                "A leaves nothing that has a side: no arrow, no light.",
+                "No rule can make a normal of what is no longer a surface.",
+                "C *n*",
+            )
+        if worst_deg < INVISIBLE_DEG:
+            title = "On this shape A itself does it: a test here proves nothing"
+            if not kind.needs_inverse_transpose:
+                title = "Turn it or scale it evenly, and A itself carries normals"
+            same = "The same arrows, the same shade: here A does no harm."
+            return cls(title, same, same, agrees=True)
+        if rank < 3:
+            return cls(
+                "Flatten a shape by A, and A lays its normals into its plane",
+                "Carried by A the normals lie in the surface, and no light is right.",
+                "The cofactors C of A know the plane; both of its sides are lit.",
+                "C *n*, both sides",
+            )
+        verb = "Shear" if kind.kind is Kind.SHEAR else "Stretch"
+        own = settings.mesh is None and settings.world in (None, TALL)
+        aside = "to the poles" if own else "off the surface"
+        return cls(
+            f"{verb} a shape by A, and A bends its normals off the surface",
+            f"Carried by A the normals lean {aside}, and the light with them.",
+        )
 
 
 def normals(settings: ProofSettings) -> Proof:
     """Draw a mesh with wrong and with right normals, and the angle between them."""
-    wrong, right = _both(settings.scene(settings.placed(TALL)))
-    found = rule_error(right.plan, NormalRule.NONE)
-    scale = Scale.reaching(found.worst_deg)
-    kind = right.loaded.bodies[0].kind
+    one = settings.object(settings.placed(TALL), settings.geometry(EGG))
+    scene = settings.scene(one, lights=(FROM_THE_RIGHT,))
+    (body,) = loaded(scene).bodies
+    worst = worst_at_vertices(loaded(scene), body, NormalRule.NONE)
+    claim = Claim.about(settings, body, worst)
+    slide = settings.slide(claim.title)
+    idea, first, second, last = slide.body(BELOW).columns(4, GUTTER)
+    bends = body.kind.needs_inverse_transpose
+    told = slide.panel(idea, "The idea", caption=STRETCHED_IDEA if bends else EVEN_IDEA)
+    circle_to_ellipse(slide.canvas, told.stage, 2.0 if bends else 1.0)
     panels = (
-        Panel(wrong.levels, "Wrong: A n", "the matrix itself carries the normals"),
-        Panel(right.levels, *RIGHT_RULE.get(kind.rank, NO_RULE)),
-        Panel(_heat(found, scale, right), "Angle between them", _angle_caption(found)),
+        slide.panel(first, "A *n*", _verdict(claim.agrees), claim.wrong),
+        slide.panel(second, claim.heading, None if worst is None else Verdict.RIGHT, claim.right),
     )
+    wrong, right = _both(slide, settings, BESIDE, panels, scene)
+    if claim.agrees:
+        slide.compare(*panels, same=True)
+    heat = slide.panel(last, "Angle between")
+    found = rule_error(right.drawn.plan, NormalRule.NONE)
+    if worst is None:
+        slide.no_answer(heat, NO_SURFACE[body.linear_map.rank])
+    else:
+        put_heat(slide, heat, right.drawn, found, Scale.reaching(worst)).outline()
+        number = f"{worst:.1f}°" if worst >= INVISIBLE_DEG else "0°"
+        slide.large_number(heat.stage.x, slide.frame.bottom - 68, number, "off")
     return Proof.of(
         settings.subject,
-        compose(_title(settings.subject, kind), panels, scale.legend),
-        _verdict(found),
-        [wrong, right],
-        max_level_difference=level_difference(wrong, right),
+        slide,
+        _sentence(worst),
+        [wrong.drawn, right.drawn],
+        max_level_difference=level_difference(wrong.drawn, right.drawn),
         **found.errors,
     )
+
+
+def _both(
+    slide: Slide, settings: ProofSettings, pose: Pose, panels: tuple[Panel, Panel], scene: Scene
+) -> tuple[Stage, Stage]:
+    """Draw a scene by A itself and by the right rule, with their normals as tacks."""
+    by_none = replace(scene, settings=replace(scene.settings, normals=NormalRule.NONE))
+    pairs = list(zip(panels, (by_none, scene), strict=True))
+    wrong, right = staged(slide, settings, pose, pairs)
+    ink = Ink.WRONG if panels[0].verdict is Verdict.WRONG else Ink.RIGHT
+    rules = (NormalRule.NONE, ink), (NormalRule.EXACT, Ink.RIGHT)
+    (body,) = right.loaded.bodies
+    if not normals_by(right.loaded, body, NormalRule.EXACT).any():
+        for panel in panels:
+            slide.no_answer(panel, NO_SURFACE[body.linear_map.rank])
+        return wrong, right
+    for stage, (rule, colour) in zip((wrong, right), rules, strict=True):
+        stage.outline()
+        stage.lights()
+        stage.tacks(tacks(right, body, rule, settings), colour, radius_of(body))
+    return wrong, right
+
+
+def _verdict(agrees: bool) -> Verdict:  # noqa: FBT001  # the one thing that it turns into a verdict
+    return Verdict.RIGHT if agrees else Verdict.WRONG
+
+
+def _sentence(worst: float | None) -> str:
+    if worst is None:
+        return "No normal survives this map."
+    if worst < INVISIBLE_DEG:
+        return "Both are the same here: a test on this map cannot tell a wrong normal matrix."
+    return f"With A itself the normals are up to {worst:.2f}° off."
 
 
 def bias(settings: ProofSettings) -> Proof:
-    """Draw what a rotation hides and a scale shows: the same wrong matrix under both."""
-    shape = settings.geometry(TORUS)
-    turned = _both(settings.scene(TURNED, shape))
-    stretched = settings.placed(replace(TALL, rotate_degrees=TURNED.rotate_degrees))
-    scaled = _both(settings.scene(stretched, shape))
-    hidden, seen = (level_difference(a, b) for a, b in (turned, scaled))
-    panels = (
-        Panel(turned[0].levels, "Rotation: A n", "looks right, and is"),
-        Panel(turned[1].levels, "Rotation: A⁻ᵀ n", f"differs by {hidden} levels: A⁻ᵀ = A"),
-        Panel(scaled[0].levels, "Scale: A n", "the same code, and wrong"),
-        Panel(scaled[1].levels, "Scale: A⁻ᵀ n", f"differs by {seen} levels"),
-    )
+    """Draw what a rotation hides and a stretch shows: the same wrong matrix under both."""
+    slide = settings.slide("A test that only turns things passes the wrong code")
+    shape = settings.geometry(_ellipsoid())
+    own = settings.world is None
+    pairs = slide.body(BELOW - 40, top=STAGE_AT + 52).columns(2, GUTTER)
+    drawn: list[Stage] = []
+    for box, (words, caption, world) in zip(
+        pairs,
+        (
+            ("Turn it", "The same pixels: for a rotation A^{−T} = A.", TURNED),
+            ("Stretch it" if own else "Move it by your map", "", settings.placed(STRETCHED)),
+        ),
+        strict=True,
+    ):
+        scene = settings.scene(settings.object(world, shape), lights=(FROM_ABOVE_RIGHT,))
+        (body,) = loaded(scene).bodies
+        worst = worst_at_vertices(loaded(scene), body, NormalRule.NONE)
+        agrees = worst is not None and worst < INVISIBLE_DEG
+        slide.canvas.text((box.x, box.y - 68), words, HEADING, bold=True)
+        line = ((box.x, box.y - 56), (box.right, box.y - 56))
+        slide.canvas.stroke(line, 3, slide.palette.ink, round_ends=False)
+        left, right = box.columns(2, GUTTER)
+        told = caption or _second_caption(body, agrees=agrees, is_lost=worst is None)
+        rule = "A^{−T} *n*" if body.linear_map.rank == 3 else "C *n*"
+        panels = (
+            slide.panel(left, "A *n*", Verdict.WRONG),
+            slide.panel(right, rule, None if worst is None else Verdict.RIGHT),
+        )
+        slide.canvas.paragraph((box.x, box.bottom + 38), told, CAPTION, box.width)
+        drawn += _both(slide, settings, FRONT, panels, scene)
+        if worst is not None:
+            slide.compare(*panels, same=agrees)
+    turned, stretched = drawn[:2], drawn[2:]
+    hidden, seen = (level_difference(a.drawn, b.drawn) for a, b in (turned, stretched))
     return Proof.of(
         settings.subject,
-        compose("A test on rotations cannot tell a wrong normal matrix", panels, columns=4),
-        f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a scale.",
-        [*turned, *scaled],
+        slide,
+        f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a stretch.",
+        [one.drawn for one in drawn],
         numbers={"rotation_level_difference": hidden, "scale_level_difference": seen},
         max_level_difference=seen,
-        **rule_error(scaled[1].plan, NormalRule.NONE).errors,
+        **rule_error(stretched[1].drawn.plan, NormalRule.NONE).errors,
     )
 
 
-def mirror(settings: ProofSettings) -> Proof:
-    """Draw a mirrored object by cofactors without their sign, rightly, and with wrong winding."""
-    scene = settings.scene(settings.placed(World(scale=(-1, 1.4, 1), rotate_degrees=(0, 30, 0))))
-    right = drawn_scene(scene)
-    unsigned = drawn_scene(scene, normals=NormalRule.COFACTOR)
-    inside_out = drawn_scene(_other_winding(scene))
-    found = rule_error(right.plan, NormalRule.COFACTOR)
-    panels = (
-        Panel(unsigned.levels, "Cofactors, sign dropped", _angle_caption(found)),
-        Panel(right.levels, "sign(det) · C = A⁻ᵀ · |det|", "normals point outwards"),
-        Panel(inside_out.levels, "Winding not flipped", "faces are culled from the wrong side"),
+def _second_caption(body: Body, *, agrees: bool, is_lost: bool) -> str:
+    if is_lost:
+        return "This map leaves no plane, so there is no normal to test with."
+    if agrees and body.kind.needs_inverse_transpose:
+        return "The same pixels again: along its own axes a shape hides the mistake too."
+    if agrees:
+        return "The same pixels again: this map, too, only turns or scales evenly."
+    return "The same code, found out: test with an uneven scale."
+
+
+def _ellipsoid() -> LoadedGeometry:
+    """Return a ball whose own shape is longer one way: its normals are its own, no map's."""
+    ball = EGG.mesh()
+    sides = np.array([0.72, 1.15, 0.72])
+    return LoadedGeometry(
+        replace(ball, positions=ball.positions * sides, normals=unit(ball.normals / sides))
     )
-    return Proof.of(
-        settings.subject,
-        compose("A mirror flips the sign of the cofactors, and the winding", panels),
-        f"Without the sign of det A the normals are {found.worst_deg or 0:.0f}° off.",
-        [unsigned, right, inside_out],
-        numbers={"winding_level_difference": level_difference(inside_out, right)},
-        max_level_difference=level_difference(unsigned, right),
-        **found.errors,
-    )
-
-
-def translation(settings: ProofSettings) -> Proof:
-    """Draw normals that a translation moved, and normals measured over four components."""
-    scene = settings.scene(settings.placed(World(translate=(5, 0, 0))))
-    right = drawn_scene(scene)
-    moved = drawn_scene(scene, normals=NormalRule.TRANSLATED)
-    short = drawn_scene(scene, normals=NormalRule.FOUR_COMPONENT, shading=Shading.GOURAUD)
-    found = rule_error(right.plan, NormalRule.TRANSLATED)
-    (body,) = right.loaded.bodies
-    shortest = float(length(normals_by(right.loaded, body, NormalRule.FOUR_COMPONENT)).min())
-    panels = (
-        Panel(moved.levels, "w = 1 with M", _angle_caption(found)),
-        Panel(short.levels, "A⁻ᵀ in 4×4, 4-component normalise", f"lengths fall to {shortest:.3f}"),
-        Panel(right.levels, "Right: w = 0, three components", "a normal knows no place"),
-    )
-    return Proof.of(
-        settings.subject,
-        compose("A normal is no point: a translation must not reach it", panels),
-        f"With w = 1 the normals are up to {found.worst_deg or 0:.2f}° off; normalised over four "
-        f"components the shortest has length {shortest:.3f}.",
-        [moved, short, right],
-        numbers={"shortest_normal": shortest},
-        max_level_difference=level_difference(moved, short),
-        **found.errors,
-    )
-
-
-def flatten(settings: ProofSettings) -> Proof:
-    """Draw a flattened object: with no inverse, with a zero matrix, with the cofactors."""
-    scene = settings.scene(
-        settings.placed(World(scale=(1, 0, 1), rotate_degrees=(25, 0, 0), order="XYZ"))
-    )
-    right = drawn_scene(scene)
-    without = drawn_scene(scene, normals=NormalRule.INVERSE)
-    found = rule_error(right.plan, NormalRule.INVERSE)
-    missing = found.covered[:, :, None] * UNDEFINED + _paper(right, found)
-    lost = level_difference(without, right)
-    panels = (
-        Panel(
-            levels(missing), "inv(A): no answer", "det A = 0: it raises; grey is what stays empty"
-        ),
-        Panel(without.levels, "A zero matrix instead", "normals of length 0: ambient light alone"),
-        Panel(right.levels, "C n, two-sided", "the plane's own normal, and its shade"),
-    )
-    return Proof.of(
-        settings.subject,
-        compose("Flattened: the inverse is gone, the normal of the plane is not", panels),
-        f"The cofactors still know the plane's normal; without it {lost} levels of light are lost.",
-        [without, right],
-        numbers={"rank": right.loaded.bodies[0].kind.rank},
-        max_level_difference=lost,
-        **found.errors,
-    )
-
-
-def _heat(found: AngleMap, scale: Scale, on: DrawnScene) -> Array:
-    """Return the map of angles as an 8-bit image; grey where a normal is missing."""
-    compared, covered = found.compared[:, :, None], found.covered[:, :, None]
-    colours = compared * scale.colours(found.pixel_deg) + (covered - compared) * UNDEFINED
-    return levels(colours + _paper(on, found))
-
-
-def _paper(on: DrawnScene, found: AngleMap) -> Array:
-    background = np.array(on.loaded.settings.background)
-    return np.asarray((1 - found.covered[:, :, None]) * background)
-
-
-def _both(scene: Scene) -> tuple[DrawnScene, DrawnScene]:
-    """Return the scene by the matrix itself, and by the right rule."""
-    return drawn_scene(scene, normals=NormalRule.NONE), drawn_scene(scene)
-
-
-def _other_winding(scene: Scene) -> Scene:
-    """Return the scene with every triangle turned the other way, and its faces still culled."""
-    (one,) = scene.objects
-    mesh = one.geometry.mesh()
-    turned = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
-    return replace(scene, objects=(replace(one, geometry=LoadedGeometry(turned)),))
-
-
-def _title(subject: str, found: Classification) -> str:
-    kind = found.kind.value.replace("-scale", " scale")
-    if found.condition is None:
-        return f"{subject}: {kind}, rank {found.rank}"
-    bound = found.worst_angle_deg or 0.0
-    return f"{subject}: {kind}, κ = {found.condition_text}, bound {bound:.2f}°"
-
-
-def _angle_caption(found: AngleMap) -> str:
-    if not found.covered.any():
-        return "nothing of it is seen"
-    if found.worst_deg is None or found.mean_deg is None:
-        return "no normal is left to compare"
-    if found.worst_deg <= ROUNDING_DEG:
-        return "none beyond rounding, anywhere"
-    return f"worst {found.worst_deg:.2f}°, mean {found.mean_deg:.2f}° over what is seen"
-
-
-def _verdict(found: AngleMap) -> str:
-    if not found.covered.any():
-        return "Nothing of the mesh covers a sample: move the camera or make the picture larger."
-    if found.worst_deg is None:
-        return "No normal survives this map."
-    if found.worst_deg < INVISIBLE_DEG:
-        return "Both are the same here: a test on this map cannot tell a wrong normal matrix."
-    return f"With A itself the normals are up to {found.worst_deg:.2f}° off."

@@ -21,7 +21,16 @@ from nmatrix.raster.triangles.layers import Layers, layers
 from nmatrix.raster.triangles.run_expansion import batches
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import NOTHING, TRIANGLE_MASK, Runs, Tile, runs_of
+from nmatrix.raster.triangles.visibility import (
+    EMPTY,
+    NOTHING,
+    STEPS,
+    TRIANGLE_BITS,
+    TRIANGLE_MASK,
+    Runs,
+    Tile,
+    runs_of,
+)
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
@@ -49,16 +58,48 @@ class Drawable:
 
 
 @dataclass(frozen=True, eq=False)
+class DepthMap:
+    """How far away opaque surfaces are, and what they cover, for each pixel (height, width).
+
+    `farthest` is that of a pixel's samples, 0 near and 1 far, infinite where one of them is empty;
+    `coverage` is the part of its samples that is not.
+    """
+
+    farthest: Array
+    coverage: Array
+
+    @classmethod
+    def empty(cls, canvas: Canvas) -> DepthMap:
+        """Return the map of a picture in which nothing is seen."""
+        shape = canvas.height, canvas.width
+        return cls(np.full(shape, np.inf), np.zeros(shape))
+
+    def take(self, tile: Tile, canvas: Canvas) -> None:
+        """Write the rows of a finished tile."""
+        k, (top, bottom) = canvas.per_side, tile.rows
+        keys = tile.keys.reshape((bottom - top) // k, k, canvas.width, k)
+        filled, far = keys != EMPTY, (keys.max(axis=(1, 3)) >> TRIANGLE_BITS).astype(float)
+        rows = slice(top // k, bottom // k)
+        if tile.depth is DepthBuffer.FLOAT32:
+            far = far.astype(np.int32).view(np.float32).astype(float)
+        else:
+            far /= STEPS[tile.depth]
+        self.farthest[rows] = np.where(filled.all(axis=(1, 3)), far, np.inf)
+        self.coverage[rows] = filled.mean(axis=(1, 3))
+
+
+@dataclass(frozen=True, eq=False)
 class Picture:
     """The image (height, width, channels) as `finish` kept it, and the work of drawing it.
 
     `fragments` were covered by triangles, hidden ones included; `shaded` were coloured, for each
-    drawable.
+    drawable. `depth` is there where the drawing keeps it.
     """
 
     image: Array
     fragments: int
     shaded: tuple[int, ...]
+    depth: DepthMap | None = None
 
 
 class Window(NamedTuple):
@@ -76,6 +117,7 @@ class Drawing:
     canvas: Canvas
     background: Array
     depth: DepthBuffer = DepthBuffer.FULL
+    keeps_depth: bool = False
 
     def picture(self, finish: Callable[[Array], Array] = np.asarray) -> Picture:
         """Draw everything; `finish` turns pixels, each by itself, into what is kept of them.
@@ -97,17 +139,20 @@ class Drawing:
         ):
             empty[:] = blank
         fragments, shaded = 0, np.zeros(len(self.drawables), np.int64)
+        depth = DepthMap.empty(self.canvas) if self.keeps_depth else None
         for some in _steps(rows, TILE_SAMPLES, self.canvas):
             tile = Tile.empty(some, self.canvas.columns, self.depth)
             for one, first in zip(self.drawables, self._first, strict=False):
                 if one.opacity == 1.0:
                     fragments += tile.add(one.projected, first)
+            if depth is not None:
+                depth.take(tile, self.canvas)
             for few in _steps(some, self._stripe_samples, self.canvas):
                 pixels, counts = self._stripe(tile, Window(few, columns))
                 shaded += counts
                 top, bottom = (row // self.canvas.per_side for row in few)
                 image[top:bottom, left:right] = finish(pixels)
-        return Picture(image, fragments, tuple(shaded.tolist()))
+        return Picture(image, fragments, tuple(shaded.tolist()), depth)
 
     @property
     def _stripe_samples(self) -> int:

@@ -1,0 +1,247 @@
+"""A picture of the rasterizer on a canvas, and the marks of the world that are drawn over it.
+
+Points of the world are put where the picture has them, by the same matrix. What lies on a surface
+and is behind another one is left out; what stands for an idea (arrows, lamps, the eye) never is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nmatrix.canvas import glyphs
+from nmatrix.canvas.glyphs import Ink
+from nmatrix.canvas.marks import Box, Canvas, Point
+from nmatrix.enums import DepthRange
+from nmatrix.linear.rational import to_floats
+from nmatrix.raster.drawn_scene import DrawnScene
+from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.overlay.mesh_lines import creases, seen, silhouettes, visible_pieces
+from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
+from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.triangles.picture import DepthMap
+from nmatrix.scene.camera import View
+from nmatrix.scene.lens import Lens
+
+Array = NDArray[Any]
+
+OUTLINE = 1.6  # units
+PAD = 34.0
+DISC, ARROW = 0.09, 0.27  # of the radius of the body
+CORNER = 44.0  # of a sun, from the sides of its stage
+RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
+MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """A drawn scene in a box of a canvas."""
+
+    canvas: Canvas
+    box: Box
+    drawn: DrawnScene
+
+    @property
+    def loaded(self) -> LoadedScene:
+        """Return the scene that is drawn."""
+        return self.drawn.loaded
+
+    @cached_property
+    def clip_from_world(self) -> Array:
+        """Return P · V as floats."""
+        return np.array(to_floats(self.loaded.clip_from_world))
+
+    def window(self, points: Array) -> Array:
+        """Return the units x and y, and the depth, (n, 3) of points (n, 3) of the world.
+
+        Depth is 0 near and 1 far. The numbers of a point that is not in front of the eye are NaN.
+        """
+        clip = (
+            np.asarray(points, float) @ self.clip_from_world[:, :3].T + self.clip_from_world[:, 3]
+        )
+        w = clip[:, 3:]
+        ndc = np.divide(clip[:, :3], w, out=np.full((len(clip), 3), np.nan), where=w > 0)
+        space, box = self.loaded.clip, self.box
+        depth = ndc[:, 2]
+        if space.depth is DepthRange.MINUS_ONE_TO_ONE:
+            depth = (depth + 1) / 2
+        elif space.depth is DepthRange.REVERSED:
+            depth = 1 - depth
+        x = box.x + (ndc[:, 0] + 1) / 2 * box.width
+        y = box.y + (1 - space.y_sign * ndc[:, 1]) / 2 * box.height
+        return np.stack([x, y, depth], axis=1)
+
+    def place(self, point: Sequence[float] | Array) -> Point | None:
+        """Return where a point of the world is on the canvas; None if the eye cannot see there."""
+        x, y, _ = self.window(np.array([point], float))[0]
+        return (float(x), float(y)) if np.isfinite(x) else None
+
+    def direction(self, direction: Sequence[float] | Array) -> Point:
+        """Return a direction of the world as the eye sees it, on the canvas, up to its length."""
+        camera = np.array(to_floats(self.loaded.camera_from_world.exact))[:3, :3]
+        x, y, _ = camera @ np.asarray(direction, float)
+        return float(x), -float(y)
+
+    @property
+    def depth(self) -> DepthMap:
+        """Return how far away the surfaces are that are seen."""
+        found = self.drawn.rendered.depth
+        assert found is not None  # a stage is drawn with it
+        return found
+
+    @cached_property
+    def eye(self) -> Array:
+        """Return where the eye is in the world."""
+        return np.array([float(one) for one in self.loaded.eye])
+
+    @property
+    def across(self) -> Array:
+        """Return the direction of the world that goes to the right in the picture."""
+        return np.array(to_floats(self.loaded.camera_from_world.exact))[0, :3]
+
+    def sees(self, points: Array) -> Array:
+        """Return a mask of the points (n, 3) of the world that no surface hides."""
+        window = self.window(points)
+        found = np.isfinite(window).all(axis=1)
+        found[found] = seen(self._pixels(window[found]), self.depth.farthest)
+        return np.asarray(found)
+
+    def covers(self, points: Array) -> Array:
+        """Return a mask of the points (n, 3) of the world behind or before which a surface is."""
+        x, y, _ = np.nan_to_num(self._pixels(self.window(points)), nan=-1.0).T
+        height, width = self.depth.farthest.shape
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        column, row = x.astype(int).clip(0, width - 1), y.astype(int).clip(0, height - 1)
+        return np.asarray(inside & np.isfinite(self.depth.farthest[row, column]))
+
+    def _pixels(self, window: Array) -> Array:
+        """Return points of the canvas in pixels of the picture."""
+        k = self.canvas.scale
+        return np.asarray((window - [self.box.x, self.box.y, 0]) * [k, k, 1])
+
+    def outline(self, *, sharp: bool = True) -> None:
+        """Draw the outline of all that is covered in ink, and the visible edges inside it."""
+        for points in self._rims():
+            self.canvas.stroke(points, OUTLINE * 1.2, self.canvas.palette.ink)
+        for body in self.loaded.bodies if sharp else ():
+            if len(body.mesh.triangles) > MOST_EDGED:
+                continue
+            points = body.positions_world
+            chains = [points[chain] for chain in creases(body.mesh)]
+            for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
+                self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
+
+    def surface_line(
+        self,
+        points: Array,
+        width: float,
+        colour: str,
+        *,
+        dash: tuple[float, float] | None = None,
+        halo: str | None = None,
+    ) -> None:
+        """Draw a line of the world; what lies behind a surface is left out."""
+        window = self.window(points)
+        if not np.isfinite(window).all():
+            return
+        for piece in visible_pieces(self._pixels(window), self.depth.farthest):
+            line = piece[:, :2] / self.canvas.scale + [self.box.x, self.box.y]
+            if halo is not None:
+                self.canvas.stroke(line, width + 2.4, halo)
+            self.canvas.stroke(line, width, colour, dash=dash)
+
+    def lights(self) -> None:
+        """Draw every light: one at infinity in the corner that it comes from, others in place."""
+        for placed in self.loaded.lights:
+            if placed.position is not None:
+                self.lamp([float(one) for one in placed.position])
+            elif placed.direction is not None:
+                self.sun([float(one) for one in placed.direction])
+
+    def sun(self, direction: Sequence[float]) -> None:
+        """Draw a light at infinity in the corner it comes from, its arrows as they are seen."""
+        towards = self.direction(direction)
+        x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
+        y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
+        glyphs.sun(self.canvas, (x, y), towards)
+
+    def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
+        """Draw a lamp at its place; one that the eye cannot see is left out."""
+        place = self.place(point)
+        if place is not None:
+            glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
+
+    def tacks(self, tacks: Sequence[Tack], ink: Ink, radius: float) -> None:
+        """Draw normals as tacks, the far ones first; `radius` is that of the body."""
+        far_first = sorted(tacks, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
+        for one in far_first:
+            self.disc(one.place, one.normal, DISC * radius)
+            a, b = self.place(one.place), self.place(one.place + ARROW * radius * one.arrow)
+            if a is not None and b is not None:
+                glyphs.arrow(self.canvas, a, b, ink)
+
+    def disc(self, place: Array, normal: Array, radius: float) -> None:
+        """Draw a white disc in the plane across a normal."""
+        rim = self.window(rings_around(place[None], normal[None], radius)[0])
+        if np.isfinite(rim).all():
+            ink, towards = self.canvas.palette.ink, unit(self.eye - place)
+            width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
+            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=ink, width=width)
+
+    def _rims(self) -> list[Array]:
+        """Return the lines on the canvas that part what is covered from what is not."""
+        from contourpy import contour_generator
+
+        padded = np.pad(self.depth.coverage, 1)
+        if not padded.any():
+            return []
+        lines = contour_generator(z=padded).lines(0.5)
+        origin = np.array([self.box.x, self.box.y])
+        return [origin + (np.asarray(line) - 0.5) / self.canvas.scale for line in lines]
+
+
+def rings_around(places: Array, normals: Array, radius: float, steps: int = 40) -> Array:
+    """Return points (n, steps, 3) on circles around places (n, 3), across unit normals (n, 3)."""
+    u = unit(np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)]))[:, None]
+    turns = np.linspace(0, 2 * np.pi, steps, endpoint=False)[:, None]
+    v = np.cross(normals[:, None], u)
+    return np.asarray(places[:, None] + radius * (np.cos(turns) * u + np.sin(turns) * v))
+
+
+def radius_of(body: Body) -> float:
+    """Return the radius of a moved body, 1 for a point."""
+    return float(body.radius) or 1.0
+
+
+def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
+    """Return the lens with which points (n, 3) of the world fill a box but for a pad.
+
+    Around each is room of so many units of the world, for arrows. It is a view through a window
+    that need not lie opposite the eye: shifted and scaled, never bent.
+    """
+    camera = np.array(to_floats(view.placed().camera_from_world))
+    x, y, z = (np.asarray(points, float) @ camera[:3, :3].T + camera[:3, 3]).T
+    far, near = float(-z.min()), float(-z.max())
+    near = max(near, far * 1e-3)
+    tangents = np.stack([x, y]) / np.maximum(-z, near)
+    room = around / np.maximum(-z, near)
+    low, high = (tangents - room).min(axis=1), (tangents + room).max(axis=1)
+    sides = np.array([box.width, box.height])
+    inner = np.maximum(sides - 2 * PAD, sides / 4)
+    per_unit = float(((high - low) / inner).max()) or 1.0 / float(inner.max())
+    middle, half = (low + high) / 2, sides / 2 * per_unit
+    near = near / 2
+    left, bottom = (middle - half) * near
+    right, top = (middle + half) * near
+    window = (float(left), float(right), float(bottom), float(top))
+    return Lens(aspect=box.width / box.height, near=near, far=far * 2, frustum=window)
+
+
+def through(lens: Lens, box: Box) -> Lens:
+    """Return a caller's lens at the aspect of a box."""
+    return replace(lens, aspect=box.width / box.height)
