@@ -197,6 +197,28 @@ def test_pdflatex_accepts_a_whole_sheet_and_fills_no_line_too_far(tmp_path) -> N
         assert all(float(width) < 8 for width in widest), widest
 
 
+def test_latex_opens_and_closes_everything_in_order() -> None:
+    plan = HandoutPlan(tuple(Topic), Setup(World(scale=(1, 2, 1))), 10, PageFormat.TEX)
+    source = student_files(plan, Sheet("1", f"Łucja {EVIL}")).sheet.decode()
+    source = re.sub(r"\\begin\{verbatim\}.*?\\end\{verbatim\}", "", source, flags=re.DOTALL)
+    source = re.sub(
+        r"\\newenvironment.*?(?=\\newsavebox|\\begin\{document)", "", source, flags=re.DOTALL
+    )
+    source = re.sub(r"(?<!\\)%.*", "", source)
+    found: list[str] = []
+    for what, name in re.findall(r"\\(begin|end)\{(\w+)\}", source):
+        if what == "begin":
+            found.append(name)
+        else:
+            assert found.pop() == name
+    assert not found
+    plain = re.sub(r"\\[{}\\]", "", source)
+    assert plain.count("{") == plain.count("}")
+    assert len(re.findall(r"(?<!\\)\$", source)) % 2 == 0
+    used = set(re.findall(r"\\includegraphics\[[^]]*\]\{([^}]*)\}", source))
+    assert used == set(pictures_beside(plan))
+
+
 def test_a_picture_without_words_is_refused_in_every_format() -> None:
     for words in ("", " "):
         with pytest.raises(ValueError, match="needs words"):

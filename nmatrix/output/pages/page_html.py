@@ -40,6 +40,7 @@ _NOT_OF_A_PAGE = re.compile(
     r'^.*?(?=<svg)|<metadata>.*?</metadata>|<title>.*?</title>| id="(?:figure|patch)_[0-9]+"',
     re.DOTALL,
 )
+_NEEDLESS_DIGITS = re.compile(r"(\d\.\d\d)\d+")  # a hundredth of a unit is not seen
 _SIZE = re.compile(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"')
 
 
@@ -107,6 +108,7 @@ def inline(svg: bytes) -> str:
     A drawing in the light theme follows the page's theme; a picture that holds pixels does not.
     """
     found = _SIZE.sub(r"\1", _NOT_OF_A_PAGE.sub("", svg.decode())).strip()
+    found = _NEEDLESS_DIGITS.sub(r"\1", found).replace(" \n", " ")
     if "<image" in found:
         return found
     for name, colour in PALETTES[Theme.LIGHT].named.items():

@@ -33,7 +33,7 @@ LOOK = rf"""\definecolor{{tint}}{{rgb}}{{0.94,0.94,0.94}}
 \makeatletter
 \renewcommand{{\normalsize}}{{\@setfontsize\normalsize{{10.5}}{{13.5}}%
   \abovedisplayskip 6pt plus 2pt minus 3pt \belowdisplayskip \abovedisplayskip
-  \abovedisplayshortskip 2pt plus 2pt \belowdisplayshortskip 5pt plus 2pt}}
+  \abovedisplayshortskip 2pt plus 2pt \belowdisplayshortskip 5pt plus 2pt\relax}}
 \renewcommand{{\section}}{{\@startsection{{section}}{{1}}{{0pt}}{{-14pt plus -4pt}}{{4pt}}%
   {{\large\sffamily\bfseries\raggedright}}}}
 \renewcommand{{\@oddfoot}}{{\footnotesize\color{{soft}}\sheetfoot\hfil\thepage}}
