@@ -6,7 +6,7 @@ Letters: n a normal, t a tangent, A the map. In a drawing y goes up; on a canvas
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot, sqrt
+from math import cos, hypot, pi, sin, sqrt
 
 from nmatrix.canvas.glyphs import (
     DIAGRAM_SHAFT,
@@ -24,6 +24,7 @@ from nmatrix.canvas.marks import Box, Canvas, Point, Text
 
 LETTER = 26  # the size of letters beside arrows
 ARROW, TANGENT = 78.0, 56.0  # lengths in units
+THIN = 10.0  # what is left of a circle that is flattened
 GAP = 88.0  # between the circle and the ellipse
 PAD = 34.0
 BADGE = 13.0  # the radius of a verdict beside its letters
@@ -120,6 +121,56 @@ def circle_to_ellipse(canvas: Canvas, box: Box, stretch: float) -> Idea:
         _at(after, An, 1.2 * ARROW) if leans else None,
         _at(after, right, 1.2 * ARROW),
     )
+
+
+def circle_to_line(canvas: Canvas, box: Box) -> tuple[tuple[Point, Point], ...]:
+    """Draw a circle with its normals, and the line that A makes of it, with normals to both sides.
+
+    The two stand above each other, or side by side in a box that is wider than high. Returns the
+    ends of the line's arrows, up and down in turn.
+
+    Examples
+    --------
+    >>> from nmatrix.canvas.theme import PALETTES, Theme
+    >>> canvas = Canvas(361, 554, PALETTES[Theme.LIGHT])
+    >>> found = circle_to_line(canvas, Box(0, 0, 361, 554))
+    >>> all(a[0] == b[0] for a, b in found), len(found)
+    (True, 6)
+    """
+    palette, edge = canvas.palette, 2 * EDGE
+    first, second, radius = _placed_flat(box)
+    long = 0.55 * radius
+    canvas.polygon(circle(first, radius), fill=palette.body, edge=palette.ink, width=edge)
+    for turn in range(6):
+        n = cos(pi / 6 + turn * pi / 3), sin(pi / 6 + turn * pi / 3)
+        foot = _at(first, n, radius)
+        arrow(canvas, foot, _at(first, n, radius + long), Ink.NORMAL, DIAGRAM_SHAFT)
+        disc(canvas, foot, 7.0, palette.ink)
+    corner = second[0] - radius - long, second[1] - long - 2
+    _map_arrow(canvas, first, corner, radius + long)
+    (left, y), right = (second[0] - radius, second[1]), second[0] + radius
+    canvas.stroke(((left, y), (right, y)), THIN + 2 * edge, palette.ink)
+    canvas.stroke(((left, y), (right, y)), THIN, palette.body)
+    ends = []
+    for x in (second[0] - 0.6 * radius, second[0], second[0] + 0.6 * radius):
+        for side in (-1, 1):
+            foot, tip = (x, y + side * THIN), (x, y + side * (THIN + long))
+            arrow(canvas, foot, tip, Ink.RIGHT, DIAGRAM_SHAFT)
+            ends.append((foot, tip))
+    return tuple(ends)
+
+
+def _placed_flat(box: Box) -> tuple[Point, Point, float]:
+    """Return the middles of the circle and the line, and the radius, that fit the box."""
+    if box.width > box.height:
+        radius = min((box.width - 2 * PAD - GAP) / 5.1, (box.height - 2 * PAD) / 3.1)
+        aside = (GAP + 3.55 * radius) / 2
+        (x, y), shift = box.middle, 0.275 * radius
+        return (x - aside + shift, y), (x + aside + shift, y), radius
+    radius = min((box.width - 2 * PAD) / 3.1, (box.height - 2 * PAD - GAP - THIN) / 4.2)
+    used = 4.2 * radius + GAP + THIN
+    top = box.middle[1] - used / 2
+    return (box.middle[0], top + 1.55 * radius), (box.middle[0], top + used - 0.55 * radius), radius
 
 
 def _side_by_side(box: Box, stretch: float) -> tuple[Point, Point, float]:

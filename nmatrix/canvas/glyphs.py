@@ -96,27 +96,33 @@ def arc(place: Point, radius: float, first: float, last: float, steps: int = 48)
     return [(place[0] + radius * cos(t), place[1] - radius * sin(t)) for t in turns]
 
 
-def sun(canvas: Canvas, place: Point, towards: Point) -> None:
-    """Draw a light at infinity: a disc, and three parallel arrows the way its light goes."""
-    length = hypot(*towards)
-    disc(canvas, place, SUN_RADIUS, canvas.palette.light, canvas.palette.ink)
+def sun(canvas: Canvas, place: Point, towards: Point, *, lost: bool = False) -> None:
+    """Draw a light at infinity: a disc, and three parallel arrows the way its light goes.
+
+    One that should not come from there is hollow.
+    """
+    palette, length = canvas.palette, hypot(*towards)
+    fill, edge = (palette.stage, palette.wrong) if lost else (palette.light, palette.ink)
+    width = 4.0 if lost else EDGE
+    canvas.polygon(circle(place, SUN_RADIUS), fill=fill, edge=edge, width=width)
     if length < 1e-6:  # it shines along the view: towards the eye or away
-        disc(canvas, place, 4.0, canvas.palette.ink)
+        disc(canvas, place, 4.0, edge)
         return
     u = towards[0] / length, towards[1] / length
     v = -u[1], u[0]
     for i in (-1, 0, 1):
         start = _moved(place, u, SUN_RADIUS + 9 - 4 * abs(i), v, 17 * i)
-        _light_arrow(canvas, start, _moved(start, u, 40, v, 0))
+        outline = _light_arrow(start, _moved(start, u, 40, v, 0))
+        canvas.polygon(outline, fill=fill, edge=edge, width=1.6 * EDGE if lost else EDGE)
 
 
-def _light_arrow(canvas: Canvas, a: Point, b: Point) -> None:
-    """Draw an arrow of light: yellow, edged in ink."""
+def _light_arrow(a: Point, b: Point) -> list[Point]:
+    """Return the outline of an arrow of light."""
     length = hypot(b[0] - a[0], b[1] - a[1])
     u = (b[0] - a[0]) / length, (b[1] - a[1]) / length
     v = -u[1], u[0]
     half, barb, neck = 2.6, 8.5, length - 16
-    outline = [
+    return [
         _moved(a, u, along, v, side)
         for along, side in (
             (0, half),
@@ -128,7 +134,6 @@ def _light_arrow(canvas: Canvas, a: Point, b: Point) -> None:
             (0, -half),
         )
     ]
-    canvas.polygon(outline, fill=canvas.palette.light, edge=canvas.palette.ink, width=EDGE)
 
 
 def lamp(canvas: Canvas, place: Point, *, radius: float = SUN_RADIUS, lost: bool = False) -> None:
@@ -244,13 +249,17 @@ def hatch(canvas: Canvas, loop: Sequence[Point], spacing: float, colour: str, wi
 
 def ramp_bar(canvas: Canvas, box: Box, ends: tuple[str, str], size: float = 22.0) -> None:
     """Draw the scale of a map of colours with both of its ends written above it."""
-    steps = 96
+    ramp(canvas, box)
+    canvas.text((box.x, box.y - 10), ends[0], size)
+    canvas.text((box.right, box.y - 10), ends[1], size, align=1.0)
+
+
+def ramp(canvas: Canvas, box: Box, steps: int = 96) -> None:
+    """Draw the colours of a map from its least to its largest value, left to right."""
     stops = canvas.palette.heat
     for i, part in enumerate(box.columns(steps, 0)):
         wide = Box(part.x, part.y, box.right - part.x, part.height)  # over all that follow: no seam
         canvas.polygon(wide.corners, fill=blend(stops, i / (steps - 1)))
-    canvas.text((box.x, box.y - 10), ends[0], size)
-    canvas.text((box.right, box.y - 10), ends[1], size, align=1.0)
 
 
 def blend(stops: Sequence[str], part: float) -> str:

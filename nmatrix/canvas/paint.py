@@ -23,17 +23,20 @@ if TYPE_CHECKING:
 POINTS = 72  # in an inch, and units: a unit is a point
 HALO = 4.0  # units around letters
 LEAST_TEXT = 2.0  # pixels: fonts have no smaller letters, and no eye reads them
+AS_WIDE_AS_MEASURED = {"text.hinting": "none"}  # hinted letters stand on whole pixels
 TEXT_AS_TEXT = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
 
 
 def pixels(canvas: Canvas) -> NDArray[Any]:
     """Paint a canvas as 8-bit pixels (height, width, 3)."""
+    import matplotlib as mpl
     import numpy as np
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     figure = _figure(canvas, canvas.scale)
     agg = FigureCanvasAgg(figure)
-    agg.draw()
+    with mpl.rc_context(AS_WIDE_AS_MEASURED):
+        agg.draw()
     wide, high = canvas.pixels
     return np.array(np.asarray(agg.buffer_rgba())[:high, :wide, :3])
 

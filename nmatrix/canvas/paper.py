@@ -14,7 +14,7 @@ from nmatrix.canvas.slide import Slide
 from nmatrix.canvas.text import plain
 
 LEAST_POINTS = 8.0
-LARGEST_CAPTION = 24  # units; what is larger is a number that the panels tell as well
+LARGEST_CAPTION = 24  # units; a larger line is the number that the panels tell as well
 ABOVE, BELOW = 4.0, 4.0  # units around what is kept
 
 
@@ -37,7 +37,8 @@ def on_paper(slide: Slide, points: float) -> Cutting:
     bottom = max(stage.bottom for stage in stages)
     around = [mark for mark in marks if isinstance(mark, Text) and _is_below(mark, stages)]
     kept = [mark for mark in marks if mark not in around]
-    words = " ".join(mark.text for mark in around if mark.size <= LARGEST_CAPTION)
+    numbers = {mark.place[1] for mark in around if mark.size > LARGEST_CAPTION}
+    words = " ".join(mark.text for mark in around if mark.place[1] not in numbers)
     top = min(mark.box.y for mark in kept if isinstance(mark, Text)) - ABOVE
     frame = slide.frame
     least = LEAST_POINTS * frame.width / points

@@ -7,7 +7,7 @@ grow, type keeps its size. Beyond 2.4 : 1 and 1.45 : 1 the slide stays as it is,
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, hatch, ring
 from nmatrix.canvas.marks import Box, Canvas
@@ -22,6 +22,7 @@ TITLE_SIZES = range(36, 45)
 HEADING, NARROW_HEADING, CAPTION, BIG = 30, 24, 22, 84
 TITLE_AT, HEADING_AT, STAGE_AT = 76.0, 140.0, 156.0
 GUTTER = 20.0
+LABELS, LARGE_BADGE = 196.0, 27.0  # the words beside the rows of a table
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +40,15 @@ class Panel:
         mark = {Verdict.WRONG: "✗ ", Verdict.RIGHT: "✓ ", None: ""}[self.verdict]
         caption = plain(self.caption.replace("\n", " "))
         return mark + ": ".join(filter(None, (plain(self.heading), caption)))
+
+
+@dataclass(frozen=True)
+class Row:
+    """What a row of a table of panels shows: a word with its verdict, and a sentence under it."""
+
+    heading: str
+    verdict: Verdict
+    caption: str
 
 
 @dataclass(eq=False)
@@ -99,12 +109,51 @@ class Slide:
             self.caption(box, caption)
         return found
 
-    def no_answer(self, panel: Panel, reason: str) -> None:
+    def table(
+        self, box: Box, rows: Sequence[Row], columns: Sequence[str], undecided: int = 0
+    ) -> list[list[Panel]]:
+        """Lay rows of panels under the headings of their columns, beside the words of each row.
+
+        In the first columns, as many as are `undecided`, the rows do not differ yet.
+        """
+        inner = Box(box.x + LABELS, box.y, box.width - LABELS, box.height)
+        found = []
+        for place, row in zip(inner.rows(len(rows), GUTTER), rows, strict=True):
+            badge(self.canvas, (box.x + LARGE_BADGE, place.y + 44), row.verdict, LARGE_BADGE)
+            colour = self.palette.named[row.verdict.value]
+            self.canvas.text((box.x, place.y + 112), row.heading, HEADING - 2, colour, bold=True)
+            self.canvas.paragraph(
+                (box.x, place.y + 148), row.caption, CAPTION, LABELS - GUTTER, self._soft
+            )
+            found.append(
+                [
+                    self._cell(stage, f"{row.heading}, {column}", row.verdict if decided else None)
+                    for decided, stage, column in zip(
+                        (i >= undecided for i in range(len(columns))),
+                        place.columns(len(columns), GUTTER),
+                        columns,
+                        strict=True,
+                    )
+                ]
+            )
+        for one, column in zip(found[0], columns, strict=True):
+            self.heading(one.stage.x, one.stage.y - 16, column)
+        return found
+
+    def _cell(self, stage: Box, heading: str, verdict: Verdict | None) -> Panel:
+        """Lay the stage of a panel whose heading stands at its row and its column."""
+        found = replace(self.panel(stage), heading=heading, verdict=verdict)
+        self.panels[-1] = found
+        return found
+
+    def no_answer(self, panel: Panel, reason: str, size: int = HEADING) -> None:
         """Hatch a stage on which there is nothing to draw, and write the reason in it."""
         hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
-        place = panel.stage.middle
-        halo = self.palette.stage
-        self.canvas.text(place, reason, HEADING, bold=True, align=0.5, halo=halo)
+        (x, y), halo = panel.stage.middle, self.palette.stage
+        colour = self.palette.wrong if panel.verdict is Verdict.WRONG else self.palette.ink
+        self.canvas.text(
+            (x, y + 0.36 * size), reason, size, colour, bold=True, align=0.5, halo=halo
+        )
 
     def heading(
         self, x: float, y: float, text: str, verdict: Verdict | None = None, *, size: int = HEADING

@@ -79,6 +79,35 @@ def plain(text: str) -> str:
 _SMALLS = str.maketrans("−-0123456789T", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹ᵀ")
 
 
+def scientific(value: float, digits: int = 2) -> str:
+    """Write a number from 0 on as marked-up text, with a power of ten if it is far from 1.
+
+    Examples
+    --------
+    >>> scientific(2.04e-10, 1), scientific(1e6), scientific(0.231), scientific(140.2)
+    ('2 · 10^{−10}', '10^{6}', '0.23', '140')
+    """
+    if value == 0 or 1e-3 <= value < 1e4:
+        return f"{float(f'{value:.{digits}g}'):.12g}"
+    return with_power(f"{value:.{digits - 1}e}")
+
+
+def with_power(number: str) -> str:
+    """Write a number with a power of ten as marked-up text; any other one as it is.
+
+    Examples
+    --------
+    >>> with_power("1.50e-07"), with_power("1e+300"), with_power("12")
+    ('1.5 · 10^{−7}', '10^{300}', '12')
+    """
+    mantissa, e, exponent = number.partition("e")
+    if not e:
+        return number
+    power = f"10^{{{str(int(exponent)).replace('-', '−')}}}"
+    mantissa = f"{float(mantissa):g}"
+    return power if mantissa == "1" else f"{mantissa} · {power}"
+
+
 def width(text: str, size: float, *, bold: bool = False) -> float:
     """Return the width of marked-up text on one line, in the units of its size.
 

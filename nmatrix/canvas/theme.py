@@ -40,6 +40,16 @@ class Palette:
     heat: tuple[str, ...] = HEAT_STOPS
 
     @property
+    def bright(self) -> str:
+        """The lighter one of paper and ink: bodies look the same on a dark sheet."""
+        return max(self.paper, self.ink)
+
+    @property
+    def dim(self) -> str:
+        """The darker one of paper and ink."""
+        return min(self.paper, self.ink)
+
+    @property
     def named(self) -> dict[str, str]:
         """The single colours by their names."""
         return {one.name: getattr(self, one.name) for one in fields(self) if one.name != "heat"}
@@ -96,3 +106,15 @@ PALETTES = {
         heat=("#121212", "#3F3F3F", "#6A6A6A", "#8E8E8E", "#B9B9B9", "#EDEDED"),
     ),
 }
+
+
+def channels(colour: str) -> tuple[float, float, float]:
+    """Return the red, green and blue of #RRGGBB, each in [0, 1].
+
+    Examples
+    --------
+    >>> channels("#FF0033")
+    (1.0, 0.0, 0.2)
+    """
+    red, green, blue = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    return red, green, blue

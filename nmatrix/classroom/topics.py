@@ -27,7 +27,7 @@ class Topic(StrEnum):
 
 
 USUAL = (Topic.RULE, Topic.SPACES, Topic.WORKED, Topic.PROOFS, Topic.PITFALLS)
-PROOFS = ("normals", "bias")
+PROOFS = ("normals", "bias", "mirror")
 PICTURE_POINTS = 493.0  # the width of a picture on A4
 
 

@@ -15,9 +15,10 @@ from typer import Argument, Option
 
 from nmatrix.cli.shared_options import CommonOptions, whole_number
 from nmatrix.cli.show import progress, show
+from nmatrix.enums import Theme
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import CHARTS, kind_of, refuse_existing, write_file
-from nmatrix.reading.numbers import number
+from nmatrix.reading.numbers import number, numbers
 from nmatrix.studies.measurements import Study
 
 if TYPE_CHECKING:
@@ -66,32 +67,46 @@ def cost(
         str | None, Option(metavar="TIME", help="The best that is as fast: 5ms, 200us.")
     ] = None,
     quick: Annotated[bool, Option("--quick", help="Fewer cases, within ten seconds.")] = False,
+    everything: Annotated[
+        bool, Option("--all", help="Every method and setting, not the few that matter.")
+    ] = False,
     chart: Annotated[
         str | None,
         Option(metavar="FILE", help="Draw it: FILE.svg, .pdf, .png, .gif, .webp or .jpg."),
     ] = None,
+    size: Annotated[
+        str | None, Option(metavar="W H", help="Pixels of the chart (default: 1600 900).")
+    ] = None,
+    theme: Annotated[Theme | None, Option(help="Colours of the chart (default: light).")] = None,
     force: Annotated[bool, Option("--force", help="Overwrite an existing file.")] = False,
 ) -> None:
     """Measure what accuracy costs."""
     target = _target(study, tolerance, budget)
+    if chart is None and (given := size or theme):
+        option = "--size" if size else "--theme"
+        raise IllegalValueError(f"{option} ({given[:20]})", "it is of a chart", "add --chart FILE")
     drawing = None if chart is None else _chart_file(Path(chart), force=force)
+    pixels = _pixels(size or "1600 900")
     from nmatrix.studies.harness import Harness, untimed
     from nmatrix.studies.measurements import with_fronts, without_times
-    from nmatrix.studies.report import WORDINGS, report
+    from nmatrix.studies.report import report
 
     test = Harness(time.perf_counter, 0.002).self_test(_work)
-    timed = untimed if test.objection else _harness(quick=quick).ratio
+    is_timed = drawing is not None or test.objection is None  # a chart shows how they spread
+    timed = _harness(quick=quick).ratio if is_timed else untimed
     tasks = _tasks(study, timed, quick=quick)
     done = (task() for task in tasks)
     measured = list(progress(done, len(tasks), f"measuring {study}"))
     test = test.with_rows([row.timing for row in measured if row.is_reference and row.timing])
     rows = with_fronts(without_times(measured) if test.objection else measured)
     if drawing is not None:
-        from nmatrix.studies.chart import chart as drawn
+        from nmatrix.studies.chart import Look, chart_file
+        from nmatrix.studies.summary import summary
 
         path, kind = drawing
-        write_file(path, drawn(rows, WORDINGS[study].title, kind), force=force)
-    show(report(study, rows, test, target), common)
+        look = Look(pixels, theme or Theme.LIGHT, everything=everything)
+        write_file(path, chart_file(summary(study, rows, measured), look, kind), force=force)
+    show(report(study, rows, test, target, everything=everything), common)
 
 
 def _harness(*, quick: bool) -> Harness:
@@ -144,6 +159,13 @@ def _chart_file(path: Path, *, force: bool) -> tuple[Path, PixelFormat | VectorF
     kind = kind_of(path, CHARTS, "chart")
     refuse_existing([path], force=force)
     return path, kind
+
+
+def _pixels(size: str) -> tuple[int, int]:
+    """Read the size of a picture."""
+    from nmatrix.scene.scene import Settings
+
+    return Settings(size=numbers(size, 2, "--size"), samples=1).size  # type: ignore[arg-type]  # it reads them
 
 
 def stress(

@@ -9,10 +9,10 @@ from html import escape
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.formulas.mathml import equation, mathml, matrix
 from nmatrix.output.formulas.spoken import matrix_in_words, spoken
+from nmatrix.output.style import RAISED
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
-RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")
 ON_THE_LINE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
 PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
 

@@ -5,6 +5,7 @@ A line is a tuple of spans; its width is counted before any colour goes in.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -26,6 +27,8 @@ class Style(StrEnum):
     BAD = "\x1b[1;31m"
 
 
+RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")  # a whole exponent
+_ON_THE_LINE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789-T")
 _ASCII = str.maketrans(
     {
         "−": "-",
@@ -44,12 +47,6 @@ _ASCII = str.maketrans(
         "→": "->",
         "⇒": "=>",
         "⇔": "<=>",
-        "ᵀ": "^T",
-        "⁻": "^-",
-        "¹": "1",
-        "²": "^2",
-        "³": "^3",
-        "⁴": "^4",
         "∞": "inf",
         "‖": "|",
         "⊥": " perpendicular to ",
@@ -68,6 +65,7 @@ _ASCII = str.maketrans(
         "κ": "kappa",
         "λ": "lambda",
         "μ": "mu",
+        "µ": "u",
         "π": "pi",
         "σ": "sigma",
         "τ": "tau",
@@ -157,10 +155,11 @@ def spelled(text: str, charset: Charset) -> str:
 
     Examples
     --------
-    >>> spelled("A⁻ᵀ is 90° − θ", Charset.ASCII)
-    'A^-T is 90 deg - theta'
+    >>> spelled("A⁻ᵀ is 90° − θ, to 10⁻¹⁴", Charset.ASCII)
+    'A^-T is 90 deg - theta, to 10^-14'
     """
     if charset is Charset.UNICODE or text.isascii():
         return text
-    known = text.replace("⁻ᵀ", "^-T").translate(_ASCII)
+    level = RAISED.sub(lambda found: "^" + found[0].translate(_ON_THE_LINE), text)
+    known = level.translate(_ASCII)
     return known.encode("ascii", "backslashreplace").decode("ascii")

@@ -50,12 +50,14 @@ class Work:
 class Rendered:
     """An image (height, width, 1 or 3) of levels in [0, 1], and the work that it took.
 
-    `remarks` tell of bodies that came out black although light was meant for them; `depth` is
-    there where it was asked for.
+    `shaded` are the samples of each body that was drawn, of outlines last. `remarks` tell of
+    bodies that came out black although light was meant for them; `depth` is there where it was
+    asked for.
     """
 
     image: Array
     work: Work
+    shaded: tuple[int, ...] = ()
     remarks: tuple[str, ...] = ()
     depth: DepthMap | None = None
 
@@ -104,7 +106,8 @@ def render(
         if samples and isinstance(one.fragment, _Watched) and one.fragment.is_black
     ]
     remarks = tuple(_why_black(one) for one in dark)
-    return Rendered(picture.image, _work(drawn, picture, passes), remarks, picture.depth)
+    work = _work(drawn, picture, passes)
+    return Rendered(picture.image, work, picture.shaded, remarks, picture.depth)
 
 
 class _Watched:

@@ -30,7 +30,8 @@ class Method:
     its own and before it is normalised; one of longer numbers counts as the products of its 64-bit
     words, and LAPACK's are those of the textbooks. `is_ours` marks those of which nmatrix promises
     the right answer on every input. The guarded one is nmatrix's too and promises less: 2⁻³⁶ rad.
-    Those that are not batched work on one matrix after the other, and take long.
+    Those that are not batched work on one matrix after the other, and take long. Everybody knows
+    the everyday ones, or will use them.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Method:
     multiplications: int
     is_ours: bool = False
     is_batched: bool = True
+    is_everyday: bool = False
 
     def normals(self, A: Array, n: Array) -> Array:
         """Carry normals (N, 3) through matrices (N, 3, 3), without NumPy's warnings."""
@@ -180,29 +182,40 @@ METHODS: tuple[Method, ...] = (
     ),
     Method(
         "certified",
-        "compensated cofactors with a bound",
+        "cofactors with an error bound",
         _ours(Level.CERTIFIED),
         130,
         is_ours=True,
+        is_everyday=True,
     ),
-    Method("guarded", "plain cofactors under a guard", _ours(Level.GUARDED), 39),
-    Method("inverse", "np.linalg.inv(A).T", inverse, 44),
+    Method("guarded", "plain cofactors under a guard", _ours(Level.GUARDED), 39, is_everyday=True),
+    Method("inverse", "np.linalg.inv(A).T", inverse, 44, is_everyday=True),
     Method("solve", "np.linalg.solve(A.T, n)", solve, 17, is_batched=False),
     Method("qr", "QR and back substitution", by_qr, 62, is_batched=False),
-    Method("svd", "singular values", by_svd, 305),
+    Method("svd", "singular values", by_svd, 305, is_everyday=True),
     Method("inverse-4x4", "inverse transpose of the 4×4", inverse_4x4, 93),
-    Method("cofactor", "plain cofactors, no sign", plain_cofactor, 27),
+    Method("cofactor", "plain cofactors, no sign", plain_cofactor, 27, is_everyday=True),
     Method("signed-cofactor", "plain cofactors, sign of np.linalg.det", signed_cofactor, 38),
     Method("zero-matrix", "C/det, zeros where det is 0", zero_matrix, 33),
     Method("identity", "inverse, identity where it raises", identity_matrix, 44),
     Method("determinant-test", "A itself where det is 1", determinant_test, 64),
-    Method("matrix", "A itself", matrix_itself, 9),
-    Method("float32-inverse", "the inverse in float32", in_precision(np.float32, inverse), 44),
+    Method("matrix", "A itself", matrix_itself, 9, is_everyday=True),
+    Method(
+        "float32-inverse",
+        "the inverse in float32",
+        in_precision(np.float32, inverse),
+        44,
+        is_everyday=True,
+    ),
     Method(
         "float32-cofactor", "cofactors in float32", in_precision(np.float32, signed_cofactor), 38
     ),
     Method(
-        "float16-cofactor", "cofactors in float16", in_precision(np.float16, plain_cofactor), 27
+        "float16-cofactor",
+        "cofactors in float16",
+        in_precision(np.float16, plain_cofactor),
+        27,
+        is_everyday=True,
     ),
 )
 # Contestants of other packages, where these are installed.

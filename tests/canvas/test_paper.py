@@ -24,7 +24,9 @@ def slide_of(columns: int, size: tuple[int, int] = (1600, 900)) -> Slide:
         inside = canvas.on_pixels(stage.inset(20))
         wide, high = canvas.pixels_of(inside)
         canvas.image(inside, np.zeros((high, wide, 3), np.uint8))
-    slide.large_number(slide.frame.x, slide.frame.bottom - 60, "36°", "off")
+    slide.large_number(
+        slide.frame.x, slide.frame.bottom - 60, "36°", "off, and more words than fit"
+    )
     return slide
 
 

@@ -5,19 +5,19 @@ from __future__ import annotations
 import json
 import random
 from collections.abc import Callable
-from enum import StrEnum
-from io import BytesIO
+from dataclasses import replace
 from math import pi
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageColor
 
+from nmatrix.canvas.theme import PALETTES
 from nmatrix.cli import studies as command
-from nmatrix.enums import PixelFormat, Shading, VectorFormat
-from nmatrix.studies import chart, methods, normals, shading, spaces
+from nmatrix.enums import Shading, Theme
+from nmatrix.studies import methods, normals, shading, spaces
 from nmatrix.studies.hardcases.case import CaseVerdict
 from nmatrix.studies.harness import SEED, Ratio, Run, SelfTest, untimed
 from nmatrix.studies.measurements import (
@@ -200,23 +200,6 @@ def test_counted_costs_stand_beside_times() -> None:
     assert {row.method: row.error for row in found}["static"] == 16
 
 
-def test_a_chart_of_pictures_numbers_each_dial_by_itself(pictures: dict) -> None:
-    numbered = chart.Numbered(tuple(pictures.values()))
-    assert numbered.numbers["samples", "64"] != numbered.numbers["shadow map", "64"]
-    assert chart.chart(numbered.rows, "title", VectorFormat.SVG).count(b"<svg") == 1
-
-
-@pytest.mark.parametrize("kind", [*PixelFormat, *VectorFormat])
-def test_a_chart_is_a_file_of_its_kind_and_twice_the_same(rows: tuple, kind: StrEnum) -> None:
-    few = [row for row in rows if row.setting.startswith("one matrix")][:3]
-    found = chart.chart(few, "title", kind)
-    if isinstance(kind, PixelFormat):
-        assert Image.open(BytesIO(found)).format.lower() == kind
-    else:
-        assert found.startswith({VectorFormat.SVG: b"<?xml", VectorFormat.PDF: b"%PDF"}[kind])
-    assert found == chart.chart(few, "title", kind)
-
-
 def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
     found = report(Study.NORMALS, rows, SOUND.with_rows([EVEN] * 3), Target(tolerance=1e-14)).data
     assert set(found) == {"rows", "cheapest", "harness", "machine"}
@@ -234,6 +217,14 @@ def test_the_report_has_the_keys_of_the_contract(rows: tuple) -> None:
     assert found["cheapest"]["method"] in ("exact", "certified")
     loose = report(Study.NORMALS, rows, SOUND, Target(tolerance=2.0)).data["cheapest"]
     assert loose["method"] != "cofactor", "it turns mirrors inside out, or is zero somewhere"
+
+
+def test_a_budget_is_kept_by_the_longest_time_not_by_that_of_the_highest_ratio() -> None:
+    slow_reference = Measurement("a", "s", 1.0, Unit.RADIANS, Ratio(9.0, 0.1, 0.1, 0.1), 1.0)
+    quick_reference = replace(slow_reference, setting="t", timing=Ratio(2.0, 3.0, 3.0, 3.0))
+    (found,) = overall([slow_reference, quick_reference])
+    assert (found.timing.seconds, found.timing.ratio) == (9.0, 3.0)
+    assert Target(seconds=5.0).met_by([found]) is None
 
 
 def test_on_a_busy_machine_errors_failures_and_work_are_told(rows: tuple) -> None:
@@ -254,7 +245,6 @@ def test_on_a_busy_machine_errors_failures_and_work_are_told(rows: tuple) -> Non
     assert found.failure is None
     budget = report(Study.NORMALS, bare, BUSY, Target(seconds=1e9))
     assert budget.data["cheapest"] is None
-    assert chart.chart(bare[:17], "title", VectorFormat.SVG).count(b"<svg") == 1
 
 
 def report_of(rows: tuple):
@@ -385,6 +375,36 @@ def test_the_command_answers_and_draws(nmatrix, tmp_path: Path, monkeypatch) -> 
     assert Path("a.svg").read_bytes().startswith(b"<?xml")
 
 
+def test_the_size_and_the_theme_are_those_of_the_chart(
+    nmatrix, tmp_path: Path, monkeypatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    quiet_work(monkeypatch, lambda: 0.01)
+    assert nmatrix("cost spaces --quick --chart a.png --size 320 200 --theme dark")[0] == 0
+    image = Image.open("a.png")
+    assert image.size == (320, 200)
+    assert image.getpixel((1, 1)) == ImageColor.getrgb(PALETTES[Theme.DARK].paper)
+
+
+def test_all_adds_tables_and_no_key(nmatrix, monkeypatch) -> None:
+    quiet_work(monkeypatch, lambda: 0.01)
+    (_, few, _), (_, full, _) = (nmatrix(f"cost spaces --quick {one}") for one in ("", "--all"))
+    assert len(full.splitlines()) > len(few.splitlines())
+    assert "--all adds" in few
+    keys = [json.loads(nmatrix(f"cost spaces --quick {one} -f json")[1]) for one in ("", "--all")]
+    assert keys[0].keys() == keys[1].keys()
+
+
+def test_a_busy_machine_draws_the_spread_of_times(nmatrix, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    draw = random.Random(1)
+    quiet_work(monkeypatch, lambda: 0.01 * draw.paretovariate(0.5))
+    code, out, _ = nmatrix("cost spaces --quick --chart a.svg -f json")
+    assert code == 0
+    assert {row["time_ns"] for row in json.loads(out)["rows"]} == {None}
+    assert "bars are the spread of a time" in Path("a.svg").read_text()
+
+
 def test_the_command_answers_on_a_busy_machine_too(nmatrix, monkeypatch) -> None:
     draw = random.Random(1)
     quiet_work(monkeypatch, lambda: 0.01 * draw.paretovariate(0.5))
@@ -425,6 +445,10 @@ MISUSE = [
     ("cost normals --budget 5ms --tolerance 1deg", "keep one"),
     ("cost --chart a.mp4", ".svg, .pdf, .png, .gif, .webp, .jpeg, .jpg; end it in .svg"),
     ("cost everything", "normals"),
+    ("cost --size 800 450", "add --chart FILE"),
+    ("cost --theme dark", "add --chart FILE"),
+    ("cost --chart a.svg --size 0 9", "whole numbers of pixels"),
+    ("cost --chart a.svg --theme pink", "light"),
 ]
 
 
@@ -445,11 +469,3 @@ def test_the_front_is_that_of_the_ratios_whatever_the_seconds_drifted_to() -> No
     )
     assert [row.on_front for row in with_fronts([fast, slow])] == [True, False]
     assert Target(tolerance=3.0).met_by([slow, fast]) == fast
-
-
-def test_marks_in_a_crowd_share_a_label() -> None:
-    rows = [Measurement(name, "s", 1.0, Unit.RADIANS, EVEN, 1) for name in "abcde"]
-    numbered = chart.Numbered(rows)
-    assert numbered.label(rows) == "1–5"
-    assert numbered.label([rows[i] for i in (4, 0, 1, 2)]) == "1–3, 5"
-    assert numbered.label(rows[:2]) == "1, 2"

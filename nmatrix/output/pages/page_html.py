@@ -40,7 +40,7 @@ _NOT_OF_A_PAGE = re.compile(
     r'^.*?(?=<svg)|<metadata>.*?</metadata>|<title>.*?</title>| id="(?:figure|patch)_[0-9]+"',
     re.DOTALL,
 )
-_NEEDLESS_DIGITS = re.compile(r"(\d\.\d\d)\d+")  # a hundredth of a unit is not seen
+_NEEDLESS_DIGITS = re.compile(r"(\d\.\d)\d+")  # a tenth of a unit is a hundredth of a millimetre
 _SIZE = re.compile(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"')
 
 

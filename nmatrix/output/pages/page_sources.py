@@ -194,12 +194,12 @@ class MarkdownPage(markdown.Markdown):
     """How a page of Markdown writes each kind of block."""
 
     def inline_formula(self, formula: Formula) -> str:
-        """Write a formula among words."""
-        return f"${mathematics(formula.tree)}$"
+        """Write a formula among words; a bar would end a table's cell."""
+        return f"${mathematics(formula.tree)}$".replace("|", r"\vert ")
 
     def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
         """Write letters and their words as a list."""
-        return "\n".join(f"- {letter}: {words}" for letter, words in meanings)
+        return "\n".join(f"- {letter} – {words}" for letter, words in meanings)
 
     def framed(self, body: str) -> str:
         """Quote some blocks."""

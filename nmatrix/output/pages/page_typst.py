@@ -8,7 +8,7 @@ from itertools import chain
 from nmatrix.output.documents import Cells, blocks_in
 from nmatrix.output.formulas.spoken import matrix_in_words, spoken
 from nmatrix.output.formulas.typst import matrix, typst
-from nmatrix.output.mathml import ON_THE_LINE, PRODUCT, RAISED
+from nmatrix.output.mathml import ON_THE_LINE, PRODUCT
 from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
@@ -21,6 +21,7 @@ from nmatrix.output.pages.document import (
     Paper,
     shares,
 )
+from nmatrix.output.style import RAISED
 from nmatrix.output.typst import Typst, escaped
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Blank, Figure, Formula, Task

@@ -21,7 +21,7 @@ from nmatrix.enums import DepthRange
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body, LoadedScene
-from nmatrix.raster.overlay.mesh_lines import creases, seen, silhouettes, visible_pieces
+from nmatrix.raster.overlay.mesh_lines import creases, isoline, seen, silhouettes, visible_pieces
 from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.triangles.picture import DepthMap
@@ -34,7 +34,14 @@ OUTLINE = 1.6  # units
 PAD = 34.0
 DISC, ARROW = 0.09, 0.27  # of the radius of the body
 CORNER = 44.0  # of a sun, from the sides of its stage
+EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
+AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
+DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
+ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+LOST = 4.0  # the outline of what is not there
+
+ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
 
@@ -136,6 +143,18 @@ class Stage:
             for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
 
+    def lost_outline(self) -> None:
+        """Draw the outline of what would be covered, dashed, where it could not be drawn."""
+        for points in self._rims():
+            glyphs.line(self.canvas, points, Ink.WRONG, LOST)
+
+    def cut_out(self, fill: str) -> None:
+        """Fill all that is covered with one colour, edged in ink: what is drawn becomes a plan."""
+        rims = [line for line in self._rims() if len(line) > 2]
+        if rims:
+            ink = self.canvas.palette.ink
+            self.canvas.polygon(*rims, fill=fill, edge=ink, width=2 * OUTLINE)
+
     def surface_line(
         self,
         points: Array,
@@ -155,6 +174,26 @@ class Stage:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
 
+    def arrow(self, a: Array, b: Array, ink: Ink, shaft: float = glyphs.SHAFT) -> None:
+        """Draw an arrow of the world; what lies behind a surface is left out, its head too."""
+        line = a + np.linspace(0, 1, ARROW_STEPS)[:, None] * (b - a)
+        window, shown = self.window(line)[:, :2], self.sees(line)
+        runs = np.split(np.arange(len(line)), np.flatnonzero(np.diff(shown)) + 1)
+        for run in runs:
+            if not shown[run[0]] or len(run) < 2:
+                continue
+            (x, y), (u, v) = window[run[0]], window[run[-1]]
+            if run[-1] == len(line) - 1:
+                glyphs.arrow(self.canvas, (x, y), (u, v), ink, shaft)
+            else:
+                glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
+
+    def light_edge(self, body: Body, cosines: Array) -> None:
+        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0."""
+        palette = self.canvas.palette
+        for points in isoline(body.positions_world, body.mesh.triangles, cosines):
+            self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
+
     def lights(self) -> None:
         """Draw every light: one at infinity in the corner that it comes from, others in place."""
         for placed in self.loaded.lights:
@@ -163,18 +202,93 @@ class Stage:
             elif placed.direction is not None:
                 self.sun([float(one) for one in placed.direction])
 
-    def sun(self, direction: Sequence[float]) -> None:
-        """Draw a light at infinity in the corner it comes from, its arrows as they are seen."""
+    def sun(self, direction: Sequence[float], *, lost: bool = False) -> None:
+        """Draw a light at infinity in the corner it comes from, its arrows as they are seen.
+
+        One that is lost is drawn nearer to the middle, so that it covers no other.
+        """
+        x, y = self._corner_of_sun(direction)
+        if lost:
+            y += 2 * CORNER if y < self.box.middle[1] else -2 * CORNER
+        glyphs.sun(self.canvas, (x, y), self.direction(direction), lost=lost)
+
+    def _corner_of_sun(self, direction: Sequence[float]) -> Point:
         towards = self.direction(direction)
         x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
         y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
-        glyphs.sun(self.canvas, (x, y), towards)
+        return x, y
+
+    def free_corners(self, pad: float) -> list[Point]:
+        """Return the corners so far inside the stage in which no sun stands, for words."""
+        inner = self.box.inset(CORNER)
+        taken = [
+            self._corner_of_sun([float(one) for one in placed.direction])
+            for placed in self.loaded.lights
+            if placed.position is None and placed.direction is not None
+        ]
+        pairs = zip(inner.corners, self.box.inset(pad).corners, strict=True)
+        return [corner for suns, corner in pairs if suns not in taken]
 
     def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
         """Draw a lamp at its place; one that the eye cannot see is left out."""
         place = self.place(point)
         if place is not None:
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
+
+    def axes(self, frame: Array) -> None:
+        """Draw the axes of a frame with their letters; what lies behind a surface is left out.
+
+        `frame` (3, 4) has the origin and the three axes as columns, in the world and as long as
+        they are drawn.
+        """
+        origin, ink = frame[:, 0], self.canvas.palette.ink
+        tips = frame[:, 1:].T + origin
+        start = self.place(origin)
+        for tip, letter in zip(tips, "xyz", strict=True):
+            self.surface_line(np.stack([origin, tip]), AXIS, ink)
+            end = self.place(tip)
+            if start is None or end is None:
+                continue
+            long = float(np.hypot(end[0] - start[0], end[1] - start[1]))
+            if long < LEAST_AXIS:  # it points at the eye, or away
+                continue
+            u = (end[0] - start[0]) / long, (end[1] - start[1]) / long
+            if not self.sees(tip[None])[0]:
+                continue
+            back = end[0] - 14 * u[0], end[1] - 14 * u[1]
+            glyphs.arrow(self.canvas, back, end, Ink.PLAIN, AXIS)
+            place = end[0] + 16 * u[0], end[1] + 16 * u[1] + 7
+            halo = self.canvas.palette.stage
+            self.canvas.text(place, letter, LETTER, ink, bold=True, align=0.5, halo=halo)
+        if start is not None and self.sees(origin[None])[0]:
+            glyphs.disc(self.canvas, start, 6.0, ink)
+
+    def sight(self, eye: Array, target: Array) -> None:
+        """Draw an eye of the world with the line of its sight, up to the first surface."""
+        ink = self.canvas.palette.eye
+        self.surface_line(np.stack([eye, target]), 3.2, ink, dash=(9.0, 6.0))
+        a, b = self.place(eye), self.place(target)
+        if a is not None and b is not None:
+            glyphs.eye(self.canvas, a, (b[0] - a[0], b[1] - a[1]))
+
+    def above_ground(self, point: Sequence[float], ground: float) -> None:
+        """Draw a dotted line from a point straight down to the ground, at a height y."""
+        x, y, z = point
+        window = self.window(np.array([[x, y, z], [x, ground, z]]))[:, :2]
+        if np.isfinite(window).all():
+            self.canvas.stroke(window, 2.4, self.canvas.palette.ink, dash=DOTS)
+            glyphs.disc(self.canvas, (window[1, 0], window[1, 1]), 5.0, self.canvas.palette.ink)
+
+    def path(self, points: Array, ink: Ink, width: float = 4.0) -> None:
+        """Draw a dashed way through the world; parts that are not in front of the eye are missing.
+
+        Nothing hides it: it stands for an idea.
+        """
+        window = self.window(points)[:, :2]
+        dash = glyphs.DASH_ON * width, glyphs.DASH_OFF * width
+        for piece in np.split(window, np.flatnonzero(~np.isfinite(window[:, 0]))):
+            line = piece[np.isfinite(piece[:, 0])]
+            self.canvas.stroke(line, width, ink.colour(self.canvas.palette), dash=dash, halo=1.6)
 
     def tacks(self, tacks: Sequence[Tack], ink: Ink, radius: float) -> None:
         """Draw normals as tacks, the far ones first; `radius` is that of the body."""
@@ -184,6 +298,15 @@ class Stage:
             a, b = self.place(one.place), self.place(one.place + ARROW * radius * one.arrow)
             if a is not None and b is not None:
                 glyphs.arrow(self.canvas, a, b, ink)
+
+    def nothing(self, tack: Tack, radius: float) -> None:
+        """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""
+        self.disc(tack.place, tack.normal, ZERO_DISC * radius)
+        place = self.place(tack.place)
+        if place is not None:
+            palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
+            halo = palette.paper
+            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
 
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
@@ -218,11 +341,14 @@ def radius_of(body: Body) -> float:
     return float(body.radius) or 1.0
 
 
-def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
-    """Return the lens with which points (n, 3) of the world fill a box but for a pad.
+def filling(
+    view: View, points: Array, box: Box, inner: Box | None = None, around: float = 0.0
+) -> Lens:
+    """Return the lens of a box with which points (n, 3) of the world fill a part of it.
 
-    Around each is room of so many units of the world, for arrows. It is a view through a window
-    that need not lie opposite the eye: shifted and scaled, never bent.
+    The part is all but a pad on each side, unless `inner` says another.
+    Around each point is room of so many units of the world, for arrows. It is a view through a
+    window that need not lie opposite the eye: shifted and scaled, never bent.
     """
     camera = np.array(to_floats(view.placed().camera_from_world))
     x, y, z = (np.asarray(points, float) @ camera[:3, :3].T + camera[:3, 3]).T
@@ -232,9 +358,11 @@ def filling(view: View, points: Array, box: Box, around: float = 0.0) -> Lens:
     room = around / np.maximum(-z, near)
     low, high = (tangents - room).min(axis=1), (tangents + room).max(axis=1)
     sides = np.array([box.width, box.height])
-    inner = np.maximum(sides - 2 * PAD, sides / 4)
-    per_unit = float(((high - low) / inner).max()) or 1.0 / float(inner.max())
-    middle, half = (low + high) / 2, sides / 2 * per_unit
+    inner = inner or box.inset(min(PAD, 3 / 8 * min(box.width, box.height)))
+    filled = np.array([inner.width, inner.height])
+    per_unit = float(((high - low) / filled).max()) or 1.0 / float(filled.max())
+    aside = np.subtract(box.middle, inner.middle) * (1, -1)  # tangents go up, units down
+    middle, half = (low + high) / 2 + aside * per_unit, sides / 2 * per_unit
     near = near / 2
     left, bottom = (middle - half) * near
     right, top = (middle + half) * near

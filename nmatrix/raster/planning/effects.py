@@ -481,9 +481,13 @@ def closure(effects: Iterable[Effect]) -> frozenset[Effect]:
 
 def per_sample(effects: Iterable[Effect], lights: int) -> int:
     """Return the multiplications at one sample under so many lights."""
-    recipes = [RECIPES[one] for one in effects]
-    each = sum(one.per_light for one in recipes)
-    return BASE_SAMPLE + sum(one.per_sample for one in recipes) + lights * each
+    return BASE_SAMPLE + sum(of_effect(one, lights) for one in effects)
+
+
+def of_effect(effect: Effect, lights: int) -> int:
+    """Return the multiplications of one effect at one sample under so many lights."""
+    recipe = RECIPES[effect]
+    return recipe.per_sample + lights * recipe.per_light
 
 
 def per_vertex(effects: Iterable[Effect]) -> int:

@@ -16,7 +16,7 @@ from nmatrix.enums import Effect, Effort, LeftOut, NormalRule
 from nmatrix.errors import printable, shortlist
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.culled_lights import why_dark
-from nmatrix.raster.planning.effects import RECIPES, closure, per_sample
+from nmatrix.raster.planning.effects import RECIPES, closure, of_effect
 from nmatrix.raster.planning.facts import Facts
 from nmatrix.raster.planning.recipe import BUDGET, Decision, too_dear
 from nmatrix.raster.planning.seen_body import SeenBody
@@ -293,7 +293,7 @@ def _within_budget(
         effect for effect, one in decisions.items() if not one.on and one.kind is LeftOut.BOUNDED
     ]
     left = budget
-    for effect in sorted(proposed, key=lambda it: asked[it].bound / max(1, _saving(it, lights))):
+    for effect in sorted(proposed, key=lambda it: asked[it].bound / max(1, of_effect(it, lights))):
         one = decisions[effect]
         if one.bound <= left:
             left -= one.bound
@@ -301,10 +301,6 @@ def _within_budget(
         because = too_dear(one.because, one.bound)
         decisions[effect] = replace(one, on=True, because=because, bound=0.0)
     return decisions
-
-
-def _saving(effect: Effect, lights: int) -> int:
-    return per_sample([effect], lights) - per_sample([], lights)
 
 
 def _picture(loaded: LoadedScene, bodies: Sequence[Facts]) -> dict[Effect, Decision]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.canvas.theme import channels
 from nmatrix.enums import Effect, NormalRule
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import Body, LoadedScene
@@ -137,7 +138,7 @@ class Scale:
 
 def ramp(parts: Array, stops: Sequence[str]) -> Array:
     """Return the colours (…, 3) in [0, 1] so far along stops of one distance, for parts of 1."""
-    levels = np.array([[int(one[i : i + 2], 16) / 255 for i in (1, 3, 5)] for one in stops])
+    levels = np.array([channels(one) for one in stops])
     at = np.linspace(0, 1, len(stops))
     return np.stack([np.interp(parts, at, levels[:, i]) for i in range(3)], axis=-1)
 

@@ -60,38 +60,41 @@ PROOFS: tuple[ProofEntry, ...] = (
         "spaces", "spaces", "one picture, lit in world, camera, object, static and light space"
     ),
     ProofEntry(
-        "object-rule", "lights", "object space: Mᵀl, M⁻¹l and the exact rule; their terminators"
+        "object-rule", "object_rule", "object space: Mᵀl, M⁻¹l and the exact rule; the light's edge"
     ),
-    ProofEntry("mirror", "rules", "cofactors without the sign, the inverse transpose, winding"),
+    ProofEntry("mirror", "hard_maps", "cofactors without the sign, the inverse transpose, winding"),
     ProofEntry(
         "stuck-light",
-        "lights",
-        "a light in model space turns with the torus; in eye space not",
+        "stuck_light",
+        "a light in model space turns with the model; in eye space not",
+        Turn(Turning.OBJECT, (0, -1, 0)),  # on its turntable
     ),
     ProofEntry(
         "flashlight",
-        "lights",
+        "flashlight",
         "a light fixed to the eye against one fixed to the world",
         WALK,
     ),
     ProofEntry(
-        "shading", "surfaces", "flat, Gouraud, Phong; Phong and Blinn-Phong highlights; toon"
+        "shading",
+        "shading",
+        "flat, Gouraud, Phong; Lambert, Phong and Blinn-Phong highlights, toon",
     ),
     ProofEntry(
         "interpolation",
-        "surfaces",
+        "interpolation",
         "normalise never, after, before and after; perspective or not",
         Turn(Turning.OBJECT),  # a floor is among the objects
     ),
     ProofEntry(
         "translation",
-        "rules",
+        "hard_maps",
         "w = 1 with M, and a normalise over four components",
         Turn(Turning.OBJECT, (0, 0, 1)),  # where it was moved to goes towards the light and away
     ),
     ProofEntry(
         "flatten",
-        "rules",
+        "hard_maps",
         "scale 1 0 1: what an inverse, a zero matrix and the cofactors draw",
         Turn(Turning.LIGHT),  # the plane stays in sight, and its own normal answers
     ),
@@ -108,7 +111,7 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry(
         "effects",
-        "spaces",
+        "effects",
         "everything on against the plan: the same picture for less work",
         WALK,  # there are many objects
     ),

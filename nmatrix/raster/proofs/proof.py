@@ -107,7 +107,7 @@ class ProofSettings:
 
     def lit_by(self, *lights: SceneLight) -> tuple[SceneLight, ...]:
         """Return the lights that were asked for, or the proof's own, as far as they have turned."""
-        return tuple(_turned(one, self.light_turn) for one in self.lights or lights)
+        return tuple(turned_light(one, self.light_turn) for one in self.lights or lights)
 
     def material(self, **changes: Any) -> Material:  # noqa: ANN401  # fields of Material
         """Return the surface of every proof: warm where light falls, cool where none does."""
@@ -139,7 +139,7 @@ class ProofSettings:
         return Slide.of(title, self.picture.size, self.theme)
 
 
-def _turned(light: SceneLight, rotation: RationalMatrix) -> SceneLight:
+def turned_light(light: SceneLight, rotation: RationalMatrix) -> SceneLight:
     """Return a light that has gone some way around the world's origin."""
     position, direction = (
         tuple(map(float, apply(linear_part(rotation), rational_vector(one))))

@@ -21,7 +21,7 @@ from nmatrix.raster.proofs.angles import (
     worst_at_vertices,
 )
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
-from nmatrix.raster.proofs.staging import Pose, put_heat, staged, tacks
+from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, put_heat, staged, tacks
 from nmatrix.raster.shading.normals import unit
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.light import SceneLight
@@ -35,7 +35,6 @@ BESIDE = Pose((3.6, 1.5, 9.2), radius=2)
 FROM_THE_RIGHT = SceneLight("sun", LightKind.DIRECTIONAL, direction=(-0.85, -0.55, -0.65))
 STRETCHED_IDEA = "A tangent rides along with A. A normal must stay at a right angle to it."
 EVEN_IDEA = "A tangent rides along with A, and so does the normal: their right angle stays."
-NO_SURFACE = ("a point", "a line", "no normal", "no normal")  # what is left, by the rank of A
 BELOW = 190.0  # units under the stages, for captions and a number
 TURNED = World(rotate_degrees=(0, 0, -38))
 STRETCHED = World(rotate_degrees=(0, 0, -62)).under(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import atan, degrees, radians, tan
 
 from nmatrix.enums import Reflection
 from nmatrix.scene.camera import View
@@ -51,7 +52,7 @@ LIGHTS = (
     SceneLight(
         "bulb",
         LightKind.POINT,
-        position=(-2, 3, 2),
+        position=(-1.4, 2.6, 2),
         color=(1, 0.9, 0.7),
         intensity=0.6,
         attenuation=(1, 0.05, 0.02),
@@ -69,9 +70,17 @@ LIGHTS = (
 )
 
 
+FOV_DEG = 45.0
+WIDE = 0.5  # the tangent of half the angle that the row of objects takes
+
+
 def showpiece(settings: Settings) -> Scene:
-    """Return the scene, drawn as the settings say, with fog and sRGB levels."""
+    """Return the scene, drawn as the settings say, with fog and sRGB levels.
+
+    A picture too narrow for the row of objects sees more above and below it.
+    """
     width, height = settings.size
+    half = max(tan(radians(FOV_DEG) / 2), WIDE * height / width)
     return Scene(
         objects=(
             _object("floor", Shape.PLANE, World(translate=(0, -1, 0), scale=(6, 1, 6)), FLOOR),
@@ -99,7 +108,7 @@ def showpiece(settings: Settings) -> Scene:
         ),
         lights=LIGHTS,
         view=View(eye=(1, 2.5, 6.5), target=(0, 0, 0)),
-        lens=Lens(fov_degrees=45, aspect=width / height, near=0.5, far=40),
+        lens=Lens(fov_degrees=2 * degrees(atan(half)), aspect=width / height, near=0.5, far=40),
         settings=replace(settings, fog=Fog((0.8, 0.85, 0.9), 6, 16), gamma=True),
     )
 

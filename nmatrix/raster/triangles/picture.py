@@ -78,12 +78,12 @@ class DepthMap:
         """Write the rows of a finished tile."""
         k, (top, bottom) = canvas.per_side, tile.rows
         keys = tile.keys.reshape((bottom - top) // k, k, canvas.width, k)
-        filled, far = keys != EMPTY, (keys.max(axis=(1, 3)) >> TRIANGLE_BITS).astype(float)
+        filled, codes = keys != EMPTY, keys.max(axis=(1, 3)) >> TRIANGLE_BITS
         rows = slice(top // k, bottom // k)
         if tile.depth is DepthBuffer.FLOAT32:
-            far = far.astype(np.int32).view(np.float32).astype(float)
+            far = codes.astype(np.int32).view(np.float32).astype(float)
         else:
-            far /= STEPS[tile.depth]
+            far = codes / STEPS[tile.depth]
         self.farthest[rows] = np.where(filled.all(axis=(1, 3)), far, np.inf)
         self.coverage[rows] = filled.mean(axis=(1, 3))
 
