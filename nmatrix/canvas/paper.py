@@ -15,7 +15,7 @@ from nmatrix.canvas.text import plain
 
 LEAST_POINTS = 8.0
 LARGEST_CAPTION = 24  # units; a larger line is the number that the panels tell as well
-ABOVE, BELOW = 4.0, 4.0  # units around what is kept
+ABOVE, BELOW = 12.0, 4.0  # units around what is kept: a verdict is higher than its heading
 
 
 @dataclass(frozen=True, eq=False)

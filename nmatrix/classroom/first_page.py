@@ -48,6 +48,7 @@ SYMBOLS = (
     ("L", "light from world, 4×4"),
 )
 LETTERS = {Space.OBJECT: "M⁻¹", Space.WORLD: "", Space.CAMERA: "V", Space.LIGHT: "L"}
+INVERTIBLE = "moves a surface and has an inverse"
 BLOCKS = "For a direction take the 3×3 block of V and of L. Every row gives the same picture."
 
 
@@ -69,12 +70,13 @@ def rule(setup: Setup, kind: PageFormat) -> Part:
         f"A circle and the ellipse that A makes of it, {times} as wide. On the circle the normal n "
         "stands at a right angle to the tangent t. On the ellipse A n, dashed, leans away from "
         "the right angle to A t; the inverse transpose of A times n keeps it.",
-        f"A makes the circle {times} as wide, and its tangent t becomes A t. The normal does not "
-        "become A n (dashed), which leans: at a right angle to A t stands A⁻ᵀ n.",
+        f"Here A makes the circle {times} as wide, and its tangent t becomes A t. The normal does "
+        "not become A n (dashed), which leans: at a right angle to A t stands A⁻ᵀ n.",
     )
+    premise = "moves a surface" if setup.maps.world_from_object.linear_map.rank == 3 else INVERTIBLE
     theorem = Framed(
         (
-            Verdict("If A moves a surface, then A⁻ᵀ, the inverse of A transposed, moves normals."),
+            Verdict(f"If A {premise}, then A⁻ᵀ, the inverse of A transposed, moves normals."),
             Text(
                 "Why: the new normal A⁻ᵀ n and the new tangent A t make a right angle, as n and t."
             ),

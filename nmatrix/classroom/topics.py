@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
+from typing import TYPE_CHECKING
 
 from nmatrix.classroom.first_page import Part, rule, spaces
 from nmatrix.classroom.worked import in_each, worked
@@ -12,6 +15,9 @@ from nmatrix.output.pages.document import PageFormat
 from nmatrix.report import Block, Cells, Figure, Heading, Table, Text
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.shading_spaces import USUAL_SPACES
+
+if TYPE_CHECKING:
+    from nmatrix.canvas.paper import Cutting
 
 
 class Topic(StrEnum):
@@ -35,28 +41,47 @@ def _worked(setup: Setup, kind: PageFormat) -> Part:
     return Part(worked(setup))
 
 
-def _proofs(setup: Setup, kind: PageFormat) -> Part:
-    """Draw proofs for paper, each with its claim and the words around its panels as a caption."""
-    from nmatrix.canvas.paint import vector
+@dataclass(frozen=True)
+class PaperProof:
+    """A proof on paper: its claim, what it tells for those who cannot see it, and its cutting."""
+
+    name: str
+    title: str
+    told: str
+    cutting: Cutting
+
+
+@cache  # they are of no scene, and alike in every format
+def _drawn_proofs() -> tuple[PaperProof, ...]:
     from nmatrix.canvas.paper import on_paper
     from nmatrix.canvas.slide import Slide
     from nmatrix.canvas.text import plain
     from nmatrix.raster.proofs.catalogue import catalogued
     from nmatrix.raster.proofs.proof import ProofSettings
 
-    blocks: list[Block] = [Heading("What it looks like")]
-    pictures = {}
+    found = []
     for name in PROOFS:
         entry = catalogued(name)
         assert entry is not None
-        found = entry.load()(ProofSettings(name, theme=Theme.PRINT))
-        slide = found.picture
+        slide = entry.load()(ProofSettings(name, theme=Theme.PRINT)).picture
         assert isinstance(slide, Slide)
         cutting = on_paper(slide, PICTURE_POINTS)
-        path = f"{name}.{kind.drawings}"
-        pictures[path] = vector(cutting.canvas, kind.drawings, found.texts)
         told = f"{'. '.join(slide.told)}. {cutting.words}"
-        blocks.append(Figure(path, told, cutting.words, plain(slide.title)))
+        found.append(PaperProof(name, plain(slide.title), told, cutting))
+    return tuple(found)
+
+
+def _proofs(setup: Setup, kind: PageFormat) -> Part:
+    """Show proofs, each with its claim and the words around its panels as a caption."""
+    from nmatrix.canvas.paint import vector
+
+    blocks: list[Block] = [Heading("What it looks like")]
+    pictures = {}
+    for one in _drawn_proofs():
+        path = f"{one.name}.{kind.drawings}"
+        texts = {"Title": one.title, "Description": one.told}
+        pictures[path] = vector(one.cutting.canvas, kind.drawings, texts)
+        blocks.append(Figure(path, one.told, one.cutting.words, one.title))
     return Part(tuple(blocks), pictures)
 
 

@@ -108,7 +108,7 @@ def _one_normal(setup: Setup, A: RationalMatrix) -> Iterator[Block]:
     )
     angle = setup.maps.world_from_object.linear_map.angle_without_deg(n) if det else None
     if angle is not None and dot(wrong, moved):
-        yield Text(f"A n leans {short_text(Fraction(angle), DIGITS)}° away from {letter} n.")
+        yield Text(f"A n leans {_in_words(Fraction(angle))}° away from {letter} n.")
     elif det:
         yield Text("Here A n keeps it as well.")
 
@@ -166,9 +166,15 @@ def _column(v: Sequence[Fraction]) -> RationalMatrix:
 
 
 def _in_a_row(vector: Sequence[float | Fraction]) -> str:
-    numbers = (_POWER.sub(_raised, _short(Fraction(x))) for x in vector)
-    return f"({', '.join(numbers)})"
+    return f"({', '.join(_in_words(Fraction(x)) for x in vector)})"
 
 
-def _raised(power: re.Match[str]) -> str:
-    return power[1].translate(_SMALL)
+def _in_words(x: Fraction) -> str:
+    """Write a number in a sentence or a cell.
+
+    Examples
+    --------
+    >>> _in_words(Fraction(-3, 10**8))
+    '−3·10⁻⁸'
+    """
+    return _POWER.sub(lambda power: power[1].translate(_SMALL), _short(x))

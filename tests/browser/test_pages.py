@@ -91,7 +91,7 @@ def test_the_page_fits_a_phone(opened, file, theme) -> None:
 
 
 def test_the_first_page_holds_the_drawing_the_spaces_and_the_first_exercise(opened, file) -> None:
-    height = (297 - 13 - 16) / 25.4 * 96
+    height = (297 - 11 - 15) / 25.4 * 96
     found = opened(file, viewport={"width": A4_AT_96_DPI, "height": 1000})
     found.emulate_media(media="print")
     bottom = found.locator(".task").first.evaluate("e => e.getBoundingClientRect().bottom")

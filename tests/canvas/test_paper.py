@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from nmatrix.canvas.glyphs import Verdict
 from nmatrix.canvas.marks import Box, Polygon, Raster, Stroke, Text
 from nmatrix.canvas.paper import LEAST_POINTS, on_paper
 from nmatrix.canvas.slide import CAPTION, Slide
@@ -17,7 +18,7 @@ def slide_of(columns: int, size: tuple[int, int] = (1600, 900)) -> Slide:
 
     slide = Slide.of("The claim", size, Theme.PRINT)
     for i, box in enumerate(slide.body(200).columns(columns, 20)):
-        panel = slide.panel(box, f"Panel {i}", caption=f"What is seen in {i}.")
+        panel = slide.panel(box, f"Panel {i}", Verdict.RIGHT, caption=f"What is seen in {i}.")
         canvas, stage = slide.canvas, panel.stage
         canvas.stroke((stage.corners[0], stage.corners[2]), 4, slide.palette.ink)
         canvas.text(stage.middle, "small", CAPTION)
@@ -66,3 +67,5 @@ def test_what_is_kept_keeps_its_place_on_its_stage() -> None:
     assert len(shifts) == 1
     page = Box(0, 0, canvas.width, canvas.height)
     assert all(page.holds(point) for one in after for point in one.points)
+    loops = [loop for one in canvas.marks if isinstance(one, Polygon) for loop in one.loops]
+    assert all(page.inset(-1).holds(point) for loop in loops for point in loop)

@@ -12,7 +12,7 @@ from nmatrix.enums import Theme, VectorFormat
 from nmatrix.report import Block
 
 INK_ON_PAPER = PALETTES[Theme.PRINT]
-ROOM_HIGH, ANSWER_WIDE, ANSWER_HIGH = 36, 32, 7  # millimetres: to work, and a line of an answer
+ANSWER_WIDE, ANSWER_HIGH = 32, 6.5  # millimetres of a line of an answer
 DOTS_APART = 6  # millimetres
 SHORT_TABLE = 9  # rows that stay on one page
 NARROWEST, WIDEST = 8, 60  # characters of a table's columns
@@ -24,6 +24,11 @@ class Paper(StrEnum):
 
     A4 = "a4"
     LETTER = "letter"
+
+    @property
+    def room(self) -> int:
+        """Millimetres to work in, below an exercise, so that the first page holds the first one."""
+        return {Paper.A4: 36, Paper.LETTER: 30}[self]
 
 
 class PageFormat(StrEnum):

@@ -19,7 +19,6 @@ from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
     DOTS_APART,
-    ROOM_HIGH,
     SHORT_TABLE,
     Document,
     Field,
@@ -31,7 +30,6 @@ from nmatrix.report import Blank, Figure, Formula, Task
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
 SIZES = {Paper.A4: "A4", Paper.LETTER: "letter"}
 LENGTHS = {
-    "ROOM_HIGH": ROOM_HIGH,
     "ANSWER_WIDE": ANSWER_WIDE,
     "ANSWER_HIGH": ANSWER_HIGH,
     "DOTS_APART": DOTS_APART,
@@ -85,7 +83,7 @@ def _style(paper: Paper) -> str:
     for theme, palette in PALETTES.items():
         named = (f"--{name}: {colour};" for name, colour in palette.named.items())
         style = style.replace(f"{theme.name}_COLOURS", " ".join(named))
-    for name, length in LENGTHS.items():
+    for name, length in {**LENGTHS, "ROOM_HIGH": paper.room}.items():
         style = style.replace(name, f"{length}mm")
     font = b64encode(folder.joinpath("math.woff2").read_bytes()).decode()
     return style.replace("PAPER_SIZE", SIZES[paper]).replace("MATH_FONT", font)

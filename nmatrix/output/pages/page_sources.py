@@ -11,7 +11,6 @@ from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
     DOTS_APART,
-    ROOM_HIGH,
     Document,
     Field,
     Paper,
@@ -51,7 +50,7 @@ LOOK = rf"""\definecolor{{tint}}{{rgb}}{{0.94,0.94,0.94}}
 \newcommand{{\dottedline}}{{\hbox to\inside{{\leaders\hbox to {DOTS_APART}mm{{\hss.\hss}}\hfil}}}}
 \newcommand{{\room}}{{\setlength{{\inside}}{{\linewidth}}\addtolength{{\inside}}{{-2\fboxsep}}%
   \addtolength{{\inside}}{{-2\fboxrule}}%
-  \fbox{{\vbox to {ROOM_HIGH}mm{{{ROOM_LINE * (ROOM_HIGH // DOTS_APART)}\vfil}}}}\par}}
+  \fbox{{\vbox to \roomhigh{{{ROOM_LINE * 6}\vfil}}}}\par}}
 \newcommand{{\points}}[1]{{%
   \fbox{{\rule{{0pt}}{{9pt}}\hspace{{9mm}}\small\sffamily / #1\hspace{{2mm}}}}}}
 \newenvironment{{task}}[2]{{\par\addvspace{{14pt}}\begin{{minipage}}{{\linewidth}}%
@@ -68,7 +67,8 @@ def tex(document: Document) -> bytes:
     body = blocks_in(document.blocks, LatexPage(OutputOptions()))
     source = rf"""\documentclass[11pt,{SIZES[document.paper]}]{{article}}
 {PACKAGES}
-\usepackage[hmargin=18mm,top=13mm,bottom=19mm,footskip=9mm]{{geometry}}
+\usepackage[hmargin=18mm,top=11mm,bottom=18mm,footskip=8mm]{{geometry}}
+\newcommand{{\roomhigh}}{{{document.paper.room}mm}}
 \newcommand{{\sheetfoot}}{{{latex.escaped(document.foot)}}}
 {LOOK}
 \begin{{document}}

@@ -14,7 +14,6 @@ from nmatrix.output.pages.document import (
     ANSWER_WIDE,
     DOTS_APART,
     INK_ON_PAPER,
-    ROOM_HIGH,
     SHORT_TABLE,
     Document,
     Field,
@@ -52,13 +51,13 @@ LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
   columns: (auto, 1fr, auto, 1fr), column-gutter: (10pt, 18pt), row-gutter: 6.5pt, ..cells,
 ))
 #let points(most) = box(stroke: 0.5pt, inset: 5pt, sans(9pt)[#h(2.2em) / #most])
-#let task(title, most, body) = block(breakable: false, width: 100%, above: 1.7em)[
+#let task(title, most, body) = block(breakable: false, width: 100%, above: 1.2em)[
   #set par(spacing: 0.62em)
   #grid(columns: (1fr, auto), align: (left + bottom, right), title, points(most))
   #body
 ]
 #let room = block(
-  width: 100%, height: {ROOM_HIGH}mm, stroke: thin,
+  width: 100%, height: room-high, stroke: thin,
   fill: tiling(size: ({DOTS_APART}mm, {DOTS_APART}mm), place(
     dx: {DOTS_APART // 2}mm, dy: {DOTS_APART // 2}mm, circle(radius: 0.2mm, fill: luma(60%)),
   )),
@@ -74,7 +73,7 @@ LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 #show raw.where(block: true): block.with(
   breakable: false, width: 100%, inset: 7pt, fill: luma(95%),
 )
-#show heading.where(level: 1): it => block(above: 0.9em, below: 0.8em, sans(16pt, it.body))
+#show heading.where(level: 1): it => block(above: 0.7em, below: 0.5em, sans(16pt, it.body))
 #show heading.where(level: 2): it => block(
   above: 1.5em, below: 0.8em, sticky: true, sans(12pt, it.body),
 )
@@ -88,13 +87,14 @@ def typ(document: Document) -> bytes:
     source = f"""#set document(title: {quoted(document.title)}, author: ())
 #set page(
   paper: "{SIZES[document.paper]}",
-  margin: (x: 18mm, top: 13mm, bottom: 16mm),
+  margin: (x: 18mm, top: 11mm, bottom: 15mm),
   numbering: "1 / 1",
   footer: context [
     #set text(size: 8pt, fill: luma(25%))
     {escaped(document.foot)} #h(1fr) #counter(page).display("1 / 1", both: true)
   ],
 )
+#let room-high = {document.paper.room}mm
 {LOOK}
 
 {head}= {prose(document.title)}
@@ -114,8 +114,8 @@ def prose(text: str) -> str:
 
     Examples
     --------
-    >>> print(prose("A⁻ᵀ n = 1"))
-    A#super[−T];~n \= 1
+    >>> print(prose("AᵀA"))
+    A#super[T];A
     """
     joined = PRODUCT.sub("\\1\N{NO-BREAK SPACE}\\2", text)
     return RAISED.sub(lambda run: f"#super[{run[0].translate(ON_THE_LINE)}];", escaped(joined))
