@@ -288,6 +288,18 @@ class Theme(StrEnum):
     PRINT = "print"
 
 
+class Shown(StrEnum):
+    """What can be drawn over the picture of a scene or a mesh."""
+
+    NORMALS = "normals"
+    TANGENTS = "tangents"
+    AXES = "axes"
+    LIGHTS = "lights"
+    EYE = "eye"
+    WIREFRAME = "wireframe"
+    BOUNDS = "bounds"
+
+
 class PixelFormat(StrEnum):
     """The files that hold the pixels of a picture."""
 

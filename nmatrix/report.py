@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -37,11 +38,20 @@ class Text:
     text: str
 
 
+class Tone(StrEnum):
+    """What a conclusion tells its reader: that it is right, that it is wrong, or neither."""
+
+    NEUTRAL = "neutral"
+    RIGHT = "right"
+    WRONG = "wrong"
+
+
 @dataclass(frozen=True)
 class Verdict:
     """The one-line conclusion."""
 
     text: str
+    tone: Tone = Tone.NEUTRAL
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.rounding import short_text
 from nmatrix.reading.literal import MatrixLiteral
-from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.report import Block, Heading, Report, Table, Text, Tone, Value, Verdict
 from nmatrix.scene.setup import Setup
 
 SHOWN_DIGITS = 6
@@ -157,12 +157,12 @@ def _commands(question: Question, found: Judgement) -> list[str]:
 def _blocks(named: str, question: Question, answer: Answer, found: Judgement) -> tuple[Block, ...]:
     heading = Heading(f"Check: {named}")
     if found.verdict is Outcome.CORRECT:
-        return (heading, Verdict("Correct."))
+        return (heading, Verdict("Correct.", Tone.RIGHT))
     named = ", or ".join(filter(None, (found.mistake, *found.also)))
     verdict = f"Mistake: {named}." if named else "Wrong."
     marked = _marked(question, answer, found)
     seen = (Text(f"See: {command}") for command in _commands(question, found))
-    return (heading, Verdict(verdict), Text(found.explanation), marked, *seen)
+    return (heading, Verdict(verdict, Tone.WRONG), Text(found.explanation), marked, *seen)
 
 
 def _named(question: Question) -> str:

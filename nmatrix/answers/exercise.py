@@ -10,7 +10,7 @@ from nmatrix.lessons.check.judge import Judgement, Outcome
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
-from nmatrix.report import Block, Heading, Report, Text, Verdict
+from nmatrix.report import Block, Heading, Report, Text, Tone, Verdict
 
 COMMANDS = {ExerciseKind.TRACE: "trace"}  # where the question's own is not the one that answers it
 
@@ -30,11 +30,11 @@ def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
         answer, command = one.grader.answer(text), COMMANDS.get(one.kind, "")
         return judged(one.grader.question, answer, found, _title(one, sheet), command)
     blocks: list[Block] = [Heading(f"Check: {_title(one, sheet)}")]
-    word = "Correct." if found.verdict is Outcome.CORRECT else "Wrong."
-    blocks += [Verdict(word), Text(found.explanation)]
-    wrong = None
+    verdict, wrong = Verdict("Correct.", Tone.RIGHT), None
     if found.verdict is not Outcome.CORRECT:
+        verdict = Verdict("Wrong.", Tone.WRONG)
         wrong = CheckFailedError("answer (wrong)", "another choice is right", "think again")
+    blocks += [verdict, Text(found.explanation)]
     return Report("check", judgement_data(found), tuple(blocks), found.remarks, wrong)
 
 

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, Theme
-from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Shown, Space, Theme
+from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.proof import SHEET, Proof, ProofSettings
-from nmatrix.report import Block, Figure, Number, Quantity, Report, Value, Vector, Verdict
+from nmatrix.report import Block, Figure, Heading, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES, LightKind
 
-NUMBERS = ("max_angle_error_deg", "mean_angle_error_deg", "triangles", "fragments")
+ANGLES = ("max_angle_error_deg", "mean_angle_error_deg")
+NUMBERS = (*ANGLES, "triangles", "fragments")
 SCENES = (".toml", *GLTF_SUFFIXES)
 SHEET_SETTINGS = Settings(size=SHEET)  # of a proof
 
@@ -33,6 +35,7 @@ class PictureChoices:
     samples: Number | None = None
     effort: Effort | None = None
     theme: Theme = Theme.LIGHT
+    shown: frozenset[Shown] = frozenset()
 
     def over(self, settings: Settings) -> Settings:
         """Put what was chosen in place of the settings' own."""
@@ -49,7 +52,19 @@ class PictureChoices:
 def proof_frame(
     name: str, own: ProofSettings, setup: Setup, choices: PictureChoices
 ) -> PictureFrame:
-    """Frame a proof of these settings, drawn as chosen; a setup may bring a shading space."""
+    """Frame a proof of these settings, drawn as chosen; a setup may bring a shading space.
+
+    Raises
+    ------
+    IllegalValueError
+        If marks are asked for.
+    """
+    if choices.shown:
+        raise IllegalValueError(
+            f"{quantity('show')} with {name}",
+            "a proof has the marks that it needs",
+            "show marks on a scene or a mesh",
+        )
     settings = replace(
         own,
         picture=replace(choices.over(SHEET_SETTINGS), space_matrix=setup.space_matrix),
@@ -69,7 +84,34 @@ def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFram
             for one in found.objects
         )
         found = replace(found, objects=tuple(objects))
-    return PictureFrame(name, scene=found)
+    return PictureFrame(name, scene=found, shown=choices.shown, theme=choices.theme)
+
+
+def shown_named(names: str | Iterable[str]) -> frozenset[Shown]:
+    """Read what is to be shown: words between commas, or one after the other.
+
+    Raises
+    ------
+    IllegalValueError
+        For another word, or none.
+
+    Examples
+    --------
+    >>> sorted(shown_named("normals,axes"))
+    [<Shown.AXES: 'axes'>, <Shown.NORMALS: 'normals'>]
+    """
+    words = names.split(",") if isinstance(names, str) else list(names)
+    found = set()
+    for word in (one.strip() for one in words):
+        if word not in list(Shown):
+            listed = ", ".join(Shown)
+            raise IllegalValueError(
+                f"{quantity('show')} ({printable(word[:40])})",
+                f"it takes words with commas between them: {listed}",
+                did_you_mean(word, Shown, f"try {quantity('show')} normals"),
+            )
+        found.add(Shown(word))
+    return frozenset(found)
 
 
 def is_proof(subject: str, **beside: object) -> bool:
@@ -128,10 +170,17 @@ def render(proof: Proof, image: str | None = None, milliseconds: float | None = 
         "effects": list(proof.effects),
         "numbers": dict(proof.numbers),
     }
-    shown = (Figure(image, f"a picture of {proof.subject}"),) if image else ()
+    told = {key: data[key] for key in NUMBERS}
+    title: tuple[Block, ...] = ()
+    alternative = f"a picture of {proof.subject}"
+    if proof.is_slide:  # its claim comes first, and what is not measured is not told
+        alternative = proof.texts["Title"]
+        title = (Heading(alternative),)
+        told = {key: told[key] for key in ANGLES if told[key] is not None}
     blocks: tuple[Block, ...] = (
-        *shown,
-        *(Quantity(key, data[key]) for key in NUMBERS),  # type: ignore[arg-type]  # numbers or None
+        *title,
         Verdict(proof.verdict),
+        *(Quantity(key, value) for key, value in told.items()),  # type: ignore[arg-type]  # numbers
+        *([Figure(image, alternative)] if image else []),
     )
     return Report("render", data, blocks, proof.remarks)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from nmatrix.api.report import Picture
@@ -27,6 +28,7 @@ def render(
     samples: int | None = None,
     effects: str | Effort = Effort.PLANNED,
     theme: str | Theme = Theme.LIGHT,
+    show: str | Iterable[str] = (),
 ) -> Picture:
     r"""Draw a proof by its name, a scene file, a glTF file or a mesh.
 
@@ -43,6 +45,9 @@ def render(
         Width and height of the picture in pixels.
     shading, reflection, normals, space, samples, effects, theme
         As the command line has them; None leaves them to the file or the proof.
+    show
+        For a file: what is drawn over it, of `normals`, `tangents`, `axes`, `lights`, `eye`,
+        `wireframe`, `bounds`.
 
     Raises
     ------
@@ -61,6 +66,7 @@ def render(
         proof_frame,
         scene_frame,
         scene_lights,
+        shown_named,
     )
     from nmatrix.answers.render import render as answer
     from nmatrix.raster.proofs.proof import ProofSettings
@@ -77,6 +83,7 @@ def render(
         None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
         chosen(Theme, theme, "theme"),
+        shown_named(show),
     )
     if is_proof(name, setup=setup, mesh=mesh):
         values = setup_values(Setup() if setup is None else setup)

@@ -22,9 +22,10 @@ if TYPE_CHECKING:
 
 POINTS = 72  # in an inch, and units: a unit is a point
 HALO = 4.0  # units around letters
+HAIR = 1e-6  # points, so that no side is cut to one pixel less
 LEAST_TEXT = 2.0  # pixels: fonts have no smaller letters, and no eye reads them
-AS_WIDE_AS_MEASURED = {"text.hinting": "none"}  # hinted letters stand on whole pixels
-TEXT_AS_TEXT = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
+AS_WIDE_AS_MEASURED: Any = {"text.hinting": "none"}  # hinted letters stand on whole pixels
+TEXT_AS_TEXT: Any = {"svg.fonttype": "none", "pdf.fonttype": 42, "svg.hashsalt": "nmatrix"}
 
 
 def pixels(canvas: Canvas) -> NDArray[Any]:
@@ -60,20 +61,22 @@ def vector(canvas: Canvas, kind: VectorFormat, texts: Mapping[str, str]) -> byte
 
 
 def _figure(canvas: Canvas, scale: float) -> Figure:
-    """Return a figure of the canvas's size with one artist, which paints the marks."""
+    """Return a figure with one artist, which paints the marks with so many points to a unit.
+
+    A point is a pixel: matplotlib cuts letters for whole numbers of dots in an inch alone.
+    """
     from matplotlib.artist import Artist
     from matplotlib.figure import Figure
 
     class Marks(Artist):
         def draw(self, renderer: RendererBase) -> None:
-            painter = _Painter(renderer, canvas)
+            painter = _Painter(renderer, canvas, scale)
             for mark in canvas.marks:
                 painter.paint(mark)
 
-    wide, high = canvas.pixels
-    per_unit = canvas.scale
-    inches = (wide / per_unit / POINTS, high / per_unit / POINTS)
-    figure = Figure(figsize=inches, dpi=POINTS * scale, facecolor=canvas.palette.paper)
+    points = (side * scale / canvas.scale for side in canvas.pixels)
+    wide, high = ((side + HAIR) / POINTS for side in points)
+    figure = Figure(figsize=(wide, high), dpi=POINTS, facecolor=canvas.palette.paper)
     figure.add_artist(Marks())
     return figure
 
@@ -81,11 +84,11 @@ def _figure(canvas: Canvas, scale: float) -> Figure:
 class _Painter:
     """One walk over marks with a renderer, whose y goes up and whose unit is its own pixel."""
 
-    def __init__(self, renderer: RendererBase, canvas: Canvas) -> None:
+    def __init__(self, renderer: RendererBase, canvas: Canvas, scale: float) -> None:
         from matplotlib.transforms import Affine2D
 
         self.renderer, self.canvas = renderer, canvas
-        self.scale = renderer.points_to_pixels(1.0)
+        self.scale = renderer.points_to_pixels(scale)
         self.height = canvas.pixels[1] / canvas.scale * self.scale
         flipped = Affine2D().scale(self.scale, -self.scale)
         self.to_renderer = flipped.translate(0, self.height)
@@ -109,7 +112,7 @@ class _Painter:
 
         gc = self._gc(mark.colour, mark.width)
         if mark.dash is not None:
-            gc.set_dashes(0, [part * self.scale for part in mark.dash])
+            gc.set_dashes(0, mark.dash)
         gc.set_capstyle("round" if mark.round_ends else "butt")
         gc.set_joinstyle("round")
         self.renderer.draw_path(gc, Path(mark.points), self.to_renderer, None)
@@ -152,7 +155,7 @@ class _Painter:
                 family="DejaVu Sans",
                 style="oblique" if run.oblique else "normal",
                 weight="bold" if mark.bold else "normal",
-                size=size,
+                size=size * self.scale,
                 fname=str(face),  # found without a search
             )
             self.renderer.draw_text(gc, place[0], up, run.letters, font, 0.0)
@@ -179,7 +182,7 @@ class _Painter:
     def _gc(self, colour: str, line: float) -> Any:  # noqa: ANN401  # matplotlib's graphics context
         gc = self.renderer.new_gc()
         gc.set_foreground(colour)
-        gc.set_linewidth(line * self.scale)
+        gc.set_linewidth(line)  # in points, which the renderer scales
         gc.set_antialiased(True)
         gc.set_snap(False)
         return gc

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from nmatrix.canvas.glyphs import BADGE_RADIUS, Verdict, badge, hatch, ring
-from nmatrix.canvas.marks import Box, Canvas
+from nmatrix.canvas.marks import Box, Canvas, Point
 from nmatrix.canvas.text import LEADING, fitting, plain, width
 from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import Theme
@@ -140,20 +140,30 @@ class Slide:
             self.heading(one.stage.x, one.stage.y - 16, column)
         return found
 
+    def captioned(self, panel: Panel, caption: str) -> Panel:
+        """Write the caption of a panel that was laid without one."""
+        self.caption(panel.stage, caption)
+        return self._instead(panel, replace(panel, caption=caption))
+
+    def _instead(self, panel: Panel, other: Panel) -> Panel:
+        self.panels = [other if one is panel else one for one in self.panels]
+        return other
+
     def _cell(self, stage: Box, heading: str, verdict: Verdict | None) -> Panel:
         """Lay the stage of a panel whose heading stands at its row and its column."""
-        found = replace(self.panel(stage), heading=heading, verdict=verdict)
-        self.panels[-1] = found
-        return found
+        laid = self.panel(stage)
+        return self._instead(laid, replace(laid, heading=heading, verdict=verdict))
 
-    def no_answer(self, panel: Panel, reason: str, size: int = HEADING) -> None:
+    def no_answer(
+        self, panel: Panel, reason: str, size: int = HEADING, place: Point | None = None
+    ) -> None:
         """Hatch a stage on which there is nothing to draw, and write the reason in it."""
+        self.canvas.polygon(panel.stage.corners, fill=self.palette.stage)
         hatch(self.canvas, panel.stage.corners, 16.0, self.palette.rule, 2.4)
-        (x, y), halo = panel.stage.middle, self.palette.stage
+        (x, y), halo = place or panel.stage.middle, self.palette.stage
         colour = self.palette.wrong if panel.verdict is Verdict.WRONG else self.palette.ink
-        self.canvas.text(
-            (x, y + 0.36 * size), reason, size, colour, bold=True, align=0.5, halo=halo
-        )
+        y += 0.36 * size
+        self.canvas.text((x, y), reason, size, colour, bold=True, align=0.5, halo=halo)
 
     def heading(
         self, x: float, y: float, text: str, verdict: Verdict | None = None, *, size: int = HEADING
@@ -188,10 +198,12 @@ class Slide:
         assert lines <= y + 24 * LEADING + 1e-6, text  # one line
 
     def compare(self, left: Panel, right: Panel, *, same: bool) -> None:
-        """Draw = or ≠ between two panels."""
+        """Draw = or ≠ between two panels, beside the heading if one stands above the other."""
         if same:
             self.same.append((left, right))
         x = (left.stage.right + right.stage.x) / 2
+        if left.stage.x == right.stage.x:
+            x = left.stage.right - 2 * BADGE_RADIUS
         y = (left.stage.middle[1] + right.stage.middle[1]) / 2
         ring(self.canvas, (x, y), same=same)
 

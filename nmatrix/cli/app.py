@@ -7,6 +7,7 @@ import sys
 import warnings
 from collections.abc import Sequence
 from importlib import import_module
+from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -19,7 +20,7 @@ from nmatrix.cli.command import (
     examples_and_notes,
     with_flat_options,
 )
-from nmatrix.cli.show import fail, put
+from nmatrix.cli.show import ColorWhen, fail, put
 from nmatrix.errors import IllegalValueError, NMatrixError, did_you_mean
 from nmatrix.version import __version__
 
@@ -144,6 +145,7 @@ def _overview(
 
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; if it fails, one line on stderr and an exit code."""
+    when = _colours_asked_for(arguments)
     if "NMATRIX_DEBUG" not in os.environ:
         warnings.simplefilter("ignore")
     try:
@@ -153,11 +155,11 @@ def run(arguments: Sequence[str]) -> int:
     except NMatrixError as error:
         from nmatrix.cli.shared_options import option_name
 
-        return fail(error.spelled(option_name), error.exit_code)
+        return fail(error.spelled(option_name), error.exit_code, when)
     except TyperException as error:
-        return _usage(error)
+        return _usage(error, when)
     except (KeyboardInterrupt, typer.Abort):
-        return fail("interrupted", INTERRUPTED)
+        return fail("interrupted", INTERRUPTED, when)
     except Exception as error:  # the last line of defence against a traceback
         if "NMATRIX_DEBUG" in os.environ:
             raise
@@ -165,14 +167,22 @@ def run(arguments: Sequence[str]) -> int:
             f"a defect of nmatrix ({type(error).__name__}: {error}): it should not happen; "
             "set NMATRIX_DEBUG=1 to see where",
             DEFECT,
+            when,
         )
     return code if isinstance(code, int) else 0
 
 
-def _usage(error: TyperException) -> int:
+def _colours_asked_for(arguments: Sequence[str]) -> ColorWhen:
+    """Look whether colours are unwanted, in words that may be wrong elsewhere."""
+    is_never = ("--color", "never") in pairwise(arguments) or "--color=never" in arguments
+    return ColorWhen.NEVER if is_never else ColorWhen.AUTO
+
+
+def _usage(error: TyperException, when: ColorWhen) -> int:
     """Show a refusal of the argument parser; without arguments, the help."""
     if type(error).__name__ == "NoArgsIsHelpError":
         put(f"{error.format_message()}\n")
         return error.exit_code
     message = error.format_message().rstrip(".")
-    return fail(f"arguments: {message[:1].lower()}{message[1:]}; see --help", error.exit_code)
+    told = f"arguments: {message[:1].lower()}{message[1:]}; see --help"
+    return fail(told, error.exit_code, when)

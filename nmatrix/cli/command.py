@@ -21,6 +21,7 @@ from typer.core import TyperArgument, TyperCommand, TyperOption
 
 from nmatrix.cli.show import put
 from nmatrix.errors import IllegalValueError, did_you_mean
+from nmatrix.output.style import BLUE, GREY, ORANGE
 
 if TYPE_CHECKING:
     from typer._click import Context, HelpFormatter
@@ -34,6 +35,17 @@ _SEPARATOR = re.compile(r"[\s,]")
 EXPRESSION = "EXPRESSION"  # the metavar of an argument that may begin with any minus
 # Two minus signs before a word of small letters are an option with a slip, not an expression.
 _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(?:=.*)?\Z", re.DOTALL)
+# Typer's own colours of help cannot be read on white.
+HELP_STYLES = {
+    "STYLE_OPTION": f"bold color({BLUE})",
+    "STYLE_SWITCH": f"bold color({BLUE})",
+    "STYLE_TYPES": f"color({GREY})",
+    "STYLE_USAGE": "bold",
+    "STYLE_HELPTEXT": "",
+    "STYLE_OPTION_DEFAULT": f"color({GREY})",
+    "STYLE_REQUIRED_SHORT": f"color({ORANGE})",
+    "STYLE_REQUIRED_LONG": f"color({ORANGE})",
+}
 
 
 def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
@@ -127,7 +139,11 @@ class GatheringCommand(TyperCommand):
 
     def format_help(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the examples, then the usage, the sentence and the options."""
+        from typer import rich_utils
+
         put("".join(f"  {example}\n" for example in self.examples))
+        for name, style in HELP_STYLES.items():
+            setattr(rich_utils, name, style)
         super().format_help(ctx, formatter)
 
 

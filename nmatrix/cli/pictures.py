@@ -11,7 +11,7 @@ from typer import Option
 
 from nmatrix.cli.shared_options import whole_number
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading, Theme
+from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading, Shown, Theme
 from nmatrix.reading.numbers import number, numbers
 
 if TYPE_CHECKING:
@@ -21,6 +21,12 @@ if TYPE_CHECKING:
 in_picture = partial(Option, rich_help_panel="Picture")
 in_frames = partial(Option, rich_help_panel="Frames")
 MOST_FRAMES = 10_000
+
+
+def _complete_shown(incomplete: str) -> list[str]:
+    """Complete the last of the words between commas."""
+    before, comma, word = incomplete.rpartition(",")
+    return [f"{before}{comma}{one}" for one in Shown if one.startswith(word)]
 
 
 @dataclass(frozen=True)
@@ -37,15 +43,24 @@ class PictureOptions:
         str | None, in_picture(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
     ] = None
     theme: Annotated[
-        Theme, in_picture(help="Colours of proofs: a page, a dark slide, grey paper.")
+        Theme, in_picture(help="Colours of proofs and marks: a page, a dark slide, grey paper.")
     ] = Theme.LIGHT
     effects: Annotated[Effort, in_picture(help="What the scene calls for, or everything.")] = (
         Effort.PLANNED
     )
 
+    show: Annotated[
+        str | None,
+        in_picture(
+            metavar="WORDS",
+            help=f"Marks over a scene or mesh, with commas: {', '.join(Shown)}.",
+            autocompletion=_complete_shown,
+        ),
+    ] = None
+
     def choices(self, space: Space | None = None) -> PictureChoices:
         """Read what was chosen of a picture, its shading space beside it."""
-        from nmatrix.answers.render import PictureChoices
+        from nmatrix.answers.render import PictureChoices, shown_named
 
         return PictureChoices(
             size=None if self.size is None else numbers(self.size, 2, "--size"),
@@ -56,6 +71,7 @@ class PictureOptions:
             samples=None if self.samples is None else number(self.samples, "--samples"),
             effort=self.effects,
             theme=self.theme,
+            shown=frozenset() if self.show is None else shown_named(self.show),
         )
 
 

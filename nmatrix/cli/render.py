@@ -13,7 +13,8 @@ from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, fram
 from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
-from nmatrix.enums import PixelFormat
+from nmatrix.enums import Format, PixelFormat
+from nmatrix.errors import IllegalValueError
 from nmatrix.output.files import PICTURES, SLIDES, kind_of, refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS
 
@@ -62,6 +63,12 @@ def _write(
     usual = PixelFormat.GIF if frames.count > 1 else PixelFormat.PNG
     target = Path(file.output or f"{frame.name}.{usual}")
     is_stdout = str(target) == "-"
+    if file.preview and (is_stdout or common.format is not Format.TEXT):
+        raise IllegalValueError(
+            "--preview",
+            f"it would stand within the {'picture' if is_stdout else common.format} on stdout",
+            "leave it out, or let the picture go to a file and the numbers be text",
+        )
     kind = usual if is_stdout else kind_of(target, SLIDES if frame.is_slide else PICTURES)
     names = frame_names(target, frames.count, kind)
     refuse_existing(names, force=file.force)
@@ -78,7 +85,7 @@ def _write(
 
     show(answer(proofs[0], _named(names), milliseconds), common)
     if file.preview:
-        show_picture(proofs[0].image, common)
+        show_picture(proofs[0], common)
 
 
 def _frame(
@@ -136,10 +143,10 @@ def _scene(
     """
     from nmatrix.answers.render import scene_frame, scene_lights
 
+    choices = picture.choices(groups.space.chosen())
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
     read, one = groups.scene.scene, groups.scene.chosen_object
     assert read is not None and one is not None  # a file was named
-    choices = picture.choices(groups.space.chosen())
     setup = groups.setup(common, aspect=choices.aspect(read.settings))
     moved = one
     if groups.world.given:

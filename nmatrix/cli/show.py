@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 import os
+import struct
 import sys
 from collections.abc import Iterable, Iterator
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TextIO, TypeVar
 
 from nmatrix.enums import Format
 from nmatrix.output.write import Charset, Colour, OutputOptions, write
 from nmatrix.report import Report
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from nmatrix.cli.shared_options import CommonOptions
-
-    Array = NDArray[Any]
+    from nmatrix.output.terminal import Screen
+    from nmatrix.raster.proofs.proof import Proof
 
 Item = TypeVar("Item")
 
 LONGEST_LINE = 600
 WIDTH = 80
+ENDLESS = 1_000_000  # lines of a page that is no terminal
 BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
 
 
@@ -70,12 +70,14 @@ def put_bytes(content: bytes) -> None:
         _forget(sys.stdout.fileno())
 
 
-def show_picture(image: Array, common: CommonOptions) -> None:
-    """Show an 8-bit image in the terminal, in its colours where those may be written."""
-    from nmatrix.output.preview import preview
+def show_picture(proof: Proof, common: CommonOptions) -> None:
+    """Show a picture in the terminal, in its colours where those may be written."""
+    from nmatrix.canvas.slide import Slide
+    from nmatrix.output.preview import parts_of, preview
 
-    in_colour = _colour(common) is Colour.ANSI and _charset() is Charset.UNICODE
-    put(preview(image, _width(), in_colour=in_colour))
+    slide = proof.picture
+    parts = parts_of(slide, proof.image) if isinstance(slide, Slide) else ()
+    put(preview(proof.image, parts, _screen(common)))
 
 
 def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
@@ -89,14 +91,21 @@ def progress(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
     yield from track(items, what, total, console=Console(stderr=True), transient=True)
 
 
-def fail(message: str, exit_code: int) -> int:
-    """Write one line to stderr, whatever the message holds, and return the exit code."""
+def fail(message: str, exit_code: int, when: ColorWhen = ColorWhen.AUTO) -> int:
+    """Write one line to stderr, whatever the message holds, and return the exit code.
+
+    Scripts look for its first word, so only a terminal sees that in colour.
+    """
+    from nmatrix.output.style import Span, Style, render
+
+    colour = _colour_of(sys.stderr, when) if sys.stderr.isatty() else Colour.PLAIN
+    head = render((Span("error:", Style.WRONG),), colour)
     line = "".join(_printable(character) for character in message)
     if len(line) > LONGEST_LINE:
         line = f"{line[: LONGEST_LINE - 1]}…"
     encoding = sys.stderr.encoding or "utf-8"
     try:
-        sys.stderr.write(f"error: {line}\n".encode(encoding, "replace").decode(encoding))
+        sys.stderr.write(f"{head} {line}\n".encode(encoding, "replace").decode(encoding))
         sys.stderr.flush()
     except BrokenPipeError:
         _forget(sys.stderr.fileno())
@@ -128,11 +137,53 @@ def _width() -> int:
     return max(40, min(WIDTH, os.get_terminal_size(sys.stdout.fileno()).columns))
 
 
+def _screen(common: CommonOptions) -> Screen:
+    """Look what can be drawn on; what is no terminal gets no pictures, and has no last line."""
+    from nmatrix.output.terminal import CELL, Drawing, Screen, abilities
+
+    in_colour, charset = _colour(common) is Colour.ANSI, _charset()
+    blocks = Drawing.HALF_BLOCKS if charset is Charset.UNICODE else Drawing.CHARACTERS
+    if not sys.stdout.isatty():
+        drawing = blocks if in_colour else Drawing.CHARACTERS
+        return Screen(WIDTH, ENDLESS, drawing, charset=charset)
+    drawing, colours = abilities(os.environ)
+    if not in_colour:
+        drawing = Drawing.CHARACTERS
+    elif not drawing.has_pixels:
+        drawing = blocks
+    size = os.get_terminal_size(sys.stdout.fileno())
+    cell = _cell() or CELL
+    return Screen(max(size.columns, 1), max(size.lines, 1), drawing, colours, cell, charset)
+
+
+def _cell() -> tuple[int, int] | None:
+    """Read how many pixels a character has, where the system knows it."""
+    try:
+        import fcntl
+        import termios
+    except ImportError:  # Windows
+        return None
+    try:
+        told = fcntl.ioctl(sys.stdout.fileno(), termios.TIOCGWINSZ, bytes(8))
+    except OSError:
+        return None
+    lines, columns, width, height = struct.unpack("HHHH", told)
+    if not (lines and columns and width >= columns and height >= lines):
+        return None
+    return width // columns, height // lines
+
+
 def _colour(common: CommonOptions) -> Colour:
-    if common.format is not Format.TEXT or common.color is ColorWhen.NEVER:
+    if common.format is not Format.TEXT:
         return Colour.PLAIN
-    if common.color is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
+    return _colour_of(sys.stdout, common.color)
+
+
+def _colour_of(stream: TextIO, when: ColorWhen) -> Colour:
+    if when is ColorWhen.NEVER:
+        return Colour.PLAIN
+    if when is ColorWhen.ALWAYS or os.environ.get("FORCE_COLOR"):
         return Colour.ANSI
     if os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
         return Colour.PLAIN
-    return Colour.ANSI if sys.stdout.isatty() else Colour.PLAIN
+    return Colour.ANSI if stream.isatty() else Colour.PLAIN

@@ -1,6 +1,8 @@
 """What a terminal can show: text in styled pieces, few colours, and ASCII where it knows no more.
 
-A line is a tuple of spans; its width is counted before any colour goes in.
+A line is a tuple of spans; its width is counted before any colour goes in. Colours are of the fixed
+part of the 256: the first sixteen are each theme's own, and some of them cannot be read on its own
+background. Those chosen here stand out from black and from white alike.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ from enum import StrEnum
 from nmatrix.output.write import Charset, Colour
 
 RESET = "\x1b[0m"
+GREY, ROSE, OLIVE, BLUE, GREEN, ORANGE = 244, 197, 64, 33, 29, 166  # of the 256 colours
 
 
 class Style(StrEnum):
@@ -19,12 +22,12 @@ class Style(StrEnum):
 
     PLAIN = ""
     TITLE = "\x1b[1m"
-    DIM = "\x1b[2m"
-    X = "\x1b[31m"
-    Y = "\x1b[32m"
-    Z = "\x1b[34m"
-    GOOD = "\x1b[1;32m"
-    BAD = "\x1b[1;31m"
+    DIM = f"\x1b[38;5;{GREY}m"
+    X = f"\x1b[38;5;{ROSE}m"
+    Y = f"\x1b[38;5;{OLIVE}m"
+    Z = f"\x1b[38;5;{BLUE}m"
+    RIGHT = f"\x1b[1;38;5;{GREEN}m"
+    WRONG = f"\x1b[1;38;5;{ORANGE}m"
 
 
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")  # a whole exponent
@@ -87,6 +90,8 @@ _ASCII = str.maketrans(
     }
 )
 AXES = {"x": Style.X, "y": Style.Y, "z": Style.Z}
+MARKS = {"✓": Style.RIGHT, "✗": Style.WRONG}
+_MARK = re.compile(f"([{''.join(MARKS)}])")
 
 
 @dataclass(frozen=True)
@@ -101,8 +106,15 @@ Line = tuple[Span, ...]
 
 
 def plain(text: str) -> Line:
-    """Make a line of ordinary text."""
-    return (Span(text),)
+    """Make a line of ordinary text, in which only ✓ and ✗ have a colour.
+
+    Examples
+    --------
+    >>> [span.style.name for span in plain("✗ A n")]
+    ['WRONG', 'PLAIN']
+    """
+    pieces = _MARK.split(text) if not text.isascii() else [text]
+    return tuple(Span(piece, MARKS.get(piece, Style.PLAIN)) for piece in pieces if piece)
 
 
 def width(line: Line) -> int:

@@ -31,6 +31,7 @@ from nmatrix.report import (
     Table,
     Task,
     Text,
+    Tone,
     Verdict,
 )
 
@@ -40,6 +41,7 @@ _PLACE_IN_A_LIST = re.compile(r"^.*\.\d+\.")  # of a key such as spaces.0.space_
 LABEL = 30  # the widest label that others are lined up with
 BULLETS = {Charset.UNICODE: "•", Charset.ASCII: "*"}
 RULES = {Charset.UNICODE: "─", Charset.ASCII: "-"}
+TONES = {Tone.NEUTRAL: Style.TITLE, Tone.RIGHT: Style.RIGHT, Tone.WRONG: Style.WRONG}
 MARKS = {
     (Charset.UNICODE, True): "✓",
     (Charset.UNICODE, False): "✗ not proved:",
@@ -99,8 +101,8 @@ class _Writer:
                 lines = self._heading(text)
             case Text(text):
                 lines = self._lines(text)
-            case Verdict(text):
-                lines = self._lines(text, Style.TITLE)
+            case Verdict(text, tone):
+                lines = self._lines(text, TONES[tone])
             case Quantity():
                 lines = self._matrix(block)
             case Table():
@@ -134,7 +136,10 @@ class _Writer:
         return [piece for line in lines for piece in wrap(line, room) or [""]]
 
     def _lines(self, text: str, style: Style = Style.PLAIN) -> list[Line]:
-        return [(Span(line, style),) for line in self._wrapped(text, 0)]
+        wrapped = self._wrapped(text, 0)
+        if style is Style.PLAIN:
+            return list(map(plain, wrapped))
+        return [(Span(line, style),) for line in wrapped]
 
     def _heading(self, text: str) -> list[Line]:
         lines = self._lines(text, Style.TITLE)
@@ -207,7 +212,7 @@ class _Writer:
 
     def _step(self, block: Step) -> list[Line]:
         mark = MARKS[self.options.charset, block.verified]
-        style = Style.GOOD if block.verified else Style.BAD
+        style = Style.RIGHT if block.verified else Style.WRONG
         lines = self._formula(block.formula) or [()]
         reason = self._wrapped(block.because, 6 + len(mark))
         first = (Span("    "), Span(mark, style), Span(" " + (reason[0] if reason else "")))
@@ -219,5 +224,4 @@ class _Writer:
         return self._titled(block.title, [plain(line) for line in text.splitlines()])
 
     def _figure(self, block: Figure) -> list[Line]:
-        named = f"{block.caption}: {block.path}" if block.caption else block.path
-        return [*self._lines(named), *self._lines(block.alternative)]
+        return self._lines(f"{block.caption}: {block.path}" if block.caption else block.path)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from nmatrix.errors import CheckFailedError, IllegalValueError, did_you_mean, quantity
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Block, Heading, Report, Table, Text, Value, Verdict
+from nmatrix.report import Block, Heading, Report, Table, Text, Tone, Value, Verdict
 from nmatrix.studies.hardcases import (
     affine,
     coverage,
@@ -139,7 +139,8 @@ def _overview(tally: Tally) -> tuple[Block, ...]:
     table = Table(("case", "what is hard", "nmatrix", "who fails"), rows[:SHOWN])
     rest = len(rows) - SHOWN
     more = (Text(f"… and {rest} more; -f json has them."),) if rest > 0 else ()
-    return Heading("Hard cases"), Verdict(" ".join(summary)), table, *more
+    tone = Tone.WRONG if tally.failed else Tone.RIGHT
+    return Heading("Hard cases"), Verdict(" ".join(summary), tone), table, *more
 
 
 def _own(results: Sequence[Result]) -> str:

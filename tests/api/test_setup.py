@@ -169,6 +169,20 @@ def test_a_picture_of_a_file_is_the_command_lines(tmp_path: Path, nmatrix) -> No
         picture.save(tmp_path / "again.png")
 
 
+def test_marks_are_those_of_the_command_line(tmp_path: Path, nmatrix) -> None:
+    import nmatrix as package
+
+    target = tmp_path / "hierarchy.png"
+    nmatrix(f"render {SCENE} --size 48 36 --samples 1 --show axes,bounds --theme dark -o {target}")
+    for words in ("axes,bounds", ["bounds", "axes"]):
+        picture = package.render(SCENE, size=(48, 36), samples=1, show=words, theme="dark")
+        assert picture.png == target.read_bytes()
+    with pytest.raises(package.IllegalValueError, match=r"show \(axis\).*did you mean axes"):
+        package.render(SCENE, show="axis")
+    with pytest.raises(package.IllegalValueError, match="a proof has the marks"):
+        package.render("normals", show="axes")
+
+
 def test_a_proof_draws_the_setup_that_it_is_given(tmp_path: Path, nmatrix) -> None:
     import nmatrix as package
 

@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 from nmatrix.cli.app import run
-from nmatrix.enums import PixelFormat, Space
+from nmatrix.enums import PixelFormat, Shown, Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.output import files
 from nmatrix.output.files import PICTURES
@@ -229,9 +229,29 @@ def test_the_list_names_every_proof(nmatrix) -> None:
 
 
 def test_a_preview_is_drawn_in_characters(nmatrix) -> None:
-    found = nmatrix(f"render normals {SMALL} --preview")
+    found = nmatrix("render normals --size 320 180 --preview")
     assert max(map(len, found.out.splitlines())) <= 80
     assert ":::::" in found.out
+    assert "✗ A n" in found.out
+
+
+@pytest.mark.parametrize("beside", ["-f json", "-f markdown", "-o -"])
+def test_a_preview_does_not_stand_within_what_a_program_reads(nmatrix, beside: str) -> None:
+    found = nmatrix(f"render normals {SMALL} --preview {beside}")
+    assert found.code == 2
+    assert found.is_one_line
+    assert "--preview" in found.err
+    assert not list(Path().iterdir())
+
+
+def test_a_proof_says_its_claim_first_and_nothing_that_was_not_measured(nmatrix) -> None:
+    found = nmatrix(f"render normals {SMALL}").out.splitlines()
+    data = nmatrix(f"render normals {SMALL} --force -f json").data
+    assert found[0].startswith("Stretch a shape by A")
+    assert found[3] == "With A itself the normals are up to 36.87° off."
+    assert found[-1] == "normals.png"
+    assert not [line for line in found if "none" in line or "camera" in line]
+    assert {"triangles", "fragments", "image"} <= set(data)
 
 
 def test_a_picture_can_go_to_stdout(capfdbinary, tmp_path: Path) -> None:
@@ -259,6 +279,27 @@ def test_the_schema_is_json(nmatrix) -> None:
     assert "$defs" in json.loads(nmatrix("plan --schema").out)
 
 
+@pytest.mark.parametrize("ending", PICTURES)
+def test_marks_are_drawn_in_every_kind_of_picture(nmatrix, scene: str, ending: str) -> None:
+    line = f"render {scene} {SMALL} --theme dark"
+    every = ",".join(Shown)
+    assert nmatrix(f"{line} -o plain{ending}").code == 0
+    found = nmatrix(f"{line} --show {every} -o marked{ending} -f json")
+    assert found.code == 0
+    plain, marked = (
+        np.asarray(Image.open(f"{one}{ending}").convert("RGB")) for one in ("plain", "marked")
+    )
+    assert plain.shape == marked.shape
+    assert (plain != marked).any()
+
+
+def test_marks_ride_along_in_frames_and_processes(nmatrix, scene: str) -> None:
+    line = f"render {scene} {SMALL} --show axes,normals --frames 2 --turn"
+    assert nmatrix(f"{line} -o one.gif").code == 0
+    assert nmatrix(f"{line} -o two.gif --workers 2").code == 0
+    assert Path("one.gif").read_bytes() == Path("two.gif").read_bytes()
+
+
 MISUSE = [
     ("render nothing", 2, "--list"),
     ("render no.toml", 2, "no.toml"),
@@ -272,6 +313,10 @@ MISUSE = [
     ("render -o no/such/folder/x.png", 2, "folder"),
     ("render normals --mesh no.obj", 2, "no.obj"),
     ("render normals --scale 1e200 1 1", 3, "1e+100"),
+    ("render normals --show normals", 2, "a proof has the marks that it needs"),
+    ("render a.obj --show normls", 2, "did you mean normals"),
+    ("render a.obj --show normals,,axes", 2, "--show ()"),
+    ("render a.obj --show everything", 2, ", ".join(Shown)),
     ("plan", 2, "scene"),
 ]
 

@@ -25,6 +25,7 @@ from nmatrix.raster.overlay.mesh_lines import creases, isoline, seen, silhouette
 from nmatrix.raster.overlay.tacks import SILHOUETTE, Tack
 from nmatrix.raster.shading.normals import unit
 from nmatrix.raster.triangles.picture import DepthMap
+from nmatrix.report import Number
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 
@@ -38,9 +39,8 @@ EDGE_DASHES, DASHES = 4.0, (12.0, 8.0)  # the edge of the light
 AXIS, LEAST_AXIS, LETTER = 4.2, 12.0, 22.0  # of an axis: its width, its least length, its letter
 DOTS = (5.0, 5.0)  # of the line to the ground
 RIM, EDGE_ON = 2.6, 5.0  # the edge of a tack's disc, and of one that is a tangent from here
-ZERO_DISC, ZERO = 0.15, 26  # the disc of a normal that is zero, and the size of its 0
+ZERO_DISC, ZERO = 0.17, 22  # the disc of a normal that is zero, and the size of its 0
 LOST = 4.0  # the outline of what is not there
-
 ARROW_STEPS = 121  # at which an arrow of the world is looked for
 MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
@@ -83,12 +83,12 @@ class Stage:
         y = box.y + (1 - space.y_sign * ndc[:, 1]) / 2 * box.height
         return np.stack([x, y, depth], axis=1)
 
-    def place(self, point: Sequence[float] | Array) -> Point | None:
+    def place(self, point: Sequence[Number] | Array) -> Point | None:
         """Return where a point of the world is on the canvas; None if the eye cannot see there."""
         x, y, _ = self.window(np.array([point], float))[0]
         return (float(x), float(y)) if np.isfinite(x) else None
 
-    def direction(self, direction: Sequence[float] | Array) -> Point:
+    def direction(self, direction: Sequence[Number] | Array) -> Point:
         """Return a direction of the world as the eye sees it, on the canvas, up to its length."""
         camera = np.array(to_floats(self.loaded.camera_from_world.exact))[:3, :3]
         x, y, _ = camera @ np.asarray(direction, float)
@@ -115,21 +115,25 @@ class Stage:
         """Return a mask of the points (n, 3) of the world that no surface hides."""
         window = self.window(points)
         found = np.isfinite(window).all(axis=1)
-        found[found] = seen(self._pixels(window[found]), self.depth.farthest)
+        found[found] = seen(self.pixels(window[found]), self.depth.farthest)
         return np.asarray(found)
 
     def covers(self, points: Array) -> Array:
         """Return a mask of the points (n, 3) of the world behind or before which a surface is."""
-        x, y, _ = np.nan_to_num(self._pixels(self.window(points)), nan=-1.0).T
+        x, y, _ = np.nan_to_num(self.pixels(self.window(points)), nan=-1.0).T
         height, width = self.depth.farthest.shape
         inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
         column, row = x.astype(int).clip(0, width - 1), y.astype(int).clip(0, height - 1)
         return np.asarray(inside & np.isfinite(self.depth.farthest[row, column]))
 
-    def _pixels(self, window: Array) -> Array:
+    def pixels(self, window: Array) -> Array:
         """Return points of the canvas in pixels of the picture."""
         k = self.canvas.scale
         return np.asarray((window - [self.box.x, self.box.y, 0]) * [k, k, 1])
+
+    def from_pixels(self, points: Array) -> Array:
+        """Return pixels x and y (…, 2) of the picture on the canvas."""
+        return np.asarray(points / self.canvas.scale + [self.box.x, self.box.y])
 
     def outline(self, *, sharp: bool = True) -> None:
         """Draw the outline of all that is covered in ink, and the visible edges inside it."""
@@ -168,8 +172,8 @@ class Stage:
         window = self.window(points)
         if not np.isfinite(window).all():
             return
-        for piece in visible_pieces(self._pixels(window), self.depth.farthest):
-            line = piece[:, :2] / self.canvas.scale + [self.box.x, self.box.y]
+        for piece in visible_pieces(self.pixels(window), self.depth.farthest):
+            line = self.from_pixels(piece[:, :2])
             if halo is not None:
                 self.canvas.stroke(line, width + 2.4, halo)
             self.canvas.stroke(line, width, colour, dash=dash)
@@ -188,21 +192,39 @@ class Stage:
             else:
                 glyphs.line(self.canvas, ((x, y), (u, v)), ink, shaft)
 
-    def light_edge(self, body: Body, cosines: Array) -> None:
-        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0."""
+    @property
+    def is_empty(self) -> bool:
+        """True if nothing of the scene is seen."""
+        return not self.drawn.rendered.work.fragments
+
+    def light_edge(self, body: Body, cosines: Array) -> bool:
+        """Draw where the light ends on a body: where the cosines (V,) at its vertices are 0.
+
+        Tells whether any of it is seen.
+        """
+        before = len(self.canvas.marks)
         palette = self.canvas.palette
         for points in isoline(body.positions_world, body.mesh.triangles, cosines):
             self.surface_line(points, EDGE_DASHES, palette.bright, dash=DASHES, halo=palette.dim)
+        return len(self.canvas.marks) > before
 
     def lights(self) -> None:
-        """Draw every light: one at infinity in the corner that it comes from, others in place."""
+        """Draw every light: one at infinity in the corner that it comes from, others in place.
+
+        One whose place is not in the picture is drawn as it shines from there on the bodies.
+        """
         for placed in self.loaded.lights:
             if placed.position is not None:
-                self.lamp([float(one) for one in placed.position])
+                position = [float(one) for one in placed.position]
+                if self._holds(self.place(position)):
+                    self.lamp(position)
+                elif self.loaded.bodies:
+                    middle = np.mean([one.centre for one in self.loaded.bodies], axis=0)
+                    self.sun((middle - position).tolist())
             elif placed.direction is not None:
                 self.sun([float(one) for one in placed.direction])
 
-    def sun(self, direction: Sequence[float], *, lost: bool = False) -> None:
+    def sun(self, direction: Sequence[Number], *, lost: bool = False) -> None:
         """Draw a light at infinity in the corner it comes from, its arrows as they are seen.
 
         One that is lost is drawn nearer to the middle, so that it covers no other.
@@ -212,7 +234,7 @@ class Stage:
             y += 2 * CORNER if y < self.box.middle[1] else -2 * CORNER
         glyphs.sun(self.canvas, (x, y), self.direction(direction), lost=lost)
 
-    def _corner_of_sun(self, direction: Sequence[float]) -> Point:
+    def _corner_of_sun(self, direction: Sequence[Number]) -> Point:
         towards = self.direction(direction)
         x = self.box.x + CORNER if towards[0] > 0 else self.box.right - CORNER
         y = self.box.bottom - CORNER if towards[1] < 0 else self.box.y + CORNER
@@ -229,10 +251,10 @@ class Stage:
         pairs = zip(inner.corners, self.box.inset(pad).corners, strict=True)
         return [corner for suns, corner in pairs if suns not in taken]
 
-    def lamp(self, point: Sequence[float], *, lost: bool = False, radius: float = 15.0) -> None:
-        """Draw a lamp at its place; one that the eye cannot see is left out."""
+    def lamp(self, point: Sequence[Number], *, lost: bool = False, radius: float = 15.0) -> None:
+        """Draw a lamp at its place; one that the picture does not reach is left out."""
         place = self.place(point)
-        if place is not None:
+        if place is not None and self.box.holds(place):
             glyphs.lamp(self.canvas, place, radius=radius, lost=lost)
 
     def axes(self, frame: Array) -> None:
@@ -271,9 +293,9 @@ class Stage:
         if a is not None and b is not None:
             glyphs.eye(self.canvas, a, (b[0] - a[0], b[1] - a[1]))
 
-    def above_ground(self, point: Sequence[float], ground: float) -> None:
+    def above_ground(self, point: Sequence[Number], ground: float) -> None:
         """Draw a dotted line from a point straight down to the ground, at a height y."""
-        x, y, z = point
+        x, y, z = map(float, point)
         window = self.window(np.array([[x, y, z], [x, ground, z]]))[:, :2]
         if np.isfinite(window).all():
             self.canvas.stroke(window, 2.4, self.canvas.palette.ink, dash=DOTS)
@@ -291,30 +313,45 @@ class Stage:
             self.canvas.stroke(line, width, ink.colour(self.canvas.palette), dash=dash, halo=1.6)
 
     def tacks(self, tacks: Sequence[Tack], ink: Ink, radius: float) -> None:
-        """Draw normals as tacks, the far ones first; `radius` is that of the body."""
-        far_first = sorted(tacks, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
-        for one in far_first:
-            self.disc(one.place, one.normal, DISC * radius)
-            a, b = self.place(one.place), self.place(one.place + ARROW * radius * one.arrow)
-            if a is not None and b is not None:
-                glyphs.arrow(self.canvas, a, b, ink)
+        """Draw normals as tacks, the far ones first; `radius` is that of the body.
 
-    def nothing(self, tack: Tack, radius: float) -> None:
-        """Draw the tack of a normal that is zero: a disc without an arrow, and a 0 on it."""
+        One that is zero is a disc without an arrow, with a 0 on it.
+        """
+        shown = [one for one in tacks if self._holds(self.place(one.place))]
+        far_first = sorted(shown, key=lambda one: -float(np.linalg.norm(one.place - self.eye)))
+        for one in far_first:
+            if not one.arrow.any():
+                self._nothing(one, radius)
+                continue
+            self.disc(one.place, one.normal, DISC * radius)
+            self.vector(one.place, ARROW * radius * one.arrow, ink)
+
+    def vector(self, place: Array, vector: Array, ink: Ink) -> None:
+        """Draw a vector of the world as an arrow from a place, whole, if its tip is on the stage."""
+        a, b = self.place(place), self.place(place + vector)
+        if a is not None and b is not None and self.box.holds(b):
+            glyphs.arrow(self.canvas, a, b, ink)
+
+    def _holds(self, place: Point | None) -> bool:
+        """True for a place on the stage: marks must not stand on its neighbours."""
+        return place is not None and self.box.holds(place)
+
+    def _nothing(self, tack: Tack, radius: float) -> None:
         self.disc(tack.place, tack.normal, ZERO_DISC * radius)
         place = self.place(tack.place)
         if place is not None:
             palette, at = self.canvas.palette, (place[0], place[1] + 0.36 * ZERO)
-            halo = palette.paper
-            self.canvas.text(at, "0", ZERO, palette.wrong, bold=True, align=0.5, halo=halo)
+            halo = palette.bright
+            self.canvas.text(at, "0", ZERO, palette.dim, bold=True, align=0.5, halo=halo)
 
     def disc(self, place: Array, normal: Array, radius: float) -> None:
         """Draw a white disc in the plane across a normal."""
         rim = self.window(rings_around(place[None], normal[None], radius)[0])
-        if np.isfinite(rim).all():
-            ink, towards = self.canvas.palette.ink, unit(self.eye - place)
-            width = EDGE_ON if abs(float(normal @ towards)) < SILHOUETTE * 2 else RIM
-            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=ink, width=width)
+        if all(self._holds((x, y)) for x, y, _ in rim):
+            palette, towards = self.canvas.palette, unit(self.eye - place)
+            is_edge_on = abs(float(normal @ towards)) < SILHOUETTE * 2
+            edge, width = (palette.ink, EDGE_ON) if is_edge_on else (palette.dim, RIM)
+            self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=edge, width=width)
 
     def _rims(self) -> list[Array]:
         """Return the lines on the canvas that part what is covered from what is not."""

@@ -162,11 +162,13 @@ class _AsNormals(Surface):
 class Run:
     """The normals of a mesh under a map in one precision, None for exact: time and largest error.
 
-    `worst_deg` is None where no normal is left.
+    `lost` counts those that came out zero although the map leaves a normal there; `worst_deg` is
+    None where there is none to compare.
     """
 
     precision: Precision | None
     milliseconds: float
+    lost: int
     worst_deg: float | None
 
     @property
@@ -175,18 +177,22 @@ class Run:
         return "exact" if self.precision is None else np.dtype(self.precision).name
 
     @property
-    def verdict(self) -> Verdict:
-        """Return whether it will do."""
+    def verdict(self) -> Verdict | None:
+        """Judge whether it will do; None where the map leaves nothing to compute."""
+        if self.worst_deg is None and not self.lost:
+            return None
         return Verdict.WRONG if self.is_seen else Verdict.RIGHT
 
     @property
     def is_seen(self) -> bool:
         """True if an error can be seen."""
-        return self.worst_deg is None or self.worst_deg >= SEEN_DEG
+        return self.lost > 0 or (self.worst_deg is not None and self.worst_deg >= SEEN_DEG)
 
     @property
     def number(self) -> str:
-        """Return the largest error in marked-up text."""
+        """Return the largest error as text, or how many are lost where that cannot be seen."""
+        if self.lost and (self.worst_deg or 0) < SEEN_DEG:
+            return f"{self.lost:,} lost"
         if self.worst_deg is None:
             return "no normal"
         digits = 1 if self.worst_deg < 1 else 2 if self.worst_deg < 100 else 3
@@ -196,10 +202,11 @@ class Run:
         """Tell what the number is of, and how many bits a number of this arithmetic has."""
         if self.precision is None:
             bits = max(abs(entry).bit_length() for row in linear_map.entries for entry in row)
-            return f"worst of {normals:,} normals;\nas many bits as it takes: {bits}"
-        return (
-            f"worst of {normals:,} normals;\n{np.finfo(self.precision).nmant + 1} bits in a number"
-        )
+            size = f"as many bits as it takes: {bits}"
+        else:
+            size = f"{np.finfo(self.precision).nmant + 1} bits in a number"
+        lost = f", {self.lost:,} lost" if self.lost else ""
+        return f"worst of {normals:,} normals{lost};\n{size}"
 
 
 def accuracy(settings: ProofSettings) -> Proof:
@@ -255,7 +262,8 @@ def _run(
     took = (settings.clock() - started) * 1000
     angles = cofactors.errors_deg(found, right)
     known = angles[np.isfinite(angles)]
-    return Run(precision, took, float(known.max()) if len(known) else None)
+    lost = int((right.any(axis=1) & ~found.any(axis=1)).sum())
+    return Run(precision, took, lost, float(known.max()) if len(known) else None)
 
 
 def _of_one_size(canvas: Canvas, places: Sequence[Box]) -> list[Box]:

@@ -14,8 +14,8 @@ from nmatrix.enums import Effect, NormalRule
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.plan import BodyPlan, Plan
-from nmatrix.raster.shading.normals import angles_deg, turned_towards, unit
-from nmatrix.raster.shading.space import as_array, column, quotient, world_normals
+from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
+from nmatrix.raster.shading.space import as_array, quotient
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing
 from nmatrix.raster.triangles.vertices import project
@@ -100,14 +100,6 @@ def _compared(
         points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
     )
     return Drawable(projected, outputs, colours, plan.body.material.opacity)
-
-
-def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
-    """Return a body's normals (3, V) in the world by a rule, turned to the eye if it is flat."""
-    normals = world_normals(loaded, body, rule)
-    if body.linear_map.rank == 3 or rule is not NormalRule.EXACT:
-        return normals
-    return turned_towards(normals, column(loaded.eye) - body.positions_world.T)
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ PROOFS: tuple[ProofEntry, ...] = (
     ProofEntry(
         "object-rule", "object_rule", "object space: Mᵀl, M⁻¹l and the exact rule; the light's edge"
     ),
-    ProofEntry("mirror", "hard_maps", "cofactors without the sign, the inverse transpose, winding"),
+    ProofEntry("mirror", "mirror", "cofactors without the sign, the inverse transpose, winding"),
     ProofEntry(
         "stuck-light",
         "stuck_light",
@@ -88,13 +88,13 @@ PROOFS: tuple[ProofEntry, ...] = (
     ),
     ProofEntry(
         "translation",
-        "hard_maps",
+        "translation",
         "w = 1 with M, and a normalise over four components",
         Turn(Turning.OBJECT, (0, 0, 1)),  # where it was moved to goes towards the light and away
     ),
     ProofEntry(
         "flatten",
-        "hard_maps",
+        "flatten",
         "scale 1 0 1: what an inverse, a zero matrix and the cofactors draw",
         Turn(Turning.LIGHT),  # the plane stays in sight, and its own normal answers
     ),

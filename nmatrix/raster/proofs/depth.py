@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from nmatrix.canvas.glyphs import DIAGRAM_SHAFT, Ink, Verdict, arrow, disc, line
 from nmatrix.canvas.marks import Box, Canvas, Point
-from nmatrix.canvas.slide import CAPTION, GUTTER, HEADING, NARROW_HEADING, Slide
+from nmatrix.canvas.slide import CAPTION, GUTTER, HEADING, NARROW_HEADING, Panel, Slide
+from nmatrix.canvas.text import LEADING
 from nmatrix.canvas.theme import Palette, channels
 from nmatrix.enums import DepthRange
-from nmatrix.raster.drawn_scene import drawn_scene
+from nmatrix.raster.drawn_scene import drawn_scene, level_difference
 from nmatrix.raster.image import png
 from nmatrix.raster.overlay.stage import Stage
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
@@ -101,14 +102,15 @@ def depth(settings: ProofSettings) -> Proof:
     slide = settings.slide("Float depth pays off only when it runs backwards: near = 1, far = 0")
     body = slide.body(BELOW)
     left = replace(body, width=PICTURES * body.width)
-    stages = [
+    fights = [
         _fight(slide, settings, place, (order, buffer), wrong[order, buffer])
         for row, order in zip(left.rows(2, ROWS_APART), RANGES, strict=True)
         for place, buffer in zip(row.columns(len(SHOWN), GUTTER), SHOWN, strict=True)
     ]
-    for i in range(0, len(stages), len(SHOWN)):  # standard floats step as 24 bits do
-        if (stages[i].drawn.levels == stages[i + 1].drawn.levels).all():
-            slide.compare(*slide.panels[i : i + 2], same=True)
+    (first, one), *others = fights
+    for panel, other in others[:-1]:
+        if not level_difference(one.drawn, other.drawn):
+            slide.compare(first, panel, same=True)
     x = left.right + AXIS_WIDE
     _plot(slide, Box(x, body.y, body.right - x, body.height - AXIS_HIGH))
     slide.footer(
@@ -121,7 +123,7 @@ def depth(settings: ProofSettings) -> Proof:
         slide,
         f"In float32 {standard:.1%} of the floor is wrong with standard depth, {reverse:.1%} with "
         "reversed depth: its steps are finest where perspective needs them.",
-        [one.drawn for one in stages],
+        [stage.drawn for _, stage in fights],
         numbers={
             f"wrong_{buffer.name.lower()}_{RANGES[order]}": share
             for (order, buffer), share in wrong.items()
@@ -144,7 +146,9 @@ def _is_white(scene: Scene) -> Array:
     return np.asarray(drawn.levels[:, :, 0] == 255)
 
 
-def _fight(slide: Slide, settings: ProofSettings, place: Box, key: Key, wrong: float) -> Stage:
+def _fight(
+    slide: Slide, settings: ProofSettings, place: Box, key: Key, wrong: float
+) -> tuple[Panel, Stage]:
     """Draw the floors in one buffer, and how much of the upper one is wrong."""
     order, buffer = key
     verdict = Verdict.WRONG if wrong else Verdict.RIGHT
@@ -158,7 +162,7 @@ def _fight(slide: Slide, settings: ProofSettings, place: Box, key: Key, wrong: f
     told = f"{100 * wrong:.2g} % wrong" if wrong else "none wrong"
     corner = box.right - 16, box.bottom - 18
     slide.canvas.text(corner, told, HEADING, bold=True, align=1.0, halo=palette.paper)
-    return stage
+    return panel, stage
 
 
 def _shown(palette: Palette) -> tuple[Material, Material]:
@@ -276,7 +280,8 @@ def _plot(slide: Slide, box: Box) -> None:
     ):
         x, y = plot.at(*place)
         for i, one in enumerate(words.split("\n")):
-            canvas.text((x, y + 30 * i), one, CAPTION, colour, bold=True)
+            line_at = x, y + LEADING * CAPTION * i
+            canvas.text(line_at, one, CAPTION, colour, bold=True, halo=palette.stage)
 
 
 def _grid(canvas: Canvas, plot: LogLog) -> None:

@@ -12,7 +12,8 @@ from nmatrix.canvas.glyphs import Verdict, hatch
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.slide import CAPTION, GUTTER, NARROW_HEADING, Panel, Slide
 from nmatrix.canvas.text import scientific
-from nmatrix.enums import Theme
+from nmatrix.canvas.theme import channels
+from nmatrix.enums import Effect, Theme
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_plan, level_difference
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.overlay.stage import Stage
@@ -20,6 +21,8 @@ from nmatrix.raster.planning.effects import RECIPES, of_effect, per_sample
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.showpiece import showpiece
+from nmatrix.raster.shading.outline import OF_HULLS
+from nmatrix.raster.shading.texture import from_srgb
 from nmatrix.report import Value
 
 PICTURES, BELOW = 0.70, 116.0  # of the width; units
@@ -67,23 +70,48 @@ class Both:
         lamps that are not computed at all cost all their effects.
         """
         found: Counter[str] = Counter()
-        kept = {
-            one.body.name: (one, samples)
-            for one, samples in zip(self.plan.plan.drawn, self.plan.rendered.shaded, strict=False)
-        }
-        for one, samples in zip(self.full.plan.drawn, self.full.rendered.shaded, strict=False):
-            lamps = len(one.lights)
-            if one.body.name not in kept:
-                found[UNSEEN] += samples * per_sample(one.effects, lamps)
+        kept = _shaded(self.plan)
+        for name, one in _shaded(self.full).items():
+            if name not in kept:
+                found[UNSEEN] += one.multiplications
                 continue
-            other, fewer = kept[one.body.name]
-            needed = len(other.lights)
-            everywhere = per_sample(one.effects, lamps)
-            found[ONCE] += (samples - fewer) * everywhere
-            found[FAR_LAMPS] += fewer * (everywhere - per_sample(one.effects, needed))
+            other = kept[name]
+            fewer = replace(one, samples=other.samples)
+            found[ONCE] += one.multiplications - fewer.multiplications
+            nearer = replace(fewer, lamps=other.lamps)
+            found[FAR_LAMPS] += fewer.multiplications - nearer.multiplications
             for effect in one.effects - other.effects:
-                found[RECIPES[effect].says] += fewer * of_effect(effect, needed)
+                found[RECIPES[effect].says] += other.samples * of_effect(effect, other.lamps)
         return [(words, count) for words, count in found.most_common() if count]
+
+
+@dataclass(frozen=True)
+class Shaded:
+    """The samples of a body or of its outline that were coloured, with what effects and lamps."""
+
+    effects: frozenset[Effect]
+    lamps: int
+    samples: int
+
+    @property
+    def multiplications(self) -> int:
+        """Return what they took."""
+        return self.samples * per_sample(self.effects, self.lamps)
+
+
+def _shaded(drawn: DrawnScene) -> dict[str, Shaded]:
+    """Return what was shaded of each body and, behind it, of each outline, by name."""
+    bodies = drawn.plan.drawn
+    parts = [(one.body.name, one.effects, len(one.lights)) for one in bodies]
+    parts += [
+        (f"the outline of {one.body.name}", one.effects & OF_HULLS, 0)
+        for one in bodies
+        if Effect.OUTLINE in one.effects
+    ]
+    return {
+        name: Shaded(effects, lamps, samples)
+        for (name, effects, lamps), samples in zip(parts, drawn.rendered.shaded, strict=True)
+    }
 
 
 def effects(settings: ProofSettings) -> Proof:
@@ -133,8 +161,11 @@ def _places(slide: Slide) -> tuple[Box, Box, Box]:
 
 def _drawn(settings: ProofSettings, stage: Box) -> Both:
     """Draw the scene both ways for a stage."""
-    size = settings.slide("").canvas.pixels_of(stage)
-    ready = loaded(showpiece(replace(settings.picture, size=size)))
+    slide = settings.slide("")
+    red, green, blue = from_srgb(np.array(channels(slide.palette.stage))).tolist()
+    size = slide.canvas.pixels_of(stage)
+    picture = replace(settings.picture, size=size, background=(red, green, blue))
+    ready = loaded(showpiece(picture))
     started = settings.clock()
     full = drawn_plan(everything(ready))
     between = settings.clock()

@@ -26,6 +26,7 @@ from nmatrix.raster.overlay.stage import Stage, radius_of, through
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import draw_on
 from nmatrix.raster.shading.space import as_array
+from nmatrix.report import Vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.fitting import enclosing
 from nmatrix.scene.geometry import ShapeGeometry
@@ -66,6 +67,7 @@ def flashlight(settings: ProofSettings) -> Proof:
     panels = slide.table(slide.body(BELOW), ROWS, PLACES, undecided=1)
     carried = _night(settings, panels[0][0].stage)
     (here,) = (one for one in loaded(carried).lights if one.light.fixed_to == EYE)
+    assert here.position is not None and here.direction is not None  # a spot light
     left = replace(here.light, fixed_to=WORLD, position=here.position, direction=here.direction)
     behind = replace(carried, lights=(left, *carried.lights[1:]))
     night = PRINTED_NIGHT if settings.theme is Theme.PRINT else NIGHT
@@ -104,27 +106,21 @@ def _night(settings: ProofSettings, box: Box) -> Scene:
     (x, middle, z), unit = body.centre.tolist(), radius_of(body)
     ground = float(body.box[0][1])
 
-    def thing(
-        name: str,
-        shape: Shape,
-        at: tuple[float, float, float],
-        scale: tuple[float, ...],
-        **own: Any,
-    ) -> SceneObject:
+    def thing(name: str, shape: Shape, at: Vector, scale: Vector) -> SceneObject:
         place = tuple(a + unit * b for a, b in zip((x, ground, z), at, strict=True))
         world = World(translate=place, scale=tuple(unit * side for side in scale))
-        return SceneObject(
-            name, ShapeGeometry(shape), world.world_from_object, settings.material(**own)
-        )
+        geometry = ShapeGeometry(shape)
+        return SceneObject(name, geometry, world.world_from_object, settings.material())
 
     (post_x, post_z), post = POST
     (ball_x, ball_z), ball = BALL
-    checkered = {"texture": CHECKER, "sides": Sides.BOTH, "diffuse": grey(0.95)}
+    floor = thing("floor", Shape.PLANE, (0, -1e-3, 0), (FLOOR, 1, FLOOR))
+    stone = settings.material(texture=CHECKER, sides=Sides.BOTH, diffuse=grey(0.95))
     objects = (
         one,
         thing("post", Shape.BOX, (post_x, post[1], post_z), post),
         thing("ball", Shape.SPHERE, (ball_x, ball, ball_z), (ball,) * 3),
-        thing("floor", Shape.PLANE, (0, -1e-3, 0), (FLOOR, 1, FLOOR), **checkered),
+        replace(floor, material=stone),
     )
     is_print = settings.theme is Theme.PRINT
     torch = SceneLight(
@@ -192,9 +188,10 @@ def _plan(slide: Slide, panel: Panel, scene: Scene, walk: Walk, lit_from: Sequen
     for i in lit_from:
         beam = _beam(walk, i)
         opacity = 0.75 if i == lit_from[-1] else 0.3
-        outline = stage.window(beam)[:, :2]
-        edge = {"edge": palette.ink, "width": glyphs.EDGE, "opacity": opacity}
-        canvas.polygon(outline, fill=palette.light, **edge)
+        outline = _inside(panel.stage, stage.window(beam)[:, :2])
+        canvas.polygon(
+            outline, fill=palette.light, edge=palette.ink, width=glyphs.EDGE, opacity=opacity
+        )
     stage.cut_out(palette.body)
     stage.path(walk.way(walk.turn), Ink.EYE)
     stage.lamp(walk.places[lit_from[-1]].tolist(), radius=11)
@@ -250,6 +247,14 @@ def _beam(walk: Walk, i: int) -> Array:
     return np.concatenate([place[None], rim])
 
 
+def _inside(box: Box, fan: Array) -> Array:
+    """Shorten a fan (n, 2), whose first point is its hub, until it stays inside a box."""
+    away = fan[1:] - fan[0]
+    room = np.where(away > 0, [box.right, box.bottom], [box.x, box.y]) - fan[0]
+    parts = np.divide(room, away, out=np.ones_like(away), where=np.abs(away) > 1e-9)
+    return np.concatenate([fan[:1], fan[0] + min(1.0, float(parts.min())) * away])
+
+
 def _walker(stage: Stage, place: Array, look: Array, number: str) -> None:
     """Draw an eye that looks along a direction, behind the light in its hand, and its number."""
     at = stage.place(place)
@@ -260,6 +265,6 @@ def _walker(stage: Stage, place: Array, look: Array, number: str) -> None:
     towards: Point = (x / size, y / size)
     back = at[0] - BACK * towards[0], at[1] - BACK * towards[1]
     glyphs.eye(stage.canvas, back, towards)
-    place = back[0] + ASIDE * towards[1], back[1] - ASIDE * towards[0] + 10
+    beside = back[0] + ASIDE * towards[1], back[1] - ASIDE * towards[0] + 10
     colour = stage.canvas.palette.eye
-    stage.canvas.text(place, number, HEADING, colour, bold=True, align=0.5)
+    stage.canvas.text(beside, number, HEADING, colour, bold=True, align=0.5)

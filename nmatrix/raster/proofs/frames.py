@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
+from nmatrix.enums import Shown, Theme
 from nmatrix.raster.proofs.catalogue import catalogued
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
@@ -14,11 +15,16 @@ from nmatrix.scene.scene import Scene
 
 @dataclass(frozen=True)
 class PictureFrame:
-    """A picture to draw: a proof by its name and settings, or a scene. A process can take it."""
+    """A picture to draw: a proof by its name and settings, or a scene. A process can take it.
+
+    `shown` are marks over a scene, in the colours of `theme`.
+    """
 
     name: str
     settings: ProofSettings | None = None
     scene: Scene | None = None
+    shown: frozenset[Shown] = frozenset()
+    theme: Theme = Theme.LIGHT
 
     @property
     def is_slide(self) -> bool:
@@ -37,7 +43,7 @@ class PictureFrame:
     def draw(self) -> Proof:
         """Draw the proof, or the scene."""
         if self.scene is not None:
-            return picture(self.scene, self.name)
+            return picture(self.scene, self.name, self.shown, self.theme)
         found = catalogued(self.name)
         assert found is not None and self.settings is not None  # a proof has settings
         return found.load()(self.settings)

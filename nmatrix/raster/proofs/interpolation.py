@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import pairwise
-from math import cos, degrees, hypot, sin
+from math import asin, cos, degrees, hypot, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -49,7 +49,7 @@ SEEN = 8  # levels
 LENGTH_SEEN = 0.005
 CREAM = (0.95, 0.85, 0.70)
 LEFT_SHARE, FAN_HIGH, BELOW, APART = 0.628, 206.0, 126.0, 12.0
-FAN, LONGEST, FAN_WIDE = 7, 118.0, 156.0  # normals along an edge; units
+FAN, LONGEST, FAN_WIDE, FAN_PAD = 7, 118.0, 156.0, 8.0  # normals along an edge; units
 ROWS_APART, EDGE_WIDE = 66.0, 6.0
 
 
@@ -177,12 +177,32 @@ def interpolation(settings: ProofSettings) -> Proof:
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """One body drawn by each mix of its normals; how unequal lengths bend them."""
+    """One body drawn by each mix of its normals; how unequal lengths bend them.
+
+    `widest` is the largest angle between two that are mixed, in radians.
+    """
 
     drawn: tuple[DrawnScene, ...]
     lengths: Array
+    widest: float
     bend: Bend
     bent: AngleMap
+
+    def verdict(self, mix: Mix) -> Verdict | None:
+        """Judge a mix by its normals, whether the picture shows it or not; None without any."""
+        if not self.lengths.any():
+            return None
+        is_right = {
+            Mix.NEVER: self.are_unit and self.widest < LENGTH_SEEN,
+            Mix.AFTER: self.bend.worst_deg < INVISIBLE_DEG,
+            Mix.BOTH: True,
+        }[mix]
+        return Verdict.RIGHT if is_right else Verdict.WRONG
+
+    @property
+    def are_unit(self) -> bool:
+        """True if every normal has length one as it is."""
+        return bool(np.abs(self.lengths - 1).max() < LENGTH_SEEN)
 
     def told(self, mix: Mix) -> str:
         """Tell what a mix does here."""
@@ -192,8 +212,8 @@ class Bodies:
             return f"{self._told_of_lengths} (Shade in steps, to show its form.)"
         if mix is Mix.BOTH:
             return "Unit length at the corners, and again at every pixel."
-        if self.bend.worst_deg < INVISIBLE_DEG:
-            return "Where all that are mixed are equally long, nothing bends."
+        if self.verdict(mix) is Verdict.RIGHT:
+            return "Nothing bends here: what is mixed is equally long, or parallel."
         off = f"up to {self.bend.worst_deg:.2g}° off"
         return f"The longer normal pulls: {off}. Thin lines: as it should be."
 
@@ -204,6 +224,8 @@ class Bodies:
             return f"Normals up to {longest:.2g} long shine."
         if shortest < 1 - LENGTH_SEEN:
             return f"Normals down to {shortest:.2g} long are dark."
+        if self.verdict(Mix.NEVER) is Verdict.RIGHT:
+            return "Every mix has length one."
         return "A mix is short, and dark."
 
 
@@ -211,17 +233,17 @@ def _bodies(slide: Slide, settings: ProofSettings, box: Box) -> Bodies:
     """Draw one body three times, and above each how normals are mixed along its worst edge."""
     columns = [_parted(slide, column) for column in box.columns(3, GUTTER)]
     found = _mixed(slide, settings, columns[0][1])
-    right, panels = found.drawn[-1], []
+    panels = []
     for mix, drawn, (above, below) in zip(Mix, found.drawn, columns, strict=True):
-        is_right = not level_difference(drawn, right)
-        verdict = Verdict.RIGHT if is_right else Verdict.WRONG
+        verdict = found.verdict(mix)
         fan = slide.panel(above, mix.heading, verdict, size=NARROW_HEADING)
-        _fan(slide.canvas, fan.stage, found.bend, mix, is_right=is_right)
+        if verdict is not None:
+            _fan(slide.canvas, fan.stage, found.bend, mix, is_right=verdict is Verdict.RIGHT)
         panels.append(slide.panel(below, "", verdict, found.told(mix)))
         stage = put(slide, panels[-1], drawn)
         stage.outline(sharp=False)
-        if mix is Mix.AFTER and not is_right:
-            _step_edges(stage, right)
+        if mix is Mix.AFTER and verdict is Verdict.WRONG:
+            _step_edges(stage, found.drawn[-1])
         stage.lights()
     for (one, a), (other, b) in pairwise(zip(panels, found.drawn, strict=True)):
         if not level_difference(a, b):
@@ -252,9 +274,17 @@ def _mixed(slide: Slide, settings: ProofSettings, stage: Box) -> Bodies:
     return Bodies(
         tuple(right.redrawn(mix.applied) for mix in Mix),
         np.sqrt((unequal * unequal).sum(axis=0)),
+        _widest(equal.T, surface.space.body.mesh.triangles),
         most_bent(unequal.T, surface.space.body.mesh.triangles),
         angle_map(right.plan, [unequal], [equal]),
     )
+
+
+def _widest(normals: Array, triangles: Array) -> float:
+    """Return the largest angle between unit normals (V, 3) at corners of one triangle."""
+    pairs = (normals[triangles[:, i]] - normals[triangles[:, i - 1]] for i in range(3))
+    farthest = max(float((one * one).sum(axis=1).max()) for one in pairs)
+    return 2 * asin(min(sqrt(farthest) / 2, 1.0))
 
 
 def _fan(canvas: Canvas, box: Box, bend: Bend, mix: Mix, *, is_right: bool) -> None:
@@ -263,12 +293,14 @@ def _fan(canvas: Canvas, box: Box, bend: Bend, mix: Mix, *, is_right: bool) -> N
     start = middle - FAN_WIDE / 2
     feet = [(start + i * FAN_WIDE / (FAN - 1), y) for i in range(FAN)]
     canvas.stroke((feet[0], feet[-1]), 4.0, palette.ink)
+    aside = (box.width - FAN_WIDE) / 2 - FAN_PAD
+    longest = min(LONGEST, aside / max(sin(bend.between / 2), 1e-9))
     for foot, (x, up) in zip(feet, Mix.BOTH.along(bend), strict=True):
         if mix is Mix.AFTER and not is_right:
-            tip = (foot[0] + LONGEST * x, foot[1] - LONGEST * up)
+            tip = (foot[0] + longest * x, foot[1] - longest * up)
             canvas.stroke((foot, tip), 2.4, palette.right)
     for i, (foot, (x, up)) in enumerate(zip(feet, mix.along(bend), strict=True)):
-        tip = (foot[0] + LONGEST * x, foot[1] - LONGEST * up)
+        tip = (foot[0] + longest * x, foot[1] - longest * up)
         arrow(canvas, foot, tip, Ink.RIGHT if is_right else Ink.WRONG)
         disc(canvas, foot, 7.0 if i in (0, FAN - 1) else 4.0, palette.ink)
 

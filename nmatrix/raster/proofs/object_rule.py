@@ -34,13 +34,12 @@ from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
 from nmatrix.raster.overlay.mesh_lines import isoline
 from nmatrix.raster.overlay.stage import Stage
-from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.rules import EGG, TALL
 from nmatrix.raster.proofs.staging import Pose, draw_on, put
 from nmatrix.raster.render import Change
 from nmatrix.raster.shading.lighting import ShadingLight
-from nmatrix.raster.shading.normals import angles_deg
+from nmatrix.raster.shading.normals import angles_deg, normals_by
 from nmatrix.raster.shading.space import Measure, as_array, column, dot, length, quotient
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.light import SceneLight
@@ -118,6 +117,13 @@ class CarriedLight:
         return self.between_deg < ROUNDING
 
     @property
+    def edge_moves(self) -> bool:
+        """True if Mᵀl lights a vertex that should be dark, or the other way around."""
+        by_transposed = dot(self.body.mesh.normals.T, self.wrong[0])
+        clear = np.minimum(np.abs(by_transposed), np.abs(self.cosines)) > ROUNDING
+        return bool((clear & ((by_transposed > 0) != (self.cosines > 0))).any())
+
+    @property
     def agrees(self) -> tuple[bool, bool]:
         """Tell of each wrong rule whether it does no harm on this body."""
         first, second = (bool(np.abs(one).max() < ROUNDING) for one in self.too_bright)
@@ -128,6 +134,7 @@ def object_rule(settings: ProofSettings) -> Proof:
     """Draw object-space lighting with Mᵀl, with M⁻¹l, and by the metric; mark where they part."""
     scene = _scene(settings)
     carried = CarriedLight(loaded(scene))
+    carried.scene.maps(carried.body).space_from_world(Space.OBJECT)  # there is one, or no answer
     slide = settings.slide(_title(carried))
     idea, *boxes = slide.body(BELOW).columns(4, GUTTER)
     told = "The shape is still plain here, only the light has moved. Two rules, two lights."
@@ -135,16 +142,8 @@ def object_rule(settings: ProofSettings) -> Proof:
         told = "The shape is still plain here, only the light has moved. Both rules move it alike."
     _two_lights(slide, slide.panel(idea, "In object space", caption=told).stage, carried)
     agrees = carried.agrees
-    panels = [
-        slide.panel(box, rule, verdict, caption)
-        for box, rule, verdict, caption in zip(
-            boxes,
-            RULES,
-            (*(Verdict.RIGHT if one else Verdict.WRONG for one in agrees), Verdict.RIGHT),
-            _captions(carried),
-            strict=True,
-        )
-    ]
+    verdicts = (*(Verdict.RIGHT if one else Verdict.WRONG for one in agrees), Verdict.RIGHT)
+    panels = [slide.panel(*one) for one in zip(boxes, RULES, verdicts, strict=True)]
     view, lens = BESIDE.camera(settings, [carried.scene], panels[2].stage)
     seen = replace(scene, view=view, lens=lens, has_camera=True)
     right = draw_on(slide, panels[2], seen)
@@ -153,12 +152,17 @@ def object_rule(settings: ProofSettings) -> Proof:
         put(slide, panel, right.drawn.redrawn(change))
         for panel, change in zip(panels, changes, strict=False)
     ]
+    edge_seen = False
     for stage in (*wrong, right):
-        stage.outline()
-        stage.light_edge(carried.body, carried.cosines)
-        stage.lights()
-    if not agrees[1]:
-        _mark_shares(wrong[1], carried)
+        if not stage.is_empty:
+            stage.outline()
+            edge_seen = stage.light_edge(carried.body, carried.cosines)
+            stage.lights()
+    shares_seen = not wrong[1].is_empty and _mark_shares(wrong[1], carried)
+    captions = _captions(carried, edge_seen=edge_seen, shares_seen=shares_seen)
+    panels = [
+        slide.captioned(panel, caption) for panel, caption in zip(panels, captions, strict=True)
+    ]
     if agrees[1] or carried.points_alike:
         slide.compare(*panels[:2], same=carried.points_alike)
     if agrees[1]:
@@ -214,20 +218,24 @@ def _title(carried: CarriedLight) -> str:
         return "Object space: carry the light by M^{−1}, then measure with the metric"
     if carried.body.kind.needs_inverse_transpose:
         return "On this shape each rule is right: a test here proves nothing"
-    return "Turn it or scale it evenly, and each rule carries the light"
+    return "Turn, mirror, scale it evenly: each rule carries the light"
 
 
-def _captions(carried: CarriedLight) -> tuple[str, str, str]:
+def _captions(carried: CarriedLight, *, edge_seen: bool, shares_seen: bool) -> tuple[str, str, str]:
     moved, shade = carried.agrees
     same = "The same shade: here it does no harm."
-    first = "Dark begins at the wrong place. The dashed line is the true edge of the light."
+    first = "Dark begins at the wrong place."
     if carried.points_alike:
         first = "Here it is the light that M^{−1} gives: its edge is right, its shade is not."
+    elif not carried.edge_moves:
+        first = "Here no edge of the light moves, but the shade is wrong."
+    elif edge_seen:
+        first += " The dashed line is the true edge of the light."
+    second = "The edge is right, the shade is not"
+    second += ": it is off by up to so much of the light." if shares_seen else "."
     return (
         same if moved else first,
-        same
-        if shade
-        else "The edge is right, the shade is not: it is off by up to so much of the light.",
+        same if shade else second,
         "Lengths are measured by M^{T}M: exactly what world space shows.",
     )
 
@@ -235,11 +243,15 @@ def _captions(carried: CarriedLight) -> tuple[str, str, str]:
 def _verdict(carried: CarriedLight) -> str:
     if all(carried.agrees):
         return "All three are the same here: this map cannot tell a wrong rule."
-    bright, dark = carried.too_bright[1].max(), -carried.too_bright[1].min()
+    off = carried.too_bright[1]
+    shares = ((off.max(), "bright"), (-off.min(), "dark"))
+    told = [f"{_percent(share)} of it too {word}" for share, word in shares if share > ROUNDING]
+    keeps = f", up to {' and '.join(told)}" if told else ""
+    if carried.points_alike:
+        return f"Mᵀl and M⁻¹l are one direction here; without the metric the shade is off{keeps}."
     return (
         f"Mᵀl turns the light by {_degrees(carried.between_deg)} in object space; M⁻¹l keeps the "
-        f"edge of the light, up to {_percent(bright)} of it too bright and {_percent(dark)} too "
-        "dark."
+        f"edge of the light{keeps}."
     )
 
 
@@ -271,7 +283,8 @@ def _two_lights(slide: Slide, stage: Box, carried: CarriedLight) -> None:
         far, near = (_on_circle(middle, RADIUS + away, angle) for away in (84, 10))
         arrow(canvas, far, near, ink, DIAGRAM_SHAFT)
         x, y = _on_circle(middle, RADIUS + 110, letters_at)
-        colour = ink.colour(palette)
+        room = stage.inset(8 + width(letters, 26, bold=True) / 2)
+        x, colour = min(max(x, room.x), room.right), ink.colour(palette)
         canvas.text((x, y + 9), letters, 26, colour, bold=True, align=0.5, halo=palette.stage)
     disc(canvas, middle, 7.0, palette.ink)
     x, y = stage.x + 24, stage.bottom - 72
@@ -284,8 +297,11 @@ def _on_circle(middle: Point, radius: float, angle: float) -> Point:
     return middle[0] + radius * cos(turn), middle[1] - radius * sin(turn)
 
 
-def _mark_shares(stage: Stage, carried: CarriedLight) -> None:
-    """Surround what is far too bright and far too dark, and write by how much of the light."""
+def _mark_shares(stage: Stage, carried: CarriedLight) -> bool:
+    """Surround what is far too bright and far too dark, and write by how much of the light.
+
+    Tells whether there is any such place that is seen.
+    """
     body, palette = carried.body, stage.canvas.palette
     points, off = body.positions_world, carried.too_bright[1]
     normals = normals_by(carried.scene, body, NormalRule.EXACT)
@@ -295,15 +311,16 @@ def _mark_shares(stage: Stage, carried: CarriedLight) -> None:
     for sign, words in ((1, "too bright"), (-1, "too dark")):
         share = float((sign * off).max())
         if share < ROUNDING or not len(seen):
-            continue
+            continue  # nowhere, or nowhere in sight
         for around in isoline(points, body.mesh.triangles, sign * off - share / 2):
             stage.surface_line(around, AROUND, palette.wrong, dash=DASHES, halo=palette.paper)
         worst = seen[np.argmax(sign * off[seen])]
         place = stage.place(points[worst])
-        if place is not None:
+        if place is not None and stage.box.holds(place):
             corner = min(corners, key=lambda one: hypot(one[0] - place[0], one[1] - place[1]))
             corners.remove(corner)
             _tag(stage, place, corner, _percent(sign * float(off[worst])), words)
+    return len(corners) < len(stage.free_corners(14))
 
 
 def _tag(stage: Stage, place: Point, corner: Point, share: str, words: str) -> None:

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
-from nmatrix.enums import NormalRule
+from nmatrix.canvas.paint import pixels
+from nmatrix.enums import NormalRule, Shown, Theme
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
+from nmatrix.raster.overlay.shown import marked
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error
 from nmatrix.raster.proofs.proof import Proof
 from nmatrix.scene.scene import Scene
 
 
-def picture(scene: Scene, subject: str) -> Proof:
-    """Draw a scene; under a wrong rule for normals, compare it with the right one.
+def picture(
+    scene: Scene,
+    subject: str,
+    shown: frozenset[Shown] = frozenset(),
+    theme: Theme = Theme.LIGHT,
+) -> Proof:
+    """Draw a scene, marks over it; under a wrong rule for normals, compare it with the right one.
 
     Where the right rule draws it, it is compared with A n: that is what the rule is worth here.
     """
-    drawn = drawn_scene(scene)
+    drawn = drawn_scene(scene, keeps_depth=bool(shown))
     rule = scene.settings.normals
     measured: dict[str, Any] = {}
     if rule is not NormalRule.EXACT:
@@ -25,7 +33,11 @@ def picture(scene: Scene, subject: str) -> Proof:
     wrong = NormalRule.NONE if rule is NormalRule.EXACT else rule
     measured |= rule_error(drawn.plan, wrong).errors
     verdict = _verdict(drawn, measured.get("max_angle_error_deg"), rule)
-    return Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
+    found = Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
+    if not shown:
+        return found
+    canvas, remarks = marked(drawn, shown, theme)
+    return replace(found, picture=pixels(canvas), remarks=(*found.remarks, *remarks))
 
 
 def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:

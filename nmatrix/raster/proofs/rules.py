@@ -16,13 +16,12 @@ from nmatrix.raster.overlay.stage import Stage, radius_of
 from nmatrix.raster.proofs.angles import (
     INVISIBLE_DEG,
     Scale,
-    normals_by,
     rule_error,
     worst_at_vertices,
 )
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import NO_SURFACE, Pose, put_heat, staged, tacks
-from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.normals import normals_by, unit
 from nmatrix.scene.geometry import LoadedGeometry, ShapeGeometry
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene

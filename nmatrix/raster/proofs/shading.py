@@ -78,7 +78,8 @@ def shading(settings: ProofSettings) -> Proof:
         )
         for place, (one, words) in zip(_row(slide, lower, "How", told), HOW.items(), strict=True)
     ]
-    stages = staged(slide, settings, FROM_ABOVE, parts)
+    pose = FROM_ABOVE if settings.mesh is None else replace(FROM_ABOVE, up=(0, 1, 0))
+    stages = staged(slide, settings, pose, parts)
     where, how = stages[:3], stages[3:]
     for stage, dots in zip(where, (MIDDLE, CORNERS, EVERYWHERE), strict=True):
         stage.outline(sharp=False)
@@ -101,8 +102,7 @@ def shading(settings: ProofSettings) -> Proof:
     found = Proof.of(
         settings.subject,
         slide,
-        f"Gouraud shading is up to {numbers['gouraud_against_phong']} levels from Phong shading: "
-        "between its corners it has no light of its own.",
+        _verdict(numbers["gouraud_against_phong"]),
         [one.drawn for one in stages],
         numbers=numbers,
         max_level_difference=numbers["flat_against_phong"],
@@ -135,6 +135,15 @@ def _difference(slide: Slide, panel: Panel, one: Stage, other: Stage) -> float:
     put_map(slide, panel, other.drawn, apart / end, other.depth.coverage).outline(sharp=False)
     ramp_bar(slide.canvas, bar_of(panel), ("0", f"{100 * end:.0f} %"))
     return most
+
+
+def _verdict(most: int) -> str:
+    if not most:
+        return "Here Gouraud and Phong shading give the same picture."
+    return (
+        f"Gouraud shading is up to {most} levels from Phong shading: between its corners it has no "
+        "light of its own."
+    )
 
 
 def _apart(most: float) -> str:

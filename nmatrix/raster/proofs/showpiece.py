@@ -52,7 +52,7 @@ LIGHTS = (
     SceneLight(
         "bulb",
         LightKind.POINT,
-        position=(-1.4, 2.6, 2),
+        position=(-1.4, 2.2, 2),
         color=(1, 0.9, 0.7),
         intensity=0.6,
         attenuation=(1, 0.05, 0.02),
@@ -75,7 +75,7 @@ WIDE = 0.5  # the tangent of half the angle that the row of objects takes
 
 
 def showpiece(settings: Settings) -> Scene:
-    """Return the scene, drawn as the settings say, with fog and sRGB levels.
+    """Return the scene, drawn as the settings say, with sRGB levels; fog ends in the background.
 
     A picture too narrow for the row of objects sees more above and below it.
     """
@@ -109,7 +109,7 @@ def showpiece(settings: Settings) -> Scene:
         lights=LIGHTS,
         view=View(eye=(1, 2.5, 6.5), target=(0, 0, 0)),
         lens=Lens(fov_degrees=2 * degrees(atan(half)), aspect=width / height, near=0.5, far=40),
-        settings=replace(settings, fog=Fog((0.8, 0.85, 0.9), 6, 16), gamma=True),
+        settings=replace(settings, fog=Fog(settings.background, 6, 16), gamma=True),
     )
 
 

@@ -24,12 +24,12 @@ from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
-from nmatrix.raster.overlay.stage import Stage, filling
+from nmatrix.raster.overlay.stage import Stage, filling, radius_of
 from nmatrix.raster.overlay.tacks import farthest_apart
-from nmatrix.raster.proofs.angles import normals_by
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import Pose, ball, draw_on
+from nmatrix.raster.shading.normals import normals_by
 from nmatrix.raster.shading.space import as_array
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
@@ -41,13 +41,9 @@ from nmatrix.scene.world import World
 
 Array = NDArray[Any]
 
-SKEWED = World(
-    translate=(1.0, 1.3, -0.2),
-    scale=(0.9, 1.3, 0.9),
-    rotate_degrees=(0, 18, -12),
-    shear=(0.3, 0, 0),
-)
-LAMP = SceneLight("lamp", LightKind.POINT, position=(0.5, 3.7, 1.8))
+SKEWED = World(scale=(0.9, 1.3, 0.9), rotate_degrees=(0, 18, -12), shear=(0.3, 0, 0))
+STANDING = replace(SKEWED, translate=(1.0, 1.3, -0.2))
+LAMP = (-0.3, 1.45, 1.2)  # from the middle of the body, in its radius
 FROM_THE_SIDE = Pose((1.6, 0.4, 2.9), radius=1.7, room=0.05)
 GUTTER = 16.0
 LOWER, BETWEEN, BELOW = 214.0, 88.0, 84.0  # units: a picture, the captions above it, the footer
@@ -59,17 +55,23 @@ COUNT = {5: "Five", 4: "Four", 3: "Three"}
 
 @dataclass(frozen=True)
 class Standpoint:
-    """A space, the direction in it from which its stage is seen, and what is so in it."""
+    """A space, the direction in it from which its stage is seen, and what is so in it.
+
+    `without` stands in its place where a body or a light has no such space: in short, and why.
+    """
 
     space: Space
     seen_from: Vector
     caption: str
-    without: str = ""
+    without: tuple[str, str] = ("", "")
 
 
 STANDPOINTS = (
     Standpoint(
-        Space.OBJECT, (-0.8, 0.8, 2.2), "the shape is plain; M^{−1} moves lamp and eye", "no M^{−1}"
+        Space.OBJECT,
+        (-0.8, 0.8, 2.2),
+        "the shape is plain; M^{−1} moves lamp and eye",
+        ("no M^{−1}", "M flattens: nothing leads back to the object"),
     ),
     Standpoint(Space.WORLD, (0, 0.8, 2.4), "everything stands where you put it"),
     Standpoint(Space.CAMERA, (0.5, 1.3, 2.1), "the eye is the origin and looks down −z"),
@@ -77,16 +79,23 @@ STANDPOINTS = (
         Space.LIGHT,
         (0.3, 0.45, 2.4),
         "the lamp is the origin and looks down −z",
-        "no direction of the light",
+        ("no direction", "the lamp stands where it should look to"),
     ),
-    Standpoint(Space.STATIC, (0, 0.8, 2.4), "M is baked into every vertex; then M = I"),
+    Standpoint(
+        Space.STATIC,
+        (0, 0.8, 2.4),
+        "M is baked into every vertex; then M = I",
+        ("two sides", "a flat body has two, but a vertex one normal"),
+    ),
 )
 
 
 def spaces(settings: ProofSettings) -> Proof:
     """Draw one scene in five shading spaces, and where things are in each of them."""
-    one = settings.object(settings.placed(SKEWED), settings.geometry(LoadedGeometry(letter_r())))
-    plain = settings.scene(one, lights=(LAMP,))
+    own = SKEWED if settings.is_moving else STANDING  # what turns does so about its middle
+    one = settings.object(settings.placed(own), settings.geometry(LoadedGeometry(letter_r())))
+    before = settings.still.object(settings.placed(own), one.geometry)
+    plain = settings.scene(one, lights=(_lamp(loaded(settings.scene(before)).bodies[0]),))
     shiny = replace(one.material, reflection=settings.reflection or Reflection.BLINN_PHONG)
     scene = replace(plain, objects=(replace(one, material=shiny),))
     able = [each for each in STANDPOINTS if _has(loaded(scene), each.space)]
@@ -95,7 +104,11 @@ def spaces(settings: ProofSettings) -> Proof:
     upper = Box(body.x, body.y, body.width, body.height - LOWER - BETWEEN).columns(5, GUTTER)
     lower = Box(body.x, body.bottom - LOWER, body.width, LOWER).columns(5, GUTTER)
     above = [
-        slide.panel(box, each.space.value, caption=_caption(each, scene.lights[0]))
+        slide.panel(
+            box,
+            each.space.value,
+            caption=_caption(each, scene.lights[0]) if each in able else each.without[1],
+        )
         for box, each in zip(upper, STANDPOINTS, strict=True)
     ]
     below = [slide.panel(box) for box in lower]
@@ -107,11 +120,12 @@ def spaces(settings: ProofSettings) -> Proof:
         space = standpoint.space
         if standpoint not in able:
             for panel in (high, low):
-                slide.no_answer(panel, standpoint.without)
+                slide.no_answer(panel, standpoint.without[0])
             continue
         _Surroundings(settings, ready, standpoint).draw(slide, high, plain)
         drawn[space] = draw_on(slide, low, _shaded_in(scene, loaded(scene), space))
-        drawn[space].outline()
+        if not drawn[space].is_empty:
+            drawn[space].outline()
     for a, b in pairwise(zip(STANDPOINTS, below, strict=True)):
         if a[0] in able and b[0] in able:
             pair = (drawn[each[0].space].drawn for each in (a, b))
@@ -120,8 +134,8 @@ def spaces(settings: ProofSettings) -> Proof:
     images = np.stack([each.drawn.rendered.rgb for each in drawn.values()])
     worst = float((images.max(axis=0) - images.min(axis=0)).max())
     slide.footer(
-        f"The largest difference between any two of the {COUNT[len(able)].lower()}: "
-        f"{_power_of_ten(worst)} of full brightness. A space is a choice of where to compute.",
+        f"The largest difference between any two: {_power_of_ten(worst)} of full brightness. "
+        "A space is a choice of where to compute.",
         Verdict.RIGHT if worst < ALIKE else None,
     )
     differences = {
@@ -142,8 +156,16 @@ def spaces(settings: ProofSettings) -> Proof:
     return replace(found, effects=drawn[able[0].space].drawn.effects)
 
 
+def _lamp(body: Body) -> SceneLight:
+    """Return the proof's own lamp, above a body before its face."""
+    place = body.centre + radius_of(body) * np.array(LAMP)
+    return SceneLight("lamp", LightKind.POINT, position=tuple(place.tolist()))
+
+
 def _has(scene: LoadedScene, space: Space) -> bool:
-    """Tell whether a scene's body and light have a space."""
+    """Tell whether a scene's body and light have a space in which the picture can be computed."""
+    if space is Space.STATIC:
+        return scene.bodies[0].linear_map.rank == 3
     try:
         scene.maps(scene.bodies[0]).space_from_world(space)
     except NoAnswerError:
@@ -233,7 +255,8 @@ class _Surroundings:
             low, high, ground = np.full(3, -away), np.full(3, away), -away
         middle, half = (low + high) / 2, 0.62 * float(max((high - low)[[0, 2]])) or 1.0
         middle[1] = ground
-        return middle + half * np.array([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]])
+        corners = np.array([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]])
+        return np.asarray(middle + half * corners)
 
     @cached_property
     def axes(self) -> Array:
@@ -246,13 +269,14 @@ class _Surroundings:
     @cached_property
     def held(self) -> Array:
         """Points (n, 3) of the world that the stage must hold, but for the axes."""
-        points = [self.body.positions_world, self.eye[None], self.floor]
-        if self.lamp is not None:
-            points.append(self.lamp[None])
-        found = np.concatenate(points)
-        if self.settings.is_moving:
-            return ball(float(np.sqrt((found * found).sum(axis=1).max())))
-        return found
+        around = [self.eye[None], self.floor, *([] if self.lamp is None else [self.lamp[None]])]
+        points = self.body.positions_world
+        if not self.settings.is_moving:
+            return np.concatenate([points, *around])
+        # Nothing may jump: in object space all turns about the body, elsewhere the body itself.
+        if self.standpoint.space is Space.OBJECT:
+            return _ball_around(np.concatenate([points, *around]))
+        return np.concatenate([_ball_around(points), *around])
 
     def draw(self, slide: Slide, panel: Panel, scene: Scene) -> Stage:
         """Draw it all, carried to the space by its matrix and seen there from one side.
@@ -271,7 +295,8 @@ class _Surroundings:
         view = View(matrix=rational.product(seen.placed().camera_from_world, self.exact))
         lens = filling(view, held, panel.stage)
         stage = draw_on(slide, panel, replace(scene, view=view, lens=lens))
-        self._mark(stage)
+        if not stage.is_empty:
+            self._mark(stage)
         return stage
 
     def _mark(self, stage: Stage) -> None:
@@ -287,7 +312,9 @@ class _Surroundings:
         if self.standpoint.space is Space.STATIC:
             self._dots(stage)
         stage.axes(self.axes)
-        stage.sight(self.eye, self.body.centre)
+        look = -as_array(self.ready.camera_from_world.exact)[2, :3]
+        far = float(look @ (self.body.centre - self.eye))
+        stage.sight(self.eye, self.eye + look * (far if far > 0 else radius_of(self.body)))
         stage.lights()
 
     def _dots(self, stage: Stage) -> None:
@@ -297,6 +324,10 @@ class _Surroundings:
         for i in farthest_apart(window, MOST_DOTS, DOTS_APART):
             x, y = window[i].tolist()
             disc(stage.canvas, (x, y), 3.6, stage.canvas.palette.dim, stage.canvas.palette.bright)
+
+
+def _ball_around(points: Array) -> Array:
+    return ball(float(np.sqrt((points * points).sum(axis=1).max())) or 1.0)
 
 
 def _through(matrix: Array, points: Array) -> Array:

@@ -39,9 +39,9 @@ from nmatrix.raster.overlay.tacks import (
     farthest_apart,
     spread_over,
 )
-from nmatrix.raster.proofs.angles import AngleMap, Scale, normals_by, ramp
+from nmatrix.raster.proofs.angles import AngleMap, Scale, ramp
 from nmatrix.raster.proofs.proof import ProofSettings
-from nmatrix.raster.shading.normals import unit
+from nmatrix.raster.shading.normals import normals_by, unit
 from nmatrix.raster.shading.space import length
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
@@ -53,7 +53,7 @@ Array = NDArray[Any]
 
 NO_SURFACE = ("a point", "a line", "no normal", "no normal")  # what is left, by the rank of A
 STRIPE, STRIPES = 6.5, 14.0  # of the inside of a surface: its width, and from one to the next
-DIMMEST = 0.7  # part of its colour that a stripe keeps where no light falls
+DIMMEST = 0.6  # part of its colour that a stripe keeps where no light falls
 FIXED = 24  # tacks all over a body that turns
 RIM_POINTS = 12
 
@@ -63,8 +63,8 @@ class Pose:
     """From where a proof looks: an eye about a body of this radius at the origin.
 
     About a body that is larger, or elsewhere, the eye stands as much farther off, on the same side.
-    `room` is what stays free around the bodies, for arrows, a part of their radius; `free` the units at the left,
-    top, right and bottom of a stage that other marks need.
+    `room` is what stays free around the bodies, for arrows, a part of their radius; `free` the
+    units at the left, top, right and bottom of a stage that other marks need.
     """
 
     eye: Vector
@@ -161,9 +161,16 @@ def put(slide: Slide, panel: Panel, drawn: DrawnScene) -> Stage:
     """Lay a picture that was drawn for a stage on it."""
     slide.canvas.image(panel.stage, drawn.levels)
     if not drawn.rendered.work.fragments:
-        rank = max(one.linear_map.rank for one in drawn.loaded.bodies)
-        slide.no_answer(panel, NO_SURFACE[rank] if rank < 2 else "out of sight")
+        slide.no_answer(panel, _why_nothing(drawn))
     return Stage(slide.canvas, panel.stage, drawn)
+
+
+def _why_nothing(drawn: DrawnScene) -> str:
+    """Say why nothing is drawn: no surface is left of the bodies, or none is in sight."""
+    bodies = drawn.loaded.bodies
+    if any(normals_by(drawn.loaded, one, NormalRule.EXACT).any() for one in bodies):
+        return "out of sight"
+    return NO_SURFACE[max((one.linear_map.rank for one in bodies), default=0)]
 
 
 def put_inside(slide: Slide, panel: Panel, drawn: DrawnScene) -> None:
@@ -219,6 +226,7 @@ def tacks(
     mesh, points = body.mesh, body.positions_world
     true, ruled = (normals_by(stage.loaded, body, one).T for one in (NormalRule.EXACT, rule))
     found = spread_over(mesh, points)
+    found = found.some(np.flatnonzero(found.of(mesh, true).any(axis=1)))
     if settings is not None and settings.is_moving:
         found = found.some(farthest_apart(found.of(mesh, points), FIXED, 0.0))
         found = found.some(np.flatnonzero(stage.sees(found.of(mesh, points))))

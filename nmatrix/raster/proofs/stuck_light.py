@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import atan2, degrees
+from math import atan2, degrees, hypot
 from typing import Any
 
 import numpy as np
@@ -41,13 +41,13 @@ from nmatrix.scene.world import World
 
 Array = NDArray[Any]
 
-LAMP = SceneLight("lamp", LightKind.POINT, position=(1.25, 1.25, 1.35))
+LAMP = (1.02, 1.83, 1.1)  # from the middle of the table, where the body's farthest point is at 1
 IN_FRONT = Pose((0, 2.6, 8.6), radius=2.3, room=0.06)
 TURNS = (0, 60, 160)  # degrees
 AXIS = (0, -1, 0)  # clockwise seen from above: at first the light comes to the front
 TICKS = 12
 BELOW = 76.0  # units under the stages
-ROUNDING = 1e-9  # of the light
+INVISIBLE = 0.5 / 255  # of the light: half a level
 AROUND = np.linspace(0, 2 * np.pi, 97)
 ROWS = (
     Row("stuck", Verdict.WRONG, "its light turns with the table"),
@@ -74,6 +74,13 @@ class Turntable:
         low, high = float(points[:, 1].min()), float(points[:, 1].max())
         return cls(1.25 * max(away, 0.3 * (high - low)) or 1.0, low, high, away)
 
+    @property
+    def lamp(self) -> SceneLight:
+        """A lamp beside the body, whatever its size: outside of all that it sweeps."""
+        unit = hypot((self.top - self.ground) / 2, self.reach) or 1.0
+        x, y, z = (unit * side for side in LAMP)
+        return SceneLight("lamp", LightKind.POINT, position=(x, self.ground + y, z))
+
     @cached_property
     def mesh(self) -> Mesh:
         """Build the disc, a hair under the body."""
@@ -91,7 +98,7 @@ class Turntable:
             turn = np.radians(degrees_turned + 360 * i / TICKS)
             out = np.array([np.cos(turn), 0, np.sin(turn)]) * self.radius
             inner, width = (0.72, 8.0) if i == 0 else (0.88, 3.0)
-            line = np.stack([inner * out, 0.985 * out]) + [0, self.ground, 0]
+            line = np.stack([inner * out, 0.985 * out]) + np.array([0, self.ground, 0])
             stage.surface_line(line, width, ink)
 
 
@@ -106,9 +113,9 @@ def stuck_light(settings: ProofSettings) -> Proof:
     settings = replace(settings, object_turn=IDENTITY)
     turns = [(one + already) % 360 for one in TURNS]
     one = settings.object(settings.placed(World()), settings.geometry(_letter()))
-    light = settings.lit_by(LAMP)[0]
-    still = settings.scene(one, lights=(light,))
-    table = Turntable.under(loaded(still).bodies[0].positions_world)
+    table = Turntable.under(loaded(settings.scene(one)).bodies[0].positions_world)
+    light = settings.lit_by(table.lamp)[0]
+    still = replace(settings.scene(one), lights=(light,))
     stuck, right = (
         [_turned(still, table, settings, turn, carried=carried) for turn in turns]
         for carried in (True, False)
@@ -118,7 +125,7 @@ def stuck_light(settings: ProofSettings) -> Proof:
     sticking, staying = max(changed[: len(turns)]), max(changed[len(turns) :])
     slide = settings.slide(
         "A light left in model space turns with the model"
-        if staying > ROUNDING
+        if staying > INVISIBLE
         else "Here a stuck light looks right: this test proves nothing"
     )
     headings = [f"{turn:.4g}°" for turn in turns]
@@ -194,8 +201,8 @@ def _camera(
         return settings.view, through(settings.lens, box)
     rings = [around(table.radius, table.ground), around(table.reach, table.top)]
     if light.has_position:
-        x, y, z = light.position
-        rings.append(around(float(np.hypot(x, z)), y))
+        x, y, z = map(float, light.position)
+        rings.append(around(hypot(x, z), y))
     return IN_FRONT.about(np.concatenate(rings), box)
 
 
@@ -220,10 +227,10 @@ def _mark_ride(stage: Stage, light: SceneLight, turn: float, *, whole: bool) -> 
     """Draw the way on which the wrong program carries a lamp; moving pictures show all of it."""
     if not light.has_position:
         return
-    x, y, z = light.position
+    x, y, z = map(float, light.position)
     end = 2 * np.pi if whole else np.radians(turn)
     way = atan2(z, x) + np.linspace(0, end, 97)
-    out = float(np.hypot(x, z))
+    out = hypot(x, z)
     stage.path(_at_height(y, out * np.cos(way), out * np.sin(way)), Ink.WRONG)
 
 

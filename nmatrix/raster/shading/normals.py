@@ -7,7 +7,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.raster.shading.space import Measure, dot, length, quotient
+from nmatrix.enums import NormalRule
+from nmatrix.raster.loaded_scene import Body, LoadedScene
+from nmatrix.raster.shading.space import (
+    Measure,
+    column,
+    dot,
+    length,
+    quotient,
+    world_face_normals,
+    world_normals,
+)
 
 Array = NDArray[Any]
 
@@ -39,6 +49,26 @@ def turned_towards(normals: Array, to_eye: Array) -> Array:
     """
     behind = (normals * to_eye).sum(axis=0) < 0
     return np.asarray(np.where(behind, -normals, normals))
+
+
+def normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return a body's normals (3, V) in the world by a rule, turned to the eye if it is flat."""
+    normals = world_normals(loaded, body, rule)
+    return _seen_from(loaded, body, rule, normals, body.positions_world)
+
+
+def face_normals_by(loaded: LoadedScene, body: Body, rule: NormalRule) -> Array:
+    """Return the triangles' own normals (3, F) in the world, as `normals_by` those of vertices."""
+    middles = body.positions_world[body.mesh.triangles].mean(axis=1)
+    return _seen_from(loaded, body, rule, world_face_normals(loaded, body, rule), middles)
+
+
+def _seen_from(
+    loaded: LoadedScene, body: Body, rule: NormalRule, normals: Array, places: Array
+) -> Array:
+    if body.linear_map.rank == 3 or rule is not NormalRule.EXACT:
+        return normals
+    return turned_towards(normals, column(loaded.eye) - places.T)
 
 
 def bumped(normals: Array, tangents: Array, signs: Array, texels: Array, measure: Measure) -> Array:

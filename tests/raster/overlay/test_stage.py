@@ -37,7 +37,7 @@ def stage(
     world: World = SQUASHED, geometry=None, lens: Lens = LENSES[0], scale: float = 1.0
 ) -> Stage:
     canvas = Canvas(300, 200, PALETTES[Theme.LIGHT], scale)
-    place = canvas.on_pixels(Box(30, 20, 240, 160))
+    place = canvas.onpixels(Box(30, 20, 240, 160))
     thing = ProofSettings("thing").object(world, geometry or ShapeGeometry(Shape.SPHERE))
     picture = Settings(size=canvas.pixels_of(place), samples=4, background=(1.0, 0.0, 1.0))
     scene = Scene((thing,), (), VIEW, lens, picture)
@@ -51,7 +51,7 @@ def test_points_of_the_world_are_where_the_rasterizer_puts_them(lens: Lens) -> N
     (body,) = loaded.bodies
     mesh = body.mesh
     projected = project(mesh, as_array(loaded.clip_from_object(body)), loaded.canvas, loaded.clip)
-    here = found._pixels(found.window(body.positions_world))
+    here = found.pixels(found.window(body.positions_world))
     per_side = loaded.canvas.per_side
     assert np.abs((projected.x / 256 + 0.5) / per_side - here[:, 0]).max() < 1 / 256
     assert np.abs((projected.y / 256 + 0.5) / per_side - here[:, 1]).max() < 1 / 256
