@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 Number = int | float | Fraction
 Vector = tuple[Number, ...]
 Matrix = tuple[Vector, ...]
-Cells = tuple[Number | str | bool | None, ...]
 
 
 @dataclass(frozen=True)
@@ -66,15 +65,6 @@ class Quantity:
 
 
 @dataclass(frozen=True)
-class Table:
-    """Rows of cells under column names; numbers stay numbers until a writer formats them."""
-
-    columns: tuple[str, ...]
-    rows: tuple[Cells, ...]
-    title: str = ""
-
-
-@dataclass(frozen=True)
 class Formula:
     """Words as one types them and matrices of such words, side by side.
 
@@ -94,6 +84,18 @@ class Formula:
         from nmatrix.formula import parse_parts  # most reports have no formula
 
         return parse_parts(self.parts)
+
+
+Cells = tuple[Number | str | bool | Formula | None, ...]
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of cells under column names; numbers stay numbers until a writer formats them."""
+
+    columns: tuple[str, ...]
+    rows: tuple[Cells, ...]
+    title: str = ""
 
 
 @dataclass(frozen=True)
@@ -118,6 +120,8 @@ class Code:
 class Figure:
     """A picture file with the sentence that replaces it for those who cannot see it.
 
+    `title` is the claim that the caption begins with.
+
     Raises
     ------
     ValueError
@@ -127,6 +131,7 @@ class Figure:
     path: str
     alternative: str
     caption: str = ""
+    title: str = ""
 
     def __post_init__(self) -> None:
         if not self.alternative.strip():
@@ -134,11 +139,51 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class Symbols:
+    """Letters, each with the words for what it stands for."""
+
+    meanings: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Framed:
+    """Blocks in a frame, which the eye finds first: a theorem and its proof."""
+
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
 class Blank:
-    """Room for an answer on paper: so many rows and columns of cells."""
+    """Room for an answer on paper: rows and columns of lines, below room to work if it has some.
+
+    Examples
+    --------
+    >>> Blank(3, 1).names, Blank(1, 1).names, Blank(4, 4).names
+    (('x', 'y', 'z'), ('',), ())
+    """
 
     rows: int
     columns: int
+    has_room: bool = False
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of its lines where they stand side by side; a matrix has none."""
+        if self.columns > 1:
+            return ()
+        return ("x", "y", "z") if self.rows == 3 else ("",) * self.rows
+
+
+@dataclass(frozen=True)
+class Task:
+    """An exercise that stays on one page: what is asked, room for the answer, and its points.
+
+    Without points there is room for the teacher to write some.
+    """
+
+    title: str
+    blocks: tuple[Block, ...]
+    points: int | None = None
 
 
 @dataclass(frozen=True)
@@ -147,7 +192,20 @@ class PageBreak:
 
 
 Block = (
-    Heading | Text | Verdict | Quantity | Table | Formula | Step | Code | Figure | Blank | PageBreak
+    Heading
+    | Text
+    | Verdict
+    | Quantity
+    | Table
+    | Formula
+    | Step
+    | Code
+    | Figure
+    | Symbols
+    | Framed
+    | Blank
+    | Task
+    | PageBreak
 )
 
 # What JSON can say, with exact fractions; a step is an object of four keys.

@@ -12,19 +12,22 @@ from nmatrix.canvas.glyphs import (
     DIAGRAM_SHAFT,
     EDGE,
     Ink,
+    Verdict,
     arrow,
+    badge,
     circle,
     disc,
     line,
     right_angle,
 )
-from nmatrix.canvas.marks import Box, Canvas, Point
+from nmatrix.canvas.marks import Box, Canvas, Point, Text
 
 LETTER = 26  # the size of letters beside arrows
 ARROW, TANGENT = 78.0, 56.0  # lengths in units
 THIN = 10.0  # what is left of a circle that is flattened
 GAP = 88.0  # between the circle and the ellipse
 PAD = 34.0
+BADGE = 13.0  # the radius of a verdict beside its letters
 ROOM_ASIDE = 160.0  # for arrows and letters on the right
 ROOM_ABOVE = 60.0  # for the arrow of n above the circle
 
@@ -43,11 +46,12 @@ class Idea:
 
 
 def circle_to_ellipse(canvas: Canvas, box: Box, stretch: float) -> Idea:
-    """Draw a circle with a normal, and the ellipse that A = diag(1, stretch) makes of it.
+    """Draw a circle with a normal, and the ellipse that A makes of it.
 
     A tangent t goes to A t. The right angle of n and t is kept by A⁻ᵀ, for n·t = (A⁻ᵀn)·(A t); A n
     leans off it, here as far as it can: n is at 45°, where the lean is arctan k − arctan 1/k.
-    The two stand above each other, or side by side in a box that is wider than high.
+    The two stand above each other and A = diag(1, stretch); in a box that is wider than high they
+    stand side by side, A = diag(stretch, 1), and there is room for verdicts.
 
     Examples
     --------
@@ -59,27 +63,30 @@ def circle_to_ellipse(canvas: Canvas, box: Box, stretch: float) -> Idea:
     >>> abs(u[0] * t[0] + u[1] * t[1]) < 1e-9
     True
     """
-    first, second, radius = _placed(box, stretch)
+    is_wide = box.width > box.height
+    first, second, radius = _side_by_side(box, stretch) if is_wide else _stacked(box, stretch)
+    wider, higher = (stretch, 1.0) if is_wide else (1.0, stretch)
     palette, half = canvas.palette, sqrt(0.5)
     edge = {"fill": palette.body, "edge": palette.ink, "width": 2 * EDGE}
     canvas.polygon(circle(first, radius), **edge)  # type: ignore[arg-type]  # names of its own
     ellipse = [
-        (second[0] + x - first[0], second[1] + stretch * (y - first[1]))
+        (second[0] + wider * (x - first[0]), second[1] + higher * (y - first[1]))
         for x, y in circle(first, radius, 128)
     ]
     canvas.polygon(ellipse, **edge)  # type: ignore[arg-type]
     before = first[0] + radius * half, first[1] - radius * half
-    after = second[0] + radius * half, second[1] - stretch * radius * half
+    after = second[0] + wider * radius * half, second[1] - higher * radius * half
     n, t = (half, half), (half, -half)
     At, An, right = (
-        _unit((t[0], stretch * t[1])),
-        _unit((n[0], stretch * n[1])),
-        _unit((n[0], n[1] / stretch)),
+        _unit((wider * t[0], higher * t[1])),
+        _unit((wider * n[0], higher * n[1])),
+        _unit((n[0] / wider, n[1] / higher)),
     )
     for place, along in ((before, t), (after, At)):
         line(canvas, (_at(place, along, -TANGENT), _at(place, along, TANGENT)), Ink.TANGENT)
     right_angle(canvas, before, _down(t), _down(n), Ink.PLAIN)
-    right_angle(canvas, after, _down(At), _down(right), Ink.RIGHT)
+    clear = -1 if wider > higher else 1  # the side of the tangent that A n does not lean to
+    right_angle(canvas, after, _down((clear * At[0], clear * At[1])), _down(right), Ink.RIGHT)
     arrow(canvas, before, _at(before, n, ARROW), Ink.NORMAL, DIAGRAM_SHAFT)
     leans = stretch != 1
     if leans:
@@ -87,7 +94,7 @@ def circle_to_ellipse(canvas: Canvas, box: Box, stretch: float) -> Idea:
     arrow(canvas, after, _at(after, right, ARROW * 1.2), Ink.RIGHT, DIAGRAM_SHAFT)
     for place in (before, after):
         disc(canvas, place, 7.0, palette.ink)
-    _map_arrow(canvas, first, second, radius, stretch)
+    _map_arrow(canvas, first, (second[0] - wider * radius, second[1] - higher * radius), radius)
     x, y = _at(before, n, ARROW + 8)
     _letter(canvas, (x, y), "*n*", palette.normal)
     x, y = _at(before, t, TANGENT + 8)
@@ -96,9 +103,15 @@ def circle_to_ellipse(canvas: Canvas, box: Box, stretch: float) -> Idea:
     _letter(canvas, (x, y + 14), "A*t*", palette.tangent)
     if leans:
         x, y = _at(after, An, 1.2 * ARROW + 12)
-        _letter(canvas, (x - 20, y - 6), "A*n*", palette.wrong)
+        place = (x, y + 9) if is_wide else (x - 20, y - 6)
+        letters = _letter(canvas, place, "A*n*", palette.wrong)
+        if is_wide:
+            badge(canvas, (letters.box.right + 24, place[1] - 9), Verdict.WRONG, BADGE)
     x, y = _at(after, right, 1.2 * ARROW + 10)
-    _letter(canvas, (x, y + 10), "A^{−T}*n*" if leans else "A*n*", palette.right)
+    place = (x + 4, y + 18) if is_wide else (x, y + 10)
+    letters = _letter(canvas, place, "A^{−T}*n*" if leans else "A*n*", palette.right)
+    if is_wide:
+        badge(canvas, (letters.box.right + 24, place[1] - 9), Verdict.RIGHT, BADGE)
     return Idea(
         before,
         after,
@@ -133,7 +146,8 @@ def circle_to_line(canvas: Canvas, box: Box) -> tuple[tuple[Point, Point], ...]:
         foot = _at(first, n, radius)
         arrow(canvas, foot, _at(first, n, radius + long), Ink.NORMAL, DIAGRAM_SHAFT)
         disc(canvas, foot, 7.0, palette.ink)
-    _map_arrow(canvas, first, second, radius + long, (long + 2) / (radius + long))
+    corner = second[0] - radius - long, second[1] - long - 2
+    _map_arrow(canvas, first, corner, radius + long)
     (left, y), right = (second[0] - radius, second[1]), second[0] + radius
     canvas.stroke(((left, y), (right, y)), THIN + 2 * edge, palette.ink)
     canvas.stroke(((left, y), (right, y)), THIN, palette.body)
@@ -159,16 +173,19 @@ def _placed_flat(box: Box) -> tuple[Point, Point, float]:
     return (box.middle[0], top + 1.55 * radius), (box.middle[0], top + used - 0.55 * radius), radius
 
 
-def _placed(box: Box, stretch: float) -> tuple[Point, Point, float]:
-    """Return the middles of the circle and the ellipse, and the radius, that fit the box."""
-    if box.width > box.height:
-        room = box.width - 2 * PAD - GAP - 2 * ROOM_ASIDE
-        high = box.height - 2 * PAD - ROOM_ABOVE
-        radius = min(room / 4, high / 2 / max(1.0, stretch))
-        used = 4 * radius + GAP + 2 * ROOM_ASIDE
-        left = box.x + (box.width - used) / 2 + radius
-        middle = box.middle[1] + ROOM_ABOVE / 2
-        return (left, middle), (left + 2 * radius + GAP + ROOM_ASIDE, middle), radius
+def _side_by_side(box: Box, stretch: float) -> tuple[Point, Point, float]:
+    """Return the middles of the circle and of the wider ellipse, and the radius, that fit."""
+    room = box.width - 2 * PAD - GAP - 2 * ROOM_ASIDE
+    radius = min(room / 2 / (1 + stretch), (box.height - 2 * PAD - ROOM_ABOVE) / 2)
+    used = 2 * radius * (1 + stretch) + GAP + 2 * ROOM_ASIDE
+    left = box.x + (box.width - used) / 2 + radius
+    right = left + radius + ROOM_ASIDE + GAP + stretch * radius
+    middle = box.middle[1] + ROOM_ABOVE / 2
+    return (left, middle), (right, middle), radius
+
+
+def _stacked(box: Box, stretch: float) -> tuple[Point, Point, float]:
+    """Return the middles of the circle and of the higher ellipse, and the radius, that fit."""
     high = box.height - 2 * PAD - GAP - ROOM_ABOVE
     radius = min(high / 2 / (1 + stretch), (box.width - 2 * PAD - ROOM_ASIDE) / 2)
     left = box.x + (box.width - 2 * radius - ROOM_ASIDE) / 2 + radius
@@ -177,21 +194,20 @@ def _placed(box: Box, stretch: float) -> tuple[Point, Point, float]:
     return (left, top + radius), (left, top + used - stretch * radius), radius
 
 
-def _map_arrow(canvas: Canvas, first: Point, second: Point, radius: float, stretch: float) -> None:
-    """Draw the arrow of the map, from the circle to the ellipse, with its letter."""
-    if first[0] == second[0]:
-        start, end = first[1] + radius + 16, second[1] - stretch * radius - 16
+def _map_arrow(canvas: Canvas, first: Point, corner: Point, radius: float) -> None:
+    """Draw the arrow of the map from the circle to an ellipse with this upper left corner."""
+    if corner[1] > first[1]:
+        start, end = first[1] + radius + 16, corner[1] - 16
         arrow(canvas, (first[0], start), (first[0], end), Ink.PLAIN, DIAGRAM_SHAFT)
         canvas.text((first[0] - 18, (start + end) / 2 + 9), "A", LETTER + 4, bold=True, align=1)
     else:
-        end = second[0] - radius - 24
-        start, y = end - GAP, first[1]
-        arrow(canvas, (start, y), (end, y), Ink.PLAIN, DIAGRAM_SHAFT)
-        canvas.text(((start + end) / 2, y - 18), "A", LETTER + 4, bold=True, align=0.5)
+        end, y = corner[0] - 24, first[1]
+        arrow(canvas, (end - GAP, y), (end, y), Ink.PLAIN, DIAGRAM_SHAFT)
+        canvas.text((end - GAP / 2, y - 18), "A", LETTER + 4, bold=True, align=0.5)
 
 
-def _letter(canvas: Canvas, place: Point, text: str, colour: str) -> None:
-    canvas.text(place, text, LETTER, colour, bold=True, halo=canvas.palette.stage)
+def _letter(canvas: Canvas, place: Point, text: str, colour: str) -> Text:
+    return canvas.text(place, text, LETTER, colour, bold=True, halo=canvas.palette.stage)
 
 
 def _unit(v: Point) -> Point:

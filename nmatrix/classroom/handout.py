@@ -8,10 +8,18 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from nmatrix.classroom.topics import PARTS, Part, Topic
+from nmatrix.classroom.first_page import CLAIM, Part
+from nmatrix.classroom.topics import PARTS, Topic
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
-from nmatrix.output.pages.document import WITH_PICTURES_BESIDE, Document, PageFormat, Paper, write
-from nmatrix.report import Blank, Block, Code, Figure, Heading, Text
+from nmatrix.output.pages.document import (
+    WITH_PICTURES_BESIDE,
+    Document,
+    Field,
+    PageFormat,
+    Paper,
+    write,
+)
+from nmatrix.report import Blank, Block, Code, Figure, Formula, Heading, Task, Text
 from nmatrix.scene.setup import Setup
 from nmatrix.version import __version__
 
@@ -19,7 +27,9 @@ if TYPE_CHECKING:
     from nmatrix.lessons.exercises.exercise import Exercise
 
 LONGEST_WORD = 32  # of a command on paper, which has one line for it
-TITLE = "Normals, spaces and lights"
+THEORY_TITLE, EXERCISES_TITLE = "Normals, spaces and lights", "Exercises"
+KEY_TITLE = "The key to the exercises"
+TO_FILL_IN = (Field("Course", room=32), Field("Sheet", room=10), Field("Date", room=22))
 
 
 @dataclass(frozen=True)
@@ -33,11 +43,18 @@ class HandoutPlan:
     paper: Paper = Paper.A4
     with_key: bool = False
     prefix: str = ""  # of the names of pictures that lie beside the sheet
+    title: str = ""  # what stands above the claim: the course, the sheet, the date
+    points: int | None = None  # of each exercise
+
+    @property
+    def usual_title(self) -> str:
+        """The title of a sheet that does not begin with its claim."""
+        return EXERCISES_TITLE if self.topics == (Topic.EXERCISES,) else THEORY_TITLE
 
     @property
     def note(self) -> str:
         """The small print."""
-        return f"nmatrix {__version__}, exercises by the scheme {SCHEME}"
+        return f"nmatrix {__version__}, scheme {SCHEME}"
 
 
 @dataclass(frozen=True)
@@ -57,26 +74,26 @@ def student_files(plan: HandoutPlan, sheet: Sheet) -> StudentFiles:
 
 def pictures_beside(plan: HandoutPlan) -> dict[str, bytes]:
     """Draw the pictures that lie beside every sheet, by name; HTML and PDF hold theirs."""
-    return dict(_theory(plan)[1]) if plan.kind in WITH_PICTURES_BESIDE else {}
+    if plan.kind not in WITH_PICTURES_BESIDE:
+        return {}
+    parts = (_common(one, plan.setup, plan.kind) for one in plan.topics if one in PARTS)
+    return {name: picture for part in parts for name, picture in _named(part, plan.prefix).items()}
 
 
 def handout(plan: HandoutPlan, sheet: Sheet) -> Document:
     """Compose the sheet of one student."""
-    theory, pictures = _theory(plan)
-    blocks = (*theory, *_asked(plan, sheet))
-    return Document(TITLE, blocks, _whose(plan, sheet), pictures, plan.note, plan.paper)
-
-
-def _theory(plan: HandoutPlan) -> tuple[list[Block], dict[str, bytes]]:
-    """Compose the part that all sheets of a run have in common, with its pictures."""
     blocks: list[Block] = []
     pictures: dict[str, bytes] = {}
     for topic in plan.topics:
-        if topic is not Topic.EXERCISES:
-            found = _common(topic, plan.setup)
+        if topic is Topic.EXERCISES:
+            blocks += _asked(plan, sheet)
+        else:
+            found = _common(topic, plan.setup, plan.kind)
             blocks += [_beside(one, plan.prefix) for one in found.blocks]
-            pictures |= {plan.prefix + name: one for name, one in found.pictures.items()}
-    return blocks, pictures
+            pictures |= _named(found, plan.prefix)
+    title = CLAIM if Topic.RULE in plan.topics else plan.usual_title
+    foot = _foot(plan, sheet)
+    return Document(title, tuple(blocks), _head(plan, sheet), foot, pictures, plan.paper)
 
 
 def key_of(plan: HandoutPlan, sheet: Sheet) -> Document:
@@ -84,8 +101,8 @@ def key_of(plan: HandoutPlan, sheet: Sheet) -> Document:
     blocks: list[Block] = []
     for one in _exercises(plan.exercises, sheet):
         blocks += [Heading(one.title), *one.key]
-    title = f"{TITLE}: the key"
-    return Document(title, tuple(blocks), _whose(plan, sheet), {}, plan.note, plan.paper)
+    head, foot = _head(plan, sheet), _foot(plan, sheet)
+    return Document(KEY_TITLE, tuple(blocks), head, foot, paper=plan.paper)
 
 
 @lru_cache(maxsize=1)  # a sheet and its key have the same ones
@@ -96,8 +113,12 @@ def _exercises(count: int, sheet: Sheet) -> tuple[Exercise, ...]:
 
 
 @lru_cache(maxsize=32)  # a class shares its theory and its pictures
-def _common(topic: Topic, setup: Setup) -> Part:
-    return PARTS[topic](setup)
+def _common(topic: Topic, setup: Setup, kind: PageFormat) -> Part:
+    return PARTS[topic](setup, kind)
+
+
+def _named(part: Part, prefix: str) -> dict[str, bytes]:
+    return {prefix + name: picture for name, picture in part.pictures.items()}
 
 
 def _beside(block: Block, prefix: str) -> Block:
@@ -105,12 +126,11 @@ def _beside(block: Block, prefix: str) -> Block:
 
 
 def _asked(plan: HandoutPlan, sheet: Sheet) -> Iterator[Block]:
-    if Topic.EXERCISES in plan.topics:
-        for one in _exercises(plan.exercises, sheet):
-            yield Heading(one.title)
-            yield from one.task
-            yield Blank(*one.cells)
-        yield from _how_to_check(sheet)
+    for one in _exercises(plan.exercises, sheet):
+        is_worked_out = any(isinstance(block, Formula) for block in (*one.task, *one.key))
+        blank = Blank(*one.cells, has_room=is_worked_out)
+        yield Task(one.title, (*one.task, blank), plan.points)
+    yield from _how_to_check(sheet)
 
 
 def _how_to_check(sheet: Sheet) -> Iterator[Block]:
@@ -135,8 +155,13 @@ def _in_quotes(word: str) -> str:
     return f'"{word}"' if is_tame else shlex.quote(word)
 
 
-def _whose(plan: HandoutPlan, sheet: Sheet) -> str:
-    if Topic.EXERCISES not in plan.topics:
-        return sheet.student
-    name = sheet.student or "Name: ____________________"
-    return f"{name} · seed {sheet.seed}"
+def _head(plan: HandoutPlan, sheet: Sheet) -> tuple[Field, ...]:
+    """Head a sheet by what the teacher calls it, or by lines to fill in, and by its student."""
+    called = (Field("", plan.title),) if plan.title else TO_FILL_IN
+    return (*called, Field("Name", sheet.student, 44))
+
+
+def _foot(plan: HandoutPlan, sheet: Sheet) -> str:
+    """Name the student and the seed on every page: sheets get dropped, and answers checked."""
+    seed = f"seed {sheet.seed}" if Topic.EXERCISES in plan.topics else ""
+    return " · ".join(part for part in (sheet.student, seed, plan.note) if part)

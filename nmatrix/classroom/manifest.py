@@ -30,6 +30,8 @@ class Manifest:
     kind: str
     paper: str
     with_key: bool
+    title: str
+    points: int | None
     students: tuple[str, ...]
 
     def text(self) -> bytes:
@@ -50,6 +52,8 @@ def manifest(plan: HandoutPlan, seed: str, salt: bytes, students: tuple[Student,
         plan.kind.value,
         plan.paper.value,
         plan.with_key,
+        plan.title,
+        plan.points,
         tuple(one.name for one in students),
     )
 

@@ -40,6 +40,7 @@ With a roster everybody in a class gets a sheet of their own, and a rerun comple
 }
 
 USUAL_EXERCISES = 10
+MOST_POINTS = 100
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 
 
@@ -52,7 +53,7 @@ class HandoutOptions:
     ] = None
     topics: Annotated[
         str | None,
-        Option(metavar="WORDS", help="rule, worked, spaces, proofs, pitfalls, cost, exercises."),
+        Option(metavar="WORDS", help="rule, spaces, exercises, worked, proofs, pitfalls, cost."),
     ] = None
     exercises: Annotated[
         str | None, Option(metavar="N", help="So many exercises (10 with that topic).")
@@ -60,6 +61,15 @@ class HandoutOptions:
     roster: Annotated[
         str | None, Option(metavar="FILE", help="A .csv with a column student: one sheet each.")
     ] = None
+    title: Annotated[
+        str | None,
+        Option(
+            metavar="TEXT", help="What stands at the head: course, sheet, date (lines to fill)."
+        ),
+    ] = None
+    points: Annotated[str | None, Option(metavar="N", help="Of each exercise (a box to fill).")] = (
+        None
+    )
     key: Annotated[bool, Option("--key", help="Write the answers too, as a second file.")] = False
     paper: Annotated[Paper, Option(help="What it is printed on.")] = Paper.A4
     output: Annotated[
@@ -87,9 +97,10 @@ class HandoutOptions:
 
         wants_exercises = self.exercises is not None or self.roster is not None
         if self.topics is None:
-            usual = () if self.roster is not None else USUAL
-            return (*usual, Topic.EXERCISES) if wants_exercises or self.key else usual
-        words = [word.strip() for word in self.topics.split(",")]
+            words = [] if self.roster is not None else [topic.value for topic in USUAL]
+            wants_exercises = wants_exercises or self.key
+        else:
+            words = [word.strip() for word in self.topics.split(",")]
         for word in words:
             if word not in list(Topic):
                 raise IllegalValueError(
@@ -107,6 +118,13 @@ class HandoutOptions:
         why = f"a sheet has 1 to {MOST}"
         return whole_number(typed, "--exercises", range(1, MOST + 1), USUAL_EXERCISES, why)
 
+    def points_of_each(self) -> int | None:
+        """Read the points of an exercise."""
+        if self.points is None:
+            return None
+        why = f"an exercise has 1 to {MOST_POINTS}"
+        return whole_number(self.points, "--points", range(1, MOST_POINTS + 1), 4, why)
+
 
 def handout(
     *,
@@ -122,15 +140,19 @@ def handout(
 
     topics = options.chosen_topics()
     has_exercises = Topic.EXERCISES in topics
-    if options.key and not has_exercises:
-        raise IllegalValueError("--key", "there are no exercises to answer", "add --exercises 10")
+    for option, is_given in (("--key", options.key), ("--points", options.points is not None)):
+        if is_given and not has_exercises:
+            raise IllegalValueError(option, "there are no exercises", "add --exercises 10")
     if options.kind is PageFormat.PDF:
         from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
     setup = groups.setup(common)
     count = options.count() if has_exercises else 0
-    plan = HandoutPlan(topics, setup, count, options.kind, options.paper, options.key)
+    plan = HandoutPlan(
+        topics, setup, count, options.kind, options.paper, options.key,
+        title=" ".join((options.title or "").split()), points=options.points_of_each(),
+    )  # fmt: skip
     if options.roster is None:
         files = _one(plan, options, sheet)
         made = len(files)

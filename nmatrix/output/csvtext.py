@@ -56,7 +56,7 @@ def write(report: Report, options: OutputOptions) -> str:
     return _lines(HEADER, _entries(whole, options.layout))
 
 
-def _lines(header: Sequence[str], rows: Iterable[Sequence[Value]]) -> str:
+def _lines(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     text = StringIO()
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(header)
@@ -78,7 +78,7 @@ def _entries(data: Mapping[str, Value], layout: Layout) -> Iterator[Entry]:
             yield leaf.key, "", "", value
 
 
-def _cell(value: Value) -> str:
+def _cell(value: object) -> str:
     if value is None:
         return ""
     if isinstance(value, bool):

@@ -13,13 +13,16 @@ from nmatrix.report import (
     Code,
     Figure,
     Formula,
+    Framed,
     Heading,
     Number,
     PageBreak,
     Quantity,
     Report,
     Step,
+    Symbols,
     Table,
+    Task,
     Text,
     Verdict,
 )
@@ -82,9 +85,22 @@ class Dialect(ABC):
         """Write a picture; where pictures cannot stand, the sentence in its place."""
         return self.paragraph(figure.alternative)
 
-    def blank(self, rows: int, columns: int) -> str:
+    def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
+        """Write letters, already written, beside their words."""
+        return self.table("", ("", ""), meanings)
+
+    def framed(self, body: str) -> str:
+        """Put a frame around some blocks, where the format has frames."""
+        return body
+
+    def blank(self, blank: Blank) -> str:
         """Leave room for an answer."""
-        return self.table("", [" "] * columns, [[" "] * columns] * (rows - 1))
+        return self.table("", [" "] * blank.columns, [[" "] * blank.columns] * (blank.rows - 1))
+
+    def task(self, task: Task, body: str) -> str:
+        """Write an exercise under its title."""
+        points = f" ({task.points} points)" if task.points else ""
+        return f"{self.heading(task.title + points)}\n\n{body}"
 
     def page_break(self) -> str:
         """End a printed page, where the format has pages."""
@@ -97,6 +113,10 @@ class Dialect(ABC):
     def inline(self, text: str) -> str:
         """Write a formatted number in a sentence or a table."""
         return text
+
+    def inline_formula(self, formula: Formula) -> str:
+        """Write a formula in a sentence or a table, on one line."""
+        return self.words("".join(part for part in formula.parts if isinstance(part, str)))
 
     @abstractmethod
     def words(self, text: str) -> str:
@@ -124,7 +144,7 @@ def _not_shown_yet(report: Report) -> Iterator[Quantity]:
             yield Quantity(leaf.key, leaf.value)
 
 
-def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901  # one branch for each kind of block
+def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901, PLR0912  # one branch for each kind of block
     match block:
         case Heading(text):
             found = dialect.heading(text)
@@ -145,8 +165,17 @@ def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901  # one branch f
             found = dialect.code(language, text)
         case Figure():
             found = dialect.figure(block)
-        case Blank(rows, columns):
-            found = dialect.blank(rows, columns)
+        case Symbols(meanings):
+            written = ((Formula((letter,)), words) for letter, words in meanings)
+            found = dialect.symbols(
+                [(dialect.inline_formula(one), dialect.words(words)) for one, words in written]
+            )
+        case Framed(blocks):
+            found = dialect.framed(blocks_in(blocks, dialect))
+        case Blank():
+            found = dialect.blank(block)
+        case Task():
+            found = dialect.task(block, blocks_in(block.blocks, dialect))
         case PageBreak():
             found = dialect.page_break()
     return found
@@ -171,6 +200,8 @@ def _number(value: Number, dialect: Dialect) -> str:
 def _cell(value: object, dialect: Dialect) -> str:
     if is_number(value):
         return dialect.inline(significant(value, dialect.digits))
+    if isinstance(value, Formula):
+        return dialect.inline_formula(value)
     if value is None:
         return "none"
     if isinstance(value, bool):

@@ -13,8 +13,8 @@ from nmatrix.output.style import RAISED
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
-_PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
-_PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
+ON_THE_LINE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
+PRODUCT = re.compile(r"\b([A-Z][⁻ᵀ¹]*) ([a-z])\b")
 
 
 def write(report: Report, options: OutputOptions) -> str:
@@ -32,8 +32,8 @@ def prose(text: str) -> str:
     >>> prose("A⁻ᵀ n < 1")
     'A<sup>−T</sup>\xa0n &lt; 1'
     """
-    joined = _PRODUCT.sub("\\1\N{NO-BREAK SPACE}\\2", text)
-    return RAISED.sub(lambda run: f"<sup>{run[0].translate(_PLAIN)}</sup>", escape(joined))
+    joined = PRODUCT.sub("\\1\N{NO-BREAK SPACE}\\2", text)
+    return RAISED.sub(lambda run: f"<sup>{run[0].translate(ON_THE_LINE)}</sup>", escape(joined))
 
 
 class MathML(Dialect):

@@ -21,12 +21,15 @@ from nmatrix.report import (
     Code,
     Figure,
     Formula,
+    Framed,
     Heading,
     PageBreak,
     Quantity,
     Report,
     Step,
+    Symbols,
     Table,
+    Task,
     Text,
     Tone,
     Verdict,
@@ -92,7 +95,7 @@ class _Writer:
             (Span(f"{bullet} " if i == 0 else "  "), Span(line)) for i, line in enumerate(lines)
         ]
 
-    def _block(self, block: Block) -> list[Line]:  # noqa: C901  # one branch for each kind of block
+    def _block(self, block: Block) -> list[Line]:  # noqa: C901, PLR0912  # one branch for each kind of block
         match block:
             case Heading(text):
                 lines = self._heading(text)
@@ -112,8 +115,14 @@ class _Writer:
                 lines = self._code(block)
             case Figure():
                 lines = self._figure(block)
+            case Symbols(meanings):
+                lines = self._table(Table(("", ""), meanings))
+            case Framed(blocks):
+                lines = [line for one in blocks for line in self._block(one)]
             case Blank(rows, columns):
                 lines = [plain("  ".join(["_" * BLANK] * columns))] * rows
+            case Task(title, blocks):
+                lines = [line for one in (Heading(title), *blocks) for line in self._block(one)]
             case PageBreak():
                 lines = []
         return lines
@@ -191,6 +200,8 @@ class _Writer:
             return "yes" if cell else "no"
         if is_number(cell):
             return significant(cell, self.options.digits)
+        if isinstance(cell, Formula):
+            return self._spelled(draw_formula(cell))
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:

@@ -115,12 +115,13 @@ def test_every_printed_page_says_whose_it_is() -> None:
     style = page.partition("<style>")[2].partition("</style>")[0]
     content = re.search(r'@bottom-left \{ content: "([^"]*)"', style)
     assert content is not None
-    assert re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1]) == f"{name} · seed 7"
+    shown = re.sub(r"\\([0-9a-f]+) ", lambda c: chr(int(c[1], 16)), content[1])
+    assert shown.startswith(f"{name} · seed 7 · ")
     for kind in (PageFormat.TYP, PageFormat.TEX):
         head = student_files(
             HandoutPlan((Topic.EXERCISES,), Setup(), 1, kind), Sheet("7", "Zoe")
         ).sheet.decode()
-        assert re.search(r"(footer: context|markright)[^$]*Zoe", head)
+        assert re.search(r"(footer: context|sheetfoot)[^$]*Zoe", head)
 
 
 @pytest.mark.parametrize(
@@ -160,11 +161,11 @@ def test_a_pipe_is_written_to_and_not_replaced(tmp_path: Path) -> None:
 def test_a_lost_picture_comes_back(nmatrix) -> None:
     line = f"{roster('Ada')} --topics proofs,exercises --to md"
     assert nmatrix(line)[0] == 0
-    pictures = sorted(Path("out").glob("*.png"))
+    pictures = sorted(Path("out").glob("*.svg"))
     assert pictures
     pictures[0].unlink()
     assert nmatrix(line)[0] == 0
-    assert sorted(Path("out").glob("*.png")) == pictures
+    assert sorted(Path("out").glob("*.svg")) == pictures
 
 
 def test_a_killed_process_is_told_and_the_next_run_goes_on(nmatrix, monkeypatch) -> None:

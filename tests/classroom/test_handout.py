@@ -5,19 +5,27 @@ from __future__ import annotations
 import json
 import re
 import shlex
+from dataclasses import replace
 from html.parser import HTMLParser
+from itertools import combinations
 from pathlib import Path
 
 import pytest
 
+from nmatrix.canvas import marks as canvas_text
 from nmatrix.classroom import run as running
+from nmatrix.classroom.first_page import CLAIM, SYMBOLS, drawn_idea
 from nmatrix.classroom.handout import HandoutPlan, handout, key_of, pictures_beside, student_files
 from nmatrix.classroom.pitfalls import PITFALLS
 from nmatrix.classroom.roster import slug, students
-from nmatrix.classroom.topics import Topic
+from nmatrix.classroom.topics import PROOFS, Topic
+from nmatrix.classroom.worked import worked
 from nmatrix.cli.app import run
+from nmatrix.lessons.check.judge import Outcome
 from nmatrix.lessons.exercises.scheme import Sheet
-from nmatrix.output.pages.document import Document, PageFormat, Paper, write
+from nmatrix.lessons.exercises.sheet import exercise
+from nmatrix.linear.rational import cofactor_matrix, determinant, linear_part
+from nmatrix.output.pages.document import Document, Field, PageFormat, Paper, write
 from nmatrix.raster.image import png
 from nmatrix.reading.records import records_of
 from nmatrix.report import (
@@ -25,11 +33,14 @@ from nmatrix.report import (
     Code,
     Figure,
     Formula,
+    Framed,
     Heading,
     PageBreak,
     Quantity,
     Step,
+    Symbols,
     Table,
+    Task,
     Text,
     Verdict,
 )
@@ -40,6 +51,7 @@ pytestmark = pytest.mark.usefixtures("own_folder")
 
 EVIL = "<script>alert(1)</script> #import $x$ \\input{x} `c` *b* [l](u) ]] </style> _ % & \" '"
 FORMATS = list(PageFormat)
+PAGE_POINTS = (210 - 2 * 18) / 25.4 * 72  # the width of a picture on A4
 
 
 def typst_or_skip() -> None:
@@ -65,12 +77,17 @@ def everything(word: str = "word") -> Document:
         Step(formula, word, verified=True),
         Step(formula, word, verified=False),
         Code("glsl", "void main() {}\n"),
-        Figure("a.png", word, word),
-        Blank(2, 3),
+        Figure("a.png", word, word, word),
+        Symbols((("M", word), ("l", word), ("n", word))),
+        Framed((Verdict(word), formula)),
+        Task(word, (Text(word), Code("glsl", "x;\n"), Blank(2, 3, has_room=True)), 4),
+        Task(word, (Blank(3, 1), Blank(1, 1))),
+        Table((word, "n"), tuple((word, formula) for _ in range(30))),
         PageBreak(),
         Text("- 1. + = /"),
     )
-    return Document(word, blocks, word, {"a.png": a_picture()}, word)
+    head = (Field(word, word), Field(word))
+    return Document(word, blocks, head, word, {"a.png": a_picture()})
 
 
 @pytest.mark.parametrize("kind", FORMATS)
@@ -86,7 +103,7 @@ def test_hostile_words_are_only_words(kind: PageFormat, paper: Paper) -> None:
     if kind is PageFormat.PDF:
         typst_or_skip()
     document = everything(EVIL)
-    text = write(Document(EVIL, document.blocks, EVIL, document.pictures, EVIL, paper), kind)
+    text = write(replace(document, paper=paper), kind)
     if kind is PageFormat.HTML:
         assert b"<script" not in text
     if kind is PageFormat.TEX:
@@ -105,12 +122,15 @@ class Reader(HTMLParser):
         self.open: list[str] = []
         self.images: list[dict] = []
         self.formulas: list[dict] = []
+        self.drawings: list[dict] = []
         self.tags: set[str] = set()
 
     def handle_starttag(self, tag: str, attrs: list) -> None:
         self.tags.add(tag)
         if tag == "img":
             self.images.append(dict(attrs))
+        if tag == "div" and ("role", "img") in attrs and ("class", "room") not in attrs:
+            self.drawings.append(dict(attrs))
         if tag == "math":
             self.formulas.append(dict(attrs))
         if tag not in self.VOID:
@@ -131,9 +151,10 @@ def test_a_page_stands_alone_and_can_be_heard() -> None:
     assert not re.findall(r"url\(\"?(?!data:|\"data:)", text)
     assert "default-src 'none'" in text
     assert all(len(image["alt"]) > 40 for image in reader.images)
-    assert len(reader.images) == 2
+    assert all(len(drawing["aria-label"]) > 40 for drawing in reader.drawings)
+    assert len(reader.drawings) == 1 + len(PROOFS)
     assert all(formula.get("alttext") for formula in reader.formulas)
-    assert len(text) < 400_000
+    assert len(text) < 700_000
 
 
 def test_the_font_is_small_and_its_licence_is_beside_it() -> None:
@@ -174,6 +195,28 @@ def test_pdflatex_accepts_a_whole_sheet_and_fills_no_line_too_far(tmp_path) -> N
         assert done.returncode == 0, done.stdout[-2000:].decode("utf-8", "replace")
         widest = re.findall(rb"Overfull .hbox .([0-9.]+)pt too wide", done.stdout)
         assert all(float(width) < 8 for width in widest), widest
+
+
+def test_latex_opens_and_closes_everything_in_order() -> None:
+    plan = HandoutPlan(tuple(Topic), Setup(World(scale=(1, 2, 1))), 10, PageFormat.TEX)
+    source = student_files(plan, Sheet("1", f"Łucja {EVIL}")).sheet.decode()
+    source = re.sub(r"\\begin\{verbatim\}.*?\\end\{verbatim\}", "", source, flags=re.DOTALL)
+    source = re.sub(
+        r"\\newenvironment.*?(?=\\newsavebox|\\begin\{document)", "", source, flags=re.DOTALL
+    )
+    source = re.sub(r"(?<!\\)%.*", "", source)
+    found: list[str] = []
+    for what, name in re.findall(r"\\(begin|end)\{(\w+)\}", source):
+        if what == "begin":
+            found.append(name)
+        else:
+            assert found.pop() == name
+    assert not found
+    plain = re.sub(r"\\[{}\\]", "", source)
+    assert plain.count("{") == plain.count("}")
+    assert len(re.findall(r"(?<!\\)\$", source)) % 2 == 0
+    used = set(re.findall(r"\\includegraphics\[[^]]*\]\{([^}]*)\}", source))
+    assert used == set(pictures_beside(plan))
 
 
 def test_a_picture_without_words_is_refused_in_every_format() -> None:
@@ -229,8 +272,9 @@ def test_sources_have_their_pictures_beside_them(nmatrix) -> None:
         code, _, err = nmatrix(f"handout --topics proofs --to {kind} -o sheet.{kind}")
         assert (code, err) == (0, "")
         text = Path(f"sheet.{kind}").read_text()
-        assert "sheet-normals.png" in text
-    assert Path("sheet-mirror.png").read_bytes().startswith(b"\x89PNG")
+        assert "sheet-normals." in text
+    assert Path("sheet-bias.svg").read_bytes().startswith(b"<?xml")
+    assert Path("sheet-bias.pdf").read_bytes().startswith(b"%PDF")
 
 
 def test_the_same_command_writes_the_same_bytes(nmatrix) -> None:
@@ -386,6 +430,9 @@ MISUSE = [
     ("handout --exercises 0", 2, "1 to 100"),
     ("handout --exercises many", 2, "1 to 100"),
     ("handout --topics rule --key", 2, "no exercises"),
+    ("handout --topics rule --points 4", 2, "no exercises"),
+    ("handout --exercises 1 --points 0", 2, "1 to 100"),
+    ("handout --exercises 1 --points many", 2, "1 to 100"),
     ("handout --roster none.csv", 2, "no such file"),
     ("handout --to docx", 2, "docx"),
     ("handout -o nowhere/x.html", 2, "no folder"),
@@ -422,3 +469,155 @@ def test_students_of_one_class_have_different_sheets() -> None:
     plan = HandoutPlan((Topic.EXERCISES,), Setup(), 10)
     found = {student_files(plan, Sheet("1", f"s{i}")).sheet for i in range(12)}
     assert len(found) == 12
+
+
+# The first page, and what stays together.
+
+SCENES = [
+    Setup(),
+    Setup(World(scale=(1, 2, 1))),
+    Setup(World(scale=(1, 0, 1), rotate_degrees=(20, 30, 40))),
+    Setup(World(scale=(0, 0, 1))),
+    Setup(World(shear=(3, 0, 0), translate=(1e9, 1e-9, 0))),
+]
+
+
+def kinds_before_the_first_formula(blocks: tuple) -> list[type]:
+    kinds = [type(block) for block in blocks]
+    formulas = [
+        i
+        for i, block in enumerate(blocks)
+        if isinstance(block, Formula | Quantity | Step)
+        or (isinstance(block, Framed) and any(isinstance(one, Formula) for one in block.blocks))
+    ]
+    return kinds[: formulas[0]]
+
+
+@pytest.mark.parametrize("setup", SCENES)
+def test_the_drawing_comes_before_the_first_formula(setup: Setup) -> None:
+    sheet = handout(HandoutPlan(tuple(Topic), setup, 1), Sheet())
+    assert sheet.title == CLAIM
+    assert Figure in kinds_before_the_first_formula(sheet.blocks)
+
+
+def letters_of(blocks: tuple) -> set[str]:
+    """The single letters of formulas, of words and of tables' cells."""
+    found: set[str] = set()
+    for block in blocks:
+        match block:
+            case Framed(inner):
+                found |= letters_of(inner)
+            case Table(_, rows):
+                found |= letters_of(tuple(cell for row in rows for cell in row))
+            case Formula(parts):
+                found |= set(re.findall(r"[A-Za-z]+", " ".join(map(str, parts))))
+            case str() | Text() | Verdict():
+                words = block if isinstance(block, str) else block.text
+                found |= set(re.findall(r"[A-Za-z]+", words))
+    return found
+
+
+def test_eight_letters_are_introduced_and_each_of_them_is_used() -> None:
+    setup = Setup(World(scale=(1, 2, 1)))
+    blocks = handout(HandoutPlan((Topic.RULE, Topic.SPACES), setup), Sheet()).blocks
+    (symbols,) = (block for block in blocks if isinstance(block, Symbols))
+    assert len(symbols.meanings) == 8
+    assert all(len(words) > 8 for _, words in symbols.meanings)
+    assert {letter for letter, _ in symbols.meanings} <= letters_of(blocks)
+
+
+@pytest.mark.parametrize("setup", SCENES)
+def test_every_letter_of_a_formula_on_the_first_page_was_introduced(setup: Setup) -> None:
+    blocks = handout(HandoutPlan((Topic.RULE, Topic.SPACES), setup), Sheet()).blocks
+    formulas = tuple(one for one in blocks if isinstance(one, Framed | Table))
+    letters = {one for one in letters_of(formulas) if len(one) == 1 and one != "a"}
+    known = {letter for letter, _ in SYMBOLS} | {"v"}  # v stands in the head of its column
+    told = " ".join(block.text for block in blocks if isinstance(block, Text))
+    assert letters - known <= ({"C"} if "C are its cofactors" in told else set())
+
+
+@pytest.mark.parametrize("setup", SCENES)
+@pytest.mark.parametrize("kind", FORMATS)
+def test_letters_in_drawings_are_read_on_paper_and_stand_apart(
+    setup: Setup, kind: PageFormat
+) -> None:
+    canvas = drawn_idea(setup, kind.theme)
+    per_unit = PAGE_POINTS / canvas.width
+    texts = [mark for mark in canvas.marks if isinstance(mark, canvas_text.Text)]
+    assert texts
+    for one in texts:
+        assert one.size * per_unit >= 8
+        assert one.box.x >= 0 and one.box.y >= 0
+        assert one.box.right <= canvas.width and one.box.bottom <= canvas.height
+    for a, b in combinations([one.box for one in texts], 2):
+        assert a.right <= b.x or b.right <= a.x or a.bottom <= b.y or b.bottom <= a.y
+
+
+def test_an_exercise_is_one_block_with_its_room_and_its_answer() -> None:
+    blocks = handout(HandoutPlan((Topic.EXERCISES,), Setup(), 10, points=4), Sheet()).blocks
+    tasks = [block for block in blocks if isinstance(block, Task)]
+    assert len(tasks) == 10
+    assert all(isinstance(one.blocks[-1], Blank) and one.points == 4 for one in tasks)
+    assert sum(one.blocks[-1].has_room for one in tasks) >= 7
+    assert not [block for block in blocks if isinstance(block, Blank)]
+
+
+def test_every_format_keeps_an_exercise_on_its_page() -> None:
+    marks = {
+        PageFormat.HTML: ('<section class="task">', ".task,"),
+        PageFormat.TYP: ("#task[", "#let task(title, most, body) = block(breakable: false"),
+        PageFormat.TEX: ("\\begin{task}", "{\\par\\addvspace{14pt}\\begin{minipage}"),
+    }
+    for kind, (begins, rule) in marks.items():
+        plan = HandoutPlan((Topic.EXERCISES,), Setup(), 10, kind)
+        text = student_files(plan, Sheet()).sheet.decode()
+        assert text.count(begins) == 10
+        assert rule in text
+
+
+def test_what_the_sheet_asks_is_what_the_key_and_the_check_answer() -> None:
+    for number in range(1, 11):
+        asked = exercise(number, Sheet("7", "Ada"))
+        plan = HandoutPlan((Topic.EXERCISES,), Setup(), number)
+        sheet, key = (make(plan, Sheet("7", "Ada")) for make in (handout, key_of))
+        task = [block for block in sheet.blocks if isinstance(block, Task)][-1]
+        assert task.title == asked.title
+        assert task.blocks[:-1] == asked.task
+        assert key.blocks[-len(asked.key) :] == asked.key
+        assert asked.judge(asked.right).verdict == Outcome.CORRECT
+
+
+@pytest.mark.parametrize("setup", SCENES)
+def test_worked_numbers_are_those_of_the_scene(setup: Setup) -> None:
+    A = linear_part(setup.maps.world_from_object.exact)
+    blocks = worked(setup)
+    told = " ".join(block.text for block in blocks if isinstance(block, Text))
+    assert ("flattens" in told) == (not determinant(A))
+    products = [
+        block.parts
+        for block in blocks
+        if isinstance(block, Formula) and str(block.parts[0]).endswith("n) · (A t) = ")
+    ]
+    if any(any(row) for row in cofactor_matrix(A)):
+        assert [parts[1] for parts in products] == ["0"]
+    else:
+        assert not products
+        assert "no normal" in told
+
+
+def test_the_pitfalls_are_told_in_words_and_without_codes() -> None:
+    for one in PITFALLS:
+        words = f"{one.claim} {one.verdict}"
+        assert not re.search(r"\bF[0-9]+\b|κ|σ|metric|clamp|det(?! A)", words)
+    sheet = student_files(HandoutPlan((Topic.PITFALLS,), Setup()), Sheet()).sheet.decode()
+    assert not re.search(r">F[0-9]+<", sheet)
+
+
+def test_a_teacher_names_the_sheet_or_its_lines_are_left_to_fill_in(nmatrix) -> None:
+    assert nmatrix("handout --topics rule -o a.md")[0] == 0
+    assert "Course ____" in Path("a.md").read_text().replace("\\", "")
+    line = ["handout", "--topics", "rule", "--title", "Graphics, sheet 4", "-o", "b.md"]
+    assert run(line) == 0
+    text = Path("b.md").read_text()
+    assert "Graphics, sheet 4" in text
+    assert "Course" not in text

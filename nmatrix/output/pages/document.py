@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from itertools import pairwise
 from typing import assert_never
 
-from nmatrix.report import Blank, Block, Heading, PageBreak
+from nmatrix.canvas.theme import PALETTES
+from nmatrix.enums import Theme, VectorFormat
+from nmatrix.report import Block
+
+INK_ON_PAPER = PALETTES[Theme.PRINT]
+ANSWER_WIDE, ANSWER_HIGH = 32, 6.5  # millimetres of a line of an answer
+DOTS_APART = 6  # millimetres
+SHORT_TABLE = 9  # rows that stay on one page
+NARROWEST, WIDEST = 8, 60  # characters of a table's columns
+FORMULAS = ("#math", "$")  # how cells with formulas begin
 
 
 class Paper(StrEnum):
@@ -16,6 +24,11 @@ class Paper(StrEnum):
 
     A4 = "a4"
     LETTER = "letter"
+
+    @property
+    def room(self) -> int:
+        """Millimetres to work in, below an exercise, so that the first page holds the first one."""
+        return {Paper.A4: 36, Paper.LETTER: 30}[self]
 
 
 class PageFormat(StrEnum):
@@ -27,6 +40,16 @@ class PageFormat(StrEnum):
     TEX = "tex"
     MD = "md"
 
+    @property
+    def drawings(self) -> VectorFormat:
+        """The format of its drawings: TeX knows no SVG, and Typst no PDF that can be heard."""
+        return VectorFormat.PDF if self is PageFormat.TEX else VectorFormat.SVG
+
+    @property
+    def theme(self) -> Theme:
+        """The theme of its pictures: HTML gives a drawing the colours of each reader's page."""
+        return Theme.LIGHT if self is PageFormat.HTML else Theme.PRINT
+
 
 PAGES: Mapping[str, PageFormat] = {
     **{f".{one}": one for one in PageFormat},
@@ -36,35 +59,57 @@ WITH_PICTURES_BESIDE = (PageFormat.TYP, PageFormat.TEX, PageFormat.MD)
 
 
 @dataclass(frozen=True)
+class Field:
+    """A part of the line above the title; without a value there is a line to write on.
+
+    `room` is the length of that line in millimetres.
+    """
+
+    label: str
+    value: str = ""
+    room: int = 40
+
+
+@dataclass(frozen=True)
 class Document:
     """One document.
 
     Parameters
     ----------
-    title, subtitle
-        What it is, and whose.
+    title
+        What it is; of a sheet, the claim that it makes.
     blocks
         The same blocks that a terminal shows.
+    head
+        What stands above the title: the course, the date; the last one, the name, at the right.
+    foot
+        What stands at the foot of every page, beside its number.
     pictures
-        PNG files by the path that their `Figure` names.
-    note
-        The small print at the end.
+        PNG, SVG and PDF files by the path that their `Figure` names.
     """
 
     title: str
     blocks: tuple[Block, ...]
-    subtitle: str = ""
+    head: tuple[Field, ...] = ()
+    foot: str = ""
     pictures: Mapping[str, bytes] = field(default_factory=dict)
-    note: str = ""
     paper: Paper = Paper.A4
 
-    def sections(self) -> Iterator[tuple[tuple[Block, ...], bool]]:
-        """Part the blocks at headings; an exercise, which is True, must stay on one page."""
-        begins = [i for i, block in enumerate(self.blocks) if i == 0 or isinstance(block, Heading)]
-        for begin, end in pairwise((*begins, len(self.blocks))):
-            section = self.blocks[begin:end]
-            kinds = set(map(type, section))
-            yield section, Blank in kinds and PageBreak not in kinds
+
+def shares(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[float]:
+    """Share the line among columns by their longest words; markup of formulas says nothing.
+
+    Examples
+    --------
+    >>> shares(["", "true"], [["x" * 30, "y" * 90]])
+    [0.3333333333333333, 0.6666666666666666]
+    """
+    longest = [
+        max(len(cell) for cell in (head, *cells) if not cell.startswith(FORMULAS))
+        for head, *cells in zip(columns, *rows, strict=True)
+    ]
+    kept = [min(max(length, NARROWEST), WIDEST) for length in longest]
+    return [length / sum(kept) for length in kept]
 
 
 def write(document: Document, kind: PageFormat) -> bytes:

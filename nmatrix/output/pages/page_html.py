@@ -2,31 +2,50 @@
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from collections.abc import Sequence
 from functools import cache
 from html import escape
 from importlib.resources import files
 
+from nmatrix.canvas.theme import PALETTES
+from nmatrix.enums import Theme
 from nmatrix.output.documents import Cells, blocks_in
+from nmatrix.output.formulas.mathml import mathml
+from nmatrix.output.formulas.spoken import spoken
 from nmatrix.output.mathml import MathML, prose
-from nmatrix.output.pages.document import Document, Paper
+from nmatrix.output.pages.document import (
+    ANSWER_HIGH,
+    ANSWER_WIDE,
+    DOTS_APART,
+    SHORT_TABLE,
+    Document,
+    Field,
+    Paper,
+)
 from nmatrix.output.write import OutputOptions
-from nmatrix.report import Figure, Formula
+from nmatrix.report import Blank, Figure, Formula, Task
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
-KEEP = ' class="whole"'
 SIZES = {Paper.A4: "A4", Paper.LETTER: "letter"}
+LENGTHS = {
+    "ANSWER_WIDE": ANSWER_WIDE,
+    "ANSWER_HIGH": ANSWER_HIGH,
+    "DOTS_APART": DOTS_APART,
+}
+_NOT_OF_A_PAGE = re.compile(
+    r'^.*?(?=<svg)|<metadata>.*?</metadata>|<title>.*?</title>| id="(?:figure|patch)_[0-9]+"',
+    re.DOTALL,
+)
+_NEEDLESS_DIGITS = re.compile(r"(\d\.\d)\d+")  # a tenth of a unit is a hundredth of a millimetre
+_SIZE = re.compile(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"')
 
 
 def html(document: Document) -> bytes:
     """Write the document as one self-contained file."""
-    dialect = HtmlPage(document)
-    body = "\n".join(
-        f"<section{KEEP if whole else ''}>\n{blocks_in(section, dialect)}\n</section>"
-        for section, whole in document.sections()
-    )
-    subtitle = f'<p class="subtitle">{escape(document.subtitle)}</p>' if document.subtitle else ""
+    body = blocks_in(document.blocks, HtmlPage(document))
+    head = f'<header class="head">{"".join(map(_field, document.head))}</header>'
     page = f"""<!doctype html>
 <html lang="en">
 <head>
@@ -35,39 +54,64 @@ def html(document: Document) -> bytes:
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{escape(document.title)}</title>
 <style>
-{_style(document.paper)}{_foot(document.subtitle)}</style>
+{_style(document.paper)}{_foot(document.foot)}</style>
 </head>
 <body>
 <main>
-<h1>{escape(document.title)}</h1>
-{subtitle}
+{head if document.head else ""}
+<h1>{prose(document.title)}</h1>
 {body}
 </main>
-<footer>{escape(document.note)}</footer>
+<footer>{escape(document.foot)}</footer>
 </body>
 </html>
 """
     return page.encode("utf-8", "replace")
 
 
+def _field(field: Field) -> str:
+    label = f"{escape(field.label)} " if field.label else ""
+    line = f'<i class="line" style="width: {field.room}mm"></i>'
+    return f"<span>{label}{escape(field.value) if field.value else line}</span>"
+
+
 @cache
 def _style(paper: Paper) -> str:
-    """Fill the font and the paper into the style sheet."""
+    """Fill the colours, the lengths, the font and the paper into the style sheet."""
     folder = files(__package__)
-    font = b64encode(folder.joinpath("math.woff2").read_bytes()).decode()
     style = folder.joinpath("style.css").read_text(encoding="utf-8")
-    return style.replace("FONT", font).replace("PAPER", SIZES[paper])
+    for theme, palette in PALETTES.items():
+        named = (f"--{name}: {colour};" for name, colour in palette.named.items())
+        style = style.replace(f"{theme.name}_COLOURS", " ".join(named))
+    for name, length in {**LENGTHS, "ROOM_HIGH": paper.room}.items():
+        style = style.replace(name, f"{length}mm")
+    font = b64encode(folder.joinpath("math.woff2").read_bytes()).decode()
+    return style.replace("PAPER_SIZE", SIZES[paper]).replace("MATH_FONT", font)
 
 
-def _foot(whose: str) -> str:
-    """Print a name and a number on every page: sheets get dropped."""
+def _foot(text: str) -> str:
+    """Print a line and a number on every page: sheets get dropped."""
     page = 'counter(page) " / " counter(pages)'
-    name = "".join(c if c.isalnum() and c.isascii() else f"\\{ord(c):x} " for c in whose)
-    style = "font: 8pt serif; color: #5a5a5a;"
+    shown = "".join(c if c.isalnum() and c.isascii() else f"\\{ord(c):x} " for c in text)
+    style = "font: 8pt serif; color: #3a3a3a;"
     return (
-        f'@page {{ @bottom-left {{ content: "{name}"; {style} white-space: nowrap; }} '
+        f'@page {{ @bottom-left {{ content: "{shown}"; {style} white-space: nowrap; }} '
         f"@bottom-right {{ content: {page}; {style} }} }}\n"
     )
+
+
+def inline(svg: bytes) -> str:
+    """Turn an SVG file into elements of a page, as wide as the page lets them be.
+
+    A drawing in the light theme follows the page's theme; a picture that holds pixels does not.
+    """
+    found = _SIZE.sub(r"\1", _NOT_OF_A_PAGE.sub("", svg.decode())).strip()
+    found = _NEEDLESS_DIGITS.sub(r"\1", found).replace(" \n", " ")
+    if "<image" in found:
+        return found
+    for name, colour in PALETTES[Theme.LIGHT].named.items():
+        found = found.replace(colour.lower(), f"var(--{name})")
+    return found
 
 
 class HtmlPage(MathML):
@@ -77,9 +121,20 @@ class HtmlPage(MathML):
         super().__init__(OutputOptions())
         self.pictures = document.pictures
 
+    def paragraph(self, text: str) -> str:
+        """Write a paragraph; one that leads to something stays on the page of it."""
+        kind = ' class="leads"' if text.endswith(":") else ""
+        return f"<p{kind}>{prose(text)}</p>"
+
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Write a table that scrolls by itself where the screen is narrow."""
-        return f'<div class="wide">{super().table(title, columns, rows)}</div>'
+        """Write a table that scrolls by itself where the screen is narrow.
+
+        A short one stays on its page; the head of a long one is printed on each of its pages.
+        """
+        kind = "wide together" if len(rows) <= SHORT_TABLE else "wide"
+        table = super().table(title, columns, rows)
+        table = table.replace("<tr>", "<thead><tr>", 1).replace("</tr>", "</tr></thead>", 1)
+        return f'<div class="{kind}">{table}</div>'
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Write a step that stays together on a page."""
@@ -89,18 +144,53 @@ class HtmlPage(MathML):
             f'<div class="step">{self.formula(formula)}<p class="{mark}">{prose(words)}</p></div>'
         )
 
-    def figure(self, figure: Figure) -> str:
-        """Write a picture with its alternative text."""
-        data = b64encode(self.pictures[figure.path]).decode()
-        caption = f"<figcaption>{prose(figure.caption)}</figcaption>" if figure.caption else ""
-        image = f'<img src="data:image/png;base64,{data}" alt="{escape(figure.alternative)}">'
-        return f"<figure>{image}{caption}</figure>"
+    def inline_formula(self, formula: Formula) -> str:
+        """Write a formula among words."""
+        said = escape(spoken(formula.tree))
+        head = '<math xmlns="http://www.w3.org/1998/Math/MathML"'
+        return f'{head} alttext="{said}">{mathml(formula.tree)}</math>'
 
-    def blank(self, rows: int, columns: int) -> str:
-        """Leave empty cells between brackets."""
-        row = f"<tr>{'<td></td>' * columns}</tr>"
-        said = f"room for an answer of {rows} rows and {columns} columns"
-        return f'<table class="blank" aria-label="{said}">{row * rows}</table>'
+    def figure(self, figure: Figure) -> str:
+        """Write a picture with its alternative text; a drawing follows the page's theme."""
+        content, said = self.pictures[figure.path], escape(figure.alternative)
+        if figure.path.endswith(".svg"):
+            image = f'<div role="img" aria-label="{said}">{inline(content)}</div>'
+        else:
+            data = b64encode(content).decode()
+            image = f'<img src="data:image/png;base64,{data}" alt="{said}">'
+        title = f"<b>{prose(figure.title)}.</b> " if figure.title else ""
+        caption = title + prose(figure.caption)
+        return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
+
+    def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
+        """Write letters and their words in two columns, one on a phone."""
+        entries = "".join(f"<div><dt>{a}</dt><dd>{b}</dd></div>" for a, b in meanings)
+        return f'<dl class="symbols">{entries}</dl>'
+
+    def framed(self, body: str) -> str:
+        """Put a bar beside some blocks, and a tint behind them."""
+        return f'<div class="framed">\n{body}\n</div>'
+
+    def blank(self, blank: Blank) -> str:
+        """Leave dotted room to work, and lines for the answer."""
+        room = '<div class="room" role="img" aria-label="room to work"></div>\n'
+        rows, columns, line = blank.rows, blank.columns, '<i class="answer"></i>'
+        if blank.names:
+            names = (f"<i>{name}</i> =" if name else "Answer" for name in blank.names)
+            body = "".join(f"<span>{name} {line}</span>" for name in names)
+            answer = f'<p class="answers">{body}</p>'
+        else:
+            row = f"<tr>{f'<td>{line}</td>' * columns}</tr>"
+            said = f"room for an answer of {rows} rows and {columns} columns"
+            answer = f'<table class="blank" aria-label="{said}">{row * rows}</table>'
+        return room * blank.has_room + answer
+
+    def task(self, task: Task, body: str) -> str:
+        """Write an exercise that stays on its page, with a box for its points."""
+        most = "" if task.points is None else str(task.points)
+        title = f"<h2>{prose(task.title)}</h2>"
+        points = f'<span class="points">/ {most}</span>'
+        return f'<section class="task"><header>{title}{points}</header>\n{body}\n</section>'
 
     def page_break(self) -> str:
         """End a page."""

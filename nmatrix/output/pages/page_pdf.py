@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import UTC, datetime
+from itertools import product
 from pathlib import Path
+from shutil import copy
 from tempfile import TemporaryDirectory
 
+from nmatrix.canvas.text import font_file
 from nmatrix.errors import IllegalValueError, MissingPackageError, quantity
 from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.page_typst import typ
@@ -31,6 +34,10 @@ def pdf(document: Document) -> bytes:
         for path, content in document.pictures.items():
             folder.joinpath(path).parent.mkdir(parents=True, exist_ok=True)
             folder.joinpath(path).write_bytes(content)
+        fonts = folder / "fonts"  # beside these, matplotlib has one with a box for any character
+        fonts.mkdir()
+        for bold, oblique in product((False, True), repeat=2):
+            copy(font_file(bold=bold, oblique=oblique), fonts)
         source = folder / "main.typ"
         source.write_bytes(typ(document))
         found = typst.compile(
@@ -38,6 +45,7 @@ def pdf(document: Document) -> bytes:
             root=name,
             format="pdf",
             ignore_system_fonts=True,
+            font_paths=[str(fonts)],
             pdf_standards=["ua-1"],  # refuses what has no alternative text
             timestamp=NO_TIME,
         )
