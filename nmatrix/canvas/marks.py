@@ -188,7 +188,7 @@ class Canvas:
         """Fill closed loops and draw their edges."""
         self.marks.append(Polygon(tuple(map(_points, loops)), fill, edge, width, opacity))
 
-    def text(
+    def text(  # noqa: PLR0913  # each is a side of one line, and most are left out
         self,
         place: Point,
         text: str,

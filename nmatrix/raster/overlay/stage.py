@@ -18,6 +18,7 @@ from nmatrix.canvas import glyphs
 from nmatrix.canvas.glyphs import Ink
 from nmatrix.canvas.marks import Box, Canvas, Point
 from nmatrix.enums import DepthRange
+from nmatrix.linear.projection import Window
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body, LoadedScene
@@ -114,9 +115,9 @@ class Stage:
     def sees(self, points: Array) -> Array:
         """Return a mask of the points (n, 3) of the world that no surface hides."""
         window = self.window(points)
-        found = np.isfinite(window).all(axis=1)
+        found: Array = np.asarray(np.isfinite(window).all(axis=1))
         found[found] = seen(self.pixels(window[found]), self.depth.farthest)
-        return np.asarray(found)
+        return found
 
     def covers(self, points: Array) -> Array:
         """Return a mask of the points (n, 3) of the world behind or before which a surface is."""
@@ -411,7 +412,7 @@ def filling(
     near = near / 2
     left, bottom = (middle - half) * near
     right, top = (middle + half) * near
-    window = (float(left), float(right), float(bottom), float(top))
+    window = Window(float(left), float(right), float(bottom), float(top))
     return Lens(aspect=box.width / box.height, near=near, far=far * 2, frustum=window)
 
 

@@ -45,7 +45,8 @@ class Places:
 
     def of(self, mesh: Mesh, values: Array) -> Array:
         """Interpolate values (V, 3) of vertices."""
-        return np.einsum("nc,nck->nk", self.weights, values[mesh.triangles[self.triangle]])
+        corners = values[mesh.triangles[self.triangle]]
+        return np.asarray(np.einsum("nc,nck->nk", self.weights, corners))
 
     def some(self, which: Array) -> Places:
         """Return some of them, in an order of their own."""
