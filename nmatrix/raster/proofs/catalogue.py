@@ -127,6 +127,6 @@ def catalogued(name: str) -> ProofEntry | None:
     Examples
     --------
     >>> catalogued("object-rule").module
-    'lights'
+    'object_rule'
     """
     return next((one for one in PROOFS if one.name == name), None)
