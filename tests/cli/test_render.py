@@ -257,7 +257,7 @@ def test_a_proof_says_its_claim_first_and_nothing_that_was_not_measured(nmatrix)
     found = nmatrix(f"render normals {SMALL}").out.splitlines()
     data = nmatrix(f"render normals {SMALL} --force -f json").data
     assert found[0].startswith("Stretch a shape by A")
-    assert found[3] == "With A itself the normals are up to 36.87° off."
+    assert found[3] == "With A itself the normals are up to 36.87° off, unseen ones included."
     assert found[-1] == "normals.png"
     assert not [line for line in found if "none" in line or "camera" in line]
     assert {"triangles", "fragments", "image"} <= set(data)

@@ -239,7 +239,7 @@ def _captions(carried: CarriedLight, *, edge_seen: bool, shares_seen: bool) -> t
     elif edge_seen:
         first += " The dashed line is the true edge of the light."
     second = "The edge is right, the shade is not"
-    second += ": it is off by up to so much of the light." if shares_seen else "."
+    second += ": on this side it is off by up to so much of the light." if shares_seen else "."
     return (
         same if moved else first,
         same if shade else second,
@@ -253,7 +253,7 @@ def _verdict(carried: CarriedLight) -> str:
     off = carried.too_bright[1]
     shares = ((off.max(), "bright"), (-off.min(), "dark"))
     told = [f"{_percent(share)} of it too {word}" for share, word in shares if share > ROUNDING]
-    keeps = f", up to {' and '.join(told)}" if told else ""
+    keeps = f", up to {' and '.join(told)}, unseen sides included" if told else ""
     if carried.points_alike:
         return f"Mᵀl and M⁻¹l are one direction here; without the metric the shade is off{keeps}."
     return (
@@ -326,15 +326,18 @@ def _mark_shares(stage: Stage, carried: CarriedLight, *, held: bool) -> bool:
         share = float((sign * off).max())
         if share < ROUNDING or not len(seen):
             continue  # nowhere, or nowhere in sight
+        worst = seen[np.argmax(sign * off[seen])]
+        share_seen = float(sign * off[worst])
+        if share_seen < ROUNDING:
+            continue
         for around in isoline(points, body.mesh.triangles, sign * off - share / 2):
             stage.surface_line(around, AROUND, palette.wrong, dash=DASHES, halo=palette.paper)
-        worst = seen[np.argmax(sign * off[seen])]
         place = stage.place(points[worst])
         if place is not None and stage.box.holds(place):
             nearest = min(corners, key=lambda one: hypot(one[0] - place[0], one[1] - place[1]))
             corner = corners[1 if sign > 0 else 0] if held else nearest
             corners.remove(corner)
-            _tag(stage, place, corner, _percent(sign * float(off[worst])), words)
+            _tag(stage, place, corner, _percent(share_seen), words)
     return len(corners) < len(stage.free_corners(14))
 
 

@@ -43,10 +43,18 @@ def picture(
 def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
     if not drawn.rendered.work.fragments:
         return "Nothing covers a sample: move the camera or make the picture larger."
+    if rule is not NormalRule.EXACT:
+        return _of_rule(worst, rule)
     if worst is None:
-        return "Drawn; no normal survives its map."
+        return "Drawn; by A itself no normal in sight survives."
     if worst < INVISIBLE_DEG:
-        return "Drawn; here A itself carries the normals just as well."
-    if rule is NormalRule.EXACT:
-        return f"Drawn rightly; with A itself the normals would be up to {worst:.3g}° off."
-    return f"By the rule “{rule}” the normals are up to {worst:.3g}° off."
+        return "Drawn; A itself carries the normals in sight just as well."
+    return f"Drawn rightly; with A itself the normals in sight would be up to {worst:.3g}° off."
+
+
+def _of_rule(worst: float | None, rule: NormalRule) -> str:
+    if worst is None:
+        return f"Drawn; by the rule “{rule}” no normal in sight can be compared."
+    if worst < INVISIBLE_DEG:
+        return f"Drawn; in sight the rule “{rule}” gives the right normals."
+    return f"By the rule “{rule}” the normals in sight are up to {worst:.3g}° off."

@@ -11,7 +11,7 @@ from nmatrix.canvas.glyphs import Ink, Verdict
 from nmatrix.canvas.slide import CAPTION, GUTTER, HEADING, STAGE_AT, Panel, Slide
 from nmatrix.enums import Kind, NormalRule
 from nmatrix.raster.drawn_scene import level_difference
-from nmatrix.raster.loaded_scene import Body, loaded
+from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
 from nmatrix.raster.overlay.stage import Stage, radius_of
 from nmatrix.raster.proofs.angles import (
     INVISIBLE_DEG,
@@ -54,9 +54,18 @@ class Claim:
     agrees: bool = False
 
     @classmethod
-    def about(cls, settings: ProofSettings, body: Body, worst_deg: float | None) -> Claim:
+    def about(
+        cls, settings: ProofSettings, body: Body, worst_deg: float | None, *, is_lost: bool
+    ) -> Claim:
         """Find the words for a body whose normals A itself bends so far at the worst."""
         kind, rank = body.kind, body.linear_map.rank
+        if worst_deg is None and not is_lost:
+            return cls(
+                "Flatten a shape along its normals, and A leaves none",
+                "Carried by A every normal has length 0: no arrow, and no light.",
+                "The cofactors C of A know the plane; both of its sides are lit.",
+                "C *n*, both sides",
+            )
         if worst_deg is None:
             return cls(
                 "Where no plane is left, no normal is",
@@ -92,7 +101,8 @@ def normals(settings: ProofSettings) -> Proof:
     scene = settings.scene(one, lights=(FROM_THE_RIGHT,))
     (body,) = loaded(scene).bodies
     worst = worst_at_vertices(loaded(scene), body, NormalRule.NONE)
-    claim = Claim.about(settings, body, worst)
+    is_lost = _is_lost(loaded(scene), body)
+    claim = Claim.about(settings, body, worst, is_lost=is_lost)
     slide = settings.slide(claim.title)
     idea, first, second, last = slide.body(BELOW).columns(4, GUTTER)
     bends = body.kind.needs_inverse_transpose
@@ -100,7 +110,7 @@ def normals(settings: ProofSettings) -> Proof:
     circle_to_ellipse(slide.canvas, told.stage, 2.0 if bends else 1.0)
     panels = (
         slide.panel(first, "A *n*", _verdict(claim.agrees), claim.wrong),
-        slide.panel(second, claim.heading, None if worst is None else Verdict.RIGHT, claim.right),
+        slide.panel(second, claim.heading, None if is_lost else Verdict.RIGHT, claim.right),
     )
     wrong, right = _both(slide, settings, BESIDE, panels, scene)
     if claim.agrees:
@@ -116,7 +126,7 @@ def normals(settings: ProofSettings) -> Proof:
     return Proof.of(
         settings.subject,
         slide,
-        _sentence(worst),
+        _sentence(worst, is_lost=is_lost),
         [wrong.drawn, right.drawn],
         max_level_difference=level_difference(wrong.drawn, right.drawn),
         **found.errors,
@@ -133,7 +143,7 @@ def _both(
     ink = Ink.WRONG if panels[0].verdict is Verdict.WRONG else Ink.RIGHT
     rules = (NormalRule.NONE, ink), (NormalRule.EXACT, Ink.RIGHT)
     (body,) = right.loaded.bodies
-    if not normals_by(right.loaded, body, NormalRule.EXACT).any():
+    if _is_lost(right.loaded, body):
         for panel in panels:
             slide.no_answer(panel, NO_SURFACE[body.linear_map.rank])
         return wrong, right
@@ -148,12 +158,19 @@ def _verdict(agrees: bool) -> Verdict:  # noqa: FBT001  # the one thing that it 
     return Verdict.RIGHT if agrees else Verdict.WRONG
 
 
-def _sentence(worst: float | None) -> str:
-    if worst is None:
+def _is_lost(ready: LoadedScene, body: Body) -> bool:
+    """Tell whether a body has no normal by any rule."""
+    return not normals_by(ready, body, NormalRule.EXACT).any()
+
+
+def _sentence(worst: float | None, *, is_lost: bool) -> str:
+    if is_lost:
         return "No normal survives this map."
+    if worst is None:
+        return "A itself leaves no normal here, and the cofactors do."
     if worst < INVISIBLE_DEG:
         return "Both are the same here: a test on this map cannot tell a wrong normal matrix."
-    return f"With A itself the normals are up to {worst:.2f}° off."
+    return f"With A itself the normals are up to {worst:.2f}° off, unseen ones included."
 
 
 def bias(settings: ProofSettings) -> Proof:
@@ -179,22 +196,26 @@ def bias(settings: ProofSettings) -> Proof:
         line = ((box.x, box.y - 56), (box.right, box.y - 56))
         slide.canvas.stroke(line, 3, slide.palette.ink, round_ends=False)
         left, right = box.columns(2, GUTTER)
-        told = caption or _second_caption(body, agrees=agrees, is_lost=worst is None)
+        is_lost = _is_lost(loaded(scene), body)
+        told = caption or _second_caption(body, agrees=agrees, is_lost=is_lost)
         rule = "A^{−T} *n*" if body.linear_map.rank == 3 else "C *n*"
         panels = (
             slide.panel(left, "A *n*", Verdict.WRONG),
-            slide.panel(right, rule, None if worst is None else Verdict.RIGHT),
+            slide.panel(right, rule, None if is_lost else Verdict.RIGHT),
         )
         slide.canvas.paragraph((box.x, box.bottom + 38), told, CAPTION, box.width)
         drawn += _both(slide, settings, FRONT, panels, scene)
-        if worst is not None:
+        if not is_lost and not drawn[-1].is_empty:
             slide.compare(*panels, same=agrees)
     turned, stretched = drawn[:2], drawn[2:]
     hidden, seen = (level_difference(a.drawn, b.drawn) for a, b in (turned, stretched))
+    under = f"by {seen} in a stretch" if own else f"by {seen} under your map"
+    if is_lost:
+        under = "and your map leaves no normal"
     return Proof.of(
         settings.subject,
         slide,
-        f"The wrong matrix is off by {hidden} levels in a rotation, by {seen} in a stretch.",
+        f"The wrong matrix is off by {hidden} levels in a rotation, {under}.",
         [one.drawn for one in drawn],
         numbers={"rotation_level_difference": hidden, "scale_level_difference": seen},
         max_level_difference=seen,

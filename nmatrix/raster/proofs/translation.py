@@ -140,7 +140,7 @@ class Moved:
     @property
     def verdict(self) -> str:
         """The two mistakes in one sentence."""
-        moved = f"With w = 1 the normals are up to {self.worst_deg:.2f}° off"
+        moved = f"With w = 1 the normals are up to {self.worst_deg:.2f}° off, unseen ones included"
         if self.body.linear_map.rank < 3:
             return f"{moved}; M has no inverse to transpose."
         short = "normalised over four components the shortest has length"
