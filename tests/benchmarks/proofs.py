@@ -34,7 +34,7 @@ def scenes_of(draw: Callable[[], object]) -> list[Callable[[], object]]:
         found.append(lambda: drawn_scene.drawn_scene(scene, keeps_depth=True).levels)
         return loaded(scene)
 
-    def rendered(plan: Plan, **settings: Any) -> Rendered:  # noqa: ANN401  # passed on
+    def rendered(plan: Plan, **settings: Any) -> Rendered:
         if settings.get("change") is not None:  # planned with another scene
             found.append(lambda: levels(render(plan, **settings).rgb))
         return render(plan, **settings)

@@ -7,7 +7,7 @@ and is behind another one is left out; what stands for an idea (arrows, lamps, t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nmatrix.canvas import glyphs
 from nmatrix.canvas.glyphs import Ink
-from nmatrix.canvas.marks import Box, Canvas, Point
+from nmatrix.canvas.marks import Box, Canvas, Point, Stroke
 from nmatrix.enums import DepthRange
 from nmatrix.linear.projection import Window
 from nmatrix.linear.rational import to_floats
@@ -48,11 +48,12 @@ MOST_EDGED = 200_000  # triangles: the edges of more are finer than pixels
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """A drawn scene in a box of a canvas."""
+    """A drawn scene in a box of a canvas; `outlined` holds the lines of its outline."""
 
     canvas: Canvas
     box: Box
     drawn: DrawnScene
+    outlined: list[Stroke] = field(default_factory=list, init=False)
 
     @property
     def loaded(self) -> LoadedScene:
@@ -138,6 +139,7 @@ class Stage:
 
     def outline(self, *, sharp: bool = True) -> None:
         """Draw the outline of all that is covered in ink, and the visible edges inside it."""
+        before = len(self.canvas.marks)
         for points in self._rims():
             self.canvas.stroke(points, OUTLINE * 1.2, self.canvas.palette.ink)
         for body in self.loaded.bodies if sharp else ():
@@ -147,6 +149,20 @@ class Stage:
             chains = [points[chain] for chain in creases(body.mesh)]
             for chain in (*chains, *silhouettes(body.mesh, points, self.eye)):
                 self.surface_line(chain, OUTLINE, self.canvas.palette.ink)
+        drawn = self.canvas.marks[before:]
+        self.outlined.extend(one for one in drawn if isinstance(one, Stroke))
+
+    def outline_like(self, other: Stage) -> None:
+        """Draw the outline of a stage of the same size that shows the same surfaces.
+
+        Where they differ in a pixel, or the other has none yet, it gets an outline of its own.
+        """
+        if not other.outlined or not np.array_equal(self.depth.coverage, other.depth.coverage):
+            self.outline()
+            return
+        by = np.array([self.box.x - other.box.x, self.box.y - other.box.y])
+        for one in other.outlined:
+            self.canvas.stroke(np.array(one.points) + by, one.width, one.colour)
 
     def lost_outline(self) -> None:
         """Draw the outline of what would be covered, dashed, where it could not be drawn."""
@@ -360,6 +376,9 @@ class Stage:
             palette, towards = self.canvas.palette, unit(self.eye - place)
             is_edge_on = abs(float(normal @ towards)) < SILHOUETTE * 2
             edge, width = (palette.ink, EDGE_ON) if is_edge_on else (palette.dim, RIM)
+            if is_edge_on:  # ink may be as light as the surface or as the stage: paper parts them
+                around = EDGE_ON + 2 * glyphs.HALO
+                self.canvas.stroke(rim[[*range(len(rim)), 0], :2], around, palette.paper)
             self.canvas.polygon(rim[:, :2], fill="#FFFFFF", edge=edge, width=width)
 
     def _rims(self) -> list[Array]:

@@ -125,7 +125,7 @@ def spaces(settings: ProofSettings) -> Proof:
         _Surroundings(settings, ready, standpoint).draw(slide, high, plain)
         drawn[space] = draw_on(slide, low, _shaded_in(scene, loaded(scene), space))
         if not drawn[space].is_empty:
-            drawn[space].outline()
+            drawn[space].outline_like(next(iter(drawn.values())))
     for a, b in pairwise(zip(STANDPOINTS, below, strict=True)):
         if a[0] in able and b[0] in able:
             pair = (drawn[each[0].space].drawn for each in (a, b))

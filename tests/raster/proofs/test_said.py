@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from nmatrix.canvas.marks import Text
+from nmatrix.canvas.marks import Polygon, Stroke, Text
 from nmatrix.canvas.slide import Slide
-from nmatrix.enums import NormalRule
+from nmatrix.enums import NormalRule, Theme
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
@@ -76,3 +76,22 @@ def test_a_rule_is_never_praised_or_blamed_for_another(rule: NormalRule) -> None
         found = picture(replace(scene, settings=chosen), "egg")
         assert "A itself" not in found.verdict
         assert f"“{rule}”" in found.verdict
+
+
+def test_on_a_dark_slide_a_disc_seen_edge_on_is_parted_from_a_light_surface() -> None:
+    """Its edge is in ink, as light there as the surface: dark paper goes around it."""
+    found = proof("normals", theme=Theme.DARK)
+    assert isinstance(found.picture, Slide)
+    marks, palette = found.picture.canvas.marks, found.picture.palette
+    edge_on = [
+        i
+        for i, one in enumerate(marks)
+        if isinstance(one, Polygon) and one.fill == "#FFFFFF" and one.edge == palette.ink
+    ]
+    assert edge_on
+    for i in edge_on:
+        around, disc = marks[i - 1], marks[i]
+        assert isinstance(around, Stroke)
+        assert isinstance(disc, Polygon)
+        assert (around.colour, around.points[:-1]) == (palette.dim, disc.loops[0])
+        assert around.width > disc.width

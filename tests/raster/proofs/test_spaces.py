@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from nmatrix.canvas.marks import Polygon, Raster, Text
+from nmatrix.canvas.marks import Polygon, Raster, Stroke, Text
 from nmatrix.canvas.slide import Slide
 from nmatrix.enums import Space
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
@@ -178,3 +178,19 @@ def test_nothing_but_the_body_moves_from_frame_to_frame() -> None:
 )
 def test_a_small_number_is_written_with_its_power_of_ten(number: float, text: str) -> None:
     assert _power_of_ten(number) == text
+
+
+@pytest.mark.parametrize("world", [STANDING, World(scale=(1, 9, 1), shear=(2, 0, 0))])
+def test_pictures_that_are_said_to_be_the_same_have_the_same_outlines(world: World) -> None:
+    found = proof(world=world)
+    lines = []
+    for panel in slide(found).panels[5:]:
+        box = panel.stage
+        strokes = [one for one in slide(found).canvas.marks if isinstance(one, Stroke)]
+        strokes = [one for one in strokes if one.width < 2]  # of outlines, not of = between them
+        inside = [one.points for one in strokes if box.holds(one.points[0])]
+        lines.append([np.array(one) - (box.x, box.y) for one in inside])
+    assert len(lines[0]) > 1
+    for other in lines[1:]:
+        assert [one.shape for one in other] == [one.shape for one in lines[0]]
+        assert all(np.abs(a - b).max() < 1e-6 for a, b in zip(lines[0], other, strict=True))
