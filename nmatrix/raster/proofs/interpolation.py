@@ -24,6 +24,7 @@ from nmatrix.raster.proofs.angles import INVISIBLE_DEG, AngleMap, angle_map
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
 from nmatrix.raster.proofs.staging import Pose, drawn_for, put, staged
 from nmatrix.raster.render import surface_of
+from nmatrix.raster.shading.normals import normals_by
 from nmatrix.raster.shading.surface import Surface
 from nmatrix.scene.geometry import ShapeGeometry
 from nmatrix.scene.light import SceneLight
@@ -159,11 +160,13 @@ def interpolation(settings: ProofSettings) -> Proof:
     floors = _floors(slide, settings, Box(body.x + apart, body.y, body.width - apart, body.height))
     moved, bend = _moved_part(settings), bodies.bend.worst_deg
     never, after, both = bodies.drawn
+    bent = f"Along an edge normals of unequal length bend by up to {bend:.1f}°"
+    if not any(normals_by(both.loaded, one, NormalRule.EXACT).any() for one in both.loaded.bodies):
+        bent = "No normal survives this map"
     return Proof.of(
         settings.subject,
         slide,
-        f"Along an edge normals of unequal length bend by up to {bend:.1f}°; weights of the screen "
-        f"move the pattern in {moved:.0%} of the floor.",
+        f"{bent}; weights of the screen move the pattern in {moved:.0%} of the floor.",
         [*floors, never, after, both],
         numbers={
             "never_level_difference": level_difference(never, both),

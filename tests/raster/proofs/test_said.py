@@ -95,3 +95,8 @@ def test_on_a_dark_slide_a_disc_seen_edge_on_is_parted_from_a_light_surface() ->
         assert isinstance(disc, Polygon)
         assert (around.colour, around.points[:-1]) == (palette.dim, disc.loops[0])
         assert around.width > disc.width
+
+
+def test_normals_that_a_map_took_away_are_not_said_to_bend() -> None:
+    assert "No normal survives" in proof("interpolation", world=World(scale=(0, 1, 0))).verdict
+    assert "bend by up to" in proof("interpolation", world=FLAT).verdict
