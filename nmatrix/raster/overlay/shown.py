@@ -54,6 +54,7 @@ LAMP = 15.0
 SUNS_APART = 112.0
 EDGE_PAD = 64.0  # of a lamp that is outside the picture, from its sides
 POINTER = 44.0
+AT_EYE = 1e-9  # nearer to the eye, or to the plane through it, a lamp is there
 BEYOND = 1.2  # how far axes reach out of what they belong to
 MOST_OWN_AXES, MOST_NAMED = 8, 24  # bodies
 FINEST = 5.0  # pixels: shorter edges run together
@@ -200,17 +201,22 @@ class _Marks:
         reach = BEYOND * (float(np.sqrt(centre @ centre)) + radius)
         seen = self._axes(np.zeros(3), reach * np.eye(3), AXIS, "{}")
         if not seen:
-            self.remarks.append("The world's axes are outside of the picture.")
+            self.remarks.append("The world's axes are outside of the picture or hidden.")
         placed = [body for body in self.bodies if body.world_from_object.exact != identity(4)]
+        named = []
         for body in placed[:MOST_OWN_AXES]:
             M = np.array(to_floats(body.world_from_object.exact))
             long = BEYOND * np.abs(body.mesh.box).max(axis=0)
-            self._axes(M[:3, 3], (M[:3, :3] * long).T, OWN_AXIS, "*{}*")
-        if placed:
-            told = f"those of {len(placed)} objects" if len(placed) > 1 else "those of the object"
-            if len(placed) > MOST_OWN_AXES:
-                told = f"those of the first {MOST_OWN_AXES} of {len(placed)} objects"
-            self.remarks.append(f"The thick axes are the world's, the thin ones {told}.")
+            if self._axes(M[:3, 3], (M[:3, :3] * long).T, OWN_AXIS, "*{}*"):
+                named.append(body)
+        if named:
+            thick = "The thick axes are the world's, the thin ones" if seen else "The axes are"
+            self.remarks.append(f"{thick} those of {_names(named)}.")
+        if len(placed) > MOST_OWN_AXES:
+            self.remarks.append(
+                f"Of {len(placed)} objects that are placed, only the first {MOST_OWN_AXES} "
+                "have axes here."
+            )
 
     def _axes(self, origin: Array, ends: Array, wide: float, letter: str) -> bool:
         """Draw three axes as far as they are seen; tell whether anything of them is."""
@@ -264,16 +270,23 @@ class _Marks:
             if one.direction is not None:
                 self._beam(point, np.array([float(x) for x in one.direction]), place)
             return place
-        where = "behind the eye" if place is None else "outside of the picture"
+        where = "outside of the picture" if place is not None else self._beyond_sight(point)
         at_edge, u = self._edge(point, place)
-        if u is None:
-            where = "where the eye is"
-        else:
+        if u is not None:
             tip = (at_edge[0] + u[0] * POINTER, at_edge[1] + u[1] * POINTER)
             glyphs.arrow(canvas, at_edge, tip, glyphs.Ink.PLAIN)
         glyphs.lamp(canvas, at_edge, radius=LAMP)
         self.remarks.append(f"The light {printable(one.light.name)} is {where}.")
         return at_edge
+
+    def _beyond_sight(self, point: Array) -> str:
+        """Tell where a point is that is not in front of the eye."""
+        away = float(np.sqrt(((point - self.stage.eye) ** 2).sum()))
+        if away <= AT_EYE:
+            return "where the eye is"
+        *row, shift = self.stage.clip_from_world[3]
+        ahead = float(point @ row + shift) / (hypot(*row) or 1.0)
+        return "behind the eye" if ahead < -AT_EYE * away else "beside the eye"
 
     def _edge(self, point: Array, place: Point | None) -> tuple[Point, Point | None]:
         """Return where at the edge a lamp is told, and which way it is: none for one at the eye."""
