@@ -6,6 +6,7 @@ hidden; what stands for an idea (normals, lamps) is drawn whole.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -52,6 +53,7 @@ AXIS_PAD = 40.0  # of the tip of an axis, from the sides of the picture
 HALO = 1.2
 LAMP = 15.0
 SUNS_APART = 112.0
+LEVEL = 1e-9  # light that rises no more than so much of its way comes from the side
 EDGE_PAD = 64.0  # of a lamp that is outside the picture, from its sides
 POINTER = 44.0
 AT_EYE = 1e-9  # nearer to the eye, or to the plane through it, a lamp is there
@@ -89,6 +91,7 @@ class _Marks:
     stage: Stage
     labels: Labels
     remarks: list[str] = field(default_factory=list)
+    map: Box | None = None
 
     def draw(self, shown: Shown) -> None:
         """Draw one kind of marks."""
@@ -106,7 +109,7 @@ class _Marks:
             case Shown.LIGHTS:
                 self.lights()
             case Shown.EYE:
-                eye_map(self.stage, self.labels)
+                self.map = eye_map(self.stage, self.labels)
             case _:
                 assert_never(shown)
 
@@ -241,19 +244,23 @@ class _Marks:
 
     def lights(self) -> None:
         """Draw every lamp where it is, and those outside the picture at its edge."""
-        suns = {True: 0, False: 0}
+        suns: Counter[tuple[bool, bool]] = Counter()  # in each corner
         for i, one in enumerate(self.stage.loaded.lights):
             if one.position is not None:
                 place = self._lamp(one)
                 self.labels.keep_free(Box(place[0] - 28, place[1] - 28, 56, 56))
             elif one.direction is not None:
                 towards = self.stage.direction([float(x) for x in one.direction])
-                on_left = towards[0] > 0
-                aside = CORNER + SUNS_APART * suns[on_left]
-                suns[on_left] += 1
-                place = (aside if on_left else self.stage.box.right - aside, CORNER)
+                corner = on_left, from_below = towards[0] > 0, towards[1] < -LEVEL * hypot(*towards)
+                aside = CORNER + SUNS_APART * suns[corner]
+                suns[corner] += 1
+                if self.map is not None and on_left and from_below:
+                    aside += self.map.right
+                x = aside if on_left else self.stage.box.right - aside
+                y = self.stage.box.bottom - CORNER if from_below else CORNER
+                place = (x, y)
                 glyphs.sun(self.stage.canvas, place, towards)
-                self.labels.keep_free(Box(place[0] - 80, 0, 160, place[1] + 80))
+                self.labels.keep_free(Box(x - 80, y - 80 if from_below else 0, 160, y + 80))
             else:
                 continue  # ambient light comes from nowhere
             clear = 34.0 if one.position is not None else 84.0

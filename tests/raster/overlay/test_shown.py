@@ -385,7 +385,9 @@ def test_a_body_that_is_seen_without_its_vertices_is_named() -> None:
     ball = thing(sphere(8, 16), World(), "ball")
     for shown, kind in ((Shown.NORMALS, "normals"), (Shown.TANGENTS, "tangents")):
         _, remarks = marks(scene(floor, ball), shown)
-        assert f"No vertex of floor that has a normal is seen: no {kind} are drawn there." in remarks
+        assert (
+            f"No vertex of floor that has a normal is seen: no {kind} are drawn there." in remarks
+        )
     assert "No vertex" not in marks(scene(ball), Shown.NORMALS)[1]
 
 
@@ -433,3 +435,51 @@ def test_a_lamp_that_the_eye_does_not_face_is_told_where_it_is(
     lamp = SceneLight("lamp", LightKind.POINT, position=tuple(np.add((0, 0, 4), aside).tolist()))
     found = replace(scene(thing(box(1), World())), lights=(lamp,), view=View(eye=(0, 0, 4)))
     assert f"The light lamp is {told}." in marks(found, Shown.LIGHTS)[1]
+
+
+@pytest.mark.parametrize("depth", DepthRange)
+def test_the_map_shows_what_the_eye_sees_between_near_and_far(depth: DepthRange) -> None:
+    lens = Lens(fov_degrees=40, near=1, far=2.5, aspect=1.5, clip=ClipSpace(depth=depth))
+    shown = replace(scene(thing(sphere(24, 48), World())), view=View(eye=(0, 0, 4)), lens=lens)
+    canvas, _ = marks(shown, Shown.EYE)
+    palette = PALETTES[Theme.LIGHT]
+    polygons = [one for one in canvas.marks if isinstance(one, Polygon)]
+    (ball,) = (np.array(one.loops[0]) for one in polygons if one.fill == palette.body)
+    sight = next(np.array(one.loops[0]) for one in polygons if one.fill == palette.eye)
+    radius = np.ptp(ball[:, 1]) / 2
+    found = (sight - [ball[:, 0].mean(), (ball[:, 1].min() + ball[:, 1].max()) / 2]) / radius
+    slope = 1.5 * np.tan(np.radians(20))
+    assert found[:, 1].min() == pytest.approx(4 - 2.5, abs=0.02)
+    assert found[:, 1].max() == pytest.approx(4 - 1, abs=0.02)
+    assert np.ptp(found[:, 0]) == pytest.approx(2 * 2.5 * slope, abs=0.04)
+
+
+def test_an_eye_that_looks_down_sees_an_area_of_the_map() -> None:
+    shown = replace(scene(thing(sphere(8, 16), World())), view=View(eye=(0, 9, 0.01)))
+    canvas, _ = marks(shown, Shown.EYE)
+    palette = PALETTES[Theme.LIGHT]
+    polygons = [one for one in canvas.marks if isinstance(one, Polygon)]
+    sight = next(np.array(one.loops[0]) for one in polygons if one.fill == palette.eye)
+    ball = next(np.array(one.loops[0]) for one in polygons if one.fill == palette.body)
+    assert (sight.min(axis=0) < ball.min(axis=0)).all()
+    assert (sight.max(axis=0) > ball.max(axis=0)).all()
+
+
+@pytest.mark.parametrize("way", [(1, -1, -1), (-1, -1, -1), (1, 1, -1), (-1, 1, -1)])
+@pytest.mark.parametrize("others", [(), (Shown.EYE,)])
+def test_a_sun_stands_in_the_corner_that_it_comes_from(
+    way: tuple[float, float, float], others: tuple[Shown, ...]
+) -> None:
+    sun = SceneLight("sun", LightKind.DIRECTIONAL, direction=way)
+    shown = replace(scene(thing(sphere(8, 16), World())), lights=(sun,), view=View(eye=(0, 0, 4)))
+    canvas, _ = marks(shown, Shown.LIGHTS, *others)
+    palette = PALETTES[Theme.LIGHT]
+    lit = [one for one in canvas.marks if isinstance(one, Polygon) and one.fill == palette.light]
+    places = np.concatenate([np.array(one.loops[0]) for one in lit])
+    disc = np.array(lit[0].loops[0]).mean(axis=0)
+    assert (disc[0] < canvas.width / 2) == (way[0] > 0)
+    assert (disc[1] < canvas.height / 2) == (way[1] < 0)
+    assert (places > 0).all()
+    assert (places < [canvas.width, canvas.height]).all(), "its arrows are in the picture"
+    edges = [one for one in canvas.marks if isinstance(one, Polygon) and one.fill == palette.paper]
+    assert not [one for one in edges if Box(*one.loops[0][0], 60, 60).holds(tuple(disc))]
