@@ -21,6 +21,7 @@ PAGES = (
     ROOT / "README.md",
     *(page for page in sorted((ROOT / "docs").glob("*.md")) if page != REFERENCE),
 )
+SHOWN = (1200, 675)  # pixels of a proof
 PICTURES = ROOT / "docs" / "pictures"
 SAMPLES = ROOT / "docs" / "samples"
 SHEET = 'nmatrix handout --scale 1 2 1 --seed 7 --student "Ada Lovelace" --key -o handout.html'
@@ -72,8 +73,8 @@ def sampled(folder: Path) -> list[Path]:
 
 
 def picture(proof: str) -> Picture:
-    """Draw a proof as the documentation shows it: the first one is the README's, and larger."""
-    return render(proof, size=None if proof == PROOFS[0].name else (240, 240))
+    """Draw a proof as the documentation shows it."""
+    return render(proof, size=SHOWN)
 
 
 if __name__ == "__main__":

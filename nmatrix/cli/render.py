@@ -51,7 +51,7 @@ def render(
 ) -> None:
     """Draw a proof image, a scene or a mesh."""
     if list_:
-        put("".join(f"{one.name:14}{one.shows}\n" for one in PROOFS))
+        put("".join(f"{one.name:14}{one.claim}\n" for one in PROOFS))
         return
     _write(_frame(subject, mesh, groups, picture, common), frames, file, common)
 

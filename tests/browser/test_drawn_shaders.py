@@ -219,8 +219,8 @@ FEATURES: dict[str, dict[str, object]] = {
 
 @pytest.mark.parametrize("name", FEATURES)
 def test_every_feature_agrees(blank, name: str) -> None:
-    for case in random.Random(name).sample(LIT, 3):
-        must_agree_with(blank, case, FEATURES[name])
+    (case,) = random.Random(name).sample(LIT, 1)
+    must_agree_with(blank, case, FEATURES[name])
 
 
 @pytest.mark.slow

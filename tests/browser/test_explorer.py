@@ -339,7 +339,9 @@ LENSES = [
 ]
 
 
-@pytest.mark.parametrize("options", LENSES)
+@pytest.mark.parametrize(
+    "options", [LENSES[0], *(pytest.param(one, marks=pytest.mark.slow) for one in LENSES[1:])]
+)
 def test_every_lens_draws_the_body_in_the_middle_and_is_told(
     opened, tmp_path, capsys, options
 ) -> None:

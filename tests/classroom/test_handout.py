@@ -568,11 +568,11 @@ def test_every_format_keeps_an_exercise_on_its_page() -> None:
         PageFormat.TYP: ("#task[", "#let task(title, most, body) = block(breakable: false"),
         PageFormat.TEX: ("\\begin{task}", "{\\par\\addvspace{14pt}\\begin{minipage}"),
     }
-    for kind, (begins, rule) in marks.items():
+    for kind, (begins, whole) in marks.items():
         plan = HandoutPlan((Topic.EXERCISES,), Setup(), 10, kind)
         text = student_files(plan, Sheet()).sheet.decode()
         assert text.count(begins) == 10
-        assert rule in text
+        assert whole in text
 
 
 def test_what_the_sheet_asks_is_what_the_key_and_the_check_answer() -> None:

@@ -1,4 +1,4 @@
-"""Every proof with the module that draws it and its one line: all that `--list` needs."""
+"""Every proof with the module that draws it and its claim: all that `--list` needs."""
 
 from __future__ import annotations
 
@@ -34,14 +34,15 @@ WALK = Turn(Turning.EYE)
 
 @dataclass(frozen=True)
 class ProofEntry:
-    """One proof: its name, the module of the function that draws it, and what it shows.
+    """One proof: its name, the module of the function that draws it, and its claim.
 
+    The claim is what the title of its own picture says, or begins with; other maps may have others.
     `turns` is what the proof is about, so that each frame of its animation proves it again.
     """
 
     name: str
     module: str
-    shows: str
+    claim: str
     turns: Turn = TUMBLE
 
     def load(self) -> Callable[[ProofSettings], Proof]:
@@ -52,71 +53,69 @@ class ProofEntry:
 
 
 PROOFS: tuple[ProofEntry, ...] = (
+    ProofEntry("normals", "rules", "Stretch a shape by A, and A bends its normals off the surface"),
+    ProofEntry("bias", "rules", "A test that only turns things passes the wrong code"),
+    ProofEntry("spaces", "spaces", "Five places to stand, one picture"),
     ProofEntry(
-        "normals", "rules", "wrong normals, right normals, and a map of the angle between them"
-    ),
-    ProofEntry("bias", "rules", "a rotation makes the wrong matrix look right; a scale does not"),
-    ProofEntry(
-        "spaces", "spaces", "one picture, lit in world, camera, object, static and light space"
-    ),
-    ProofEntry(
-        "object-rule", "object_rule", "object space: Mᵀl, M⁻¹l and the exact rule; the light's edge"
+        "object-rule",
+        "object_rule",
+        "Object space: carry the light by M⁻¹, then measure with the metric",
     ),
     ProofEntry(
         "mirror",
         "mirror",
-        "cofactors without the sign, the inverse transpose, winding",
+        "Mirror a shape: keep the sign of det A, and flip the winding",
         Turn(Turning.OBJECT),  # a letter is read upright
     ),
     ProofEntry(
         "stuck-light",
         "stuck_light",
-        "a light in model space turns with the model; in eye space not",
+        "A light left in model space turns with the model",
         Turn(Turning.OBJECT, (0, -1, 0)),  # on its turntable
     ),
     ProofEntry(
         "flashlight",
         "flashlight",
-        "a light fixed to the eye against one fixed to the world",
+        "A flashlight is a light whose place is given in camera space",
         WALK,
     ),
     ProofEntry(
         "shading",
         "shading",
-        "flat, Gouraud, Phong; Phong and Blinn-Phong highlights; toon",
+        "Shading says where the light is computed, reflection says how it bounces",
     ),
     ProofEntry(
         "interpolation",
         "interpolation",
-        "normalise never, after, before and after; perspective or not",
+        "Unequal lengths bend normals; unequal depths bend patterns",
     ),
     ProofEntry(
         "translation",
         "translation",
-        "w = 1 with M, and a normalise over four components",
+        "A normal has no place: with w = 1 a translation blows it away",
         Turn(Turning.OBJECT, (0, 0, 1)),  # where it was moved to goes towards the light and away
     ),
     ProofEntry(
         "flatten",
         "flatten",
-        "scale 1 0 1: what an inverse, a zero matrix and the cofactors draw",
+        "Flatten a shape: the inverse is gone, the plane's normal is not",
         Turn(Turning.LIGHT),  # the plane stays in sight, and its own normal answers
     ),
     ProofEntry(
         "depth",
         "depth",
-        "z-fighting in 16 and 24 bits and float32, standard and reversed",
+        "Float depth pays off only when it runs backwards: near = 1, far = 0",
         Turn(Turning.EYE, (0, 0, 1)),  # it rolls: from everywhere above, endless floors look alike
     ),
     ProofEntry(
         "accuracy",
         "accuracy",
-        "float16, float32, float64 and exact on a hard matrix, with the work",
+        "Squeeze a shape 10⁶ : 1, and precision decides what is left of a normal",
     ),
     ProofEntry(
         "effects",
         "effects",
-        "everything on against the plan: the same picture for less work",
+        "The plan leaves out the unseen",
         WALK,  # there are many objects
     ),
 )
@@ -128,6 +127,6 @@ def catalogued(name: str) -> ProofEntry | None:
     Examples
     --------
     >>> catalogued("object-rule").module
-    'lights'
+    'object_rule'
     """
     return next((one for one in PROOFS if one.name == name), None)

@@ -11,7 +11,7 @@ import pytest
 from nmatrix.canvas.glyphs import Verdict
 from nmatrix.canvas.marks import SMALLEST_TEXT, Box, Text
 from nmatrix.canvas.slide import Panel, Slide
-from nmatrix.canvas.text import LEADING
+from nmatrix.canvas.text import LEADING, plain
 from nmatrix.enums import Theme
 from nmatrix.raster.proofs.catalogue import PROOFS
 from nmatrix.raster.proofs.frames import PictureFrame
@@ -150,3 +150,11 @@ def test_the_three_themes_draw_the_same_marks(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_a_picture_of_any_shape_is_drawn(name: str, size: tuple[int, int]) -> None:
     assert proof(name, size=size).image.shape == (size[1], size[0], 3)
+
+
+@pytest.mark.parametrize("entry", PROOFS, ids=NAMES)
+def test_the_title_of_a_proof_is_its_claim(entry) -> None:
+    """What `--list` says, what the terminal prints, and what stands on the picture."""
+    found = proof(entry.name)
+    assert found.texts["Title"].startswith(entry.claim)
+    assert plain(slide(found).title) == found.texts["Title"]
