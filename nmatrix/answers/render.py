@@ -99,9 +99,15 @@ def shown_named(names: str | Iterable[str]) -> frozenset[Shown]:
     >>> sorted(shown_named("normals,axes"))
     [<Shown.AXES: 'axes'>, <Shown.NORMALS: 'normals'>]
     """
+    if not isinstance(names, Iterable):
+        raise IllegalValueError(
+            f"{quantity('show')} ({printable(repr(names)[:40])})",
+            "it is neither text nor words one after the other",
+            f"try {quantity('show')} normals",
+        )
     words = names.split(",") if isinstance(names, str) else list(names)
     found = set()
-    for word in (one.strip() for one in words):
+    for word in (str(one).strip() for one in words):
         if word not in list(Shown):
             listed = ", ".join(Shown)
             raise IllegalValueError(

@@ -67,11 +67,12 @@ def rule(setup: Setup, kind: PageFormat) -> Part:
     name = f"{IDEA}.{kind.drawings}"
     figure = Figure(
         name,
-        f"A circle and the ellipse that A makes of it, {times} as wide. On the circle the normal n "
-        "stands at a right angle to the tangent t. On the ellipse A n, dashed, leans away from "
-        "the right angle to A t; the inverse transpose of A times n keeps it.",
-        f"Here A makes the circle {times} as wide, and its tangent t becomes A t. The normal does "
-        "not become A n (dashed), which leans: at a right angle to A t stands A⁻ᵀ n.",
+        f"A circle and the ellipse that A makes of it, {times} as wide as high. On the circle the "
+        "normal n stands at a right angle to the tangent t. On the ellipse A n, dashed, leans "
+        "away from the right angle to A t; the inverse transpose of A times n keeps it.",
+        f"Drawn for an A that makes the circle {times} as wide as high: its tangent t becomes A t. "
+        "The normal does not become A n (dashed), which leans: at a right angle to A t stands "
+        "A⁻ᵀ n.",
     )
     premise = "moves a surface" if setup.maps.world_from_object.linear_map.rank == 3 else INVERTIBLE
     theorem = Framed(

@@ -52,6 +52,7 @@ ERRORS = {
     Study.SPACES: {},
 }
 TIMES = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+EXAMPLES = {"deg": "1e-3deg", "levels": "2levels", "ns": "5ms"}  # by the first unit
 QUANTITY = re.compile(rf"(.+?)\s*({'|'.join(chain(*ERRORS.values(), TIMES))}|)")
 
 
@@ -133,18 +134,22 @@ def _target(study: Study, tolerance: str | None, budget: str | None) -> Target:
             "--tolerance with --budget", "each asks for the best of the other", "keep one of them"
         )
     if tolerance is not None:
-        return Target(tolerance=_quantity(tolerance, "--tolerance", ERRORS[study], "1e-3deg"))
+        if not ERRORS[study]:
+            raise IllegalValueError(
+                f"--tolerance with {study}", "all spaces give one picture", "try --budget 5ms"
+            )
+        return Target(tolerance=_quantity(tolerance, "--tolerance", ERRORS[study]))
     if budget is not None:
-        return Target(seconds=_quantity(budget, "--budget", TIMES, "5ms"))
+        return Target(seconds=_quantity(budget, "--budget", TIMES))
     return Target()
 
 
-def _quantity(text: str, option: str, units: Mapping[str, float], example: str) -> float:
+def _quantity(text: str, option: str, units: Mapping[str, float]) -> float:
     """Read a number with its unit, in radians, levels or seconds."""
     found = QUANTITY.fullmatch(text.strip())
-    unit = found[2] if found else ""
+    unit, example = found[2] if found else "", EXAMPLES[next(iter(units))]
     if found is None or unit not in units:
-        known = ", ".join(units) or "none here"
+        known = ", ".join(units)
         raise IllegalValueError(
             f"{option} ({text[:20]})", f"it is a number with a unit: {known}", f"try {example}"
         )

@@ -41,9 +41,12 @@ def kind_of(path: Path, kinds: Mapping[str, Kind], name: str = "output") -> Kind
         return next(iter(kinds.values()))
     found = kinds.get(path.suffix.lower())
     if found is None:
+        why = f"its ending says what is written: {', '.join(kinds)}"
+        if kinds is PICTURES and path.suffix.lower() in _VECTORS:
+            why = f"a picture of a scene is pixels, and only a proof is lines: {', '.join(kinds)}"
         raise IllegalValueError(
             f"{quantity(name)} ({printable(str(path)[-60:])})",
-            f"its ending says what is written: {', '.join(kinds)}",
+            why,
             f"end it in {next(iter(kinds))}",
         )
     return found

@@ -268,6 +268,8 @@ def _on_target(told: Summary, target: Target, met_by: Measurement | None) -> str
     if met_by is None:
         return "Nothing here grants that: allow a larger error or more time."
     best = "Cheapest" if target.tolerance is not None else "Most accurate"
+    if told.study is Study.SPACES:  # they give one picture
+        best = "Least work"
     name = {
         Study.NORMALS: met_by.method,
         Study.SHADING: f"{met_by.setting} {met_by.method}",

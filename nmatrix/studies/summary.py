@@ -289,6 +289,9 @@ class Summary:
     @property
     def _on_spaces(self) -> str:
         if self.reference in self.cheapest:
+            best = min(self.cheapest, key=lambda one: one.price)
+            if best.price < self.reference.price:  # their intervals have a part in common
+                return f"The clock cannot tell {best.name} space from world space"
             return f"No space takes less {self.measure.noun} than world space"
         names = " or ".join(one.name for one in self.cheapest).capitalize()
         least = self._share(max(one.price for one in self.cheapest)).lower()

@@ -398,3 +398,12 @@ def test_longer_floats_are_what_they_are() -> None:
     A = np.array([0, 0, 5], np.longdouble)
     assert nmatrix.check("eye", A).data["verdict"] == "correct"
     assert nmatrix.World(translate=A).translate == (0, 0, 5)
+
+
+def test_a_scene_is_pixels_and_marks_are_words(tmp_path) -> None:
+    picture = nmatrix.render(SCENE, size=(48, 36), samples=1)
+    with pytest.raises(nmatrix.IllegalValueError, match="only a proof is lines"):
+        picture.save(tmp_path / "scene.svg")
+    for none in (None, 3):
+        with pytest.raises(nmatrix.IllegalValueError, match="neither text nor words"):
+            nmatrix.render(SCENE, show=none)

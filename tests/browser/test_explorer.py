@@ -428,6 +428,9 @@ SENTENCES = {
     "sy=1&rule=stuck": "arrives where it was, so this test proves nothing",
     "sy=1&rz=40&rule=stuck": "the light was carried along as if it belonged to the model",
     "hxy=1&sy=1": "x slides 1 for each unit of y",
+    "sx=999999&sy=0.05&rx=30&rz=90&hxy=0.05&space=light&rule=cofactor": "is positive, so cofactors",
+    "mx=1&sx=999999&sy=0.05&rx=30&rz=90&hxy=0.05&space=light&rule=cofactor": "body, 180° off",
+    "lx=0&ly=0&lz=0&rule=stuck": "The light has no direction here, so none can be carried along",
 }
 
 

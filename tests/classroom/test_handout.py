@@ -14,7 +14,7 @@ import pytest
 
 from nmatrix.canvas import marks as canvas_text
 from nmatrix.classroom import run as running
-from nmatrix.classroom.first_page import CLAIM, SYMBOLS, drawn_idea
+from nmatrix.classroom.first_page import CLAIM, SYMBOLS, drawn_idea, rule
 from nmatrix.classroom.handout import HandoutPlan, handout, key_of, pictures_beside, student_files
 from nmatrix.classroom.pitfalls import PITFALLS
 from nmatrix.classroom.roster import slug, students
@@ -568,11 +568,11 @@ def test_every_format_keeps_an_exercise_on_its_page() -> None:
         PageFormat.TYP: ("#task[", "#let task(title, most, body) = block(breakable: false"),
         PageFormat.TEX: ("\\begin{task}", "{\\par\\addvspace{14pt}\\begin{minipage}"),
     }
-    for kind, (begins, rule) in marks.items():
+    for kind, (begins, whole) in marks.items():
         plan = HandoutPlan((Topic.EXERCISES,), Setup(), 10, kind)
         text = student_files(plan, Sheet()).sheet.decode()
         assert text.count(begins) == 10
-        assert rule in text
+        assert whole in text
 
 
 def test_what_the_sheet_asks_is_what_the_key_and_the_check_answer() -> None:
@@ -621,3 +621,11 @@ def test_a_teacher_names_the_sheet_or_its_lines_are_left_to_fill_in(nmatrix) -> 
     text = Path("b.md").read_text()
     assert "Graphics, sheet 4" in text
     assert "Course" not in text
+
+
+@pytest.mark.parametrize("scale", [(1, 1, 1), (0, 2, 1), (0.5, 1, 1), (1, 3, 1)])
+def test_the_first_drawing_says_how_wide_its_own_ellipse_is(scale) -> None:
+    setup = Setup(World(scale=scale))
+    (figure,) = (one for one in rule(setup, PageFormat.HTML).blocks if isinstance(one, Figure))
+    times = "3 times" if scale == (1, 3, 1) else "twice"
+    assert f"Drawn for an A that makes the circle {times} as wide as high" in figure.caption

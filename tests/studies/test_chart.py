@@ -429,3 +429,32 @@ def test_a_target_names_what_meets_it_and_what_that_costs() -> None:
     assert (
         "wrong answers" in report(Study.NORMALS, poor, SOUND, Target(seconds=0.0405)).blocks[1].text
     )
+
+
+def test_a_clock_that_cannot_tell_two_spaces_apart_is_told_and_no_absence_is() -> None:
+    def claim(ratio: float, low: float, high: float) -> str:
+        rows = [
+            Measurement(
+                name,
+                "10000 vertices",
+                work,
+                Unit.MULTIPLICATIONS,
+                timing,
+                work,
+                is_reference=name == "world",
+            )
+            for name, work, timing in (
+                ("world", 47.0, SAME),
+                ("static", 16.0, Ratio(1.0, ratio, low, high)),
+            )
+        ]
+        return summary(Study.SPACES, with_fronts(rows)).sentence
+
+    assert claim(0.3, 0.2, 1.1) == "The clock cannot tell static space from world space"
+    assert claim(1.5, 1.4, 1.6) == "No space takes less time than world space"
+    assert claim(0.3, 0.2, 0.4).startswith("Static space: ")
+
+
+def test_what_keeps_a_budget_among_spaces_is_not_called_accurate() -> None:
+    told = report(Study.SPACES, SAVED[Study.SPACES], SOUND, Target(seconds=10.0)).blocks[1].text
+    assert told.startswith("Least work: static space")

@@ -410,7 +410,7 @@ def test_the_command_answers_on_a_busy_machine_too(nmatrix, monkeypatch) -> None
     quiet_work(monkeypatch, lambda: 0.01 * draw.paretovariate(0.5))
     code, out, error = nmatrix("cost spaces --quick --tolerance 20multiplications -f json")
     assert code == 2
-    assert "none here" in error
+    assert "all spaces give one picture" in error
     code, out, _ = nmatrix("cost spaces --quick -f json")
     assert code == 0
     found = json.loads(out)
@@ -469,3 +469,18 @@ def test_the_front_is_that_of_the_ratios_whatever_the_seconds_drifted_to() -> No
     )
     assert [row.on_front for row in with_fronts([fast, slow])] == [True, False]
     assert Target(tolerance=3.0).met_by([slow, fast]) == fast
+
+
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        ("cost shading --quick --tolerance 0levels", "try 2levels"),
+        ("cost shading --quick --tolerance 1e-3deg", "try 2levels"),
+        ("cost normals --quick --tolerance 2levels", "try 1e-3deg"),
+        ("cost normals --quick --budget 0ms", "try 5ms"),
+    ],
+)
+def test_the_unit_that_a_hint_has_is_one_that_the_study_takes(nmatrix, line, hint) -> None:
+    code, _, error = nmatrix(line)
+    assert code == 2
+    assert error.strip().endswith(hint)

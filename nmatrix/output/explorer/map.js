@@ -87,6 +87,10 @@ function errorOf(s, found) {
     return { largest: largest < 1e-9 ? 0 : largest, isSame: largest < 1e-9 && !(found.lamp && length(minus(found.stuckLamp, found.lamp)) > 1e-9) };
   }
   if (!found.wrong || found.rank < 2) return { largest: null, isSame: false };
+  if (s.rule === "cofactor" && s.space !== "object") {  // (S A)'s cofactors are det S · Sᵀ⁻¹ C: only the sign can differ
+    const isTurned = !found.isFlat && determinant(linear(found.S)) * found.det < 0;
+    return { largest: isTurned ? 180 : 0, isSame: !isTurned };
+  }
   const largest = worstAngle(found.wrong, found.right, found.mesh.directions, found.mesh.isSmooth, found.isFlat);
   return { largest, isSame: largest === 0 };
 }

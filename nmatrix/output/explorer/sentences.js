@@ -88,6 +88,7 @@ function sameSentence(s, found, done) {
 }
 function stuckSentence(done, found, off) {
   const carried = `${done}, and the light was carried along as if it belonged to the model`;
+  if (!found.lamp && !found.light.some((x) => x)) return `${done}. The light has no direction here, so none can be carried along.`;
   if (off === "") return `${carried}: A flattens its direction to nothing. In the world it stays where it is.`;
   if (found.isSame) return `${done}: the light that is carried along arrives where it was, so this test proves nothing.`;
   const where = data.has_direction ? `its direction is ${off} off` : found.largest === 0 ? "it is at another distance" : `it is ${off} off, seen from the model`;

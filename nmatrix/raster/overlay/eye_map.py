@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import hypot
 from typing import Any
 
 import numpy as np
@@ -12,8 +11,6 @@ from nmatrix.canvas import glyphs
 from nmatrix.canvas.marks import Box
 from nmatrix.canvas.text import width
 from nmatrix.enums import DepthRange
-from nmatrix.linear import rational
-from nmatrix.linear.rational import to_floats
 from nmatrix.raster.loaded_scene import Body
 from nmatrix.raster.overlay.labels import Labels
 from nmatrix.raster.overlay.stage import Stage
@@ -23,26 +20,24 @@ Array = NDArray[Any]
 PART, LARGEST = 0.34, 300.0  # of the shorter side of the picture, and units
 MARGIN, PAD = 14.0, 30.0
 EYE, LAMP = 15.0, 7.0
-NEAREST = {
-    DepthRange.MINUS_ONE_TO_ONE: -1.0,
-    DepthRange.ZERO_TO_ONE: 0.0,
-    DepthRange.REVERSED: 1.0,
-}
-FARTHER = 0.5  # a depth between near and far in every range
+ENDLESS = 1e6  # of what is known: a corner so far away, or at infinity, is put there
 TITLE = "from above"
 DIRECTIONS = 72  # in which the outline of a body is looked for
 
 
-def eye_map(stage: Stage, labels: Labels) -> None:
-    """Draw the bodies, the eye, what it sees and the lamps from above, in the lower left corner."""
+def eye_map(stage: Stage, labels: Labels) -> Box:
+    """Draw the bodies, the eye, what it sees and the lamps from above, in the lower left corner.
+
+    Returns the box of the map.
+    """
     canvas, palette = stage.canvas, stage.canvas.palette
     side = min(LARGEST, PART * min(canvas.width, canvas.height))
     box = Box(MARGIN, canvas.height - MARGIN - side, side, side)
     labels.cover(box)
     canvas.polygon(box.corners, fill=palette.paper, edge=palette.ink, width=1.6)
     outlines = [_outline(body) for body in stage.loaded.bodies]
-    sight = _sight(stage)
-    eye, ahead = _from_above(stage.eye), _from_above(sight[1].mean(axis=0) - sight[0].mean(axis=0))
+    near, far = _sight(stage)
+    eye, ahead = _from_above(stage.eye), far.mean(axis=0) - near.mean(axis=0)
     known = np.concatenate([*outlines, [eye]])
     low, high = known.min(axis=0), known.max(axis=0)
     scale = (side - 2 * PAD) / (float((high - low).max()) or 1.0)
@@ -52,10 +47,7 @@ def eye_map(stage: Stage, labels: Labels) -> None:
         return np.asarray((points - (low + high) / 2) * scale + middle)
 
     inner = box.inset(1.6)
-    (left, right), (far_left, far_right) = put(_from_above(sight))
-    far = 4 * side / max(1e-9, hypot(*(far_left - left)))  # beyond the map
-    ends = [left, left + far * (far_left - left), right + far * (far_right - right), right]
-    wedge = _clipped(np.array(ends), inner)
+    wedge = _clipped(put(_convex(np.concatenate([near, far]))), inner)
     if len(wedge) > 2:
         canvas.polygon(wedge, fill=palette.eye, opacity=0.2)
     for outline in outlines:
@@ -68,6 +60,7 @@ def eye_map(stage: Stage, labels: Labels) -> None:
     glyphs.eye(canvas, tuple(put(eye)), tuple(ahead), EYE)
     if width(TITLE, labels.size) <= side:
         labels.letter((box.x + side / 2, box.y - 14), TITLE)
+    return box
 
 
 def _from_above(points: Array) -> Array:
@@ -83,17 +76,39 @@ def _outline(body: Body) -> Array:
     return np.array([points[int((points @ way).argmax())] for way in ways.T])
 
 
-def _sight(stage: Stage) -> Array:
-    """Return where sight at the left and the right begins, and a place farther on: (2, 2, 3).
+def _sight(stage: Stage) -> tuple[Array, Array]:
+    """Return the near and the far corners (4, 2) of what the eye sees, from above."""
+    loaded = stage.loaded
+    corners = loaded.frustum.corners
+    if loaded.clip.depth is DepthRange.REVERSED:
+        corners = corners[[i ^ 1 for i in range(len(corners))]]  # so far is the second of a pair
+    place, w = corners[:, :3], corners[:, 3:]
+    known = [stage.eye, *(one.positions_world for one in loaded.bodies)]
+    reach = ENDLESS * (1.0 + max(float(np.abs(one).max(initial=0.0)) for one in known))
+    long = np.abs(place).max(axis=1, keepdims=True)
+    is_endless = w * reach <= long
+    at = np.where(is_endless, stage.eye + reach * place / long, place / np.where(is_endless, 1, w))
+    return _from_above(at[::2]), _from_above(at[1::2])
 
-    It begins on the near plane.
-    """
-    world_from_clip = np.array(to_floats(rational.inverse(stage.loaded.clip_from_world)))
-    found = []
-    for depth in (NEAREST[stage.loaded.clip.depth], FARTHER):
-        world = np.array([[-1.0, 0.0, depth, 1.0], [1.0, 0.0, depth, 1.0]]) @ world_from_clip.T
-        found.append(world[:, :3] / world[:, 3:])
-    return np.stack(found)
+
+def _convex(points: Array) -> Array:
+    """Return the corners (k, 2) of the least convex outline around points (n, 2)."""
+    found: list[Array] = []
+    ordered = points[np.lexsort(points.T[::-1])]
+    for way in (ordered, ordered[::-1]):
+        half: list[Array] = []
+        for one in way:
+            while len(half) > 1 and _turn(half[-2], half[-1], one) <= 0:
+                half.pop()
+            half.append(one)
+        found += half[:-1]
+    return np.array(found)
+
+
+def _turn(a: Array, b: Array, c: Array) -> float:
+    """Return a positive number if the way from a over b to c turns to the left."""
+    u, v = b - a, c - a
+    return float(u[0] * v[1] - u[1] * v[0])
 
 
 def _clipped(loop: Array, box: Box) -> Array:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas.glyphs import Ink
 from nmatrix.canvas.marks import Box
 from nmatrix.enums import Effect, NormalRule, Shading
+from nmatrix.errors import printable, shortlist
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import Body
 from nmatrix.raster.overlay.labels import Labels
@@ -56,12 +57,14 @@ class Hedgehog:
     stage: Stage
     chosen: tuple[_Places, ...]
     told: str
+    bare: str
     remarks: list[str]
 
     @classmethod
     def on(cls, stage: Stage, labels: Labels, remarks: list[str]) -> Hedgehog:
         """Choose places that are seen, spread over the picture and over the ways they point."""
-        kinds = "faces" if stage.loaded.settings.shading is Shading.FLAT else "vertices"
+        is_flat = stage.loaded.settings.shading is Shading.FLAT
+        kinds = "faces" if is_flat else "vertices"
         all_seen = [_seen_places(stage, plan) for plan in stage.drawn.plan.bodies]
         features = np.concatenate(
             [np.concatenate([stage.window(p.points)[:, :2] / APART, p.true], 1) for p in all_seen]
@@ -79,7 +82,13 @@ class Hedgehog:
         far_first = sorted(
             chosen, key=lambda one: -float(((one.body.centre - stage.eye) ** 2).sum())
         )
-        return cls(stage, tuple(far_first), told if len(kept) < len(features) else "", remarks)
+        hidden = [printable(one.body.name) for one in all_seen if not len(one.points)]
+        bare = ""
+        if hidden and not stage.is_empty:
+            place = "middle of a face" if is_flat else "vertex"
+            bare = f"No {place} of {shortlist(hidden, 3)} that has a normal is seen"
+        told = told if len(kept) < len(features) else ""
+        return cls(stage, tuple(far_first), told, bare, remarks)
 
     def normals(self) -> None:
         """Draw the normals as tacks; those that lean are wrong."""
@@ -99,8 +108,9 @@ class Hedgehog:
                 self.stage.vector(tacks[i].place, long * tacks[i].arrow, ink)
         without = sum(int((~one.ruled.any(axis=1)).sum()) for one in self.chosen)
         if without:
+            drawn = sum(len(one.points) for one in self.chosen)
             self.remarks.append(
-                f"{without} of them are zero by this rule: a 0 stands on their discs."
+                f"Zero by this rule, a 0 on the disc: {without} of {drawn} normals drawn."
             )
 
     def tangents(self) -> None:
@@ -113,7 +123,10 @@ class Hedgehog:
             for line in np.stack(list(ends), axis=1):
                 if np.isfinite(line).all():
                     self.stage.canvas.stroke(line, TANGENT, palette.tangent, halo=1.6)
-        if any(one.body.mesh.tangents is None for one in self.chosen if len(one.points)):
+        shown = [one.body.mesh for one in self.chosen if len(one.points)]
+        if shown and self.stage.loaded.settings.shading is Shading.FLAT:
+            self.remarks.append("Tangents of faces are level: across the object's y axis.")
+        elif any(mesh.tangents is None for mesh in shown):
             self.remarks.append(
                 "Where a mesh has no tangents, those drawn are level: across the object's y axis."
             )
@@ -121,6 +134,8 @@ class Hedgehog:
     def _tell(self, kind: str) -> None:
         if self.told:
             self.remarks.append(f"{kind} are drawn {self.told}, spread over the picture.")
+        if self.bare:
+            self.remarks.append(f"{self.bare}: no {kind.lower()} are drawn there.")
 
     def _length(self, one: _Places) -> float:
         """Return the length of a body's arrows in the world: a part of it that can be seen."""
@@ -150,7 +165,7 @@ def _seen_places(stage: Stage, plan: BodyPlan) -> _Places:
         which = np.flatnonzero(facing)
         points = points[mesh.triangles[which]].mean(axis=1)
         carried = face_normals_by
-        along = mesh.positions[mesh.triangles[:, 1]] - mesh.positions[mesh.triangles[:, 0]]
+        along = _level(mesh.face_normals)
     else:
         used = np.zeros(len(points), bool)
         used[mesh.triangles[facing]] = True

@@ -162,10 +162,14 @@ def visible_pieces(window: Array, farthest: Array) -> list[Array]:
 
 
 def seen(line: Array, farthest: Array) -> Array:
-    """Return a mask of the points (n, 3) that lie in the picture and are not hidden."""
+    """Return a mask of the points (n, 3) that lie in the picture and are not hidden.
+
+    What is nearer than the near plane or beyond the far one is not in the picture.
+    """
     height, width = farthest.shape
     column, row = np.floor(line[:, 0]).astype(int), np.floor(line[:, 1]).astype(int)
     inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
+    inside &= np.abs(line[:, 2] - 0.5) <= 0.5 + ROUNDING
     around = np.stack(
         [
             farthest[(row + dy).clip(0, height - 1), (column + dx).clip(0, width - 1)]

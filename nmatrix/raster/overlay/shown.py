@@ -6,6 +6,7 @@ hidden; what stands for an idea (normals, lamps) is drawn whole.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -52,8 +53,10 @@ AXIS_PAD = 40.0  # of the tip of an axis, from the sides of the picture
 HALO = 1.2
 LAMP = 15.0
 SUNS_APART = 112.0
+LEVEL = 1e-9  # light that rises no more than so much of its way comes from the side
 EDGE_PAD = 64.0  # of a lamp that is outside the picture, from its sides
 POINTER = 44.0
+AT_EYE = 1e-9  # nearer to the eye, or to the plane through it, a lamp is there
 BEYOND = 1.2  # how far axes reach out of what they belong to
 MOST_OWN_AXES, MOST_NAMED = 8, 24  # bodies
 FINEST = 5.0  # pixels: shorter edges run together
@@ -88,6 +91,7 @@ class _Marks:
     stage: Stage
     labels: Labels
     remarks: list[str] = field(default_factory=list)
+    map: Box | None = None
 
     def draw(self, shown: Shown) -> None:
         """Draw one kind of marks."""
@@ -105,7 +109,7 @@ class _Marks:
             case Shown.LIGHTS:
                 self.lights()
             case Shown.EYE:
-                eye_map(self.stage, self.labels)
+                self.map = eye_map(self.stage, self.labels)
             case _:
                 assert_never(shown)
 
@@ -200,17 +204,22 @@ class _Marks:
         reach = BEYOND * (float(np.sqrt(centre @ centre)) + radius)
         seen = self._axes(np.zeros(3), reach * np.eye(3), AXIS, "{}")
         if not seen:
-            self.remarks.append("The world's axes are outside of the picture.")
+            self.remarks.append("The world's axes are outside of the picture or hidden.")
         placed = [body for body in self.bodies if body.world_from_object.exact != identity(4)]
+        named = []
         for body in placed[:MOST_OWN_AXES]:
             M = np.array(to_floats(body.world_from_object.exact))
             long = BEYOND * np.abs(body.mesh.box).max(axis=0)
-            self._axes(M[:3, 3], (M[:3, :3] * long).T, OWN_AXIS, "*{}*")
-        if placed:
-            told = f"those of {len(placed)} objects" if len(placed) > 1 else "those of the object"
-            if len(placed) > MOST_OWN_AXES:
-                told = f"those of the first {MOST_OWN_AXES} of {len(placed)} objects"
-            self.remarks.append(f"The thick axes are the world's, the thin ones {told}.")
+            if self._axes(M[:3, 3], (M[:3, :3] * long).T, OWN_AXIS, "*{}*"):
+                named.append(body)
+        if named:
+            thick = "The thick axes are the world's, the thin ones" if seen else "The axes are"
+            self.remarks.append(f"{thick} those of {_names(named)}.")
+        if len(placed) > MOST_OWN_AXES:
+            self.remarks.append(
+                f"Of {len(placed)} objects that are placed, only the first {MOST_OWN_AXES} "
+                "have axes here."
+            )
 
     def _axes(self, origin: Array, ends: Array, wide: float, letter: str) -> bool:
         """Draw three axes as far as they are seen; tell whether anything of them is."""
@@ -235,19 +244,23 @@ class _Marks:
 
     def lights(self) -> None:
         """Draw every lamp where it is, and those outside the picture at its edge."""
-        suns = {True: 0, False: 0}
+        suns: Counter[tuple[bool, bool]] = Counter()  # in each corner
         for i, one in enumerate(self.stage.loaded.lights):
             if one.position is not None:
                 place = self._lamp(one)
                 self.labels.keep_free(Box(place[0] - 28, place[1] - 28, 56, 56))
             elif one.direction is not None:
                 towards = self.stage.direction([float(x) for x in one.direction])
-                on_left = towards[0] > 0
-                aside = CORNER + SUNS_APART * suns[on_left]
-                suns[on_left] += 1
-                place = (aside if on_left else self.stage.box.right - aside, CORNER)
+                corner = on_left, from_below = towards[0] > 0, towards[1] < -LEVEL * hypot(*towards)
+                aside = CORNER + SUNS_APART * suns[corner]
+                suns[corner] += 1
+                if self.map is not None and on_left and from_below:
+                    aside += self.map.right
+                x = aside if on_left else self.stage.box.right - aside
+                y = self.stage.box.bottom - CORNER if from_below else CORNER
+                place = (x, y)
                 glyphs.sun(self.stage.canvas, place, towards)
-                self.labels.keep_free(Box(place[0] - 80, 0, 160, place[1] + 80))
+                self.labels.keep_free(Box(x - 80, y - 80 if from_below else 0, 160, y + 80))
             else:
                 continue  # ambient light comes from nowhere
             clear = 34.0 if one.position is not None else 84.0
@@ -264,16 +277,23 @@ class _Marks:
             if one.direction is not None:
                 self._beam(point, np.array([float(x) for x in one.direction]), place)
             return place
-        where = "behind the eye" if place is None else "outside of the picture"
+        where = "outside of the picture" if place is not None else self._beyond_sight(point)
         at_edge, u = self._edge(point, place)
-        if u is None:
-            where = "where the eye is"
-        else:
+        if u is not None:
             tip = (at_edge[0] + u[0] * POINTER, at_edge[1] + u[1] * POINTER)
             glyphs.arrow(canvas, at_edge, tip, glyphs.Ink.PLAIN)
         glyphs.lamp(canvas, at_edge, radius=LAMP)
         self.remarks.append(f"The light {printable(one.light.name)} is {where}.")
         return at_edge
+
+    def _beyond_sight(self, point: Array) -> str:
+        """Tell where a point is that is not in front of the eye."""
+        away = float(np.sqrt(((point - self.stage.eye) ** 2).sum()))
+        if away <= AT_EYE:
+            return "where the eye is"
+        *row, shift = self.stage.clip_from_world[3]
+        ahead = float(point @ row + shift) / (hypot(*row) or 1.0)
+        return "behind the eye" if ahead < -AT_EYE * away else "beside the eye"
 
     def _edge(self, point: Array, place: Point | None) -> tuple[Point, Point | None]:
         """Return where at the edge a lamp is told, and which way it is: none for one at the eye."""

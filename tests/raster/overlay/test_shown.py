@@ -11,7 +11,7 @@ from nmatrix.canvas.marks import Box, Canvas, Polygon, Stroke, Text
 from nmatrix.canvas.paint import pixels
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import DepthRange, NormalRule, Shading, Shown, Theme
-from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.linear.rational import to_floats
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.loaded_scene import Body
@@ -148,7 +148,7 @@ def test_a_normal_that_the_rule_makes_zero_has_no_arrow_and_a_remark() -> None:
     assert len(chosen.points)
     assert not chosen.ruled.any()
     canvas, remarks = marks(scene(flat, normals=NormalRule.INVERSE), Shown.NORMALS)
-    assert "zero" in remarks
+    assert "Zero by this rule, a 0 on the disc: 7 of 7 normals drawn." in remarks
     assert not [m for m in canvas.marks if isinstance(m, Polygon) and len(m.loops[0]) == 3]
     right, _ = hedgehog(scene(flat))
     (both_sides,) = right.chosen
@@ -378,3 +378,108 @@ def test_glass_hides_no_line() -> None:
     a, b = (points[edges.vertex[edges.ends[:, i]]] for i in (0, 1))
     pieces = seen_pieces(place, a, b)
     assert len(pieces) == len(a)
+
+
+def test_a_body_that_is_seen_without_its_vertices_is_named() -> None:
+    floor = thing(plane(), World(scale=(500, 1, 500)), "floor")
+    ball = thing(sphere(8, 16), World(), "ball")
+    for shown, kind in ((Shown.NORMALS, "normals"), (Shown.TANGENTS, "tangents")):
+        _, remarks = marks(scene(floor, ball), shown)
+        assert (
+            f"No vertex of floor that has a normal is seen: no {kind} are drawn there." in remarks
+        )
+    assert "No vertex" not in marks(scene(ball), Shown.NORMALS)[1]
+
+
+@pytest.mark.parametrize("depth", DepthRange)
+@pytest.mark.parametrize("is_parallel", [False, True])
+def test_no_normal_stands_where_the_near_or_the_far_plane_cuts(
+    depth: DepthRange, is_parallel: bool
+) -> None:
+    window = Window(-1.5, 1.5, -1.0, 1.0) if is_parallel else None
+    lens = Lens(near=3.5, far=4.3, aspect=1.5, ortho=window, clip=ClipSpace(depth=depth))
+    ball = thing(sphere(24, 48), World())
+    found, _ = hedgehog(replace(scene(ball), view=View(eye=(0, 0, 4)), lens=lens))
+    (chosen,) = found.chosen
+    away = 4 - chosen.points[:, 2]
+    assert len(away)
+    assert away.min() > 3.5 - 1e-6
+    assert away.max() < 4.3 + 1e-6
+
+
+def test_tangents_of_faces_are_level_as_the_remark_says() -> None:
+    found, remarks = hedgehog(scene(thing(sphere(8, 16), World()), shading=Shading.FLAT))
+    (chosen,) = found.chosen
+    assert np.abs(chosen.tangents[:, 1]).max() < 1e-9
+    found.tangents()
+    assert "Tangents of faces are level: across the object's y axis." in remarks
+
+
+def test_axes_that_are_not_drawn_are_not_spoken_of() -> None:
+    far = World(translate=(300, 0, 0))
+    near = thing(sphere(8, 16), World(), "near")
+    _, remarks = marks(scene(near, thing(sphere(8, 16), far, "away")), Shown.AXES)
+    assert "thin" not in remarks
+    moved = thing(sphere(8, 16), World(translate=(0.5, 0, 0)), "moved")
+    _, remarks = marks(scene(moved, thing(sphere(8, 16), far, "away")), Shown.AXES)
+    assert "the thin ones those of moved." in remarks
+
+
+@pytest.mark.parametrize(
+    ("aside", "told"),
+    [((3, 0, 0), "beside the eye"), ((0, 0, 3), "behind the eye"), ((0, 0, 0), "where the eye is")],
+)
+def test_a_lamp_that_the_eye_does_not_face_is_told_where_it_is(
+    aside: tuple[float, float, float], told: str
+) -> None:
+    lamp = SceneLight("lamp", LightKind.POINT, position=tuple(np.add((0, 0, 4), aside).tolist()))
+    found = replace(scene(thing(box(1), World())), lights=(lamp,), view=View(eye=(0, 0, 4)))
+    assert f"The light lamp is {told}." in marks(found, Shown.LIGHTS)[1]
+
+
+@pytest.mark.parametrize("depth", DepthRange)
+def test_the_map_shows_what_the_eye_sees_between_near_and_far(depth: DepthRange) -> None:
+    lens = Lens(fov_degrees=40, near=1, far=2.5, aspect=1.5, clip=ClipSpace(depth=depth))
+    shown = replace(scene(thing(sphere(24, 48), World())), view=View(eye=(0, 0, 4)), lens=lens)
+    canvas, _ = marks(shown, Shown.EYE)
+    palette = PALETTES[Theme.LIGHT]
+    polygons = [one for one in canvas.marks if isinstance(one, Polygon)]
+    (ball,) = (np.array(one.loops[0]) for one in polygons if one.fill == palette.body)
+    sight = next(np.array(one.loops[0]) for one in polygons if one.fill == palette.eye)
+    radius = np.ptp(ball[:, 1]) / 2
+    found = (sight - [ball[:, 0].mean(), (ball[:, 1].min() + ball[:, 1].max()) / 2]) / radius
+    slope = 1.5 * np.tan(np.radians(20))
+    assert found[:, 1].min() == pytest.approx(4 - 2.5, abs=0.02)
+    assert found[:, 1].max() == pytest.approx(4 - 1, abs=0.02)
+    assert np.ptp(found[:, 0]) == pytest.approx(2 * 2.5 * slope, abs=0.04)
+
+
+def test_an_eye_that_looks_down_sees_an_area_of_the_map() -> None:
+    shown = replace(scene(thing(sphere(8, 16), World())), view=View(eye=(0, 9, 0.01)))
+    canvas, _ = marks(shown, Shown.EYE)
+    palette = PALETTES[Theme.LIGHT]
+    polygons = [one for one in canvas.marks if isinstance(one, Polygon)]
+    sight = next(np.array(one.loops[0]) for one in polygons if one.fill == palette.eye)
+    ball = next(np.array(one.loops[0]) for one in polygons if one.fill == palette.body)
+    assert (sight.min(axis=0) < ball.min(axis=0)).all()
+    assert (sight.max(axis=0) > ball.max(axis=0)).all()
+
+
+@pytest.mark.parametrize("way", [(1, -1, -1), (-1, -1, -1), (1, 1, -1), (-1, 1, -1)])
+@pytest.mark.parametrize("others", [(), (Shown.EYE,)])
+def test_a_sun_stands_in_the_corner_that_it_comes_from(
+    way: tuple[float, float, float], others: tuple[Shown, ...]
+) -> None:
+    sun = SceneLight("sun", LightKind.DIRECTIONAL, direction=way)
+    shown = replace(scene(thing(sphere(8, 16), World())), lights=(sun,), view=View(eye=(0, 0, 4)))
+    canvas, _ = marks(shown, Shown.LIGHTS, *others)
+    palette = PALETTES[Theme.LIGHT]
+    lit = [one for one in canvas.marks if isinstance(one, Polygon) and one.fill == palette.light]
+    places = np.concatenate([np.array(one.loops[0]) for one in lit])
+    disc = np.array(lit[0].loops[0]).mean(axis=0)
+    assert (disc[0] < canvas.width / 2) == (way[0] > 0)
+    assert (disc[1] < canvas.height / 2) == (way[1] < 0)
+    assert (places > 0).all()
+    assert (places < [canvas.width, canvas.height]).all(), "its arrows are in the picture"
+    edges = [one for one in canvas.marks if isinstance(one, Polygon) and one.fill == palette.paper]
+    assert not [one for one in edges if Box(*one.loops[0][0], 60, 60).holds(tuple(disc))]
