@@ -169,7 +169,7 @@ def _why_nothing(drawn: DrawnScene) -> str:
     """Say why nothing is drawn: no surface is left of the bodies, or none is in sight."""
     bodies = drawn.loaded.bodies
     if any(normals_by(drawn.loaded, one, NormalRule.EXACT).any() for one in bodies):
-        return "out of sight"
+        return "nothing in sight"
     return NO_SURFACE[max((one.linear_map.rank for one in bodies), default=0)]
 
 

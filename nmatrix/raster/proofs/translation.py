@@ -109,7 +109,7 @@ class Moved:
         """Whether w = 1 is right here, and what it does."""
         if self.is_blown:
             turned = "*n*" if self.only_moves else "A*n*"
-            told = f"M moves the normal like a point: {turned} + *t*. All lean the way it went."
+            told = f"M moves the normal like a point: {turned} + *t*. They lean the way it went."
             return Verdict.WRONG, told
         if self.worst_deg < BLOWN_DEG:
             return Verdict.RIGHT, "The same arrows, the same shade: next to nothing is added."
