@@ -308,7 +308,7 @@ def test_paper_shows_pictures_and_numbers_and_no_controls(opened, file) -> None:
     assert (levels.max(axis=2) - levels.min(axis=2)).max() <= 2, "one channel of grey"
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.slow)])
 def test_on_a_phone_nothing_scrolls_sideways_and_a_thumb_meets_all(opened, file, scheme) -> None:
     found = opened(file, color_scheme=scheme, **PHONE)
     for story in found.locator("#stories button").all():

@@ -21,11 +21,11 @@ from nmatrix.scene.scene import Settings
 NAMES = [one.name for one in PROOFS]
 # Panels that are stages of one idea, or choices: they have no verdict.
 WITHOUT_VERDICTS = {"shading", "spaces", "effects"}
-SIZES = [(800, 450), (500, 700)]
+SIZES = [(640, 360), (400, 560)]
 
 
 @cache
-def proof(name: str, theme: Theme = Theme.LIGHT, size: tuple[int, int] = (800, 450)) -> Proof:
+def proof(name: str, theme: Theme = Theme.LIGHT, size: tuple[int, int] = (640, 360)) -> Proof:
     picture = Settings(size=size, samples=1)
     return PictureFrame(name, ProofSettings(name, picture=picture, theme=theme)).draw()
 
@@ -146,7 +146,7 @@ def test_the_three_themes_draw_the_same_marks(name: str) -> None:
     assert np.ptp(proof(name, Theme.PRINT).image.astype(int), axis=2).max() <= 1
 
 
-@pytest.mark.parametrize("size", [(64, 64), (64, 640), (1000, 70)])
+@pytest.mark.parametrize("size", [(64, 64), (64, 400), (600, 70)])
 @pytest.mark.parametrize("name", NAMES)
 def test_a_picture_of_any_shape_is_drawn(name: str, size: tuple[int, int]) -> None:
     assert proof(name, size=size).image.shape == (size[1], size[0], 3)
