@@ -90,7 +90,7 @@ def rule(setup: Setup, kind: PageFormat) -> Part:
 
 
 def _stretch(setup: Setup) -> Fraction:
-    """Return how far A stretches one way more than another, where that can be drawn; else 2."""
+    """Return the ratio of A's largest stretch to its least, where that can be drawn; else 2."""
     kappa = condition(setup.maps.world_from_object.linear_map)
     if kappa is None or not DRAWN[0] <= kappa <= DRAWN[1]:
         return Fraction(DOUBLED)

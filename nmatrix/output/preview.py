@@ -89,7 +89,7 @@ def _goes_on(last: Text, text: Text) -> bool:
 
 
 def _distance(stage: Box, text: Box) -> float:
-    """Return how far a text is from a stage, 0 where it stands on it."""
+    """Return the distance between a text and a stage, 0 where it stands on it."""
     aside = max(stage.x - text.right, text.x - stage.right, 0.0)
     return hypot(aside, max(stage.y - text.bottom, text.y - stage.bottom, 0.0))
 

@@ -149,7 +149,7 @@ class Hedgehog:
 
 
 def _ink(one: _Places) -> Ink:
-    """Return what normals are drawn in: those of a body of which any leans are wrong."""
+    """Return the ink of a body's normals: that of a mistake if any of them leans."""
     both = one.true.any(axis=1) & one.ruled.any(axis=1)
     lean = angles_deg(one.true[both], unit(one.ruled[both]))
     return Ink.WRONG if lean.max(initial=0.0) > LEANING_DEG else Ink.NORMAL

@@ -38,7 +38,7 @@ def in_view(stage: Stage, a: Array, b: Array, pad: float = 0.0) -> tuple[Array, 
 
 
 def _inside(stage: Stage, clip: Array, pad: float) -> tuple[Array, ...]:
-    """Return what is not negative inside the picture and behind its near plane."""
+    """Return the distances of clip points to the picture's planes, negative beyond them."""
     x, y, z, w = clip
     near = {
         DepthRange.MINUS_ONE_TO_ONE: z + w,

@@ -123,7 +123,7 @@ class _Marks:
 
     @cached_property
     def line_colour(self) -> str:
-        """Return what thin lines are drawn in: ink, or paper's colour on a picture that is as dark.
+        """Return the colour of thin lines: ink, or that of paper on a picture that is as dark.
 
         A line must differ from the surface that it lies on, whatever its material.
         """

@@ -98,7 +98,7 @@ class Stage:
 
     @property
     def depth(self) -> DepthMap:
-        """Return how far away the surfaces are that are seen."""
+        """Return the depth of the surfaces that are seen, and what they cover."""
         found = self.drawn.rendered.depth
         assert found is not None  # a stage is drawn with it
         return found
