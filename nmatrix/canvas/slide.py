@@ -20,7 +20,7 @@ WIDEST, HIGHEST = 2.4, 1.45  # width over height
 MARGIN = 48.0
 TITLE_SIZES = range(36, 45)
 HEADING, NARROW_HEADING, CAPTION, BIG = 30, 24, 22, 84
-TITLE_AT, HEADING_AT, STAGE_AT = 76.0, 140.0, 156.0
+TITLE_AT, STAGE_AT = 76.0, 156.0
 GUTTER = 20.0
 LABELS, LARGE_BADGE = 196.0, 27.0  # the words beside the rows of a table
 

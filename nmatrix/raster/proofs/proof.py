@@ -41,7 +41,6 @@ from nmatrix.scene.world import World
 Array = NDArray[Any]
 
 SPHERE = ShapeGeometry(Shape.SPHERE)
-TORUS = ShapeGeometry(Shape.TORUS)
 SUN = SceneLight("sun", LightKind.DIRECTIONAL)
 IDENTITY = identity(4)
 SHEET = (1600, 900)  # pixels
