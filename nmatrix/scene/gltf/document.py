@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from math import isfinite
 from pathlib import Path
 
 import msgspec
@@ -55,6 +56,8 @@ def _raw(text: bytes) -> object:
 
     def number(digits: str) -> float | int:
         found = float(digits)
+        if not isfinite(found):
+            raise ValueError(digits)
         return int(found) if found.is_integer() else found
 
     try:
@@ -86,9 +89,11 @@ def check_version(path: Path, asset: Asset) -> None:
     major, _, minor = needed.partition(".")
     if major == "2" and (asset.min_version is None or minor == "0"):
         return
-    told = f"at least {printable(needed)}" if asset.min_version else printable(needed)
+    told = f"it is glTF {printable(needed)}, and glTF 2.0 is read"
+    if asset.min_version:
+        told = f"it needs glTF {printable(needed)} at least, and glTF 2.0 is read"
     next_step = "convert it, for example by gltf-pipeline" if major == "1" else "export it as 2.0"
-    raise IllegalValueError(f"{path}", f"it is glTF {told}, and glTF 2.0 is read", next_step)
+    raise IllegalValueError(f"{path}", told, next_step)
 
 
 def _no_gltf(path: Path, why: str) -> IllegalValueError:
