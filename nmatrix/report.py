@@ -208,6 +208,29 @@ Block = (
     | PageBreak
 )
 
+SCREEN = 22  # lines of a short answer: with the command and the next prompt a screen of 24
+
+
+@dataclass(frozen=True)
+class Brief:
+    """The short answer, which a person sees whole on a small screen.
+
+    Parameters
+    ----------
+    blocks
+        What was asked for and the verdict, the most important first.
+    more
+        Words for what only the whole answer has.
+    lines
+        How many there may be, remarks and the last line included; remarks that find no room are
+        counted.
+    """
+
+    blocks: tuple[Block, ...]
+    more: tuple[str, ...] = ()
+    lines: int = SCREEN
+
+
 # What JSON can say, with exact fractions; a step is an object of four keys.
 Value = None | bool | str | Number | Step | Sequence["Value"] | Mapping[str, "Value"]
 
@@ -219,7 +242,7 @@ class Report:
     `failure` is the error that the answer still ends in (an undefined normal, a failed check):
     the whole report is shown first, then its one line. `records` is for an answer that is a list
     of rows by nature, such as the grades of a class: as CSV it is written as that table. `glsl` is
-    code that a shader needs beside the numbers.
+    code that a shader needs beside the numbers. `brief` is what text shows unless all is asked for.
     """
 
     command: str
@@ -229,6 +252,7 @@ class Report:
     failure: NMatrixError | None = field(default=None, compare=False)
     records: Table | None = None
     glsl: str = ""
+    brief: Brief | None = None
 
     def spelled(self, spell: Callable[[str], str]) -> Report:
         """Spell the names of quantities in the remarks as the caller types them."""

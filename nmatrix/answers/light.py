@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import fields
+from collections.abc import Callable, Sequence
+from dataclasses import fields, replace
 from typing import TypeVar
 
 from nmatrix.enums import Space
 from nmatrix.linear.rational import identity
-from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Verdict
+from nmatrix.report import Block, Brief, Heading, Quantity, Report, Table, Text, Value, Verdict
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.exact_maps import ExactMaps
 from nmatrix.spaces.light_and_eye import EyeInSpace, LightInSpace, eye_in, light_in
@@ -29,7 +29,28 @@ def light(setup: Setup, space: Space | None) -> Report:
     remarks = list(setup.remarks)
     for seen in entries:
         remarks += [_NO_OBJECT_SPACE] if seen is None else _light_remarks(setup, seen)
-    return _report("light", entries, _light_blocks, tuple(dict.fromkeys(remarks)))
+    found = _report("light", entries, _light_blocks, tuple(dict.fromkeys(remarks)))
+    lights = [seen for seen in entries if seen is not None]
+    return replace(found, brief=_brief_light(found, lights))
+
+
+def _brief_light(found: Report, lights: Sequence[LightInSpace]) -> Brief:
+    """Show the light of one space, the verdict first, or a row for each."""
+    if "spaces" not in found.data:
+        *shown, conclusion = (one for one in found.blocks if not isinstance(one, Heading))
+        matrix, *numbers = shown
+        return Brief((conclusion, *numbers, matrix))
+    keys = [key for key in ("direction", "position") if getattr(lights[0], key) is not None]
+    columns = ("space", *(f"{key if x == 'x' else ''} {x}".strip() for key in keys for x in "xyz"))
+    rows = tuple(
+        (one.space.value, *(number for key in keys for number in getattr(one, key)))
+        for one in lights
+    )
+    worst = max(lights, key=lambda one: one.rules_differ_deg or 0.0)
+    told = _light_verdict(worst)
+    if worst.rules_differ_deg:
+        told = told.replace(" here", f" in {worst.space} space", 1)
+    return Brief((Verdict(told), Table(columns, rows)), ("the matrices", "each rule's direction"))
 
 
 def eye(setup: Setup, space: Space | None) -> Report:
@@ -44,7 +65,15 @@ def eye(setup: Setup, space: Space | None) -> Report:
     remarks = [*setup.remarks, *_eye_remarks([seen for seen in entries if seen])]
     if None in entries:
         remarks.append(_NO_OBJECT_SPACE)
-    return _report("eye", entries, _eye_blocks, tuple(remarks))
+    found = _report("eye", entries, _eye_blocks, tuple(remarks))
+    eyes = [seen for seen in entries if seen is not None]
+    return found if "spaces" not in found.data else replace(found, brief=_brief_eye(eyes))
+
+
+def _brief_eye(eyes: Sequence[EyeInSpace]) -> Brief:
+    """Show the eye in each space, a row for each."""
+    rows = tuple((one.space.value, *one.eye) for one in eyes)
+    return Brief((Table(("space", "eye x", "y", "z"), rows),), ("the course's formula",))
 
 
 _NO_OBJECT_SPACE = (

@@ -7,13 +7,30 @@ from dataclasses import dataclass
 
 from nmatrix.enums import NormalRule, NormalStatus, Space
 from nmatrix.errors import NoAnswerError, quantity
-from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
+from nmatrix.lessons.map_sentences import (
+    transform_blocks,
+    transform_data,
+    transform_remarks,
+    verdict,
+)
 from nmatrix.linear.classify import Classification
 from nmatrix.linear.exact import LinearMap, Normal
 from nmatrix.linear.rational import linear_part, rational_vector
 from nmatrix.linear.rounding import integers, unit
 from nmatrix.linear.rules import RULES, NormalTransform, normal_transform
-from nmatrix.report import Block, Heading, Quantity, Report, Text, Value, Vector
+from nmatrix.report import (
+    SCREEN,
+    Block,
+    Brief,
+    Heading,
+    Quantity,
+    Report,
+    Table,
+    Text,
+    Value,
+    Vector,
+    Verdict,
+)
 from nmatrix.scene.setup import Setup
 
 
@@ -43,6 +60,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
     matrix = linear_map.normal_matrix
     if request.method is not NormalRule.EXACT:
         matrix = None if by_rule is None else linear_part(by_rule.matrix)
+    title = RULES[request.method].title
     answered = [_answered(n, request.method, by_rule, linear_map) for n in request.normals]
     data: dict[str, Value] = {
         "normal_matrix": matrix,
@@ -52,7 +70,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
     }
     blocks = (
         Heading(f"Normal matrix: object to {request.space} space"),
-        Quantity("normal_matrix", matrix, RULES[request.method].title),
+        Quantity("normal_matrix", matrix, title),
         Quantity("cofactor_matrix", linear_map.cofactor_matrix, "C, the cofactors"),
         *transform_blocks(found),
         *(block for i, one in enumerate(answered) for block in one.blocks(i)),
@@ -63,7 +81,33 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         blocks,
         (*setup.remarks, *transform_remarks(found), *_method_remarks(request.method, found)),
         _failure(found, answered),
+        brief=_brief(request, Quantity("normal_matrix", matrix, title), found, answered),
     )
+
+
+def _brief(
+    request: NormalRequest, matrix: Quantity, found: Classification, answered: Sequence[_Answered]
+) -> Brief:
+    """Show the verdict, the matrix, and each normal in a row: before, after, and A itself off."""
+    more = ("the cofactors", "determinant, rank and condition")
+    blocks: list[Block] = [Verdict(verdict(found)), matrix]
+    if answered:
+        methods = () if request.method is NormalRule.EXACT else (f"{request.method} °",)
+        has_status = any(one.image.status is not NormalStatus.OK for one in answered)
+        columns = ("x", "y", "z", "→ x", "→ y", "→ z", "A itself °", *methods)
+        rows = tuple(
+            (
+                *one.given,
+                *(one.image.direction or (None,) * 3),
+                one.without_deg,
+                *(one.method_error_deg for _ in methods),
+                *([one.image.status.value] if has_status else []),
+            )
+            for one in answered
+        )
+        status = ("",) if has_status else ()
+        blocks.append(Table((*columns, *status), rows, "Normals, and how far A itself is off"))
+    return Brief(tuple(blocks), more, SCREEN + max(len(answered) - 1, 0))
 
 
 SAME_DIRECTION_DEG = 1e-9  # what a matrix built from angles misses by rounding

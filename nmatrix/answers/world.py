@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from collections.abc import Sequence
+from dataclasses import asdict, replace
 
 from nmatrix.enums import Convention
-from nmatrix.lessons.map_sentences import transform_blocks, transform_data, transform_remarks
-from nmatrix.linear.classify import classify
+from nmatrix.lessons.map_sentences import (
+    transform_blocks,
+    transform_data,
+    transform_remarks,
+    verdict,
+)
+from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.decompose import Parts
-from nmatrix.report import Block, Cells, Heading, Quantity, Report, Table, Value
+from nmatrix.report import Block, Brief, Cells, Heading, Quantity, Report, Table, Value, Verdict
 from nmatrix.scene.setup import Setup
 
 
@@ -49,7 +55,24 @@ def world(setup: Setup) -> Report:
         how = "as given" if parts.given else "one choice of several"
         blocks += [Heading(f"Parts, {how}"), parts_table(parts)]
         remarks += parts_remarks(parts)
-    return Report("world", data, tuple(blocks), tuple(remarks))
+    brief = _brief(setup, blocks, found, parts)
+    return Report("world", data, tuple(blocks), tuple(remarks), brief=brief)
+
+
+def _brief(
+    setup: Setup, blocks: Sequence[Block], found: Classification, parts: Parts | None
+) -> Brief:
+    """Show what was asked for: the matrix of parts, or the parts of a matrix."""
+    by_key = {one.key: one for one in blocks if isinstance(one, Quantity)}
+    conclusion, normal_matrix = Verdict(verdict(found)), by_key["normal_matrix"]
+    more = ["the cofactors", "determinant, rank and condition"]
+    if setup.world.matrix is not None and parts is not None:
+        table = replace(parts_table(parts), title="Its parts, one choice of several")
+        return Brief((conclusion, table, normal_matrix), ("the matrix", *more))
+    M = replace(by_key["world_from_object"], title="M = T · R · S · H")
+    if parts is not None:
+        more.append("the parts")
+    return Brief((conclusion, M, normal_matrix), tuple(more))
 
 
 def parts_data(parts: Parts) -> dict[str, Value]:

@@ -50,6 +50,7 @@ class CommonOptions:
         Layout.ROW_MAJOR
     )
     color: Annotated[ColorWhen, in_output(help="Colours in text.")] = ColorWhen.AUTO
+    full: Annotated[bool, in_output("--full", help="Show all of the answer as text.")] = False
 
     @cached_property
     def sources(self) -> Sources:

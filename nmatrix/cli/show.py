@@ -45,6 +45,7 @@ def show(report: Report, common: CommonOptions) -> None:
         charset=_charset(),
         width=_width(),
         colour=_colour(common),
+        full=common.full,
     )
     put(write(report.spelled(option_name), options))
     if report.failure is not None:

@@ -6,7 +6,7 @@ The lines are built as styled spans and become characters at the very end.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 from textwrap import wrap
@@ -18,6 +18,7 @@ from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import (
     Blank,
     Block,
+    Brief,
     Code,
     Figure,
     Formula,
@@ -61,10 +62,10 @@ def write(report: Report, options: OutputOptions) -> str:
     <BLANKLINE>
     • Three numbers.
     """
-    written = (
-        "".join(render(line, options.colour) + "\n" for line in part)
-        for part in _Writer(options).parts(report)
-    )
+    writer = _Writer(options)
+    short = None if options.full else report.brief
+    parts = writer.parts(report) if short is None else writer.brief(short, report.remarks)
+    written = ("".join(render(line, options.colour) + "\n" for line in part) for part in parts)
     return "\n".join(part for part in written if part)
 
 
@@ -81,12 +82,37 @@ class _Writer:
 
     def parts(self, report: Report) -> Iterator[list[Line]]:
         """Draw the parts that empty lines stand between."""
-        for labelled, group in groupby(report.blocks, _is_labelled):
+        yield from self._parts_of(report.blocks)
+        yield [line for remark in report.remarks for line in self._remark(remark)]
+
+    def brief(self, short: Brief, remarks: Sequence[str]) -> Iterator[list[Line]]:
+        """Draw the short answer: its parts, as many remarks as find room, and what is left."""
+        parts = [part for part in self._parts_of(short.blocks) if part]
+        left = short.lines - sum(len(part) + 1 for part in parts)
+        drawn = [self._remark(one) for one in remarks]
+        for kept in range(len(drawn), -1, -1):
+            last = self._what_is_left(short, len(drawn) - kept)
+            shown = [line for one in drawn[:kept] for line in one]
+            needed = len(shown) + len(last) + (1 if shown and last else 0)
+            if needed <= left or kept == 0:
+                yield from (*parts, shown, last)
+                return
+
+    def _what_is_left(self, short: Brief, remarks: int) -> list[Line]:
+        more = list(short.more)
+        if remarks:
+            more.append("a remark" if remarks == 1 else f"{remarks} remarks")
+        if not more:
+            return []
+        listed = more[0] if len(more) == 1 else f"{', '.join(more[:-1])} and {more[-1]}"
+        return [(Span(line, Style.DIM),) for line in self._wrapped(f"--full adds {listed}.", 0)]
+
+    def _parts_of(self, blocks: Iterable[Block]) -> Iterator[list[Line]]:
+        for labelled, group in groupby(blocks, _is_labelled):
             if labelled:
                 yield self._labelled([block for block in group if isinstance(block, Quantity)])
             else:
                 yield from map(self._block, group)
-        yield [line for remark in report.remarks for line in self._remark(remark)]
 
     def _remark(self, text: str) -> list[Line]:
         bullet = BULLETS[self.options.charset]

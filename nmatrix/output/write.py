@@ -40,6 +40,8 @@ class OutputOptions:
         How json, csv, numpy and js order a matrix; glsl is column-major whatever it says.
     width
         Columns of text.
+    full
+        Whether text shows all of an answer that has a short form.
     """
 
     format: Format = Format.TEXT
@@ -48,6 +50,7 @@ class OutputOptions:
     charset: Charset = Charset.UNICODE
     width: int = 80
     colour: Colour = Colour.PLAIN
+    full: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "digits", whole(self.digits, "digits"))
