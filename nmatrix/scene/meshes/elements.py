@@ -6,8 +6,9 @@ lists of one length are then read together.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from struct import Struct
 from typing import Any
@@ -28,6 +29,8 @@ KINDS = {
 }
 TEXTURE = "texturefile"
 LONGEST_HEADER = 1 << 20  # bytes
+NOT_FINITE = (b"nan", b"inf", b"infinity")
+_COMMENT = re.compile(rb"^ *(?:comment|obj_info)\b[^\n]*", re.MULTILINE)
 _AS_LINES = bytes.maketrans(b"\r\t\v\f", b"\n   ")
 
 
@@ -67,6 +70,7 @@ class Header:
     size: int
     lines: int
     textures: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -96,6 +100,7 @@ def read_header(path: Path, content: bytes) -> Header:
     order: str | None = ""
     elements: list[Element] = []
     textures: list[str] = []
+    unknown: list[str] = []
     place = number = 0
     while True:
         stop = content.find(end, place, place + LONGEST_HEADER)
@@ -126,8 +131,10 @@ def read_header(path: Path, content: bytes) -> Header:
                     elements[-1].properties.append(Property(name, KINDS[kind]))
                 case [] | ["ply"]:
                     pass
-                case _:
+                case ["format" | "element" | "property", *_]:
                     raise ValueError(shown)
+                case _:
+                    unknown.append(f"Line {number} of {path.name} was not understood: {shown}.")
         except (KeyError, ValueError, IndexError):
             raise IllegalValueError(
                 f"{path}, line {number} ({shown})",
@@ -136,7 +143,73 @@ def read_header(path: Path, content: bytes) -> Header:
             ) from None
     if order == "":
         raise IllegalValueError(f"{path}", "its header has no line format", "export it again")
-    return Header(order, tuple(elements), place, number, tuple(textures))
+    return Header(order, tuple(elements), place, number, tuple(textures), tuple(unknown))
+
+
+def read_elements(path: Path, header: Header, content: bytes) -> dict[str, Columns]:
+    """Read the rows of all elements, as columns by property.
+
+    Raises
+    ------
+    IllegalValueError
+        For a body that breaks off, or a word in it that is no number.
+    """
+    if header.order is not None:
+        body = Body(path, header, content)
+        return {element.name: body.columns(element) for element in header.elements}
+    text = content[header.size :].replace(b"\r\n", b"\n").translate(_AS_LINES)
+    if b"comment" in text:
+        text = _COMMENT.sub(b"", text)
+    as_doubles = replace(header, size=0)
+    body = Body(path, as_doubles, _figures(path, header, text))
+    try:
+        found = {element.name: body.columns(element) for element in header.elements}
+    except IllegalValueError:
+        found = {}
+    if body.is_read and found:
+        return found
+    body = Body(path, as_doubles, _row_by_row(path, header, text))  # lines hold more than rows
+    return {element.name: body.columns(element) for element in header.elements}
+
+
+def _figures(path: Path, header: Header, text: bytes) -> bytes:
+    """Read a text's figures as the bytes of doubles, so that both kinds are walked alike."""
+    found = numbers(text, np.float64)
+    if found is not None:
+        return found.tobytes()
+    for number, line in enumerate(text.split(b"\n"), header.lines + 1):
+        for word in line.split():
+            if FIGURE.fullmatch(word) is None and word.lower().lstrip(b"+-") not in NOT_FINITE:
+                raise IllegalValueError(
+                    f"{path}, line {number} ({printable(readable(word[:40]))})",
+                    "a number is meant there",
+                    "mend that line",
+                )
+    raise IllegalValueError(f"{path}", "a number of it cannot be read", "export it again")
+
+
+def _row_by_row(path: Path, header: Header, text: bytes) -> bytes:
+    """Read the figures of a text line by line: one is a row, and what follows it is left out."""
+    lines = iter([line.split() for line in text.split(b"\n") if line.strip()])
+    kept: list[float] = []
+    for element in header.elements:
+        for row in range(element.count if element.properties else 0):
+            words = next(lines, [])
+            size = 0
+            for one in element.properties:
+                if one.count is not None and size < len(words):
+                    size += max(int(float(words[size])), 0)
+                size += 1
+            if size > len(words):
+                raise breaks_off(path, element, row)
+            kept.extend(map(float, words[:size]))
+    return np.array(kept).tobytes()
+
+
+def breaks_off(path: Path, element: Element, row: int) -> IllegalValueError:
+    """Make the error for a body that ends in a row."""
+    why = f"it breaks off in row {row + 1:,} of {element.count:,} of the element {element.shown}"
+    return IllegalValueError(f"{path}", why, "copy the file again")
 
 
 @dataclass
@@ -149,33 +222,20 @@ class Body:
     place: int = field(init=False)
 
     def __post_init__(self) -> None:
+        """Begin after the header."""
         self.place = self.header.size
-        if self.header.order is None:
-            self.content, self.place = self._figures(), 0
 
-    def _figures(self) -> bytes:
-        """Read a text's figures as the bytes of doubles, so that both kinds are walked alike."""
-        text = self.content[self.header.size :].translate(bytes.maketrans(b"\r\t\v\f", b"\n   "))
-        found = numbers(text, np.float64)
-        if found is None:
-            lines = self.header.lines
-            for number, line in enumerate(text.replace(b"\n\n", b"\n").split(b"\n"), lines + 1):
-                for word in line.split():
-                    if FIGURE.fullmatch(word) is None and word.lower() not in (b"nan", b"inf"):
-                        raise IllegalValueError(
-                            f"{self.path}, line {number} ({printable(readable(word[:40]))})",
-                            "a number is meant there",
-                            "mend that line",
-                        )
-            raise IllegalValueError(f"{self.path}", "a number cannot be read", "export it again")
-        return found.tobytes()
+    @property
+    def is_read(self) -> bool:
+        """True if nothing is left."""
+        return self.place == len(self.content)
 
     def columns(self, element: Element) -> Columns:
         """Read all rows of an element."""
         least = sum(self._kind(one.count or one.kind).itemsize for one in element.properties)
         if least * element.count > len(self.content) - self.place:
             rows = (len(self.content) - self.place) // max(least, 1)
-            raise self._breaks_off(element, rows)
+            raise breaks_off(self.path, element, rows)
         if not element.count or not element.properties:
             return {}
         return self._rows_alike(element) or self._rows_of_any_length(element)
@@ -217,7 +277,7 @@ class Body:
             if one.count is not None:
                 kind = self._kind(one.count)
                 if place + kind.itemsize > len(self.content):
-                    raise self._breaks_off(element, 0)
+                    raise breaks_off(self.path, element, 0)
                 length = int(np.frombuffer(self.content, kind, 1, place)[0])
                 place += kind.itemsize
             lengths.append(length)
@@ -225,7 +285,7 @@ class Body:
             if length < 0:
                 raise self._illegal_length(element, 0, length)
             if place > len(self.content):
-                raise self._breaks_off(element, 0)
+                raise breaks_off(self.path, element, 0)
         return lengths
 
     def _rows_of_any_length(self, element: Element) -> Columns:
@@ -266,7 +326,7 @@ class Body:
                     place += size
                     continue
                 if place + lead > end:
-                    raise self._breaks_off(element, row)
+                    raise breaks_off(self.path, element, row)
                 n = int(count(content, place)[0])
                 if n < 0:
                     raise self._illegal_length(element, row, n)
@@ -275,12 +335,8 @@ class Body:
                 length.append(n)
                 place += n * size
             if place > end:
-                raise self._breaks_off(element, row)
+                raise breaks_off(self.path, element, row)
         return starts, lengths, place
-
-    def _breaks_off(self, element: Element, row: int) -> IllegalValueError:
-        why = f"it breaks off in row {row + 1:,} of {element.count:,} of the element {element.shown}"
-        return IllegalValueError(f"{self.path}", why, "copy the file again")
 
     def _illegal_length(self, element: Element, row: int, length: int) -> IllegalValueError:
         return IllegalValueError(

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.elements import Body, Columns, Element, Header, Lists, read_header
+from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
 from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons
 
 Array = NDArray[np.float64]
@@ -38,15 +38,16 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
         For a header that is none, a body that breaks off, an index of nothing, or no faces.
     """
     header = read_header(path, content)
-    body = Body(path, header, content)
-    found = {element.name: body.columns(element) for element in header.elements}
+    found = read_elements(path, header, content)
     vertices = found.get(VERTEX, {})
+    if not vertices:
+        raise IllegalValueError(f"{path}", "it holds no vertices", "export it again")
     if not all(isinstance(vertices.get(axis), np.ndarray) for axis in AXES):
         raise IllegalValueError(f"{path}", "its vertices have no x, y and z", "export it again")
     positions = _together(vertices, AXES)
     _check_finite(path, positions)
     corners, sizes = _corners(path, header, found, len(positions))
-    remarks = [*_left_out(path, header)]
+    remarks = [*header.remarks, *_left_out(path, header)]
     long = sizes > 2
     if not long.all():
         short = np.count_nonzero(~long)

@@ -86,7 +86,7 @@ def _cut_alike(positions: Array, at: Indices) -> tuple[Indices, int]:
         fan = _fan(size, start)
         a, b, c = (flat[open_][:, fan[:, i]] for i in range(3))
         turns, sure = _turns(a, b, c)
-        fits = (sure & (turns > 0)).all(axis=1)
+        fits = (sure & (turns >= 0)).all(axis=1)
         found[open_[fits]] = fan
         open_ = open_[~fits]
     crossing = 0
@@ -114,11 +114,11 @@ def _flattened(points: NDArray[Any]) -> Array:
 def _turns(a: Array, b: Array, c: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Double the signed areas of triangles a b c in the plane, and tell whose sign is sure."""
     with np.errstate(all="ignore"):
-        left = (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1])
-        right = (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
+        (bx, by), (cx, cy) = (np.moveaxis(one - a, -1, 0) for one in (b, c))
+        left, right = bx * cy, by * cx
         found = left - right
         sure = np.abs(found) > _ROUNDING * (np.abs(left) + np.abs(right)) + _SMALLEST
-    return found, sure
+    return found, sure | (((bx == 0) | (cy == 0)) & ((by == 0) | (cx == 0)))
 
 
 def turn(a: Point, b: Point, c: Point) -> int:
@@ -126,6 +126,8 @@ def turn(a: Point, b: Point, c: Point) -> int:
 
     Examples
     --------
+    Three tenths, as a float, is less than three times a tenth.
+
     >>> turn((0.0, 0.0), (1.0, 1.0), (3.0, 3.0)), turn((0.0, 0.0), (0.1, 1.0), (0.3, 3.0))
     (0, 1)
     """

@@ -24,6 +24,7 @@ HEADER, COUNT, TRIANGLE = 80, 4, 50  # bytes
 TOGETHER = 1 << 16  # triangles whose normals are made at once
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _NAMES = re.compile(rb"^[ ]*(?:end)?solid\b[^\n]*", re.IGNORECASE | re.MULTILINE)
+_COMMENT = re.compile(rb"#[^\n]*")
 _VERTEX = re.compile(rb"vertex\s+(\S+\s+\S+\s+\S+)")
 
 
@@ -59,13 +60,12 @@ def read_stl(path: Path, content: bytes) -> MeshFile:
 
 def _is_text(content: bytes) -> bool:
     """Tell text from binary files, some of which begin with `solid` too."""
-    if not content.lstrip()[:5].lower() == b"solid":
-        return False
     if len(content) >= HEADER + COUNT:
         count = int.from_bytes(content[HEADER : HEADER + COUNT], "little")
         if len(content) == HEADER + COUNT + TRIANGLE * count:
             return False
-    return b"\0" not in content[: 1 << 10]
+    beginning = content[: 1 << 10].lower()
+    return b"\0" not in beginning and (b"solid" in beginning or b"facet" in beginning)
 
 
 def _binary(path: Path, content: bytes) -> tuple[Array, list[str]]:
@@ -102,6 +102,8 @@ def _from_text(path: Path, content: bytes) -> tuple[Array, list[str]]:
     """Read the corners (3 T, 3) of a text, which may hold several solids."""
     text = content.translate(BLANKS).replace(b"\r", b"\n")
     text = _NAMES.sub(b"", text).lower()
+    if b"#" in text:
+        text = _COMMENT.sub(b"", text)
     facets = text.split(b"endloop")
     for index, facet in enumerate(facets):
         is_last = index == len(facets) - 1

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError, printable
 
 FIGURE = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+BLOCK = 1 << 20  # bytes of a text that are split at once
 BLANKS = bytes.maketrans(b"\t\v\f", b"   ")
 _COMMENT = re.compile(rb"(?:^|(?<=\s))#[^\n]*")
 _GAP, _BREAK, _SLASH = b" \n/"
@@ -29,20 +30,8 @@ class BadFigureError(IllegalValueError):
         super().__init__(what, why)
 
 
-@dataclass(frozen=True)
-class Lines:
-    """The lines of a text, each with the number by which an editor finds it."""
-
-    content: Sequence[bytes]
-    numbers: Sequence[int]
-
-    def __iter__(self) -> Iterator[tuple[int, bytes]]:
-        """Walk the lines and their numbers."""
-        return zip(self.numbers, self.content, strict=True)
-
-
-def lines_of(content: bytes) -> Lines:
-    r"""Split a text of any 8-bit encoding, or UTF-16 with a mark, into lines without tabs.
+def lines_of(content: bytes) -> Iterator[tuple[int, bytes]]:
+    r"""Split a text of any 8-bit encoding, or UTF-16 with a mark, into numbered lines without tabs.
 
     Lines end in LF, CR or both; one that ends in a backslash goes on in the next.
 
@@ -57,22 +46,33 @@ def lines_of(content: bytes) -> Lines:
     content = content.removeprefix(codecs.BOM_UTF8).replace(b"\0", b"").translate(BLANKS)
     if b"\r" in content:
         content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    found = content.split(b"\n")
-    if b"\\\n" not in content:
-        return Lines(found, range(1, len(found) + 1))
-    joined: list[bytes] = []
-    numbers: list[int] = []
-    goes_on = False
-    for number, line in enumerate(found, 1):
-        if goes_on:
-            joined[-1] += line
-        else:
-            joined.append(line)
-            numbers.append(number)
-        goes_on = line.endswith(b"\\")
-        if goes_on:
-            joined[-1] = joined[-1][:-1] + b" "
-    return Lines(joined, numbers)
+    plain = _numbered(content)
+    return _continued(plain) if b"\\\n" in content else plain
+
+
+def _numbered(content: bytes) -> Iterator[tuple[int, bytes]]:
+    """Split a text some lines at a time, so that memory stays small."""
+    number, start = 1, 0
+    while start <= len(content):
+        stop = content.find(b"\n", start + BLOCK)
+        stop = len(content) if stop < 0 else stop
+        block = content[start:stop].split(b"\n")
+        yield from enumerate(block, number)
+        number, start = number + len(block), stop + 1
+
+
+def _continued(lines: Iterator[tuple[int, bytes]]) -> Iterator[tuple[int, bytes]]:
+    """Join the lines that end in a backslash with those after them."""
+    first, begun = 0, b""
+    for number, line in lines:
+        first = first or number
+        if line.endswith(b"\\"):
+            begun += line[:-1] + b" "
+            continue
+        yield first, begun + line
+        first, begun = 0, b""
+    if begun:
+        yield first, begun
 
 
 def readable(name: bytes) -> str:
@@ -166,7 +166,7 @@ def refused_word(word: bytes, *, whole: bool) -> str | None:
     """Explain why a word is no number, or no finite one; None if it is one."""
     if FIGURE.fullmatch(word) is None or (whole and not word.lstrip(b"+-").isdigit()):
         shown = printable(readable(word[:40]))
-        return f"{shown!r} stands where a {'whole ' if whole else ''}number is meant"
+        return f"{shown} stands where a {'whole ' if whole else ''}number is meant"
     return None
 
 
