@@ -232,9 +232,9 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
     a, b, c = (positions[triangles[:, i]] for i in range(3))
     with np.errstate(all="ignore"):
         faces = np.cross(b - a, c - a)
-        total = np.zeros((len(positions), 3))
-        for i in range(3):
-            np.add.at(total, triangles[:, i], faces)
+        at = triangles.T.ravel()
+        sums = (np.bincount(at, np.tile(one, 3), len(positions)) for one in faces.T)
+        total = np.stack(list(sums), axis=1)
         length = np.sqrt((total * total).sum(axis=1, keepdims=True))
         unit = total / length
     return np.where(np.isfinite(unit), unit, 0.0)

@@ -17,7 +17,14 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError, printable
 from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons
 from nmatrix.scene.meshes.polygons import TRIANGLE
-from nmatrix.scene.meshes.text import BadFigureError, Figures, figures, lines_of, readable
+from nmatrix.scene.meshes.text import (
+    BadFigureError,
+    Figures,
+    blocks_of,
+    figures,
+    lines_of,
+    readable,
+)
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -196,14 +203,15 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     corners = corners if long.all() else corners[np.repeat(long, sizes)]
     names, material = _spans(found.materials, len(sizes))
     colours, told = _colours(path, v)
+    places = corners[:, 0].astype(np.intp)
     polygons = Polygons(
         path.name,
         v.values,
-        corners[:, 0],
+        places,
         sizes[long],
         _attribute(vn.values, corners[:, 2]),
         _attribute(vt.values, corners[:, 1]),
-        None if colours is None else Attribute(colours, corners[:, 0]),
+        None if colours is None else Attribute(colours, places),
         _smoothing(found.smoothing, long),
     )
     parts, made, origin = polygons.parts([readable(one) for one in names], material[long])
@@ -218,27 +226,41 @@ def _sorted(path: Path, content: bytes) -> _Sorted:
     f = _Faces(path)
     found = _Sorted((v, vt, vn), f)
     tables: dict[bytes, _Values | _Faces] = {b"v": v, b"vt": vt, b"vn": vn, b"f": f}
-    for number, line in lines_of(content):
-        word, _, rest = (line if line[:1] != b" " else line.lstrip()).partition(b" ")
+    for numbers, block in blocks_of(content):
+        word = block.partition(b" ")[0]
         table = tables.get(word)
-        if table is not None:
-            if table is f and b"-" in rest:
-                f.before[len(f.lines)] = (len(v), len(vt), len(vn))
-            table.lines.append(rest)
-            table.numbers.append(number)
-            if len(table.lines) == TOGETHER:
-                table.read()
-        elif word == b"usemtl":
-            found.materials.append((len(f), rest.strip()))
-        elif word == b"mtllib":
-            found.libraries.append(readable(rest.strip()))
-        elif word == b"s":
-            found.smoothing.append((len(f), rest.split(b"#")[0].strip().lower()))
-        elif word in _LEFT_OUT:
-            found.left_out[_LEFT_OUT[word]] += 1
+        if table is not None and _is_alike(word, block, len(numbers)) and len(numbers) > 1:
+            table.lines += block[len(word) + 1 :].split(b"\n" + word + b" ")
+            table.numbers += numbers
+            table.read()
+            continue
+        for number, line in zip(numbers, block.split(b"\n"), strict=True):
+            word, _, rest = (line if line[:1] != b" " else line.lstrip()).partition(b" ")
+            table = tables.get(word)
+            if table is not None:
+                if table is f and b"-" in rest:
+                    f.before[len(f.lines)] = (len(v), len(vt), len(vn))
+                table.lines.append(rest)
+                table.numbers.append(number)
+                if len(table.lines) == TOGETHER:
+                    table.read()
+            elif word == b"usemtl":
+                found.materials.append((len(f), rest.strip()))
+            elif word == b"mtllib":
+                found.libraries.append(readable(rest.strip()))
+            elif word == b"s":
+                found.smoothing.append((len(f), rest.split(b"#")[0].strip().lower()))
+            elif word in _LEFT_OUT:
+                found.left_out[_LEFT_OUT[word]] += 1
     for table in tables.values():
         table.read()
     return found
+
+
+def _is_alike(word: bytes, block: bytes, lines: int) -> bool:
+    """Tell whether all lines of a block begin with a word, and no face has a relative index."""
+    alike = block.count(b"\n" + word + b" ") == lines - 1
+    return alike and (word != b"f" or b"-" not in block)
 
 
 def _checked(path: Path, content: bytes, found: _Sorted, sizes: Indices, corners: Indices) -> list[str]:

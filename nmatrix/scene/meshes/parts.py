@@ -153,7 +153,8 @@ class Polygons:
         """Make one mesh of some triangles; the vertices without coordinates are counted."""
         places = triangles.ravel()
         others = [one for one in (normals, self.uv, self.colours) if one is not None]
-        first, vertex = _vertices([self.corners[places], *(one.at[places] for one in others)])
+        apart = [one.at[places] for one in others if one.at is not self.corners]
+        first, vertex = _vertices([self.corners[places], *apart])
         kept = places[first]
         uv = without = None
         if self.uv is not None:

@@ -57,7 +57,7 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
         if len(positions):
             why = f"it holds {len(positions):,} points and no faces"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
-    kept = np.repeat(long, sizes)
+    kept = slice(None) if long.all() else np.repeat(long, sizes)
     colours, uv = _colours(header, found, corners, sizes), _uv(found, corners, sizes)
     normals = _of_vertices(vertices, (NORMALS,), corners)
     polygons = Polygons(
@@ -108,9 +108,8 @@ def _indices(path: Path, name: str, lists: Lists, allowed: range) -> Indices:
     """Read indices, each of which is one of a vertex."""
     values = lists.values
     with np.errstate(invalid="ignore"):
-        bad = ~((values >= allowed.start) & (values < allowed.stop))
-        found = np.where(bad, 0, values).astype(np.intp)
-    bad |= found != np.where(bad, 0, values)
+        found = values.astype(np.intp)
+        bad = (found != values) | (found < allowed.start) | (found >= allowed.stop)
     if bad.any():
         place = int(np.argmax(bad))
         row = int(np.searchsorted(np.cumsum(lists.lengths), place, side="right"))

@@ -45,6 +45,8 @@ def cut(positions: Array, corners: Indices, sizes: Indices) -> Cut:
     >>> cut(arrow, np.arange(4), np.array([4])).triangles.tolist()
     [[1, 2, 3], [1, 3, 0]]
     """
+    if (sizes == TRIANGLE).all():
+        return Cut(np.arange(len(corners)).reshape(-1, 3), np.arange(len(sizes)))
     firsts = np.cumsum(sizes) - sizes
     counts = np.maximum(sizes - 2, 0)
     polygon = np.repeat(np.arange(len(sizes)), counts)

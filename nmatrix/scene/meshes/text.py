@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError, printable
 
 FIGURE = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
-BLOCK = 1 << 20  # bytes of a text that are split at once
+BLOCK = 1 << 19  # bytes of a text that are split at once
 BLANKS = bytes.maketrans(b"\t\v\f", b"   ")
 _COMMENT = re.compile(rb"(?:^|(?<=\s))#[^\n]*")
 _GAP, _BREAK, _SLASH = b" \n/"
@@ -40,39 +40,34 @@ def lines_of(content: bytes) -> Iterator[tuple[int, bytes]]:
     >>> list(lines_of(b"v 1 \\\r\n2 3\r\nf\t1"))
     [(1, b'v 1  2 3'), (3, b'f 1')]
     """
+    for numbers, block in blocks_of(content):
+        yield from zip(numbers, block.split(b"\n"), strict=True)
+
+
+def blocks_of(content: bytes) -> Iterator[tuple[Sequence[int], bytes]]:
+    """Split a text like `lines_of`, but into blocks of many lines, with the number of each line."""
     for mark, encoding in _WIDE:
         if content.startswith(mark):
             content = content[2:].decode(encoding, "replace").encode()
     content = content.removeprefix(codecs.BOM_UTF8).replace(b"\0", b"").translate(BLANKS)
     if b"\r" in content:
         content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    plain = _numbered(content)
-    return _continued(plain) if b"\\\n" in content else plain
-
-
-def _numbered(content: bytes) -> Iterator[tuple[int, bytes]]:
-    """Split a text some lines at a time, so that memory stays small."""
     number, start = 1, 0
     while start <= len(content):
         stop = content.find(b"\n", start + BLOCK)
+        while content[stop - 1 : stop] == b"\\" and stop > 0:  # the last line goes on
+            stop = content.find(b"\n", stop + 1)
         stop = len(content) if stop < 0 else stop
-        block = content[start:stop].split(b"\n")
-        yield from enumerate(block, number)
-        number, start = number + len(block), stop + 1
-
-
-def _continued(lines: Iterator[tuple[int, bytes]]) -> Iterator[tuple[int, bytes]]:
-    """Join the lines that end in a backslash with those after them."""
-    first, begun = 0, b""
-    for number, line in lines:
-        first = first or number
-        if line.endswith(b"\\"):
-            begun += line[:-1] + b" "
-            continue
-        yield first, begun + line
-        first, begun = 0, b""
-    if begun:
-        yield first, begun
+        block = content[start:stop]
+        count = 1 + block.count(b"\n")
+        numbers: Sequence[int] = range(number, number + count)
+        if b"\\\n" in block:
+            lines = block.split(b"\n")
+            begins = [not before.endswith(b"\\") for before in [b"", *lines[:-1]]]
+            numbers = [one for one, begin in zip(numbers, begins, strict=True) if begin]
+            block = block.replace(b"\\\n", b" ")
+        yield numbers, block
+        number, start = number + count, stop + 1
 
 
 def readable(name: bytes) -> str:
