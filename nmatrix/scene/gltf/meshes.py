@@ -257,8 +257,8 @@ class _Part:
 
     def _check_room(self, corners: int) -> None:
         if content_of(self.record) in self.file.beyond_bytes:
-            why = f"its {corners} corners are more than the file has bytes for them"
-            raise self.file.fault(f"{why}: its accessors lie over one another")
+            why = f"its {corners} corners are more than the file has bytes left for"
+            raise self.file.fault(why)
 
     def _values(self, name: str) -> Values:
         """Look up an attribute, which has an element for every vertex."""

@@ -12,10 +12,10 @@ from nmatrix.errors import IllegalValueError, printable, shortlist
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.scene.geometry import DamagedPartError, Geometry, TangentGeometry, left_out
 from nmatrix.scene.gltf.file import GltfFile
-from nmatrix.scene.gltf.instances import instance_matrices, is_instanced
+from nmatrix.scene.gltf.instances import instance_count, instance_matrices, is_instanced
 from nmatrix.scene.gltf.lights import unique
 from nmatrix.scene.gltf.materials import Materials
-from nmatrix.scene.gltf.primitives import Content, Pose, content_of
+from nmatrix.scene.gltf.primitives import Content, Pose, content_of, corners_of
 from nmatrix.scene.gltf.records import LINE_LOOP, LINE_STRIP, LINES, POINTS, Primitive
 from nmatrix.scene.material import Material
 from nmatrix.scene.scene import SceneObject
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from nmatrix.scene.meshes.mesh import Mesh
 
 MOST_OBJECTS = 1 << 18
+MOST_CORNERS = 1 << 27  # of triangles, those of an instance each time that it is drawn
 MOST_NAMED = 5  # nodes that a remark names
 STILL = (identity(4),)
 WORDS = {POINTS: "points", **dict.fromkeys((LINES, LINE_LOOP, LINE_STRIP), "lines")}
@@ -70,30 +71,48 @@ class Objects:
 
     @cached_property
     def places(self) -> dict[int, tuple[RationalMatrix, ...]]:
-        """Where each node of the scene draws its mesh; one that joints carry needs no place.
-
-        Raises
-        ------
-        IllegalValueError
-            For more objects than are drawn.
-        """
+        """Where each node of the scene draws its mesh; one that joints carry needs no place."""
         found: dict[int, tuple[RationalMatrix, ...]] = {}
-        count = 0
-        for index in self.file.in_scene:
-            primitives = len(self._with_triangles(self.file.nodes[index].mesh))
-            if not primitives:
-                continue
+        for index in () if self.too_large else self._drawing:
             try:
                 found[index] = self._places(index)
             except IllegalValueError as error:
                 name = f"node {index} ({printable(self.file.nodes[index].name)})"
                 self.faults.append(DamagedPartError(self.file.path, name, error))
-                continue
-            count += primitives * len(found[index])
-            if count > MOST_OBJECTS:
-                why = f"its scene has {count} objects or more, and {MOST_OBJECTS} are drawn at most"
-                raise self.file.fault(why, "draw it in parts")
         return found
+
+    @cached_property
+    def _drawing(self) -> list[int]:
+        """The nodes of the scene that have triangles."""
+        return [i for i in self.file.in_scene if self._with_triangles(self.file.nodes[i].mesh)]
+
+    @cached_property
+    def too_large(self) -> IllegalValueError | None:
+        """Why the scene is more than memory and patience hold, if so; no place is computed yet."""
+        objects = corners = 0
+        for index in self._drawing:
+            mesh = self.file.nodes[index].mesh
+            count = 1 if self._is_skinned(index) else instance_count(self.file, index)
+            objects += count * len(self._with_triangles(mesh))
+            corners += count * self._corners_of(mesh)
+        for number, most, what in (
+            (objects, MOST_OBJECTS, "objects"),
+            (corners, MOST_CORNERS, "corners of triangles"),
+        ):
+            if number > most:
+                why = f"its scene has {number} {what}, and {most} are drawn at most"
+                return self.file.fault(why, "draw it in parts")
+        return None
+
+    def _corners_of(self, mesh: int | None) -> int:
+        if mesh not in self._corners:
+            primitives = (one for _, one in self._with_triangles(mesh))
+            self._corners[mesh] = sum(corners_of(self.file.document, one) for one in primitives)
+        return self._corners[mesh]
+
+    @cached_property
+    def _corners(self) -> dict[int | None, int]:
+        return {}
 
     def remarks(self) -> Iterator[str]:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
@@ -107,7 +126,7 @@ class Objects:
             if not one.has_triangles
         )
         if others:
-            told = ", ".join(f"{count} of {what}" for what, count in others.items())
+            told = ", ".join(f"{count} {what}" for what, count in others.items())
             yield f"Primitives that are not drawn: {told}."
         by_joints = [
             printable(self.file.nodes[index].name)
@@ -116,7 +135,7 @@ class Objects:
         ]
         if by_joints:
             told = shortlist(by_joints, MOST_NAMED)
-            yield f"Joints carry their meshes, so their own transforms do not count: {told}."
+            yield f"Joints carry the meshes of nodes whose own transforms do not count: {told}."
 
     def _is_skinned(self, index: int) -> bool:
         return self.file.document.nodes[index].skin is not None
@@ -176,8 +195,8 @@ class Objects:
 def _kind(primitive: Primitive) -> str:
     """Name what a primitive without triangles is made of."""
     if "POSITION" not in primitive.attributes:
-        return "no positions"
-    return WORDS.get(primitive.mode, "an unknown mode")
+        return "without positions"
+    return f"of {WORDS.get(primitive.mode, 'an unknown mode')}"
 
 
 def own_place(file: GltfFile, index: int) -> World:

@@ -75,6 +75,8 @@ class _Reading:
         if unknown:
             names = shortlist(map(printable, unknown), MOST_NAMED)
             return self.file.fault(f"it requires {names}, which is not known here")
+        if self.objects.too_large:
+            return self.objects.too_large
         if not objects and self.objects.faults:
             return self.objects.faults[0]
         if not objects:
