@@ -89,12 +89,9 @@ class Objects:
     @cached_property
     def too_large(self) -> IllegalValueError | None:
         """Why the scene is more than memory and patience hold, if so; no place is computed yet."""
-        objects = corners = 0
-        for index in self._drawing:
-            mesh = self.file.nodes[index].mesh
-            count = 1 if self._is_skinned(index) else instance_count(self.file, index)
-            objects += count * len(self._with_triangles(mesh))
-            corners += count * self._corners_of(mesh)
+        objects, corners = self._size(frozenset())
+        if corners > MOST_CORNERS:  # some may be claimed without a byte behind them
+            objects, corners = self._size(self.file.beyond_bytes)
         for number, most, what in (
             (objects, MOST_OBJECTS, "objects"),
             (corners, MOST_CORNERS, "corners of triangles"),
@@ -104,15 +101,23 @@ class Objects:
                 return self.file.fault(why, "draw it in parts")
         return None
 
-    def _corners_of(self, mesh: int | None) -> int:
-        if mesh not in self._corners:
-            primitives = (one for _, one in self._with_triangles(mesh))
-            self._corners[mesh] = sum(corners_of(self.file.document, one) for one in primitives)
-        return self._corners[mesh]
-
-    @cached_property
-    def _corners(self) -> dict[int | None, int]:
-        return {}
+    def _size(self, false_claims: frozenset[Content]) -> tuple[int, int]:
+        """Count the objects and their corners, but for those of some primitives."""
+        objects = corners = 0
+        of_meshes: dict[int | None, int] = {}
+        for index in self._drawing:
+            mesh = self.file.nodes[index].mesh
+            primitives = self._with_triangles(mesh)
+            if mesh not in of_meshes:
+                of_meshes[mesh] = sum(
+                    corners_of(self.file.document, one)
+                    for _, one in primitives
+                    if content_of(one) not in false_claims
+                )
+            count = 1 if self._is_skinned(index) else instance_count(self.file, index)
+            objects += count * len(primitives)
+            corners += count * of_meshes[mesh]
+        return objects, corners
 
     def remarks(self) -> Iterator[str]:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
