@@ -202,12 +202,14 @@ class _Part:
         joint, weight = np.hstack(joints), np.hstack(weights)
         if joint.dtype.kind not in "iu":
             raise self.file.fault("its joints are no whole numbers")
-        joint = np.where(weight == 0, 0, joint.astype(np.int64))
+        total = weight.sum(axis=1)
+        idle = weight == 0
+        idle[:, 0] &= total != 0  # a vertex without weights follows its first joint
+        joint = np.where(idle, 0, joint.astype(np.int64))
         if len(matrices) == 0 or joint.max() >= len(matrices) or joint.min() < 0:
             worst = joint.min() if joint.min() < 0 else joint.max()
             why = f"a vertex follows joint {worst}, and skin {skin} has {len(matrices)} joints"
             raise self.file.fault(why)
-        total = weight.sum(axis=1)
         far = np.abs(total - 1) > FAR_FROM_ONE
         if not far.any():
             return blended(matrices, joint, weight), []

@@ -123,9 +123,7 @@ class Objects:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
         yield from left_out(self.faults)
         others = Counter(
-            WORDS.get(
-                one.mode, "an unknown mode" if "POSITION" in one.attributes else "no positions"
-            )
+            _kind(one)
             for mesh in self.file.document.meshes
             for one in mesh.primitives
             if not one.has_triangles
