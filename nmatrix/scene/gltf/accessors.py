@@ -44,10 +44,10 @@ def mesh_parts(file: GltfFile, index: int) -> list[Mesh]:
     return [part for part in parts if part is not None]
 
 
-def primitive_mesh(file: GltfFile, mesh_index: int, primitive: int) -> Mesh:
+def primitive_mesh(file: GltfFile, mesh_index: int, primitive: int, coordinates: int = 0) -> Mesh:
     """Return the triangles of one primitive, with its coordinates, colours and tangents.
 
-    Texture coordinates have v upwards; the file has it downwards.
+    Texture coordinates, of the set that is asked for, have v upwards; the file has it downwards.
 
     Raises
     ------
@@ -58,7 +58,7 @@ def primitive_mesh(file: GltfFile, mesh_index: int, primitive: int) -> Mesh:
     found = _triangle_mesh(file, record)
     if found is None:
         raise file.fault(f"primitive {primitive} of mesh {mesh_index} has no triangles")
-    uv = _attribute(file, record, "TEXCOORD_0", (2,))
+    uv = _attribute(file, record, f"TEXCOORD_{coordinates}", (2,))
     colours = _attribute(file, record, "COLOR_0", (3, 4))
     tangents = _attribute(file, record, "TANGENT", (4,))
     for one in (uv, colours, tangents):
@@ -67,7 +67,7 @@ def primitive_mesh(file: GltfFile, mesh_index: int, primitive: int) -> Mesh:
     return replace(
         found,
         uv=None if uv is None else uv * (1, -1) + (0, 1),
-        colours=None if colours is None else np.clip(colours[:, :3], 0.0, 1.0),
+        colours=None if colours is None else np.clip(colours, 0.0, 1.0),
         tangents=tangents,
     )
 

@@ -17,7 +17,7 @@ from nmatrix.scene.gltf.materials import Materials
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject, Settings
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
 from nmatrix.scene.world import World
 
 if TYPE_CHECKING:
@@ -45,12 +45,13 @@ class GltfGeometry:
     file: GltfFile
     mesh_index: int
     primitive: int
+    coordinates: int = 0
 
     def mesh(self) -> Mesh:
-        """Read the triangles."""
+        """Read the triangles, with the set of texture coordinates that is asked for."""
         from nmatrix.scene.gltf.accessors import primitive_mesh
 
-        return primitive_mesh(self.file, self.mesh_index, self.primitive)
+        return primitive_mesh(self.file, self.mesh_index, self.primitive, self.coordinates)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +79,7 @@ class _Reading:
             lights=lights,
             view=view,
             lens=lens,
-            settings=Settings(size=_size(lens.aspect)),
+            settings=settings_of_file(gamma=True, size=_size(lens.aspect)),
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
@@ -117,7 +118,9 @@ class _Reading:
                     continue
                 key = (node.mesh, i)
                 if key not in shared:
-                    shared[key] = self._geometry(GltfGeometry(self.file, *key), primitive)
+                    coordinates = self.materials.coordinates(primitive.material)
+                    plain = GltfGeometry(self.file, *key, coordinates)
+                    shared[key] = self._geometry(plain, primitive)
                 found.append(self._object(index, name, shared[key], primitive))
                 name = unique(addresses[index], names)
         return tuple(found)
