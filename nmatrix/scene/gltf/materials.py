@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from math import cos, degrees, sin
 from urllib.parse import unquote
 
-from nmatrix.errors import printable, shortlist
+from nmatrix.errors import IllegalValueError, printable, shortlist
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
 from nmatrix.scene.gltf.file import GltfFile
@@ -27,6 +27,7 @@ class Materials:
 
     file: GltfFile
     missing: list[str] = field(default_factory=list)
+    damaged: list[str] = field(default_factory=list)
     left_out: dict[str, set[int]] = field(default_factory=dict)
 
     def material(self, index: int | None, *, vertex_colours: bool) -> Material:
@@ -87,7 +88,7 @@ class Materials:
         if self.missing:
             names = shortlist(dict.fromkeys(self.missing), MOST_NAMED)
             found.append(f"Images are missing: {names}.")
-        return tuple(found)
+        return (*found, *dict.fromkeys(self.damaged))
 
     def _note(
         self, index: int, record: MaterialRecord, surface: MetallicRoughness, coordinates: int
@@ -143,7 +144,11 @@ class Materials:
         uri = record.uri
         if uri is None or uri.startswith("data:"):
             name = f"{self.file.path} (image {source})"
-            return EmbeddedImage(name, self.file.image(record))
+            try:
+                return EmbeddedImage(name, self.file.image(record))
+            except IllegalValueError as error:
+                self.damaged.append(f"An image is not drawn: image {source}: {error.parts[1]}.")
+                return None
         name = unquote(uri)
         named = beside(self.file.path, name, allow_outside=self.file.allow_outside)
         path = existing_file(str(named))
