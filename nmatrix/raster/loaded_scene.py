@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NoAnswerError, printable
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation_about, translation_matrix
 from nmatrix.linear.angle import Angle
@@ -292,6 +292,12 @@ def _body(one: SceneObject, meshes: dict[object, Mesh], told: dict[str, None]) -
         meshes[key] = one.geometry.mesh()
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
     material, remarks = with_readable_images(one.material)
+    if material.emission_texture is not None and meshes[key].uv is None:
+        material = replace(material, emission_texture=None)
+        remarks.append(
+            f"emission_texture of material {printable(material.name)} changes nothing on "
+            f"{printable(one.name)}: the mesh has no texture coordinates."
+        )
     told |= dict.fromkeys(remarks)
     found = Body(one.name, meshes[key], place, material)
     if material.has_alpha and not (found.texture_has_alpha or found.vertices_have_alpha):

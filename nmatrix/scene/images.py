@@ -7,6 +7,7 @@ import struct
 import warnings
 from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -54,8 +55,8 @@ def with_readable_images(material: Material) -> tuple[Material, list[str]]:
             try:
                 read_image(found.image)
             except IllegalValueError as error:
-                name = found.image.name
-                told.append(f"An image is not drawn: {printable(name)}: {error.parts[1]}.")
+                name = printable(Path(found.image.name).name)
+                told.append(f"An image is not drawn: {name}: {error.parts[1]}.")
                 lost[field] = None
     return replace(material, **lost) if lost else material, told
 

@@ -390,7 +390,7 @@ def emission(shaded: Shaded) -> Glsl:
     """Add light of the surface's own."""
     material, found = shaded.material, shaded.material.emission_texture
     color = Uniform("vec3", "emission_color", material.emission)
-    if found is None or not shaded.has_uv:
+    if found is None:
         return Glsl((color,), matte=("matte += emission_color;",))
     uv, uniforms = _placed("emission_texture", found)
     image = _image("emission_texture", found, is_srgb=shaded.is_linear)

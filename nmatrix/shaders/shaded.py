@@ -76,8 +76,6 @@ class Shaded:
         The format of the framebuffer.
     clip
         The clip space that `maps.clip_from_camera` leads to.
-    has_uv
-        True if the mesh has texture coordinates.
     texture_has_alpha, vertices_have_alpha
         True if the opacity differs with them.
     swollen_by
@@ -99,7 +97,6 @@ class Shaded:
     has_zero_normals: bool = False
     target: str = PLAIN_TARGET
     clip: ClipSpace = DEFAULT_CLIP_SPACE
-    has_uv: bool = False
     texture_has_alpha: bool = False
     vertices_have_alpha: bool = False
     swollen_by: float = 0.0

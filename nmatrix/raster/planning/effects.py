@@ -210,7 +210,7 @@ def emission(facts: Facts) -> Decision:
 def glow(facts: Facts) -> Influence:
     """Bound light that no lamp moves: only its image changes from place to place."""
     found = facts.material.emission_texture
-    if found is None or facts.body.mesh.uv is None:
+    if found is None:
         return STEADY
     return replace(STEADY, per_unit=inf, brings_colour=not _is_grey(found))
 
@@ -465,7 +465,7 @@ RECIPES: dict[Effect, Recipe] = {
     Effect.EMISSION: Recipe(
         "light that a surface sends out itself",
         emission,
-        settings=("emission", "emission_texture"),
+        settings=("emission_texture",),
         influence=glow,
         attributes=("uv",),
         per_sample=8 + 18,

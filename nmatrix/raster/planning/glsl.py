@@ -59,7 +59,6 @@ def shaded_of(plan: Plan, body: BodyPlan) -> Shaded:
         has_zero_normals=body.body.mesh.degenerate_normals > 0,
         target=target,
         clip=loaded.clip,
-        has_uv=body.body.mesh.uv is not None,
         texture_has_alpha=body.body.texture_has_alpha,
         vertices_have_alpha=body.body.vertices_have_alpha,
     )

@@ -274,4 +274,4 @@ def shadow_remarks(
     for body in receivers:
         for one in occluders(loaded, placed, body):
             if one.material.is_clear and one is not body:
-                yield f"The shadow of {one.name} is not cast: light comes through it."
+                yield f"The shadow of {one.name} is not cast: its opacity is below 1."

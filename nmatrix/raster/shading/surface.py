@@ -92,7 +92,7 @@ class Surface:
         """Return the light (channels, m or 1) that the surface sends out itself."""
         material, channels = self.space.body.material, self.style.channels
         own = colour(material.emission, channels)
-        if material.emission_texture is None or "uv" not in fragments.values:
+        if material.emission_texture is None:
             return own
         texels = sample(material.emission_texture, fragments["uv"], linear=self.style.linear_light)
         return np.asarray(own * texels[:channels])
