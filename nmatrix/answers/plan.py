@@ -29,9 +29,9 @@ PASSES = "main"
 NOTHING_SEEN = not_asked("no object can be seen")
 
 
-def plan_of_file(path: Path) -> Report:
+def plan_of_file(path: Path, *, allow_outside: bool = False) -> Report:
     """Answer with the plan of a scene file, a glTF file or a mesh."""
-    return plan(planned(loaded(scene_of(path))))
+    return plan(planned(loaded(scene_of(path, allow_outside=allow_outside))))
 
 
 def plan(found: Plan) -> Report:

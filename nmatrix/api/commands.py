@@ -188,11 +188,11 @@ def identify(matrix: object) -> Report:
     return Report(identify_matrix(read_matrix(matrix, "matrix").as_floats))
 
 
-def plan(scene: str | Path) -> Report:
+def plan(scene: str | Path, *, allow_outside: bool = False) -> Report:
     """List the effects that a scene file calls for, why, and how safely the others are left out."""
     from nmatrix.answers.plan import plan_of_file
 
-    return Report(plan_of_file(named_file(scene, "scene")))
+    return Report(plan_of_file(named_file(scene, "scene"), allow_outside=allow_outside))
 
 
 def inspect(file: str | Path) -> Report:

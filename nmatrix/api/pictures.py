@@ -39,6 +39,7 @@ def render(
     effects: str | Effort = Effort.PLANNED,
     theme: str | Theme = Theme.LIGHT,
     show: str | Iterable[str] = (),
+    allow_outside: bool = False,
 ) -> Picture:
     r"""Draw a proof by its name, a scene file, a glTF file or a mesh.
 
@@ -58,6 +59,8 @@ def render(
     show
         For a file: what is drawn over it, of `normals`, `tangents`, `axes`, `lights`, `eye`,
         `wireframe`, `bounds`.
+    allow_outside
+        Whether a file may name files outside of its folder.
 
     Raises
     ------
@@ -107,6 +110,8 @@ def render(
         )
         frame = proof_frame(name, own, values, choices)
     else:
-        frame = scene_frame(scene_of(Path(name)), Path(name).stem, choices)
+        frame = scene_frame(
+            scene_of(Path(name), allow_outside=allow_outside), Path(name).stem, choices
+        )
     proof = frame.draw()
     return Picture(answer(proof), proof)

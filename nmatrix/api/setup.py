@@ -93,9 +93,17 @@ class Setup:
 
     @classmethod
     def from_scene(
-        cls, file: str | Path, *, object: str | None = None, light: str | None = None
+        cls,
+        file: str | Path,
+        *,
+        object: str | None = None,
+        light: str | None = None,
+        allow_outside: bool = False,
     ) -> Setup:
         """Return one object of a scene file under one of its lights: the first, or by name.
+
+        A node without triangles is found by its name or path too. What the file names lies in its
+        folder, unless more is allowed.
 
         Raises
         ------
@@ -106,7 +114,8 @@ class Setup:
         from nmatrix.scene.open import scene_of
 
         found = cls.__new__(cls)
-        values = setup_of(scene_of(named_file(file, "file")), object, light)
+        scene = scene_of(named_file(file, "file"), allow_outside=allow_outside)
+        values = setup_of(scene, object, light)
         found.__dict__["values"] = values
         return found
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.shared_options import OUTSIDE, CommonOptions
 from nmatrix.cli.show import put, show
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.errors import IllegalValueError
@@ -63,6 +63,7 @@ def plan(
     schema: Annotated[
         bool, Option("--schema", help="Print the JSON Schema of scene files.")
     ] = False,
+    allow_outside: Annotated[bool, Option("--allow-outside", help=OUTSIDE)] = False,
 ) -> None:
     """Show the plan of a scene."""
     if schema:
@@ -74,4 +75,4 @@ def plan(
         raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
     from nmatrix.answers.plan import plan_of_file
 
-    show(plan_of_file(Path(scene)), common)
+    show(plan_of_file(Path(scene), allow_outside=allow_outside), common)

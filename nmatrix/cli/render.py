@@ -14,9 +14,10 @@ from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.enums import Format, PixelFormat
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, printable
 from nmatrix.output.files import PICTURES, SLIDES, kind_of, refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS
+from nmatrix.scene.scene import SceneObject
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -118,8 +119,8 @@ def _proof(
     choices = picture.choices(groups.space.chosen())
     lent = groups.scene.scene
     loaded = None if mesh is None else read_mesh(Path(mesh))
-    if loaded is None and groups.scene.chosen_object is not None:
-        loaded = groups.scene.chosen_object.geometry.mesh()
+    if loaded is None and groups.scene.chosen is not None:
+        loaded = _drawn(groups).geometry.mesh()
     setup = groups.setup(common, aspect=choices.aspect(SHEET_SETTINGS))
     own_view = groups.view.given or (lent is not None and lent.has_camera)
     own = ProofSettings(
@@ -145,15 +146,22 @@ def _scene(
 
     choices = picture.choices(groups.space.chosen())
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
-    read, one = groups.scene.scene, groups.scene.chosen_object
-    assert read is not None and one is not None  # a file was named
+    read = groups.scene.scene
+    assert read is not None  # a file was named
+    if read.refusal is not None:
+        raise read.refusal
     setup = groups.setup(common, aspect=choices.aspect(read.settings))
-    moved = one
+    objects = read.objects
     if groups.world.given:
-        moved = replace(one, world_from_object=setup.world.world_from_object)
+        one = _drawn(groups)
+        moved = setup.world.world_from_object
+        objects = tuple(
+            replace(other, world_from_object=moved) if _stand_together(one, other) else other
+            for other in objects
+        )
     scene = replace(
         read,
-        objects=tuple(moved if other is one else other for other in read.objects),
+        objects=objects,
         lights=scene_lights(setup.light) if groups.light.given else read.lights,
         view=setup.view,
         lens=setup.lens,
@@ -162,6 +170,24 @@ def _scene(
         has_aspect=True,  # the picture's own, where the file has none
     )
     return scene_frame(scene, path.stem, choices)
+
+
+def _drawn(groups: OptionGroups) -> SceneObject:
+    """Find the object that was named, or the first, if it has triangles."""
+    one = groups.scene.chosen
+    if isinstance(one, SceneObject):
+        return one
+    raise IllegalValueError(
+        f"--object ({'' if one is None else printable(one.name)})",
+        "it has no triangles of its own",
+        "name a node that has a mesh",
+    )
+
+
+def _stand_together(one: SceneObject, other: SceneObject) -> bool:
+    """Tell whether two objects are pieces of one node's mesh, or one and the same."""
+    is_piece = one.node is not None and one.node == other.node
+    return one is other or (is_piece and one.world_from_object == other.world_from_object)
 
 
 def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.shared_options import OUTSIDE, CommonOptions
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
@@ -29,7 +29,8 @@ from nmatrix.spaces.shading_spaces import SYNONYMS, space_named
 
 if TYPE_CHECKING:
     from nmatrix.report import Number
-    from nmatrix.scene.scene import Scene, SceneObject
+    from nmatrix.scene.chosen import Placed
+    from nmatrix.scene.scene import Scene
 
 in_scene = partial(Option, rich_help_panel="Scene")
 in_space = partial(Option, rich_help_panel="Space")
@@ -131,11 +132,15 @@ class SceneOptions:
         ),
     ] = None
     object_name: Annotated[
-        str | None, in_scene("--object", metavar="NAME", help="Which object (the first).")
+        str | None,
+        in_scene(
+            "--object", metavar="NAME", help="Which object or node, by name or path (the first)."
+        ),
     ] = None
     light_name: Annotated[
         str | None, in_scene("--light", metavar="NAME", help="Which light (the first).")
     ] = None
+    allow_outside: Annotated[bool, in_scene("--allow-outside", help=OUTSIDE)] = False
 
     @cached_property
     def scene(self) -> Scene | None:
@@ -149,33 +154,33 @@ class SceneOptions:
             return None
         from nmatrix.scene.open import scene_of
 
-        return scene_of(Path(self.scene_file))
+        return scene_of(Path(self.scene_file), allow_outside=self.allow_outside)
 
     @cached_property
-    def chosen_object(self) -> SceneObject | None:
-        """The object that was named, or the first."""
+    def chosen(self) -> Placed | None:
+        """The object or node that was named, or the first."""
         if self.scene is None:
             return None
-        from nmatrix.scene.chosen import chosen_object
+        from nmatrix.scene.chosen import chosen_node
 
-        return chosen_object(self.scene, self.object_name)
+        return chosen_node(self.scene, self.object_name)
 
     def setup(self, sources: Sources, aspect: float | None) -> Setup:
         """Take the object, the camera and the lens of the scene, or without one the usual setup.
 
         `aspect` is that of the picture, where it has one; a scene's own wins.
         """
-        if self.scene is None or self.chosen_object is None:
+        if self.scene is None or self.chosen is None:
             return Setup() if aspect is None else Setup(lens=Lens(aspect=aspect))
         if self.scene.path is not None and self.scene.path.suffix.lower() != ".toml":
             sources.any_from_file = True  # such files hold float32
         from nmatrix.scene.chosen import setup_before
 
-        return setup_before(self.scene, self.chosen_object, aspect)
+        return setup_before(self.scene, self.chosen, aspect)
 
     def in_the_scene(self, setup: Setup, *, under_parent: bool) -> Setup:
         """Put the object under its parent, and the scene's light in its place."""
-        one = self.chosen_object
+        one = self.chosen
         if self.scene is None or one is None:
             return setup
         from nmatrix.scene.chosen import chosen_light, in_the_scene
@@ -219,7 +224,7 @@ class OptionGroups:
 
     def typed_world(self, common: CommonOptions, setup: Setup) -> World:
         """Build the world of every number as it was typed, where it was typed in parts."""
-        chosen = self.scene.chosen_object
+        chosen = self.scene.chosen
         if chosen is None or self.world.world_matrix is not None:
             return self.world.over(World(), common.sources, fractions)
         if chosen.world_from_parent is not None or chosen.place is None:

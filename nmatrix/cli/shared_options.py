@@ -33,6 +33,7 @@ HandedOption = Annotated[
     in_conventions("--handed", help="The camera looks down −z (right, the default) or +z (left)."),
 ]
 SHARED = ("convention", "handed")
+OUTSIDE = "Read files too that a file names outside of its own folder."
 
 
 @dataclass(frozen=True)

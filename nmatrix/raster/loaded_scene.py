@@ -207,6 +207,8 @@ def loaded(scene: Scene) -> LoadedScene:
     NoAnswerError
         For a singular object that a light is fixed to, or coordinates beyond 1e+100.
     """
+    if scene.refusal is not None:
+        raise scene.refusal
     meshes: dict[object, Mesh] = {}
     bodies = tuple(_body(one, meshes) for one in scene.objects)
     balls = [body.ball for body in bodies]

@@ -8,9 +8,12 @@ from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity,
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, apply, inverse, rational_vector
 from nmatrix.linear.values import text
 from nmatrix.scene.light import EYE, WORLD, SceneLight
-from nmatrix.scene.scene import Scene, SceneObject
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
+
+Placed = SceneObject | SceneNode
+MOST_NAMED = 5  # nodes that a refusal names
 
 
 def setup_of(scene: Scene, object_name: str | None = None, light_name: str | None = None) -> Setup:
@@ -21,11 +24,11 @@ def setup_of(scene: Scene, object_name: str | None = None, light_name: str | Non
     IllegalValueError
         For a name that the scene does not have.
     """
-    one, light = chosen_object(scene, object_name), chosen_light(scene, light_name)
+    one, light = chosen_node(scene, object_name), chosen_light(scene, light_name)
     return in_the_scene(setup_before(scene, one), scene, one, light)
 
 
-def setup_before(scene: Scene, one: SceneObject, aspect: float | None = None) -> Setup:
+def setup_before(scene: Scene, one: Placed, aspect: float | None = None) -> Setup:
     """Take an object as it stands under its parent, and the camera: both may still be changed.
 
     `aspect` is that of the picture, where it has one; a scene's own wins.
@@ -41,7 +44,7 @@ def setup_before(scene: Scene, one: SceneObject, aspect: float | None = None) ->
     )
 
 
-def in_the_scene(setup: Setup, scene: Scene, one: SceneObject, light: SceneLight | None) -> Setup:
+def in_the_scene(setup: Setup, scene: Scene, one: Placed, light: SceneLight | None) -> Setup:
     """Put the object under its parent, and the scene's light in its place."""
     if one.world_from_parent is not None:
         under = setup.world.under(one.world_from_parent)
@@ -49,15 +52,34 @@ def in_the_scene(setup: Setup, scene: Scene, one: SceneObject, light: SceneLight
     return setup if light is None else replace(setup, light=_in_world(setup, scene, one, light))
 
 
-def chosen_object(scene: Scene, name: str | None) -> SceneObject:
-    """Find the object of a name, or take the first."""
+def chosen_node(scene: Scene, name: str | None) -> Placed:
+    """Find the object or the node that a name or a path means, or take the first that is drawn.
+
+    Raises
+    ------
+    IllegalValueError
+        If there is none, or there are several.
+    """
     if name is None:
-        return scene.objects[0]
+        if not scene.objects and not scene.nodes:
+            raise IllegalValueError(f"{scene.path}", "it has no nodes", "export it again")
+        return scene.objects[0] if scene.objects else scene.nodes[0]
     name = text(name, "object")
     for one in scene.objects:
         if one.name == name:
             return one
-    raise _unknown(scene, "object", name, [one.name for one in scene.objects])
+    meant = scene.hierarchy.meant(name)
+    if len(meant) == 1:
+        return scene.nodes[meant[0]]
+    addresses = scene.hierarchy.addresses
+    if meant:
+        raise IllegalValueError(
+            f"{quantity('object')} ({printable(name)})",
+            f"it means {len(meant)} nodes of {scene.path}",
+            f"take one of {shortlist([addresses[i] for i in meant], MOST_NAMED)}",
+        )
+    names = dict.fromkeys((*(one.name for one in scene.objects), *addresses))
+    raise _unknown(scene, "object", name, list(names))
 
 
 def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:
@@ -78,7 +100,7 @@ def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:
     raise _unknown(scene, "light", name, [one.name for one in placed])
 
 
-def _in_world(setup: Setup, scene: Scene, one: SceneObject, light: SceneLight) -> Light:
+def _in_world(setup: Setup, scene: Scene, one: Placed, light: SceneLight) -> Light:
     """Bring a light into world space from what it is fixed to: the eye, this object, another."""
     found = Light(
         light.direction if light.has_direction else None,

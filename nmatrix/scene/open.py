@@ -7,15 +7,17 @@ from pathlib import Path
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import FileGeometry
-from nmatrix.scene.scene import Scene, SceneObject
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
 
 SUFFIXES = (".toml", *GLTF_SUFFIXES, *MESH_SUFFIXES)
 
 
-def scene_of(path: Path) -> Scene:
+def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
     """Read a scene from a .toml, .gltf or .glb file; a mesh is one object that stands still.
+
+    What the file names lies in its folder, unless more is allowed.
 
     Raises
     ------
@@ -26,11 +28,11 @@ def scene_of(path: Path) -> Scene:
     if suffix == ".toml":
         from nmatrix.scene.toml.file import read_scene
 
-        return read_scene(path)
+        return read_scene(path, allow_outside=allow_outside)
     if suffix in GLTF_SUFFIXES:
         from nmatrix.scene.gltf.scene import gltf_scene
 
-        return gltf_scene(path)
+        return gltf_scene(path, allow_outside=allow_outside)
     if suffix not in MESH_SUFFIXES:
         raise IllegalValueError(
             f"{path}", f"scenes and meshes are {', '.join(SUFFIXES)}", "check the name"
@@ -38,4 +40,5 @@ def scene_of(path: Path) -> Scene:
     if not path.is_file():
         raise IllegalValueError(f"{path}", "there is no such file", "check the name")
     still = SceneObject(path.stem, FileGeometry(path), identity(4), place=World())
-    return Scene((still,), has_camera=False, path=path)
+    node = SceneNode(path.stem, identity(4), World())
+    return Scene((still,), has_camera=False, path=path, nodes=(node,))

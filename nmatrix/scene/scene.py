@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Shading, Space
-from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.errors import IllegalValueError, NMatrixError, quantity
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.values import number, read_fields, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry
+from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material
@@ -19,11 +21,26 @@ from nmatrix.scene.world import World
 
 
 @dataclass(frozen=True)
+class SceneNode:
+    """A place that has a name, with triangles or without.
+
+    `place`, `world_from_parent`: as of a `SceneObject`; `parent` is the index of the node above.
+    """
+
+    name: str
+    world_from_object: RationalMatrix
+    place: World | None = None
+    world_from_parent: RationalMatrix | None = None
+    parent: int | None = None
+
+
+@dataclass(frozen=True)
 class SceneObject:
     """One object: its triangles, its place in the world, its material.
 
     `place` and `world_from_parent` are what the file says of that place, where it says it in parts:
-    world_from_object is their product.
+    world_from_object is their product. `node` is the index of its node in the scene, which may have
+    several objects.
     """
 
     name: str
@@ -32,6 +49,7 @@ class SceneObject:
     material: Material = DEFAULT_MATERIAL
     place: World | None = None
     world_from_parent: RationalMatrix | None = None
+    node: int | None = None
 
 
 @dataclass(frozen=True)
@@ -108,6 +126,7 @@ class Scene:
     Without lights it is drawn in daylight. `has_camera` tells whether the file chose the view; if
     not, it is fitted to what is drawn.
     `has_aspect` tells whether it chose the lens's width over height; if not, the picture's is used.
+    `nodes` are all places that have a name; `refusal` is why nothing of it can be drawn, if so.
     """
 
     objects: tuple[SceneObject, ...]
@@ -119,6 +138,15 @@ class Scene:
     has_aspect: bool = False
     path: Path | None = None
     remarks: tuple[str, ...] = ()
+    nodes: tuple[SceneNode, ...] = ()
+    refusal: NMatrixError | None = None
+
+    @cached_property
+    def hierarchy(self) -> Hierarchy:
+        """The nodes by name."""
+        return Hierarchy(
+            tuple(node.name for node in self.nodes), tuple(node.parent for node in self.nodes)
+        )
 
     def sized(self, width: int, height: int) -> Scene:
         """Return the scene at another size, with the lens's aspect to match if it is free.

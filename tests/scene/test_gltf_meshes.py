@@ -210,8 +210,11 @@ GOOD = {"bufferView": 0, "componentType": FLOAT, "count": 3, "type": "VEC3"}
         ),
         ({"bufferViews": [{"buffer": 2, "byteLength": 36}]}, "buffer 2 does not exist"),
         ({"buffers": [{"byteLength": 99, "uri": "data:,AAAA"}]}, "3 bytes and needs 99; copy"),
-        ({"buffers": [{"byteLength": 3, "uri": "data:,A?A"}]}, "embedded buffer is not base64"),
-        ({"buffers": [{"byteLength": 3, "uri": "none.bin"}]}, "none.bin: No such file"),
+        (
+            {"buffers": [{"byteLength": 3, "uri": "data:,A?A"}]},
+            "buffer 0 is embedded and is not base64",
+        ),
+        ({"buffers": [{"byteLength": 3, "uri": "none.bin"}]}, "(buffer 0, none.bin): no such file"),
         ({"buffers": [{"byteLength": 36}]}, "it has 0 bytes and needs 36"),
     ],
     ids=lambda value: value if isinstance(value, str) else "",

@@ -18,6 +18,7 @@ from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.render import render
 from nmatrix.scene.camera import View
+from nmatrix.scene.chosen import setup_of
 from nmatrix.scene.geometry import FileGeometry
 from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.lens import Lens
@@ -288,10 +289,27 @@ def test_each_primitive_is_an_object_and_instances_share_it(tmp_path: Path) -> N
         nodes=[{"mesh": 0, "name": "a", "children": [1]}, {"mesh": 0, "name": "a"}, {"mesh": 0}],
         meshes=[{"primitives": [triangle, {**triangle, "mode": 1}, triangle]}],
     )
-    assert [one.name for one in scene.objects] == ["a", "a 2", "a 3", "a 4"]
+    assert [one.name for one in scene.objects] == ["a", "a 2", "a/a", "a/a 2"]
     assert scene.objects[0].geometry is scene.objects[2].geometry
     assert "Points and lines are not drawn: 1." in scene.remarks
     assert "Nodes outside of the scene are not drawn: 1." in scene.remarks
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"nodes": [{"translation": [0, 3, 0]}]}, "it draws nothing"),
+        ({"extensionsRequired": ["ACME_teapot"]}, "it requires ACME_teapot, which is not known"),
+    ],
+)
+def test_what_cannot_be_drawn_still_has_its_nodes(
+    tmp_path: Path, changes: dict[str, object], words: str
+) -> None:
+    nodes = [{"mesh": 0, "translation": [0, 3, 0]}]
+    scene = made(tmp_path, **{"nodes": nodes, **changes})
+    assert setup_of(scene, "node 0").world.world_from_object[1][3] == 3
+    with pytest.raises(IllegalValueError, match=words):
+        loaded(scene)
 
 
 def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
@@ -315,7 +333,6 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
     [
         ({"scene": 3}, "scene 3 does not exist"),
         ({"scenes": [{"nodes": [9]}]}, "node 9 does not exist"),
-        ({"nodes": [{}]}, "it draws nothing"),
         ({"nodes": [{"mesh": 0, "camera": 2}]}, "camera 2 does not exist"),
         (
             {"nodes": [{"mesh": 0, "camera": 0}], "cameras": [{"type": "perspective"}]},
@@ -343,7 +360,6 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
             },
             "1e400",
         ),
-        ({"extensionsRequired": ["KHR_draco_mesh_compression"]}, "its meshes are packed"),
         (
             {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 1}]}]},
             "material 1 does not exist",

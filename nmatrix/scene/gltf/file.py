@@ -9,29 +9,50 @@ from __future__ import annotations
 
 import base64
 import binascii
+import codecs
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import Enum
 from functools import cached_property
 from math import isfinite
 from pathlib import Path
 from typing import TypeVar
 from urllib.parse import unquote
 
-import msgspec
-
-from nmatrix.errors import IllegalValueError, NoAnswerError, shortlist
+from nmatrix.errors import IllegalValueError, NoAnswerError, printable, shortlist
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rank_keeping import rounded_keeping_rank
-from nmatrix.linear.rational import RationalMatrix, identity, product, rational_matrix, to_floats
-from nmatrix.scene.gltf.records import Document, ImageRecord, NodeRecord
+from nmatrix.linear.rational import (
+    AFFINE_ROW,
+    RationalMatrix,
+    identity,
+    product,
+    rational_matrix,
+    to_floats,
+)
+from nmatrix.scene.beside import asset_bytes, beside
+from nmatrix.scene.gltf.document import check_version, read_document
+from nmatrix.scene.gltf.records import Asset, Document, ImageRecord, NodeRecord
+from nmatrix.scene.hierarchy import Hierarchy
 
 Entry = TypeVar("Entry")
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
-LONGEST_URI = 200
+OLD_CONTAINER = 1  # the version of a container of glTF 1.0
 UNIT_SLACK = 1e-6
+LAST_ROW_SLACK = 1e-6  # files hold float32
 MOST_NAMED = 5  # nodes that a remark names
+
+
+class Mended(Enum):
+    """What of a node's transform was nearly as the format has it, and taken as that."""
+
+    QUATERNION = (
+        "quaternion was not of length one and normalised",
+        "quaternions were not of length one and normalised",
+    )
+    LAST_ROW = ("matrix did not quite end in 0 0 0 1", "matrices did not quite end in 0 0 0 1")
 
 
 @dataclass(frozen=True)
@@ -43,6 +64,7 @@ class Node:
     world_from_object: RationalMatrix
     mesh: int | None
     parent: int | None = None
+    mended: Mended | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +76,31 @@ class GltfFile:
     binary: bytes
     nodes: tuple[Node, ...]
     remarks: tuple[str, ...]
+    allow_outside: bool = False
+
+    @cached_property
+    def hierarchy(self) -> Hierarchy:
+        """The nodes by name."""
+        return Hierarchy(
+            tuple(node.name for node in self.nodes), tuple(node.parent for node in self.nodes)
+        )
+
+    @cached_property
+    def in_scene(self) -> tuple[int, ...]:
+        """The nodes of the default scene, parents first, in the file's order."""
+        document = self.document
+        if not document.scenes:
+            roots = [i for i, node in enumerate(self.nodes) if node.parent is None]
+        else:
+            roots = self.entry("scene", document.scenes, document.scene or 0).nodes
+        waiting, found = list(reversed(roots)), dict[int, None]()
+        while waiting:
+            at = waiting.pop()
+            node = self.entry("node", document.nodes, at)
+            if at not in found:
+                found[at] = None
+                waiting.extend(reversed(node.children))
+        return tuple(found)
 
     def fault(self, why: str, next_step: str = "export it again") -> IllegalValueError:
         """Return the error for this file."""
@@ -88,7 +135,7 @@ class GltfFile:
         if index in self._buffers:
             return self._buffers[index]
         record = self.entry("buffer", self.document.buffers, index)
-        content = self.binary if record.uri is None else _from_uri(self.path, record.uri)
+        content = self.binary if record.uri is None else self._named(f"buffer {index}", record.uri)
         if len(content) < record.byte_length:
             raise IllegalValueError(
                 f"{self.path} (buffer {index})",
@@ -107,7 +154,7 @@ class GltfFile:
             If they are missing or cut short.
         """
         if record.uri is not None:
-            return _from_uri(self.path, record.uri)
+            return self._named("an image", record.uri)
         views = self.document.buffer_views
         if record.buffer_view is None or not 0 <= record.buffer_view < len(views):
             raise self.fault("an image has no bytes")
@@ -117,46 +164,52 @@ class GltfFile:
             raise self.fault("an image reaches beyond its buffer")
         return content[view.byte_offset : view.byte_offset + view.byte_length]
 
+    def _named(self, what: str, uri: str) -> bytes:
+        """Read what a part of the file names: bytes inside of it or a file beside it."""
+        if uri.startswith("data:"):
+            try:
+                return base64.b64decode(uri.partition(",")[2], validate=True)
+            except (binascii.Error, ValueError):
+                raise self.fault(f"{what} is embedded and is not base64") from None
+        name = unquote(uri)
+        try:
+            return asset_bytes(beside(self.path, name, allow_outside=self.allow_outside))
+        except IllegalValueError as error:
+            _, why, next_step = error.parts
+            shown = f"{self.path} ({what}, {printable(name)})"
+            raise IllegalValueError(shown, why, next_step) from None
 
-def read_gltf(path: Path) -> GltfFile:
-    """Read the nodes of a `.gltf` or `.glb` file.
+
+def read_gltf(path: Path, *, allow_outside: bool = False) -> GltfFile:
+    """Read the nodes of a `.gltf` or `.glb` file; the files that it names lie in its folder.
 
     Raises
     ------
     IllegalValueError
-        For a file that cannot be read, is no glTF, has a cycle, an unknown reference or a number
-        that is not finite.
+        For a file that cannot be read, is no glTF 2, has a cycle, an unknown reference or a number
+        that is not finite, or names a file outside of its folder where that is not allowed.
     """
-    content = _content(path)
+    content = asset_bytes(path)
     text, binary = _container(path, content) if content[:4] == MAGIC else (content, b"")
-    try:
-        document = msgspec.json.decode(text, type=Document)
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise IllegalValueError(f"{path}", f"it is not glTF ({error})", "export it again") from None
-    nodes, remarks = _placed(path, document)
-    return GltfFile(path, document, binary, nodes, remarks)
-
-
-def _content(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise IllegalValueError(f"{path}", f"{error.strerror}", "check the name") from None
-
-
-def _from_uri(path: Path, uri: str) -> bytes:
-    if uri.startswith("data:"):
-        try:
-            return base64.b64decode(uri.partition(",")[2], validate=True)
-        except (binascii.Error, ValueError):
-            raise IllegalValueError(
-                f"{path}", "an embedded buffer is not base64", "export it again"
-            ) from None
-    return _content(path.parent / unquote(uri[:LONGEST_URI]))
+    remarks = []
+    if text.startswith(codecs.BOM_UTF8):
+        text = text.removeprefix(codecs.BOM_UTF8)
+        remarks.append(
+            "It begins with a byte order mark, which glTF forbids; it was read all the same."
+        )
+    document = read_document(path, text)
+    named = (*(one.uri for one in document.buffers), *(one.uri for one in document.images))
+    for uri in named:
+        if uri is not None and not uri.startswith("data:"):
+            beside(path, unquote(uri), allow_outside=allow_outside)
+    nodes = _placed(path, document)
+    return GltfFile(path, document, binary, nodes, (*remarks, *_told(nodes)), allow_outside)
 
 
 def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:
     text, binary, at = b"", b"", 12
+    if len(content) >= 8 and struct.unpack_from("<I", content, 4)[0] == OLD_CONTAINER:
+        check_version(path, Asset(version="1.0"))
     while at + 8 <= len(content):
         length, kind = struct.unpack_from("<II", content, at)
         chunk = content[at + 8 : at + 8 + length]
@@ -172,17 +225,17 @@ def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:
     return text, binary
 
 
-def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+def _placed(path: Path, document: Document) -> tuple[Node, ...]:
     order, parents = _order(path, document.nodes)
     worlds: list[RationalMatrix] = [identity(4)] * len(document.nodes)
     local: list[RationalMatrix] = [identity(4)] * len(document.nodes)
-    off_length = []
+    mended: list[Mended | None] = [None] * len(document.nodes)
     for index in order:
         record = document.nodes[index]
         parent = parents[index]
         above = identity(4) if parent is None else worlds[parent]
         try:
-            local[index], off = _local(path, index, record)
+            local[index], mended[index] = _local(path, index, record)
         except NoAnswerError as error:
             raise _node_fault(path, index, record, str(error)) from None
         try:
@@ -190,19 +243,28 @@ def _placed(path: Path, document: Document) -> tuple[tuple[Node, ...], tuple[str
             to_floats(worlds[index])
         except IllegalValueError as error:
             raise _node_fault(path, index, record, str(error)) from None
-        if off:
-            off_length.append(_name(index, record))
-    nodes = tuple(
-        Node(_name(i, record), local[i], worlds[i], _mesh(path, i, record, document), parents[i])
+    return tuple(
+        Node(
+            _name(i, record),
+            local[i],
+            worlds[i],
+            _mesh(path, i, record, document),
+            parents[i],
+            mended[i],
+        )
         for i, record in enumerate(document.nodes)
     )
-    if not off_length:
-        return nodes, ()
-    count = len(off_length)
-    were = "quaternion was" if count == 1 else "quaternions were"
-    return nodes, (
-        f"{count} {were} not of length one and normalised: {shortlist(off_length, MOST_NAMED)}.",
-    )
+
+
+def _told(nodes: Sequence[Node]) -> list[str]:
+    """Tell of the nodes whose transforms were mended."""
+    told = []
+    for kind in Mended:
+        names = [printable(node.name) for node in nodes if node.mended is kind]
+        if names:
+            what = kind.value[len(names) > 1]
+            told.append(f"{len(names)} {what}: {shortlist(names, MOST_NAMED)}.")
+    return told
 
 
 def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int | None]]:
@@ -226,22 +288,24 @@ def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int
     return order, parents
 
 
-def _local(path: Path, index: int, record: NodeRecord) -> tuple[RationalMatrix, bool]:
+def _local(path: Path, index: int, record: NodeRecord) -> tuple[RationalMatrix, Mended | None]:
     given = [record.matrix, record.translation, record.rotation, record.scale]
     for numbers, size in zip(given, (16, 3, 4, 3), strict=True):
         if numbers is not None and (len(numbers) != size or not all(map(isfinite, numbers))):
             raise _node_fault(path, index, record, f"a transform needs {size} finite numbers")
     if record.matrix is not None:
         columns = [record.matrix[i : i + 4] for i in range(0, 16, 4)]
-        rows = list(zip(*columns, strict=True))
-        if tuple(rows[3]) != (0, 0, 0, 1):
-            raise _node_fault(path, index, record, "its matrix does not end in 0 0 0 1")
-        return rational_matrix(rows), False
+        rows = rational_matrix(zip(*columns, strict=True))
+        if max(abs(x - y) for x, y in zip(rows[3], AFFINE_ROW, strict=True)) > LAST_ROW_SLACK:
+            last = " ".join(f"{float(x):g}" for x in rows[3])
+            why = f"its matrix ends in {last} and not in 0 0 0 1"
+            raise _node_fault(path, index, record, why)
+        return (*rows[:3], AFFINE_ROW), None if rows[3] == AFFINE_ROW else Mended.LAST_ROW
     quaternion = record.rotation or [0, 0, 0, 1]
     length = sum(component * component for component in quaternion) ** 0.5
     turned = rotation_from_quaternion(quaternion)
     built = compose(turned, record.scale or (1, 1, 1), translate=record.translation or (0, 0, 0))
-    return built, abs(length - 1) > UNIT_SLACK
+    return built, Mended.QUATERNION if abs(length - 1) > UNIT_SLACK else None
 
 
 def _mesh(path: Path, index: int, record: NodeRecord, document: Document) -> int | None:

@@ -23,6 +23,7 @@ from nmatrix.linear.rounding import nearest
 from nmatrix.linear.view import looking_along
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
+from nmatrix.scene.gltf.extensions import LIGHTS
 from nmatrix.scene.gltf.file import GltfFile, Node
 from nmatrix.scene.gltf.records import (
     CameraRecord,
@@ -34,7 +35,6 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.words import LightKind
 
-LIGHTS = "KHR_lights_punctual"
 WIDEST = 90.0  # degrees, of half a cone
 
 

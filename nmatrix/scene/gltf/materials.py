@@ -6,15 +6,15 @@ from dataclasses import dataclass, field
 from math import cos, degrees, sin
 from urllib.parse import unquote
 
-from nmatrix.errors import shortlist
+from nmatrix.errors import printable, shortlist
 from nmatrix.reading.files import existing_file
-from nmatrix.scene.gltf.file import LONGEST_URI, GltfFile
+from nmatrix.scene.beside import beside
+from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, Sampler, TextureReference
 from nmatrix.scene.material import AMBIENT_SHARE, EmbeddedImage, ImageSource, Material, Texture
 from nmatrix.scene.words import Sides, Wrap
 
 MOST_NAMED = 4  # files that a remark names
-TEXTURE_TRANSFORM = "KHR_texture_transform"
 NEAREST = 9728
 WRAPS = {10497: Wrap.REPEAT, 33071: Wrap.CLAMP, 33648: Wrap.MIRROR}
 
@@ -111,8 +111,9 @@ class Materials:
         if uri is None or uri.startswith("data:"):
             name = f"{self.file.path} (image {source})"
             return EmbeddedImage(name, self.file.image(record))
-        name = unquote(uri[:LONGEST_URI])
-        path = existing_file(str(self.file.path.parent / name))
+        name = unquote(uri)
+        named = beside(self.file.path, name, allow_outside=self.file.allow_outside)
+        path = existing_file(str(named))
         if path is None:
-            self.missing.append(name if name.isprintable() else "one without a readable name")
+            self.missing.append(printable(name))
         return path

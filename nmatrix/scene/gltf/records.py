@@ -209,10 +209,17 @@ class SceneRecord(msgspec.Struct):
     nodes: list[int] = []
 
 
+class Asset(msgspec.Struct, rename="camel"):
+    """The version of glTF that a file is written in, and the least that its reader must know."""
+
+    version: str
+    min_version: str | None = None
+
+
 class Document(msgspec.Struct, rename="camel"):
     """The parts of a glTF file that matter here."""
 
-    asset: dict[str, object]
+    asset: Asset
     nodes: list[NodeRecord] = []
     meshes: list[MeshRecord] = []
     accessors: list[Accessor] = []

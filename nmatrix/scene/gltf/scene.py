@@ -7,35 +7,35 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nmatrix.errors import NMatrixError, printable, shortlist
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, TangentGeometry
+from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, Node, read_gltf
-from nmatrix.scene.gltf.lights import LIGHTS, camera, carried_lights, radius_of, read_lights, unique
-from nmatrix.scene.gltf.materials import TEXTURE_TRANSFORM, Materials
+from nmatrix.scene.gltf.lights import camera, carried_lights, radius_of, read_lights, unique
+from nmatrix.scene.gltf.materials import Materials
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material
-from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject, Settings
 from nmatrix.scene.world import World
 
 if TYPE_CHECKING:
     from nmatrix.scene.meshes.mesh import Mesh
 
 SIDE = 512  # pixels, the longer one
-DRAWN = (LIGHTS, TEXTURE_TRANSFORM)  # extensions
-# Their meshes cannot be read without them.
-PACKED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression")
+MOST_NAMED = 5  # extensions that a refusal names
 
 
-def gltf_scene(path: Path) -> Scene:
+def gltf_scene(path: Path, *, allow_outside: bool = False) -> Scene:
     """Read a glTF file as a scene; what is not drawn is named in the remarks.
 
     Raises
     ------
     IllegalValueError
-        For a damaged file, or one that draws nothing.
+        For a damaged file.
     """
-    return _Reading(read_gltf(path)).scene()
+    return _Reading(read_gltf(path, allow_outside=allow_outside)).scene()
 
 
 @dataclass(frozen=True)
@@ -63,36 +63,12 @@ class _Reading:
     def materials(self) -> Materials:
         return Materials(self.file)
 
-    @cached_property
-    def drawn(self) -> tuple[int, ...]:
-        """The nodes of the default scene, parents first, in the file's order."""
-        document = self.file.document
-        if not document.scenes:
-            roots = [i for i, node in enumerate(self.file.nodes) if node.parent is None]
-        else:
-            roots = self.file.entry("scene", document.scenes, document.scene or 0).nodes
-        waiting, found = list(reversed(roots)), dict[int, None]()
-        while waiting:
-            at = waiting.pop()
-            node = self.file.entry("node", document.nodes, at)
-            if at not in found:
-                found[at] = None
-                waiting.extend(reversed(node.children))
-        return tuple(found)
-
     def scene(self) -> Scene:
-        packed = [one for one in PACKED if one in self.file.document.extensions_required]
-        if packed:
-            raise self.file.fault(
-                f"its meshes are packed by {packed[0]}, which this reader does not know"
-            )
         objects = self._objects()
-        if not objects:
-            raise self.file.fault("it draws nothing: there are no triangles in its scene")
-        carried = carried_lights(self.file, self.drawn)
+        carried = carried_lights(self.file, self.file.in_scene)
         places = [
             (node.world_from_object, node.mesh)
-            for node in (self.file.nodes[i] for i in self.drawn)
+            for node in (self.file.nodes[i] for i in self.file.in_scene)
             if node.mesh is not None
         ]
         lights = read_lights(self.file, carried, radius_of(self.file, places)) if carried else ()
@@ -106,24 +82,44 @@ class _Reading:
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
+            nodes=tuple(map(self._node, range(len(self.file.nodes)))),
+            refusal=self._refusal(objects),
         )
 
+    def _refusal(self, objects: tuple[SceneObject, ...]) -> NMatrixError | None:
+        """Say why nothing of the file can be drawn, if so."""
+        unknown = treated(self.file.document.extensions_required, Treatment.UNKNOWN)
+        if unknown:
+            names = shortlist(map(printable, unknown), MOST_NAMED)
+            return self.file.fault(f"it requires {names}, which is not known here")
+        if not objects:
+            return self.file.fault("it draws nothing: there are no triangles in its scene")
+        return None
+
+    def _node(self, index: int) -> SceneNode:
+        node = self.file.nodes[index]
+        above = None if node.parent is None else self.file.nodes[node.parent].world_from_object
+        own = _own_place(node, self.file.document.nodes[index])
+        return SceneNode(node.name, node.world_from_object, own, above, node.parent)
+
     def _objects(self) -> tuple[SceneObject, ...]:
-        names: dict[str, int] = {}
+        addresses = self.file.hierarchy.addresses
+        names = dict.fromkeys(addresses, 1)
         shared: dict[tuple[int, int], Geometry] = {}
         found = []
-        for index in self.drawn:
+        for index in self.file.in_scene:
             node = self.file.nodes[index]
             if node.mesh is None:
                 continue
+            name = addresses[index]
             for i, primitive in enumerate(self.file.document.meshes[node.mesh].primitives):
                 if not primitive.has_triangles:
                     continue
                 key = (node.mesh, i)
                 if key not in shared:
                     shared[key] = self._geometry(GltfGeometry(self.file, *key), primitive)
-                geometry = shared[key]
-                found.append(self._object(index, unique(node.name, names), geometry, primitive))
+                found.append(self._object(index, name, shared[key], primitive))
+                name = unique(addresses[index], names)
         return tuple(found)
 
     def _geometry(self, plain: GltfGeometry, primitive: Primitive) -> Geometry:
@@ -138,7 +134,7 @@ class _Reading:
         above = None if node.parent is None else self.file.nodes[node.parent].world_from_object
         own = _own_place(node, self.file.document.nodes[index])
         return SceneObject(
-            name, geometry, node.world_from_object, self._material(primitive), own, above
+            name, geometry, node.world_from_object, self._material(primitive), own, above, index
         )
 
     def _material(self, primitive: Primitive) -> Material:
@@ -148,7 +144,7 @@ class _Reading:
     @cached_property
     def _cameras(self) -> tuple[int, ...]:
         nodes = self.file.document.nodes
-        return tuple(i for i in self.drawn if nodes[i].camera is not None)
+        return tuple(i for i in self.file.in_scene if nodes[i].camera is not None)
 
     def _camera(self) -> tuple[View, Lens, bool]:
         for index in self._cameras:
@@ -161,8 +157,8 @@ class _Reading:
         document = self.file.document
         primitives = [p for mesh in document.meshes for p in mesh.primitives]
         others = sum(not one.has_triangles for one in primitives)
-        unknown = [one for one in document.extensions_used if one not in DRAWN]
-        outside = len(document.nodes) - len(self.drawn)
+        left_out = treated(document.extensions_used, Treatment.LEFT_OUT, Treatment.UNKNOWN)
+        outside = len(document.nodes) - len(self.file.in_scene)
         spoken = {
             f"Of {len(self._cameras)} cameras the first is used.": len(self._cameras) > 1,
             "Intensities of light are relative: the brightest light is 1.": lights,
@@ -173,7 +169,7 @@ class _Reading:
             "Morph targets are not applied.": any(one.targets for one in primitives),
             f"Points and lines are not drawn: {others}.": others,
             f"Nodes outside of the scene are not drawn: {outside}.": outside,
-            f"Extensions are left out: {', '.join(unknown)[:200]}.": unknown,
+            f"Extensions are left out: {shortlist(map(printable, left_out))}.": left_out,
         }
         return (*(text for text, applies in spoken.items() if applies), *self.materials.remarks)
 

@@ -23,8 +23,8 @@ LARGEST = 4_000_000  # bytes
 _SPELLED = ("inf", "nan")
 
 
-def read_scene(path: Path) -> Scene:
-    """Read a scene file.
+def read_scene(path: Path, *, allow_outside: bool = False) -> Scene:
+    """Read a scene file; meshes and images that it names lie in its folder.
 
     Raises
     ------
@@ -32,20 +32,22 @@ def read_scene(path: Path) -> Scene:
         In one line that names the file, the key, the value and what would be accepted.
     """
     raw = _raw(path)
-    _check_tables(path, raw)
-    drawing = settings(SceneTable(path, "[render]", raw.get("render", {})))
+    whole = SceneTable(path, raw=raw, allow_outside=allow_outside)
+    _check_tables(whole)
+    drawing = settings(whole.part("[render]", raw.get("render", {})))
     aspect = drawing.size[0] / drawing.size[1]
     materials = {
-        name: material(SceneTable(path, f"[materials.{printable(name)}]", table), name)
+        name: material(whole.part(f"[materials.{printable(name)}]", table), name)
         for name, table in raw.get("materials", {}).items()
     }
-    objects = scene_objects(named_objects(_tables(path, raw, "object")), materials)
+    named = named_objects(_tables(whole, "object"))
+    objects, nodes = scene_objects(named, materials)
     if not objects:
         raise IllegalValueError(f"{path}", "it draws nothing", 'add shape = "sphere" to an object')
-    lights = read_lights(_tables(path, raw, "light"), [one.name for one in objects])
+    lights = read_lights(_tables(whole, "light"), [one.name for one in objects])
     view, lens = View(), Lens(aspect=aspect)
     if "camera" in raw:
-        view, lens = camera(SceneTable(path, "[camera]", raw["camera"]), aspect)
+        view, lens = camera(whole.part("[camera]", raw["camera"]), aspect)
     return Scene(
         objects=objects,
         lights=lights,
@@ -55,6 +57,7 @@ def read_scene(path: Path) -> Scene:
         has_camera="camera" in raw,
         has_aspect="aspect" in raw.get("camera", {}),
         path=path,
+        nodes=nodes,
     )
 
 
@@ -98,10 +101,9 @@ def _float(path: Path, text: str) -> float:
     return found
 
 
-def _check_tables(path: Path, raw: dict[str, Any]) -> None:
-    whole = SceneTable(path, raw=raw)
+def _check_tables(whole: SceneTable) -> None:
     known = SceneRecord.__struct_fields__
-    for key, value in raw.items():
+    for key, value in whole.raw.items():
         if key not in known:
             raise whole.refused(
                 printable(key), "a scene file has no such table", suggestion(key, known)
@@ -110,17 +112,17 @@ def _check_tables(path: Path, raw: dict[str, Any]) -> None:
         if not isinstance(value, list if is_list else dict):
             table = f"[[{key}]]" if is_list else f"[{key}]"
             raise whole.refused(f"{key} ({shown(value)})", f"it is written {table}", "see the docs")
-    if not raw.get("object"):
+    if not whole.raw.get("object"):
         raise whole.refused(
             "[[object]]", "the scene has none", 'add [[object]] with shape = "sphere"'
         )
 
 
-def _tables(path: Path, raw: dict[str, Any], key: str) -> list[SceneTable]:
+def _tables(whole: SceneTable, key: str) -> list[SceneTable]:
     """Return the tables of a list, each with a name by which a message finds it."""
     found = []
-    for index, table in enumerate(raw.get(key, [])):
+    for index, table in enumerate(whole.raw.get(key, [])):
         name = table.get("name") if isinstance(table, dict) else None
         label = f" {shown(name)}" if isinstance(name, str) else ""
-        found.append(SceneTable(path, f"[[{key}]] {index + 1}{label}", table))
+        found.append(whole.part(f"[[{key}]] {index + 1}{label}", table))
     return found

@@ -11,7 +11,7 @@ from nmatrix.linear.rational import RationalMatrix, to_floats
 from nmatrix.scene.geometry import FileGeometry, Geometry, ShapeGeometry, TangentGeometry
 from nmatrix.scene.light import EYE, WORLD
 from nmatrix.scene.material import DEFAULT_MATERIAL, Material
-from nmatrix.scene.scene import SceneObject
+from nmatrix.scene.scene import SceneNode, SceneObject
 from nmatrix.scene.toml.records import ObjectRecord
 from nmatrix.scene.toml.table import SceneTable
 from nmatrix.scene.words import MESH_SUFFIXES, Shape
@@ -57,8 +57,8 @@ def named_objects(tables: Sequence[SceneTable]) -> dict[str, NamedObject]:
 
 def scene_objects(
     by_name: Mapping[str, NamedObject], materials: Mapping[str, Material]
-) -> tuple[SceneObject, ...]:
-    """Return the objects that are drawn, in the file's order, each in its place in the world.
+) -> tuple[tuple[SceneObject, ...], tuple[SceneNode, ...]]:
+    """Place the objects that are drawn, and all that have a name, in the file's order.
 
     Raises
     ------
@@ -80,7 +80,13 @@ def scene_objects(
         above = worlds.get(by_name[name].record.parent or "")
         geometry = source[origin.name]
         found.append(SceneObject(name, geometry, worlds[name], material, own[name], above))
-    return tuple(found)
+    index = {name: i for i, name in enumerate(by_name)}
+    nodes = []
+    for name, named in by_name.items():
+        parent = named.record.parent or ""
+        above = worlds.get(parent)
+        nodes.append(SceneNode(name, worlds[name], own[name], above, index.get(parent)))
+    return tuple(found), tuple(nodes)
 
 
 def _parents_first(by_name: Mapping[str, NamedObject]) -> list[NamedObject]:

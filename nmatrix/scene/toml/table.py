@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import isfinite
 from pathlib import Path
@@ -14,6 +14,7 @@ import msgspec
 from nmatrix.errors import IllegalValueError, did_you_mean, printable, quoted, shortlist
 from nmatrix.linear.rational import RationalMatrix, affine_matrix, rational_matrix
 from nmatrix.reading.files import existing_file
+from nmatrix.scene.beside import beside
 from nmatrix.scene.toml.records import Record
 
 Checked = TypeVar("Checked", bound=Record)
@@ -31,6 +32,7 @@ class SceneTable:
     path: Path
     header: str = ""
     raw: Mapping[str, Raw] = field(default_factory=dict)
+    allow_outside: bool = False
 
     def fault(self, key: str, why: str, next_step: str = "mend the file") -> IllegalValueError:
         """Return the error for a key, with its value if it has one."""
@@ -57,7 +59,11 @@ class SceneTable:
 
     def inner(self, key: str) -> SceneTable:
         """Return the table that a key holds."""
-        return SceneTable(self.path, f"{self.header} {key}", self.raw[key])
+        return self.part(f"{self.header} {key}", self.raw[key])
+
+    def part(self, header: str, raw: Raw) -> SceneTable:
+        """Return another table of the file."""
+        return replace(self, header=header, raw=raw)
 
     def file(self, key: str) -> Path:
         """Return the file that a key names, relative to the scene file.
@@ -65,9 +71,10 @@ class SceneTable:
         Raises
         ------
         IllegalValueError
-            If there is no such file.
+            If there is no such file, or it lies outside of the folder and must not.
         """
-        path = existing_file(str(self.path.parent / self.raw[key]))
+        named = beside(self.path, self.raw[key], allow_outside=self.allow_outside)
+        path = existing_file(str(named))
         if path is None:
             raise self.fault(key, "there is no such file", "names are relative to the scene file")
         return path

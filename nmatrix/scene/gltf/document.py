@@ -1,0 +1,127 @@
+"""The JSON of a glTF file, decoded into records, with its faults told in words."""
+
+from __future__ import annotations
+
+import json
+import re
+from math import isfinite
+from pathlib import Path
+
+import msgspec
+
+from nmatrix.errors import IllegalValueError, printable, quoted
+from nmatrix.scene.gltf.records import Asset, Document
+
+_BYTE = re.compile(r"\(byte (\d+)\)")
+_JSON_WORDS = {
+    "int": "an integer",
+    "float": "a number",
+    "str": "text",
+    "bool": "true or false",
+    "array": "a list",
+    "object": "an object",
+    "null": "null",
+}
+
+
+def read_document(path: Path, text: bytes) -> Document:
+    """Decode the JSON of a file; an integer may be written as 1.0.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is no JSON, no glTF, or of another version than 2.0.
+    """
+    try:
+        found = msgspec.json.decode(text, type=Document)
+    except msgspec.ValidationError as error:
+        raw = _raw(text)
+        check_version(path, _asset_of(raw))
+        try:
+            found = msgspec.convert(raw, type=Document)
+        except msgspec.ValidationError:
+            raise _no_gltf(path, _in_words(error)) from None
+    except UnicodeDecodeError as error:
+        raise _no_gltf(path, f"byte {error.start} is not UTF-8") from None
+    except msgspec.DecodeError as error:
+        raise _no_gltf(path, _place_in(text, str(error))) from None
+    except RecursionError:
+        raise _no_gltf(path, "it is nested too deeply") from None
+    check_version(path, found.asset)
+    return found
+
+
+def _raw(text: bytes) -> object:
+    """Decode JSON of whatever shape, with whole numbers as integers."""
+
+    def number(digits: str) -> float | int:
+        found = float(digits)
+        if not isfinite(found):
+            raise ValueError(digits)
+        return int(found) if found.is_integer() else found
+
+    try:
+        return json.loads(text, parse_float=number)
+    except (ValueError, RecursionError):
+        return None
+
+
+def _asset_of(raw: object) -> Asset:
+    """Find the version of what may be another version's document."""
+    asset = raw.get("asset") if isinstance(raw, dict) else None
+    version = asset.get("version") if isinstance(asset, dict) else None
+    if isinstance(version, (str, float, int)):
+        return Asset(version=str(version))
+    lists = ("nodes", "meshes", "accessors", "buffers")
+    by_name = isinstance(raw, dict) and any(isinstance(raw.get(one), dict) for one in lists)
+    return Asset(version="1.0" if by_name else "2.0")
+
+
+def check_version(path: Path, asset: Asset) -> None:
+    """Refuse another version than 2.0.
+
+    Raises
+    ------
+    IllegalValueError
+        With the version, and how to go on.
+    """
+    needed = asset.min_version or asset.version
+    major, _, minor = needed.partition(".")
+    if major == "2" and (asset.min_version is None or minor == "0"):
+        return
+    told = f"it is glTF {printable(needed)}, and glTF 2.0 is read"
+    if asset.min_version:
+        told = f"it needs glTF {printable(needed)} at least, and glTF 2.0 is read"
+    next_step = "convert it, for example by gltf-pipeline" if major == "1" else "export it as 2.0"
+    raise IllegalValueError(f"{path}", told, next_step)
+
+
+def _no_gltf(path: Path, why: str) -> IllegalValueError:
+    return IllegalValueError(f"{path}", f"it is not glTF: {why}", "export it again")
+
+
+def _in_words(error: msgspec.ValidationError) -> str:
+    """Tell what is wrong where, of a checker's sentence.
+
+    Examples
+    --------
+    >>> _in_words(msgspec.ValidationError("Expected `int`, got `str` - at `$.nodes[2].mesh`"))
+    'nodes[2].mesh: expected an integer, got text'
+    """
+    sentence, _, place = str(error).partition(" - at ")
+    for name, word in _JSON_WORDS.items():
+        sentence = sentence.replace(f"`{name}`", word).replace(f"`{name} | null`", word)
+    told = sentence[:1].lower() + sentence[1:].replace("`", "")
+    place = place.strip("`").removeprefix("$").removeprefix(".")
+    return f"{place}: {told}" if place else told
+
+
+def _place_in(text: bytes, sentence: str) -> str:
+    """Tell where JSON breaks off or is no JSON: the line and what stands there."""
+    at = _BYTE.search(sentence)
+    if at is None:
+        return "its JSON ends too early" if "truncated" in sentence else sentence
+    byte = int(at[1])
+    line = text.count(b"\n", 0, byte) + 1
+    found = text[byte : byte + 12].decode(errors="replace")
+    return f"line {line} has {quoted(found)} where JSON goes on"

@@ -1,0 +1,148 @@
+"""Nodes by name: paths from the root, and for each node one text that means no other.
+
+A text means the nodes whose path ends in it, from one name to the whole path; where several do,
+the one whose whole path it is. So `hand` is enough where one node is called so, `left/hand` where
+two are, and a path that was copied whole always works unless two nodes share it: they are told
+apart by their index, as `#7`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+SEPARATOR = "/"
+DEEPEST = 32  # names of a path that is shown, or that make a node's address
+LONGEST = 200  # characters of an address
+ABOVE = "…/"
+_INDEX = re.compile(r"#+(\d+)")
+
+
+@dataclass(frozen=True)
+class Hierarchy:
+    """The names of nodes and the index of each one's parent.
+
+    Examples
+    --------
+    >>> tree = Hierarchy(("root", "hand", "arm", "hand"), (None, 0, 0, 2))
+    >>> tree.path(3), tree.addresses
+    ('root/arm/hand', ('root', 'root/hand', 'arm', 'arm/hand'))
+    >>> tree.meant("hand"), tree.meant("arm/hand"), tree.meant("#3")
+    ((1, 3), (3,), (3,))
+    """
+
+    names: tuple[str, ...]
+    parents: tuple[int | None, ...]
+
+    def path(self, index: int) -> str:
+        """Join the names from the root to a node; of a deep one only the last."""
+        names = list(self._upwards(index, DEEPEST))
+        top = self._ancestor(index, len(names))
+        return (ABOVE if top is not None else "") + SEPARATOR.join(reversed(names))
+
+    def meant(self, text: str) -> tuple[int, ...]:
+        """Find the nodes that a text means: one, none, or several that it cannot tell apart."""
+        text = text.removeprefix(ABOVE)
+        last = self._by_last_name(text)
+        ending = [index for index in last if self._ends_in(index, text)]
+        whole = [index for index in ending if self._is_whole_path(index, text)]
+        if ending:
+            return tuple(whole or ending)
+        by_index = _INDEX.fullmatch(text)
+        if by_index and len(by_index[1]) <= len(str(len(self.names))):
+            found = int(by_index[1])
+            return (found,) if found < len(self.names) else ()
+        return ()
+
+    @cached_property
+    def addresses(self) -> tuple[str, ...]:
+        """The shortest text for each node that means it alone and can be typed."""
+        found: list[str | None] = [None] * len(self.names)
+        waiting = dict(enumerate(self.names))
+        for depth in range(1, DEEPEST + 1):
+            count, longer, roots = Counter(waiting.values()), {}, []
+            for index, text in waiting.items():
+                above = self._ancestor(index, depth)
+                if count[text] == 1 and self._may_be_typed(text, index):
+                    found[index] = text
+                elif above is None:
+                    roots.append((text, index))
+                elif len(text) < LONGEST:
+                    longer[index] = f"{self.names[above]}{SEPARATOR}{text}"
+            count = Counter(text for text, _ in roots)
+            for text, index in roots:  # whole paths, which others end in
+                if count[text] == 1 and self._may_be_typed(text, index):
+                    found[index] = text
+            waiting = longer
+        return tuple(
+            self._by_number(index) if text is None else text for index, text in enumerate(found)
+        )
+
+    def _may_be_typed(self, text: str, index: int) -> bool:
+        return self._is_clean(text) and (not self._has_separators or self.meant(text) == (index,))
+
+    def _is_clean(self, text: str) -> bool:
+        plain = bool(text.strip()) and text.isprintable() and len(text) <= LONGEST
+        return plain and not text.startswith(("#", "-", ABOVE))
+
+    def _by_number(self, index: int) -> str:
+        text = f"#{index}"
+        while self.meant(text) != (index,):  # a node is called so
+            text = f"#{text}"
+        return text
+
+    @cached_property
+    def _named(self) -> dict[str, list[int]]:
+        found = defaultdict(list)
+        for index, name in enumerate(self.names):
+            found[name].append(index)
+        return found
+
+    @cached_property
+    def _has_separators(self) -> bool:
+        return any(SEPARATOR in name for name in self._named)
+
+    def _by_last_name(self, text: str) -> Iterable[int]:
+        """Find the nodes whose own name ends the text, in their order."""
+        starts = [at for at in range(len(text) + 1) if at == 0 or text[at - 1] == SEPARATOR]
+        return sorted(index for at in starts for index in self._named.get(text[at:], ()))
+
+    def _ends_in(self, index: int, text: str) -> bool:
+        return self._above(index, text) is not None
+
+    def _is_whole_path(self, index: int, text: str) -> bool:
+        above = self._above(index, text)
+        return above is not None and above[0] is None
+
+    def _above(self, index: int, text: str) -> tuple[int | None] | None:
+        """Walk up a path as long as it ends in a text; return the node above, if it all fits."""
+        at: int | None = index
+        rest = text
+        while at is not None:
+            name = self.names[at]
+            if rest == name:
+                return (self.parents[at],)
+            if not rest.endswith(f"{SEPARATOR}{name}"):
+                return None
+            rest = rest[: -len(name) - 1]
+            at = self.parents[at]
+        return None
+
+    def _ancestor(self, index: int, steps: int) -> int | None:
+        at: int | None = index
+        for _ in range(steps):
+            if at is None:
+                return None
+            at = self.parents[at]
+        return at
+
+    def _upwards(self, index: int, most: int) -> Iterator[str]:
+        at: int | None = index
+        for _ in range(most):
+            if at is None:
+                return
+            yield self.names[at]
+            at = self.parents[at]

@@ -1,0 +1,97 @@
+"""The JSON of a glTF file: its version, and what is wrong with it where."""
+
+from __future__ import annotations
+
+import codecs
+import json
+from pathlib import Path
+
+import pytest
+
+from nmatrix.errors import IllegalValueError
+from nmatrix.scene.gltf.document import read_document
+from nmatrix.scene.gltf.extensions import Treatment, treatment
+from nmatrix.scene.gltf.file import read_gltf
+
+ASSET = '"asset": {"version": "2.0"}'
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('{"asset": {"version": "1.0"}, "nodes": {}}', "it is glTF 1.0, and glTF 2.0 is read"),
+        ('{"nodes": {"a": {}}}', "it is glTF 1.0, and glTF 2.0 is read"),
+        ('{"asset": {"version": 1.1}}', "it is glTF 1.1"),
+        ('{"asset": {"version": "3.0"}}', "it is glTF 3.0, .*export it as 2.0"),
+        ('{"asset": {"version": "2.0", "minVersion": "2.1"}}', "it needs glTF 2.1 at least"),
+        ("{}", "it is not glTF: object missing required field asset"),
+        ("[]", "it is not glTF: expected an object, got a list"),
+        (f'{{{ASSET}, "nodes": [{{}}, {{"mesh": "x"}}]}}', r"nodes\[1\].mesh: expected an integer"),
+        (f'{{{ASSET}, "nodes": [{{"mesh": 0.5}}]}}', r"nodes\[0\].mesh: expected an integer"),
+        (f'{{{ASSET},\n\n"nodes": [NaN]}}', r"line 3 has 'NaN\]}' where JSON goes on"),
+        (f'{{{ASSET}, "nodes": [', "its JSON ends too early"),
+        (f'{{{ASSET}, "nodes": [{{"scale": [1e999, 1, 1]}}]}}', "number out of range"),
+        ("[" * 10**6, "nested too deeply|expected an object"),
+    ],
+)
+def test_what_is_wrong_is_told_in_one_line(text: str, words: str) -> None:
+    with pytest.raises(IllegalValueError, match=words) as caught:
+        read_document(Path("a.gltf"), text.encode())
+    assert "\n" not in str(caught.value)
+    assert "Error" not in str(caught.value)
+
+
+def test_bytes_that_are_no_text_are_refused() -> None:
+    with pytest.raises(IllegalValueError, match=r"it is not glTF: .*UTF-8|line 1 has"):
+        read_document(Path("a.gltf"), b'{"asset": {"version": "\xff"}}')
+
+
+def test_integers_may_be_written_as_floats() -> None:
+    text = f'{{{ASSET}, "nodes": [{{"mesh": 0.0}}], "meshes": [{{}}]}}'
+    assert read_document(Path("a.gltf"), text.encode()).nodes[0].mesh == 0
+
+
+def test_a_byte_order_mark_is_passed_over_with_a_remark(tmp_path: Path) -> None:
+    path = tmp_path / "a.gltf"
+    path.write_bytes(codecs.BOM_UTF8 + json.dumps({"asset": {"version": "2.0"}}).encode())
+    (remark,) = read_gltf(path).remarks
+    assert "byte order mark" in remark
+
+
+def test_the_container_of_another_version_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "a.glb"
+    path.write_bytes(b"glTF\x01\0\0\0" + bytes(12))
+    with pytest.raises(IllegalValueError, match=r"it is glTF 1\.0"):
+        read_gltf(path)
+
+
+@pytest.mark.parametrize(
+    ("last", "is_taken"),
+    [([0, 0, 0, 1.0000001], True), ([1e-7, 0, 0, 1], True), ([0, 0, 0, 1.01], False)],
+)
+def test_the_last_row_of_a_matrix_is_granted_what_float32_loses(
+    tmp_path: Path, last: list[float], *, is_taken: bool
+) -> None:
+    rows = [[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], last]
+    matrix = [row[i] for i in range(4) for row in rows]
+    path = tmp_path / "a.gltf"
+    path.write_text(json.dumps({"asset": {"version": "2.0"}, "nodes": [{"matrix": matrix}]}))
+    if not is_taken:
+        with pytest.raises(IllegalValueError, match=r"its matrix ends in 0 0 0 1\.01"):
+            read_gltf(path)
+        return
+    file = read_gltf(path)
+    assert file.nodes[0].world_from_object[3] == (0, 0, 0, 1)
+    assert file.remarks == ("1 matrix did not quite end in 0 0 0 1: node 0.",)
+
+
+@pytest.mark.parametrize("kind", Treatment)
+def test_every_treatment_has_an_extension(kind: Treatment) -> None:
+    examples = {
+        Treatment.READ: "KHR_mesh_quantization",
+        Treatment.PACKING: "KHR_meshopt_compression",
+        Treatment.IMAGES: "KHR_texture_basisu",
+        Treatment.LEFT_OUT: "KHR_materials_sheen",
+        Treatment.UNKNOWN: "ACME_teapot",
+    }
+    assert treatment(examples[kind]) is kind
