@@ -11,9 +11,10 @@ from nmatrix.errors import NMatrixError, printable, shortlist
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import Geometry, TangentGeometry
 from nmatrix.scene.gltf.extensions import Treatment, treated
-from nmatrix.scene.gltf.file import GltfFile, Node, read_gltf
+from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.lights import camera, carried_lights, radius_of, read_lights, unique
 from nmatrix.scene.gltf.materials import Materials
+from nmatrix.scene.gltf.nodes import Node
 from nmatrix.scene.gltf.records import NodeRecord, Primitive
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Material

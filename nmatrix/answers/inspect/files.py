@@ -1,0 +1,101 @@
+"""Many files: which ones a command line means, each inspected by itself.
+
+A folder is searched to its depths, in the order of names. Hidden files and folders are passed over,
+and links to folders are not followed: a circle of links would have no end.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from nmatrix.answers.inspect.file import InspectedFile, inspect_content, inspect_file
+from nmatrix.errors import IllegalValueError, printable, quantity
+from nmatrix.linear.classify import FROM_FILE
+from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
+
+SUFFIXES = (*GLTF_SUFFIXES, *MESH_SUFFIXES)
+STANDARD_INPUT = "-"
+
+
+def files_of(names: Iterable[str]) -> tuple[Path, ...]:
+    """Find the files that names of files and folders mean, each once; `-` stays what it is.
+
+    Raises
+    ------
+    IllegalValueError
+        For a name that nothing has, or a folder without any such file.
+    """
+    found: dict[Path, Path] = {}
+    for name in names:
+        for path in _meant(name):
+            found.setdefault(path if name == STANDARD_INPUT else _one(path), path)
+    return tuple(found.values())
+
+
+def _meant(name: str) -> Iterator[Path]:
+    path = Path(name)
+    if name == STANDARD_INPUT:
+        yield path
+        return
+    try:
+        is_folder, exists = path.is_dir(), path.exists()
+    except (OSError, ValueError):  # a name too long, or with a NUL: no file has it
+        is_folder = exists = False
+    if not exists:
+        raise IllegalValueError(
+            f"file ({printable(name)})",
+            "it does not exist",
+            f"give {_listed()} files, folders of them, or - for standard input",
+        )
+    if not is_folder:
+        yield path
+        return
+    inside = list(_inside(path))
+    if not inside:
+        raise IllegalValueError(
+            f"folder ({printable(name)})", f"it holds no {_listed()} file", "give another folder"
+        )
+    yield from inside
+
+
+def _listed() -> str:
+    return f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
+
+
+def _inside(folder: Path) -> Iterator[Path]:
+    """Walk through a folder; one that may not be opened is passed on, so that it gets its row."""
+    refused: list[str] = []
+    for here, folders, files in os.walk(folder, onerror=lambda error: refused.append(error.filename)):
+        folders[:] = sorted(one for one in folders if not one.startswith("."))
+        for file in sorted(files):
+            if not file.startswith(".") and Path(file).suffix.lower() in SUFFIXES:
+                yield Path(here, file)
+    yield from map(Path, refused)
+
+
+def _one(path: Path) -> Path:
+    """Name a file in the one way that all its names come to."""
+    try:
+        return path.resolve()
+    except (OSError, RuntimeError):  # a circle of links
+        return path
+
+
+def inspect_files(
+    paths: Iterable[Path],
+    tolerance: float = FROM_FILE,
+    *,
+    standard_input: bytes = b"",
+    allow_outside: bool = False,
+) -> Iterator[InspectedFile]:
+    """Inspect files one after the other; one that cannot be read is no end of the others."""
+    for path in paths:
+        try:
+            if str(path) == STANDARD_INPUT:
+                yield inspect_content(standard_input, tolerance)
+            else:
+                yield inspect_file(path, tolerance, allow_outside=allow_outside)
+        except IllegalValueError as error:
+            yield InspectedFile(str(path), error=error)
