@@ -301,5 +301,12 @@ class Report:
     glsl: str = ""
 
     def spelled(self, spell: Callable[[str], str]) -> Report:
-        """Spell the names of quantities in the remarks as the caller types them."""
-        return replace(self, remarks=tuple(spelled(one, spell) for one in self.remarks))
+        """Spell the names of quantities in sentences and remarks as the caller types them."""
+        return replace(
+            self,
+            blocks=tuple(
+                Text(spelled(one.text, spell)) if isinstance(one, Text) else one
+                for one in self.blocks
+            ),
+            remarks=tuple(spelled(one, spell) for one in self.remarks),
+        )

@@ -12,7 +12,7 @@ from random import Random
 import pytest
 
 import nmatrix as package
-from nmatrix.answers.inspect import inspect_file
+from nmatrix.answers.inspect.file import inspect_file
 from nmatrix.answers.normal import NormalRequest, normal
 from nmatrix.answers.world import world as world_answer
 from nmatrix.enums import Convention, Kind, NormalStatus, Space

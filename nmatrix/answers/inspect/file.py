@@ -1,24 +1,31 @@
 """One file: every node judged, from what the file says to what carries its mesh.
 
-Nodes are made when someone looks at them. In a file of thousands nearly all are plain, and are
-counted without being made; `suspects` are those that may be something else.
+Nodes are judged when someone looks at them. In a file of thousands nearly all are plain, and are
+counted without a look; `suspects` are those that may be something else.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
+from functools import cache, cached_property, partial
 from pathlib import Path
 
+from nmatrix.answers.inspect.carried import animated_paths, carried_otherwise, normals_of
 from nmatrix.answers.inspect.node import Carriers, FoundNormals, InspectedNode, Maps
+from nmatrix.answers.inspect.plain import suspects
+from nmatrix.enums import Kind
 from nmatrix.errors import NMatrixError
-from nmatrix.linear.classify import FROM_FILE, classify
-from nmatrix.linear.rational import identity
-from nmatrix.report import OnDemand
-from nmatrix.scene.words import GLTF_SUFFIXES
+from nmatrix.linear.classify import FROM_FILE, Classification, classify
+from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rational import RationalMatrix, identity, linear_part, translation
+from nmatrix.scene.gltf.file import read_gltf
+from nmatrix.scene.gltf.nodes import Node, Nodes
+from nmatrix.scene.gltf.records import Document, NodeRecord
+from nmatrix.scene.hierarchy import Hierarchy
+from nmatrix.scene.words import GLTF_SUFFIXES, NormalsFrom
 
 
 class Special(StrEnum):
@@ -36,18 +43,157 @@ class Special(StrEnum):
 class InspectedFile:
     """One file: its nodes, or the error that stopped it.
 
-    `suspects` are the indices of all nodes that have a flaw, and perhaps of some others; `special`
-    counts nodes by what they are.
+    `judge` looks at one of so many nodes; `suspects` are the indices of all that have a flaw, and
+    perhaps of some others. `special` counts nodes by what they are.
     """
 
     file: str
-    nodes: Sequence[InspectedNode] = ()
+    count: int = 0
+    judge: Callable[[int], InspectedNode] | None = None
     suspects: Sequence[int] = ()
     special: Mapping[Special, int] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
     error: NMatrixError | None = None
 
     @cached_property
+    def nodes(self) -> tuple[InspectedNode, ...]:
+        """All nodes, in the file's order."""
+        return self._judged(range(self.count))
+
+    @cached_property
     def flawed(self) -> tuple[InspectedNode, ...]:
         """The nodes that have a flaw, in the file's order."""
-        return tuple(node for node in map(self.nodes.__getitem__, self.suspects) if node.flaws)
+        return tuple(node for node in self._judged(self.suspects) if node.flaws)
+
+    def _judged(self, indices: Iterable[int]) -> tuple[InspectedNode, ...]:
+        return () if self.judge is None else tuple(map(self.judge, indices))
+
+
+def inspect_file(
+    path: Path,
+    tolerance: float = FROM_FILE,
+    *,
+    content: bytes | None = None,
+    allow_outside: bool = False,
+) -> InspectedFile:
+    """Inspect every node of a glTF scene; a mesh file is one node that stands still.
+
+    `content` is that of the file, where it was read before.
+
+    Raises
+    ------
+    IllegalValueError
+        For a file that cannot be read or is damaged.
+    """
+    if path.suffix.lower() in GLTF_SUFFIXES:
+        file = read_gltf(path, content=content, allow_outside=allow_outside)
+        used = dict.fromkeys(one.mesh for one in file.document.nodes if one.mesh is not None)
+        judge = _GltfJudge(
+            file.document,
+            file.nodes,
+            frozenset(file.in_scene),
+            carried_otherwise(file, tolerance),
+            animated_paths(file),
+            {mesh: normals_of(file, mesh) for mesh in used},
+            file.remarks,
+            tolerance,
+        )
+        return judge.inspected(str(path))
+    return _inspect_mesh(path, content)
+
+
+def _inspect_mesh(path: Path, content: bytes | None) -> InspectedFile:
+    from nmatrix.scene.meshes.file import read_mesh
+
+    mesh = read_mesh(path)
+    still = identity(4)
+    node = InspectedNode(
+        str(path),
+        0,
+        Hierarchy((path.stem,), (None,)),
+        still,
+        Maps(Carriers.NODE, (classify(still),)),
+        FoundNormals(NormalsFrom.FILE, mesh.degenerate_normals),
+        mesh=0,
+    )
+    return InspectedFile(str(path), 1, lambda _: node, (0,), {}, mesh.remarks)
+
+
+@dataclass(frozen=True, eq=False)
+class _GltfJudge:
+    """What judging a node of a glTF file takes; the bytes of its buffers are not kept."""
+
+    document: Document
+    nodes: Nodes
+    in_scene: frozenset[int]
+    carried: Mapping[int, Maps]  # of the nodes whose world matrix is not all
+    animated: Mapping[int, tuple[str, ...]]
+    normals: Mapping[int, FoundNormals]  # of meshes
+    remarks: tuple[str, ...]
+    tolerance: float
+
+    def inspected(self, name: str) -> InspectedFile:
+        """Count what is known without a look at any node; looks are left to those who ask."""
+        records = self.document.nodes
+        normals = [None if one.mesh is None else self.normals[one.mesh] for one in records]
+        found = {*suspects(self.nodes, self.tolerance), *self.carried}
+        found |= {i for i, one in enumerate(normals) if one is not None and one.degenerate != 0}
+        carriers = Counter(maps.carriers for maps in self.carried.values())
+        special = {
+            Special.SKINNED: carriers[Carriers.JOINTS],
+            Special.INSTANCED: carriers[Carriers.INSTANCES],
+            Special.ANIMATED: len(self.animated),
+            Special.MORPHED: sum(map(self._is_morphed, records)),
+            Special.OUTSIDE_SCENE: len(records) - len(self.in_scene),
+            Special.COMPUTED_NORMALS: sum(
+                one is not None and one.origin is NormalsFrom.COMPUTED for one in normals
+            ),
+        }
+        judge = cache(partial(self.node, name))
+        return InspectedFile(name, len(records), judge, sorted(found), special, self.remarks)
+
+    def _is_morphed(self, record: NodeRecord) -> bool:
+        if record.mesh is None:
+            return False
+        return any(one.targets for one in self.document.meshes[record.mesh].primitives)
+
+    def node(self, name: str, index: int) -> InspectedNode:
+        """Judge one node."""
+        node = self.nodes[index]
+        maps = self.carried.get(index)
+        is_sheared_above = False
+        if maps is None:
+            maps = Maps(Carriers.NODE, (self._classified(node.world_from_object),))
+            is_sheared_above = maps.kind is Kind.SHEAR and not self._is_sheared(node)
+        mesh = None if node.mesh is None else self.document.meshes[node.mesh]
+        return InspectedNode(
+            name,
+            index,
+            self.nodes.hierarchy,
+            node.world_from_object,
+            maps,
+            FoundNormals() if node.mesh is None else self.normals[node.mesh],
+            node.mesh,
+            "" if mesh is None else mesh.name or "",
+            index in self.in_scene,
+            self.animated.get(index, ()),
+            is_sheared_above,
+        )
+
+    def _is_sheared(self, node: Node) -> bool:
+        """Whether a node's own matrix is a shear; what is given in parts never is."""
+        if node.record.matrix is None:
+            return False
+        return self._classified(node.local).kind is Kind.SHEAR
+
+    def _classified(self, A: RationalMatrix) -> Classification:
+        """Classify a map; one that came before is known, and so is its angle."""
+        block = LinearMap.of(linear_part(A))
+        key = (block, any(translation(A)))
+        if key not in self._known:
+            self._known[key] = classify(A, self.tolerance)
+        return self._known[key]
+
+    @cached_property
+    def _known(self) -> dict[tuple[LinearMap, bool], Classification]:
+        return {}

@@ -17,6 +17,7 @@ from nmatrix.answers.inspect.flaws import FLAWS
 from nmatrix.enums import Flaw, Kind
 from nmatrix.linear.classify import Classification, most_excess
 from nmatrix.linear.rational import RationalMatrix
+from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.words import NormalsFrom
 
 KINDS = list(Kind)
@@ -117,13 +118,10 @@ class InspectedNode:
 
     file: str
     index: int
-    name: str
-    path: str
-    address: str
+    hierarchy: Hierarchy
     world_from_object: RationalMatrix
     maps: Maps
     normals: FoundNormals = FoundNormals()
-    parent: int | None = None
     mesh: int | None = None
     mesh_name: str = ""
     in_scene: bool = True
@@ -131,9 +129,25 @@ class InspectedNode:
     sheared_by_ancestors: bool = False
 
     @property
+    def path(self) -> str:
+        """The names from the root to the node."""
+        return self.hierarchy.path(self.index)
+
+    @property
     def skinned(self) -> bool:
         """Whether joints carry the mesh."""
         return self.maps.carriers is Carriers.JOINTS
+
+    @property
+    def instances(self) -> dict[str, int] | None:
+        """How many instances there are, are mirrored, and need the inverse transpose."""
+        if self.maps.carriers is not Carriers.INSTANCES:
+            return None
+        return {
+            "count": len(self.maps.each),
+            "mirrored": self.maps.count(Flaw.MIRRORED),
+            "non_uniform": sum(one.needs_inverse_transpose for one in self.maps.each),
+        }
 
     @cached_property
     def flaws(self) -> tuple[Flaw, ...]:
@@ -158,6 +172,16 @@ class InspectedNode:
         told = told or self._kind_in_words()
         return told if self.in_scene else f"{told}, outside the scene"
 
+    def told(self, flaw: Flaw) -> str:
+        """Tell one flaw of the node in a sentence."""
+        if flaw is Flaw.DEGENERATE:
+            return f"{self.path}: {self.normals.degenerate} normals are no direction."
+        if flaw is Flaw.UNREADABLE:
+            return f"{self.path}: its normals were not read: {self.normals.because}."
+        worst = self.maps.worst_angle_deg if self.maps.needs_inverse_transpose else None
+        off = f"; without the inverse transpose normals are up to {worst:.4g}° off" if worst else ""
+        return f"{self.path}: {self.found}{off}."
+
     def _kind_in_words(self) -> str:
         kind = self.maps.kind.value
         return kind if self.maps.carriers is Carriers.NODE else f"{kind} by its {self._each}"
@@ -173,7 +197,7 @@ class InspectedNode:
         words = {flaw: FLAWS[flaw].adjective for flaw in found}
         if self.maps.carriers is Carriers.NODE:
             if Flaw.SHEAR in found:
-                by = "its ancestors" if self.sheared_by_ancestors else "its own matrix"
+                by = "ancestors" if self.sheared_by_ancestors else "itself"
                 words[Flaw.SHEAR] = f"sheared by {by}"
             return " and ".join(words[flaw] for flaw in self._in_speech(found))
         total = len(self.maps.each)

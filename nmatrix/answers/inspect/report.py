@@ -1,220 +1,349 @@
-"""`inspect`: the nodes of an asset that need the inverse transpose, and why."""
+"""The report about inspected files: counts first, then the rows that matter, then why.
+
+People see the nodes that have a flaw, the worst first; machines get every node. What is chosen
+(`only`, `order`) holds for both, and counts are always of all nodes.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
+from functools import cached_property
+from math import inf
 from pathlib import Path
 
-from nmatrix.enums import Kind
-from nmatrix.errors import CheckFailedError, IllegalValueError, quantity, shortlist
-from nmatrix.linear.classify import FROM_FILE, Classification, classify
-from nmatrix.linear.rational import RationalMatrix, identity
-from nmatrix.report import Heading, Report, Table, Value, Verdict
-from nmatrix.scene.gltf.file import read_gltf
-from nmatrix.scene.words import GLTF_SUFFIXES
+from nmatrix.answers.inspect.file import InspectedFile, Special
+from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
+from nmatrix.answers.inspect.node import Carriers, InspectedNode
+from nmatrix.answers.inspect.remarks import remarks_about
+from nmatrix.answers.inspect.words import counted, elided, named, of_all
+from nmatrix.enums import Flaw, Kind, NodeOrder, Severity
+from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, quantity
+from nmatrix.report import (
+    Block,
+    Cells,
+    Finding,
+    Findings,
+    Heading,
+    OnDemand,
+    Report,
+    Table,
+    Text,
+    Value,
+    Verdict,
+)
 
-SHOWN = 40  # nodes in the table for people; JSON has them all
-
-
-class Flaw(StrEnum):
-    """A property of a node that a pipeline may refuse."""
-
-    MIRRORED = "mirrored"
-    SHEAR = "shear"
-    DEGENERATE = "degenerate"
-    SINGULAR = "singular"
-
-
-# The words of a sentence about nodes with each flaw.
-FAILURES = {
-    Flaw.MIRRORED: "mirrored",
-    Flaw.SHEAR: "sheared",
-    Flaw.DEGENERATE: "with degenerate normals",
-    Flaw.SINGULAR: "singular",
-}
+SHOWN = 10  # rows for people, so that all of it stays on one screen
+PATH_ROOM, FILE_ROOM, MESH_ROOM = 24, 20, 10  # characters in a table
+MATRICES = {"normal_matrix": 3, "world_from_object": 4}  # of a node's data, and their size
 
 
 @dataclass(frozen=True)
-class InspectedNode:
-    """One node: its world matrix, the kind of that map, and its mesh's bad normals."""
+class Chosen:
+    """Which nodes are shown, in which order, whether all, and what makes the check fail."""
 
-    name: str
-    world_from_object: RationalMatrix
-    classification: Classification
-    sheared_by_ancestors: bool
-    degenerate_normals: int
-
-    def has(self, flaw: Flaw) -> bool:
-        """Look for a flaw in the node."""
-        return {
-            Flaw.MIRRORED: self.classification.mirrored,
-            Flaw.SHEAR: self.classification.kind is Kind.SHEAR,
-            Flaw.DEGENERATE: self.degenerate_normals > 0,
-            Flaw.SINGULAR: self.classification.kind is Kind.SINGULAR,
-        }[flaw]
+    only: tuple[Flaw, ...] = ()
+    order: NodeOrder | None = None
+    show_all: bool = False
+    fail_on: tuple[Flaw, ...] = ()
 
 
-@dataclass(frozen=True)
-class Inspection:
-    """The nodes of a whole file."""
-
-    path: Path
-    nodes: tuple[InspectedNode, ...]
-    remarks: tuple[str, ...]
-
-    def having(self, flaw: Flaw) -> tuple[InspectedNode, ...]:
-        """Find the nodes with this flaw."""
-        return tuple(node for node in self.nodes if node.has(flaw))
-
-    @property
-    def needing(self) -> tuple[InspectedNode, ...]:
-        """The nodes whose world matrix would bend normals."""
-        return tuple(node for node in self.nodes if node.classification.needs_inverse_transpose)
+EVERYTHING = Chosen()
 
 
-def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
-    """Inspect every node of a glTF scene; a mesh file is one node that stands still.
+def report(files: Sequence[InspectedFile], chosen: Chosen = EVERYTHING) -> Report:
+    """Report on files; it ends in a failure where one of them has a flaw of `fail_on`.
 
     Raises
     ------
-    IllegalValueError
-        For a file that cannot be read or is damaged.
+    NMatrixError
+        If there is one file only, and it could not be read.
     """
-    if path.suffix.lower() not in GLTF_SUFFIXES:
-        from nmatrix.scene.meshes.file import read_mesh
+    if len(files) == 1 and files[0].error is not None:
+        raise files[0].error
+    return _Reporting(tuple(files), chosen).report()
 
-        mesh = read_mesh(path)
-        still = identity(4)
-        node = InspectedNode(
-            path.stem,
-            still,
-            classify(still, tolerance),
-            sheared_by_ancestors=False,
-            degenerate_normals=mesh.degenerate_normals,
+
+@dataclass(frozen=True, eq=False)
+class _Reporting:
+    """Files on their way to a report."""
+
+    files: tuple[InspectedFile, ...]
+    chosen: Chosen
+
+    def report(self) -> Report:
+        data: dict[str, Value] = {
+            "files": [
+                {"file": one.file, "error": None if one.error is None else str(one.error)}
+                for one in self.files
+            ],
+            "nodes": OnDemand(lambda: map(node_data, self._listed)),
+            "summary": self._summary(),
+        }
+        rows = OnDemand(self._records)
+        return Report(
+            "inspect",
+            data,
+            (*self._blocks(),),
+            self._remarks(),
+            self._failure(),
+            records=Table(RECORD_COLUMNS, rows),
+            findings=Findings(RULES, OnDemand(self._findings)),
         )
-        return Inspection(path, (node,), mesh.remarks)
-    return _inspect_gltf(path, tolerance)
+
+    @cached_property
+    def flawed(self) -> tuple[InspectedNode, ...]:
+        return tuple(node for one in self.files for node in one.flawed)
+
+    @cached_property
+    def unread(self) -> tuple[InspectedFile, ...]:
+        return tuple(one for one in self.files if one.error is not None)
+
+    @cached_property
+    def total(self) -> int:
+        return sum(one.count for one in self.files)
+
+    def having(self, flaw: Flaw) -> tuple[InspectedNode, ...]:
+        return tuple(node for node in self.flawed if flaw in node.flaws)
+
+    @property
+    def _has_several(self) -> bool:
+        return len(self.files) > 1
+
+    def _summary(self) -> dict[str, Value]:
+        needing = sum(node.maps.needs_inverse_transpose for node in self.flawed)
+        return {
+            "files": len(self.files),
+            "unreadable_files": len(self.unread),
+            "nodes": self.total,
+            "needs_inverse_transpose": needing,
+            **{flaw.value.replace("-", "_"): len(self.having(flaw)) for flaw in Flaw},
+            "sheared_by_ancestors": sum(node.sheared_by_ancestors for node in self.flawed),
+            **{kind.value: self._counted(kind) for kind in Special},
+            "sentence": self._sentence(),
+        }
+
+    def _counted(self, kind: Special) -> int:
+        return sum(one.special.get(kind, 0) for one in self.files)
+
+    def _sentence(self) -> str:
+        """Tell in one sentence how many nodes need it, then count them by what they are."""
+        flat = len(self.having(Flaw.SINGULAR))
+        needing = sum(node.maps.needs_inverse_transpose for node in self.flawed) - flat
+        counts = {FLAWS[flaw].adjective: len(self.having(flaw)) for flaw in Flaw}
+        counts[FLAWS[Flaw.UNREADABLE].adjective] += len(self.unread)
+        told = f"{of_all(needing, self.total, 'needs', 'need')} the inverse transpose"
+        if not self.total:
+            told = "There are no nodes"
+        by_kind = ", ".join(f"{count} {adjective}" for adjective, count in counts.items() if count)
+        return f"{told}: {by_kind}." if by_kind else f"{told}."
+
+    def _blocks(self) -> Iterable[Block]:
+        heading = f"{len(self.files)} files" if self._has_several else Path(self.files[0].file).name
+        yield Heading(heading)
+        yield Verdict(self._sentence())
+        rows = self._rows_for_people()
+        shown = rows if self.chosen.show_all else rows[:SHOWN]
+        if shown:
+            yield self._table(shown)
+        reasons = self.unread if self._wanted(Flaw.UNREADABLE) else ()
+        some = reasons if self.chosen.show_all else reasons[:SHOWN]
+        if some:
+            cells = tuple((elided(one.file, PATH_ROOM), str(one.error)) for one in some)
+            yield Table(("file", "reason"), cells, "Could not be read")
+        hidden = len(rows) - len(shown) + len(reasons) - len(some)
+        if hidden:
+            yield Text(f"{counted(hidden, 'more row')}: {quantity('all')} shows them.")
+
+    def _wanted(self, flaw: Flaw) -> bool:
+        return not self.chosen.only or flaw in self.chosen.only
+
+    def _rows_for_people(self) -> list[InspectedNode]:
+        if self.chosen.show_all and not self.chosen.only:
+            return self._sorted([node for one in self.files for node in one.nodes])
+        return self._sorted([node for node in self.flawed if any(map(self._wanted, node.flaws))])
+
+    @cached_property
+    def _listed(self) -> list[InspectedNode]:
+        """The nodes for machines: those that were chosen, in the files' order unless it was."""
+        if self.chosen.only:
+            found = [node for node in self.flawed if any(map(self._wanted, node.flaws))]
+        else:
+            found = [node for one in self.files for node in one.nodes]
+        return found if self.chosen.order is None else self._sorted(found)
+
+    def _sorted(self, nodes: list[InspectedNode]) -> list[InspectedNode]:
+        match self.chosen.order:
+            case None | NodeOrder.KIND:
+                return sorted(nodes, key=lambda node: (rank(node.flaws), -_size(node)))
+            case NodeOrder.ANGLE:
+                return sorted(nodes, key=lambda node: -_size(node))
+            case NodeOrder.PATH:
+                return sorted(nodes, key=lambda node: node.path)
+            case NodeOrder.MESH:
+                return sorted(nodes, key=lambda node: inf if node.mesh is None else node.mesh)
+            case NodeOrder.INDEX:
+                return nodes
+
+    def _table(self, nodes: Sequence[InspectedNode]) -> Table:
+        columns = {
+            "file": [elided(node.file, FILE_ROOM) for node in nodes],
+            "index": [node.index for node in nodes],
+            "path": [elided(node.path, PATH_ROOM) for node in nodes],
+            "mesh": [None if node.mesh is None else _mesh_name(node) for node in nodes],
+            "found": [node.found for node in nodes],
+            "bad normals": [node.normals.degenerate for node in nodes],
+            "worst °": [_worst(node) for node in nodes],
+        }
+        if not self._has_several:
+            del columns["file"]
+        if not any(columns["mesh"]):
+            del columns["mesh"]
+        if not any(columns["bad normals"]):
+            del columns["bad normals"]
+        return Table(tuple(columns), tuple(zip(*columns.values(), strict=True)))
+
+    def _remarks(self) -> tuple[str, ...]:
+        own = [
+            f"{elided(one.file)}: {remark}" if self._has_several else remark
+            for one in self.files
+            for remark in one.remarks
+        ]
+        special = {kind: self._counted(kind) for kind in Special}
+        told = [*own, *remarks_about(self.flawed, special, self.total)]
+        empty = [one.file for one in self.files if one.error is None and not one.count]
+        if empty and self._has_several:
+            told.append(f"Without any node: {named(empty)}.")
+        checked = self.chosen.fail_on
+        if self.unread and checked and Flaw.UNREADABLE not in checked:
+            told.append(
+                f"{of_all(len(self.unread), len(self.files), 'was', 'were', 'file')} not read and "
+                f"so not checked; {quantity('fail_on')} {Flaw.UNREADABLE} fails for that."
+            )
+        return tuple(told)
+
+    def _failure(self) -> NMatrixError | None:
+        """Name every flaw that was asked for and found, with its nodes and files."""
+        fail_on = self.chosen.fail_on
+        told = [words for flaw in fail_on for words in self._failing(flaw)]
+        if told:
+            return CheckFailedError(
+                f"{quantity('fail_on')} {','.join(fail_on)}",
+                "; ".join(told),
+                f"see their rows, or {quantity('format')} json",
+            )
+        if self.files and len(self.unread) == len(self.files):
+            return IllegalValueError(
+                f"{len(self.files)} files", "none of them could be read", "see the reasons"
+            )
+        return None
+
+    def _failing(self, flaw: Flaw) -> Iterable[str]:
+        nodes = self.having(flaw)
+        if flaw is Flaw.UNREADABLE and self.unread:
+            count = of_all(len(self.unread), len(self.files), "was", "were", "file")
+            yield f"{count} not read ({named(one.file for one in self.unread)})"
+        if flaw in (Flaw.UNREADABLE, Flaw.DEGENERATE):
+            blind = self.having(Flaw.UNREADABLE)
+            if blind:
+                count = of_all(len(blind), self.total, "has", "have")
+                yield f"{count} normals that were not read ({self._named(blind)})"
+        if nodes and flaw is not Flaw.UNREADABLE:
+            verb = ("has", "have") if flaw is Flaw.DEGENERATE else ("is", "are")
+            words = FLAWS[flaw].adjective.removeprefix("with ")
+            yield f"{of_all(len(nodes), self.total, *verb)} {words} ({self._named(nodes)})"
+
+    def _named(self, nodes: Sequence[InspectedNode]) -> str:
+        if not self._has_several:
+            return named(node.path for node in nodes)
+        return named(f"{node.file}: {node.path}" for node in nodes)
+
+    def _records(self) -> Iterable[Cells]:
+        for node in self._listed:
+            data = node_data(node)
+            instances = node.instances or dict.fromkeys(INSTANCES)
+            flat: dict[str, object] = {
+                **{key: one for key, one in data.items() if key not in MATRICES},
+                **{f"instances_{key}": instances[key] for key in INSTANCES},
+                "animated": " ".join(node.animated),
+            }
+            for key, size in MATRICES.items():
+                matrix = data[key] or ((None,) * size,) * size
+                flat |= {f"{key}_{i}_{j}": matrix[i][j] for i in range(size) for j in range(size)}
+            yield tuple(flat.get(column) for column in RECORD_COLUMNS)
+        if self._wanted(Flaw.UNREADABLE):
+            for one in self.unread:
+                unread = {"file": one.file, "error": str(one.error)}
+                yield tuple(unread.get(column) for column in RECORD_COLUMNS)
+
+    def _findings(self) -> Iterable[Finding]:
+        if self._wanted(Flaw.UNREADABLE):
+            for one in self.unread:
+                words = FLAWS[Flaw.UNREADABLE]
+                yield Finding(words.rule, words.severity, str(one.error), one.file)
+        for node in self._sorted(list(self.flawed)) if self.chosen.order else self.flawed:
+            for flaw in filter(self._wanted, node.flaws):
+                words = FLAWS[flaw]
+                severity = Severity.ERROR if flaw in self.chosen.fail_on else words.severity
+                yield Finding(words.rule, severity, node.told(flaw), node.file, place=node.path)
 
 
-def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
-    from nmatrix.scene.gltf.accessors import mesh_parts
-
-    file = read_gltf(path)
-    if not file.nodes:
-        raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
-    degenerate = {
-        mesh: sum(part.degenerate_normals for part in mesh_parts(file, mesh))
-        for mesh in dict.fromkeys(node.mesh for node in file.nodes if node.mesh is not None)
-    }
-    nodes = []
-    for node, record in zip(file.nodes, file.document.nodes, strict=True):
-        found = classify(node.world_from_object, tolerance)
-        sheared = found.kind is Kind.SHEAR
-        if sheared and record.matrix is not None:  # a turned scale is none by itself
-            sheared = classify(node.local, tolerance).kind is not Kind.SHEAR
-        count = 0 if node.mesh is None else degenerate[node.mesh]
-        nodes.append(InspectedNode(node.name, node.world_from_object, found, sheared, count))
-    return Inspection(path, tuple(nodes), file.remarks)
+def _size(node: InspectedNode) -> float:
+    worst = _worst(node)
+    return inf if worst is None else worst
 
 
-def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:
-    """Report the nodes; it ends in a failure where one of them has a flaw of `fail_on`."""
-    data: dict[str, Value] = {
-        "nodes": [_node_data(node) for node in inspection.nodes],
-        "summary": _summary(inspection),
-    }
-    blocks = (
-        Heading(inspection.path.name),
-        _table(inspection),
-        Verdict(_sentence(inspection)),
-    )
-    return Report("inspect", data, blocks, _remarks(inspection), _failure(inspection, fail_on))
+def _worst(node: InspectedNode) -> float | None:
+    """Measure what is wrong without the inverse transpose: nothing, where it is not needed."""
+    return node.maps.worst_angle_deg if node.maps.needs_inverse_transpose else 0.0
 
 
-def _node_data(node: InspectedNode) -> dict[str, Value]:
-    found = node.classification
+def _mesh_name(node: InspectedNode) -> str:
+    return elided(node.mesh_name, MESH_ROOM) if node.mesh_name else str(node.mesh)
+
+
+INSTANCES = ("count", "mirrored", "non_uniform")
+
+
+def node_data(node: InspectedNode) -> dict[str, Value]:
+    """Spread a node over the keys that it has in JSON.
+
+    What is said of its map is said of all its maps together where joints, instances or keys of a
+    scale give it several; there is no one normal matrix then.
+    """
+    maps = node.maps
+    alone = maps.carriers is Carriers.NODE
     return {
-        "name": node.name,
+        "file": node.file,
+        "index": node.index,
+        "path": node.path,
+        "name": node.hierarchy.names[node.index],
+        "object": node.hierarchy.addresses[node.index],
+        "parent": node.hierarchy.parents[node.index],
+        "mesh": node.mesh,
+        "in_scene": node.in_scene,
+        "skinned": node.skinned,
+        "instances": node.instances,
+        "animated": list(node.animated),
+        "normal_matrix": maps.each[0].linear_map.normal_matrix if alone else None,
+        "normals_from": node.normals.origin.value,
         "world_from_object": node.world_from_object,
-        "transform": found.kind.value,
-        "transform_exact": found.kind_exact,
-        "mirrored": found.mirrored,
-        "needs_inverse_transpose": found.needs_inverse_transpose,
-        "determinant_sign": found.determinant_sign,
-        "worst_angle_without_deg": found.worst_angle_deg,
-        "degenerate_normals": node.degenerate_normals,
+        "transform": maps.kind.value,
+        "transform_exact": maps.kind_exact,
+        "mirrored": maps.count(Flaw.MIRRORED) > 0,
+        "needs_inverse_transpose": maps.needs_inverse_transpose,
+        "determinant_sign": maps.determinant_sign,
+        "worst_angle_without_deg": maps.worst_angle_deg,
+        "degenerate_normals": node.normals.degenerate,
         "sheared_by_ancestors": node.sheared_by_ancestors,
     }
 
 
-def _summary(inspection: Inspection) -> dict[str, Value]:
-    return {
-        "nodes": len(inspection.nodes),
-        "needs_inverse_transpose": len(inspection.needing),
-        "mirrored": len(inspection.having(Flaw.MIRRORED)),
-        "sheared_by_ancestors": sum(node.sheared_by_ancestors for node in inspection.nodes),
-        "degenerate": len(inspection.having(Flaw.DEGENERATE)),
-        "sentence": _sentence(inspection),
-    }
-
-
-def _sentence(inspection: Inspection) -> str:
-    total, flat = len(inspection.nodes), len(inspection.having(Flaw.SINGULAR))
-    needing, mirrored = len(inspection.needing) - flat, len(inspection.having(Flaw.MIRRORED))
-    nodes = "node needs" if needing == 1 else "nodes need"
-    told = f"{needing} of {total} {nodes} the inverse transpose"
-    if flat:
-        told += f"; {flat} {'is' if flat == 1 else 'are'} singular"
-    return f"{told}; {mirrored} {'is' if mirrored == 1 else 'are'} mirrored."
-
-
-def _table(inspection: Inspection) -> Table:
-    rows = []
-    for node in inspection.nodes[:SHOWN]:
-        found = node.classification
-        needs_it = found.needs_inverse_transpose
-        flags = ("yes" if flag else "no" for flag in (found.mirrored, needs_it))
-        worst = found.worst_angle_deg if needs_it else 0
-        kind = "mirror" if found.mirrored and found.is_rigid else found.kind.value
-        rows.append((node.name[:24], kind, *flags, worst))
-    more = len(inspection.nodes) - SHOWN
-    title = f"The first {SHOWN} nodes; {more} more with -f json" if more > 0 else ""
-    return Table(("node", "world matrix", "mirrored", "needs it", "worst °"), tuple(rows), title)
-
-
-def _remarks(inspection: Inspection) -> tuple[str, ...]:
-    remarks = list(inspection.remarks)
-    sheared = [node.name for node in inspection.nodes if node.sheared_by_ancestors]
-    if sheared:
-        remarks.append(
-            f"Sheared by their ancestors ({', '.join(sheared[:5])}): a rotation under a "
-            "non-uniform scale is a shear that no translate-rotate-scale can hold."
-        )
-    if inspection.having(Flaw.MIRRORED):
-        remarks.append("Mirrored nodes flip triangle winding; their normals stay outward.")
-    if inspection.having(Flaw.SINGULAR):
-        remarks.append(
-            "Singular nodes are flattened and have no inverse transpose: the cofactor matrix gives "
-            "the normal of the plane that is left."
-        )
-    if 0 < len(inspection.needing) < len(inspection.nodes):
-        remarks.append("Where it is not needed the 3×3 block of the world matrix carries normals.")
-    return tuple(remarks)
-
-
-def _failure(inspection: Inspection, fail_on: Sequence[str]) -> CheckFailedError | None:
-    """Name every flaw that some node has, with its nodes."""
-    found = {flaw: inspection.having(flaw) for flaw in map(Flaw, fail_on)}
-    told = [
-        f"{len(nodes)} of {len(inspection.nodes)} nodes {FAILURES[flaw]}"
-        f" ({shortlist([node.name for node in nodes], 5)})"
-        for flaw, nodes in found.items()
-        if nodes
-    ]
-    if not told:
-        return None
-    return CheckFailedError(
-        f"{quantity('fail_on')} {','.join(fail_on)}", "; ".join(told), "see their rows, or -f json"
-    )
+RECORD_COLUMNS = (
+    *"file index path name object parent mesh in_scene skinned".split(),
+    *(f"instances_{key}" for key in INSTANCES),
+    *"animated normals_from transform transform_exact mirrored needs_inverse_transpose".split(),
+    *"determinant_sign worst_angle_without_deg degenerate_normals sheared_by_ancestors".split(),
+    *(f"{key}_{i}_{j}" for key, size in MATRICES.items() for i in range(size) for j in range(size)),
+    "error",
+)

@@ -140,8 +140,12 @@ class GltfFile:
             raise IllegalValueError(shown, why, next_step) from None
 
 
-def read_gltf(path: Path, *, allow_outside: bool = False) -> GltfFile:
+def read_gltf(
+    path: Path, *, content: bytes | None = None, allow_outside: bool = False
+) -> GltfFile:
     """Read the nodes of a `.gltf` or `.glb` file; the files that it names lie in its folder.
+
+    `content` is that of the file, where it was read before.
 
     Raises
     ------
@@ -149,7 +153,8 @@ def read_gltf(path: Path, *, allow_outside: bool = False) -> GltfFile:
         For a file that cannot be read, is no glTF 2, has a cycle, an unknown reference or a number
         that is not finite, or names a file outside of its folder where that is not allowed.
     """
-    content = asset_bytes(path)
+    if content is None:
+        content = asset_bytes(path)
     text, binary = _container(path, content) if content[:4] == MAGIC else (content, b"")
     remarks = []
     if text.startswith(codecs.BOM_UTF8):
