@@ -62,7 +62,7 @@ def chosen_words(
             "it is neither text nor words one after the other",
             f"try {quantity(parameter)} {next(iter(words))}",
         )
-    found = {}
+    found: dict[Words, None] = {}
     for word in given.split(",") if isinstance(given, str) else map(str, given):
         try:
             found[words(word.strip())] = None

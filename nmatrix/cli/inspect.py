@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 WORDS = ", ".join(Flaw)
 
 HELP = {
-    "inspect": """nmatrix inspect scene.glb
+    "inspect": """nmatrix inspect .
 
-nmatrix inspect assets/ --only shear,mirrored -f csv
+nmatrix inspect . --only shear,mirrored -f csv
 
-nmatrix inspect assets/ --fail-on mirrored,shear -f github
+nmatrix inspect . --fail-on mirrored,shear -f github
 
 The nodes whose map is not plain, and why: their normals need more than the world matrix. A folder
 is searched to its depths, - is standard input.""",
@@ -65,7 +65,8 @@ def inspect(
     allow_outside: Annotated[bool, Option("--allow-outside", help=OUTSIDE)] = False,
 ) -> None:
     """Show the nodes of files."""
-    from nmatrix.answers.inspect.files import STANDARD_INPUT, files_of, inspected
+    from nmatrix.answers.inspect.file import STANDARD_INPUT
+    from nmatrix.answers.inspect.files import files_of, inspected
     from nmatrix.answers.inspect.report import Chosen, report
 
     chosen = Chosen(

@@ -41,7 +41,7 @@ def write(report: Report, options: OutputOptions) -> str:
     value,1,,2.5
     """
     if report.records is not None:
-        return _lines(report.records.columns, (map(_inert, row) for row in report.records.rows))
+        return _lines(report.records.columns, ([*map(_inert, row)] for row in report.records.rows))
     outside = [
         outside_remark(key, significant(value, options.digits))
         for key, _, _, value in _entries(report.data, options.layout)

@@ -27,6 +27,8 @@ from nmatrix.scene.gltf.records import Document, NodeRecord
 from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.words import GLTF_SUFFIXES, NormalsFrom
 
+STANDARD_INPUT = "-"
+
 
 class Special(StrEnum):
     """What some nodes of a file are that changes how they were judged."""
@@ -55,6 +57,13 @@ class InspectedFile:
     remarks: tuple[str, ...] = ()
     error: NMatrixError | None = None
 
+    @property
+    def reason(self) -> str:
+        """Why the file could not be read, without its name; empty where it was."""
+        if self.error is None:
+            return ""
+        return str(self.error).removeprefix(self.file).removeprefix(":").strip()
+
     @cached_property
     def nodes(self) -> tuple[InspectedNode, ...]:
         """All nodes, in the file's order."""
@@ -78,13 +87,14 @@ def inspect_file(
 ) -> InspectedFile:
     """Inspect every node of a glTF scene; a mesh file is one node that stands still.
 
-    `content` is that of the file, where it was read before.
+    `content` is that of standard input; the ending of the path tells its format.
 
     Raises
     ------
     IllegalValueError
         For a file that cannot be read or is damaged.
     """
+    name = str(path) if content is None else STANDARD_INPUT
     if path.suffix.lower() in GLTF_SUFFIXES:
         file = read_gltf(path, content=content, allow_outside=allow_outside)
         used = dict.fromkeys(one.mesh for one in file.document.nodes if one.mesh is not None)
@@ -98,17 +108,17 @@ def inspect_file(
             file.remarks,
             tolerance,
         )
-        return judge.inspected(str(path))
-    return _inspect_mesh(path, content)
+        return judge.inspected(name)
+    return _inspect_mesh(path, name, content)
 
 
-def _inspect_mesh(path: Path, content: bytes | None) -> InspectedFile:
+def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile:
     from nmatrix.scene.meshes.file import read_mesh
 
     mesh = read_mesh(path)
     still = identity(4)
     node = InspectedNode(
-        str(path),
+        name,
         0,
         Hierarchy((path.stem,), (None,)),
         still,
@@ -116,7 +126,7 @@ def _inspect_mesh(path: Path, content: bytes | None) -> InspectedFile:
         FoundNormals(NormalsFrom.FILE, mesh.degenerate_normals),
         mesh=0,
     )
-    return InspectedFile(str(path), 1, lambda _: node, (0,), {}, mesh.remarks)
+    return InspectedFile(name, 1, lambda _: node, (0,), {}, mesh.remarks)
 
 
 @dataclass(frozen=True, eq=False)

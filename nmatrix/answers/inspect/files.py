@@ -12,14 +12,13 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from nmatrix.answers.inspect.file import InspectedFile, inspect_file
+from nmatrix.answers.inspect.file import STANDARD_INPUT, InspectedFile, inspect_file
 from nmatrix.errors import IllegalValueError, printable
 from nmatrix.linear.classify import FROM_FILE
 from nmatrix.scene.gltf.file import MAGIC
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 
 SUFFIXES = (*GLTF_SUFFIXES, *MESH_SUFFIXES)
-STANDARD_INPUT = "-"
 STL_HEADER, STL_TRIANGLE = 80, 50  # bytes
 OBJ_STATEMENT = re.compile(rb"^\s*(?:v|vn|vt|f|l|p|o|g|s|mtllib|usemtl)\s", re.MULTILINE)
 
@@ -52,7 +51,7 @@ def _meant(name: str) -> Iterator[Path]:
         raise IllegalValueError(
             f"file ({printable(name)})",
             "it does not exist",
-            f"give {_listed()} files, folders of them, or - for standard input",
+            f"give a {_listed()} file, a folder, or - for standard input",
         )
     if not is_folder:
         yield path
@@ -71,13 +70,13 @@ def _listed() -> str:
 
 def _inside(folder: Path) -> Iterator[Path]:
     """Walk through a folder; one that may not be opened is passed on, so that it gets its row."""
-    refused: list[str] = []
-    for here, folders, files in os.walk(folder, onerror=lambda error: refused.append(error.filename)):
+    refused: list[OSError] = []
+    for here, folders, files in os.walk(folder, onerror=refused.append):
         folders[:] = sorted(one for one in folders if not one.startswith("."))
         for file in sorted(files):
             if not file.startswith(".") and Path(file).suffix.lower() in SUFFIXES:
                 yield Path(here, file)
-    yield from map(Path, refused)
+    yield from (Path(error.filename) for error in refused)
 
 
 def _one(path: Path) -> Path:
@@ -99,14 +98,16 @@ def inspected(
     content = None
     try:
         if str(path) == STANDARD_INPUT:
-            content, path = standard_input, Path(f"standard input{_ending(standard_input)}")
+            content, path = standard_input, Path(f"standard-input{_ending(standard_input)}")
+        elif path.is_dir():
+            raise IllegalValueError(f"{path}", "it may not be opened", "check its permissions")
         return inspect_file(path, tolerance, content=content, allow_outside=allow_outside)
     except IllegalValueError as error:
-        return InspectedFile(str(path), error=error)
+        return InspectedFile(str(path) if content is None else STANDARD_INPUT, error=error)
 
 
 def _ending(content: bytes) -> str:
-    """Recognise a format by the beginning of its content, and by its length.
+    r"""Recognise a format by the beginning of its content, and by its length.
 
     Raises
     ------
@@ -115,7 +116,7 @@ def _ending(content: bytes) -> str:
 
     Examples
     --------
-    >>> _ending(b'{"asset": {}}'), _ending(b"ply\\nformat"), _ending(b"# a cube\\nv 0 0 0")
+    >>> _ending(b'{"asset": {}}'), _ending(b"ply\nformat"), _ending(b"# a cube\nv 0 0 0")
     ('.gltf', '.ply', '.obj')
     """
     head = content.removeprefix(codecs.BOM_UTF8).lstrip()

@@ -64,7 +64,7 @@ FLAWS = {
             "degenerate normals",
             "Normals of the mesh are no direction: zero, or not finite.",
             "Normalising such a vector gives not-a-number, which a renderer shows as black or as "
-            "sparks. Let the exporter compute the normals again, and remove triangles without area.",
+            "sparks. Let the exporter compute them again, and remove triangles without area.",
         ),
         "with degenerate normals",
         Severity.WARNING,
@@ -87,7 +87,7 @@ FLAWS = {
             "The file, or the mesh of a node, could not be read.",
             "What was not read was not judged. The message says what is wrong and where.",
         ),
-        "not read",
+        "with normals not read",
         Severity.ERROR,
     ),
 }

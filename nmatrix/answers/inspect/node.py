@@ -139,6 +139,12 @@ class InspectedNode:
         return self.maps.carriers is Carriers.JOINTS
 
     @property
+    def normal_matrix(self) -> RationalMatrix | None:
+        """The one matrix that carries its normals; None without one, or with one for each map."""
+        is_one = self.maps.carriers is Carriers.NODE
+        return self.maps.each[0].linear_map.normal_matrix if is_one else None
+
+    @property
     def instances(self) -> dict[str, int] | None:
         """How many instances there are, are mirrored, and need the inverse transpose."""
         if self.maps.carriers is not Carriers.INSTANCES:
@@ -208,7 +214,7 @@ class InspectedNode:
         return f"of {total} {self._each} {listed}"
 
     def _in_speech(self, flaws: dict[Flaw, int]) -> list[Flaw]:
-        """A mirror is told first, then what is left of the map."""
+        """Put a mirror first, then what else the map is."""
         return sorted(flaws, key=lambda flaw: flaw is not Flaw.MIRRORED)
 
     def _are_the_same(self, flaws: tuple[Flaw, ...]) -> bool:

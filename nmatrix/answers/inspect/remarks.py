@@ -48,9 +48,7 @@ def _is_sheared_by_itself(node: InspectedNode) -> bool:
 
 def _unread(flawed: Sequence[InspectedNode]) -> Iterable[str]:
     """Tell each reason for which normals were not read."""
-    reasons = Counter(
-        node.normals.because for node in flawed if node.normals.degenerate is None
-    )
+    reasons = Counter(node.normals.because for node in flawed if node.normals.degenerate is None)
     for because, count in reasons.items():
         yield f"Normals of {counted(count, 'node')} were not read: {because}."
 

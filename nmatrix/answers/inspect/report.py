@@ -6,6 +6,7 @@ People see the nodes that have a flaw, the worst first; machines get every node.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,10 +15,11 @@ from pathlib import Path
 
 from nmatrix.answers.inspect.file import InspectedFile, Special
 from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
-from nmatrix.answers.inspect.node import Carriers, InspectedNode
+from nmatrix.answers.inspect.node import InspectedNode
+from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unread, node_data
 from nmatrix.answers.inspect.remarks import remarks_about
 from nmatrix.answers.inspect.words import counted, elided, named, of_all
-from nmatrix.enums import Flaw, Kind, NodeOrder, Severity
+from nmatrix.enums import Flaw, NodeOrder, Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, quantity
 from nmatrix.report import (
     Block,
@@ -25,6 +27,7 @@ from nmatrix.report import (
     Finding,
     Findings,
     Heading,
+    Number,
     OnDemand,
     Report,
     Table,
@@ -35,7 +38,6 @@ from nmatrix.report import (
 
 SHOWN = 10  # rows for people, so that all of it stays on one screen
 PATH_ROOM, FILE_ROOM, MESH_ROOM = 24, 20, 10  # characters in a table
-MATRICES = {"normal_matrix": 3, "world_from_object": 4}  # of a node's data, and their size
 
 
 @dataclass(frozen=True)
@@ -73,21 +75,17 @@ class _Reporting:
 
     def report(self) -> Report:
         data: dict[str, Value] = {
-            "files": [
-                {"file": one.file, "error": None if one.error is None else str(one.error)}
-                for one in self.files
-            ],
+            "files": [{"file": one.file, "error": one.reason or None} for one in self.files],
             "nodes": OnDemand(lambda: map(node_data, self._listed)),
             "summary": self._summary(),
         }
-        rows = OnDemand(self._records)
         return Report(
             "inspect",
             data,
             (*self._blocks(),),
             self._remarks(),
             self._failure(),
-            records=Table(RECORD_COLUMNS, rows),
+            records=Table(COLUMNS, OnDemand(self._records)),
             findings=Findings(RULES, OnDemand(self._findings)),
         )
 
@@ -130,17 +128,33 @@ class _Reporting:
         """Tell in one sentence how many nodes need it, then count them by what they are."""
         flat = len(self.having(Flaw.SINGULAR))
         needing = sum(node.maps.needs_inverse_transpose for node in self.flawed) - flat
-        counts = {FLAWS[flaw].adjective: len(self.having(flaw)) for flaw in Flaw}
-        counts[FLAWS[Flaw.UNREADABLE].adjective] += len(self.unread)
+        counts = ((len(self.having(flaw)), FLAWS[flaw].adjective) for flaw in Flaw)
+        by_kind = ", ".join(f"{count} {adjective}" for count, adjective in counts if count)
         told = f"{of_all(needing, self.total, 'needs', 'need')} the inverse transpose"
         if not self.total:
             told = "There are no nodes"
-        by_kind = ", ".join(f"{count} {adjective}" for adjective, count in counts.items() if count)
-        return f"{told}: {by_kind}." if by_kind else f"{told}."
+        told = f"{told}: {by_kind}." if by_kind else f"{told}."
+        if not self.unread:
+            return told
+        was = of_all(len(self.unread), len(self.files), "was", "were", "file")
+        return f"{told} {was} not read."
+
+    @cached_property
+    def _folder(self) -> str:
+        """The folder that all files are in; people see their names from there."""
+        try:
+            return os.path.commonpath([str(Path(one.file).parent) for one in self.files])
+        except ValueError:  # some are absolute, or on another drive
+            return ""
+
+    def _from_folder(self, file: str) -> str:
+        return file.removeprefix(self._folder).lstrip(os.sep) if self._folder else file
 
     def _blocks(self) -> Iterable[Block]:
-        heading = f"{len(self.files)} files" if self._has_several else Path(self.files[0].file).name
-        yield Heading(heading)
+        if self._has_several:
+            yield Heading(f"{len(self.files)} files" + (self._folder and f" of {self._folder}"))
+        else:
+            yield Heading(Path(self.files[0].file).name)
         yield Verdict(self._sentence())
         rows = self._rows_for_people()
         shown = rows if self.chosen.show_all else rows[:SHOWN]
@@ -149,7 +163,7 @@ class _Reporting:
         reasons = self.unread if self._wanted(Flaw.UNREADABLE) else ()
         some = reasons if self.chosen.show_all else reasons[:SHOWN]
         if some:
-            cells = tuple((elided(one.file, PATH_ROOM), str(one.error)) for one in some)
+            cells = tuple((elided(self._from_folder(one.file)), one.reason) for one in some)
             yield Table(("file", "reason"), cells, "Could not be read")
         hidden = len(rows) - len(shown) + len(reasons) - len(some)
         if hidden:
@@ -186,8 +200,8 @@ class _Reporting:
                 return nodes
 
     def _table(self, nodes: Sequence[InspectedNode]) -> Table:
-        columns = {
-            "file": [elided(node.file, FILE_ROOM) for node in nodes],
+        columns: dict[str, list[Number | str | None]] = {
+            "file": [elided(self._from_folder(node.file), FILE_ROOM) for node in nodes],
             "index": [node.index for node in nodes],
             "path": [elided(node.path, PATH_ROOM) for node in nodes],
             "mesh": [None if node.mesh is None else _mesh_name(node) for node in nodes],
@@ -197,20 +211,15 @@ class _Reporting:
         }
         if not self._has_several:
             del columns["file"]
-        if not any(columns["mesh"]):
+        if self._has_several or not any(columns["mesh"]):
             del columns["mesh"]
         if not any(columns["bad normals"]):
             del columns["bad normals"]
         return Table(tuple(columns), tuple(zip(*columns.values(), strict=True)))
 
     def _remarks(self) -> tuple[str, ...]:
-        own = [
-            f"{elided(one.file)}: {remark}" if self._has_several else remark
-            for one in self.files
-            for remark in one.remarks
-        ]
         special = {kind: self._counted(kind) for kind in Special}
-        told = [*own, *remarks_about(self.flawed, special, self.total)]
+        told = [*self._own_remarks(), *remarks_about(self.flawed, special, self.total)]
         empty = [one.file for one in self.files if one.error is None and not one.count]
         if empty and self._has_several:
             told.append(f"Without any node: {named(empty)}.")
@@ -221,6 +230,22 @@ class _Reporting:
                 f"so not checked; {quantity('fail_on')} {Flaw.UNREADABLE} fails for that."
             )
         return tuple(told)
+
+    def _own_remarks(self) -> Iterable[str]:
+        """Tell what files say of themselves, of many once what several say alike."""
+        if not self._has_several:
+            yield from self.files[0].remarks
+            return
+        alike: dict[str, list[str]] = {}
+        for one in self.files:
+            for remark in one.remarks:
+                alike.setdefault(remark, []).append(self._from_folder(one.file))
+        listed = list(alike.items())
+        for remark, names in listed[:SHOWN]:
+            yield f"{named(names)}: {remark}"
+        others = {name for _, names in listed[SHOWN:] for name in names}
+        if others:
+            yield f"There are remarks on {counted(len(others), 'more file')} ({named(others)})."
 
     def _failure(self) -> NMatrixError | None:
         """Name every flaw that was asked for and found, with its nodes and files."""
@@ -259,28 +284,16 @@ class _Reporting:
         return named(f"{node.file}: {node.path}" for node in nodes)
 
     def _records(self) -> Iterable[Cells]:
-        for node in self._listed:
-            data = node_data(node)
-            instances = node.instances or dict.fromkeys(INSTANCES)
-            flat: dict[str, object] = {
-                **{key: one for key, one in data.items() if key not in MATRICES},
-                **{f"instances_{key}": instances[key] for key in INSTANCES},
-                "animated": " ".join(node.animated),
-            }
-            for key, size in MATRICES.items():
-                matrix = data[key] or ((None,) * size,) * size
-                flat |= {f"{key}_{i}_{j}": matrix[i][j] for i in range(size) for j in range(size)}
-            yield tuple(flat.get(column) for column in RECORD_COLUMNS)
+        yield from map(cells_of_node, self._listed)
         if self._wanted(Flaw.UNREADABLE):
             for one in self.unread:
-                unread = {"file": one.file, "error": str(one.error)}
-                yield tuple(unread.get(column) for column in RECORD_COLUMNS)
+                yield cells_of_unread(one.file, one.reason)
 
     def _findings(self) -> Iterable[Finding]:
         if self._wanted(Flaw.UNREADABLE):
             for one in self.unread:
                 words = FLAWS[Flaw.UNREADABLE]
-                yield Finding(words.rule, words.severity, str(one.error), one.file)
+                yield Finding(words.rule, words.severity, one.reason, one.file)
         for node in self._sorted(list(self.flawed)) if self.chosen.order else self.flawed:
             for flaw in filter(self._wanted, node.flaws):
                 words = FLAWS[flaw]
@@ -300,50 +313,3 @@ def _worst(node: InspectedNode) -> float | None:
 
 def _mesh_name(node: InspectedNode) -> str:
     return elided(node.mesh_name, MESH_ROOM) if node.mesh_name else str(node.mesh)
-
-
-INSTANCES = ("count", "mirrored", "non_uniform")
-
-
-def node_data(node: InspectedNode) -> dict[str, Value]:
-    """Spread a node over the keys that it has in JSON.
-
-    What is said of its map is said of all its maps together where joints, instances or keys of a
-    scale give it several; there is no one normal matrix then.
-    """
-    maps = node.maps
-    alone = maps.carriers is Carriers.NODE
-    return {
-        "file": node.file,
-        "index": node.index,
-        "path": node.path,
-        "name": node.hierarchy.names[node.index],
-        "object": node.hierarchy.addresses[node.index],
-        "parent": node.hierarchy.parents[node.index],
-        "mesh": node.mesh,
-        "in_scene": node.in_scene,
-        "skinned": node.skinned,
-        "instances": node.instances,
-        "animated": list(node.animated),
-        "normal_matrix": maps.each[0].linear_map.normal_matrix if alone else None,
-        "normals_from": node.normals.origin.value,
-        "world_from_object": node.world_from_object,
-        "transform": maps.kind.value,
-        "transform_exact": maps.kind_exact,
-        "mirrored": maps.count(Flaw.MIRRORED) > 0,
-        "needs_inverse_transpose": maps.needs_inverse_transpose,
-        "determinant_sign": maps.determinant_sign,
-        "worst_angle_without_deg": maps.worst_angle_deg,
-        "degenerate_normals": node.normals.degenerate,
-        "sheared_by_ancestors": node.sheared_by_ancestors,
-    }
-
-
-RECORD_COLUMNS = (
-    *"file index path name object parent mesh in_scene skinned".split(),
-    *(f"instances_{key}" for key in INSTANCES),
-    *"animated normals_from transform transform_exact mirrored needs_inverse_transpose".split(),
-    *"determinant_sign worst_angle_without_deg degenerate_normals sheared_by_ancestors".split(),
-    *(f"{key}_{i}_{j}" for key, size in MATRICES.items() for i in range(size) for j in range(size)),
-    "error",
-)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nmatrix.errors import printable
-
 NAMED = 5  # of a list
 ROOM = 48  # characters of a path; its end tells it apart
 

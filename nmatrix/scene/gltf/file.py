@@ -140,9 +140,7 @@ class GltfFile:
             raise IllegalValueError(shown, why, next_step) from None
 
 
-def read_gltf(
-    path: Path, *, content: bytes | None = None, allow_outside: bool = False
-) -> GltfFile:
+def read_gltf(path: Path, *, content: bytes | None = None, allow_outside: bool = False) -> GltfFile:
     """Read the nodes of a `.gltf` or `.glb` file; the files that it names lie in its folder.
 
     `content` is that of the file, where it was read before.
