@@ -41,7 +41,7 @@ def _command(one: Finding) -> str:
     properties = {
         "file": one.file,
         "line": str(one.line) if one.line else "",
-        "col": str(one.column) if one.column else "",
+        "col": str(one.column) if one.line and one.column else "",
         "title": f"{one.rule.code} {one.rule.name}",
     }
     listed = ",".join(f"{name}={_property(value)}" for name, value in properties.items() if value)

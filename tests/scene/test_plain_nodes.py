@@ -148,7 +148,9 @@ def test_kinds_and_angles_agree_with_an_oracle_of_their_own(
     tmp_path: Path, nodes: list[dict[str, object]]
 ) -> None:
     """κ by the singular values of 60 digits; what is next to a limit may fall on either side."""
-    for node, exact in zip(inspect_file(written(tmp_path, nodes)).nodes, worlds(nodes), strict=True):
+    for node, exact in zip(
+        inspect_file(written(tmp_path, nodes)).nodes, worlds(nodes), strict=True
+    ):
         det = determinant(exact)
         assert node.maps.determinant_sign == (det > 0) - (det < 0)
         assert (Flaw.SINGULAR in node.flaws) == (det == 0)
@@ -161,7 +163,9 @@ def test_kinds_and_angles_agree_with_an_oracle_of_their_own(
             assert node.maps.needs_inverse_transpose != is_plain(upright, looser)
         with mpmath.workdps(60):
             singular = mpmath.svd_r(
-                mpmath.matrix([[mpmath.mpf(x.numerator) / x.denominator for x in r] for r in exact]),
+                mpmath.matrix(
+                    [[mpmath.mpf(x.numerator) / x.denominator for x in r] for r in exact]
+                ),
                 compute_uv=False,
             )
             kappa = max(singular) / min(singular)

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cache, cached_property, partial
 from pathlib import Path
 
-from nmatrix.answers.inspect.carried import animated_paths, carried_otherwise, normals_of
+from nmatrix.answers.inspect.carried import Carried, carried, normals_of
 from nmatrix.answers.inspect.node import Carriers, FoundNormals, InspectedNode, Maps
 from nmatrix.answers.inspect.plain import suspects
 from nmatrix.enums import Kind
@@ -21,7 +21,7 @@ from nmatrix.errors import NMatrixError
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, identity, linear_part, translation
-from nmatrix.scene.gltf.file import read_gltf
+from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.nodes import Node, Nodes
 from nmatrix.scene.gltf.records import Document, NodeRecord
 from nmatrix.scene.hierarchy import Hierarchy
@@ -97,18 +97,7 @@ def inspect_file(
     name = str(path) if content is None else STANDARD_INPUT
     if path.suffix.lower() in GLTF_SUFFIXES:
         file = read_gltf(path, content=content, allow_outside=allow_outside)
-        used = dict.fromkeys(one.mesh for one in file.document.nodes if one.mesh is not None)
-        judge = _GltfJudge(
-            file.document,
-            file.nodes,
-            frozenset(file.in_scene),
-            carried_otherwise(file, tolerance),
-            animated_paths(file),
-            {mesh: normals_of(file, mesh) for mesh in used},
-            file.remarks,
-            tolerance,
-        )
-        return judge.inspected(name)
+        return _GltfJudge.of(file, tolerance).inspected(name)
     return _inspect_mesh(path, name, content)
 
 
@@ -122,11 +111,25 @@ def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile
         0,
         Hierarchy((path.stem,), (None,)),
         still,
-        Maps(Carriers.NODE, (classify(still),)),
+        Maps.of(Carriers.NODE, (classify(still),)),
         FoundNormals(NormalsFrom.FILE, mesh.degenerate_normals),
         mesh=0,
     )
     return InspectedFile(name, 1, lambda _: node, (0,), {}, mesh.remarks)
+
+
+@dataclass(frozen=True, eq=False)
+class _Classifier:
+    """Classifies maps; one that came before is known, and so is its worst angle."""
+
+    tolerance: float
+    known: dict[tuple[LinearMap, bool], Classification] = field(default_factory=dict)
+
+    def __call__(self, A: RationalMatrix) -> Classification:
+        key = (LinearMap.of(linear_part(A)), any(translation(A)))
+        if key not in self.known:
+            self.known[key] = classify(A, self.tolerance)
+        return self.known[key]
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,23 +139,42 @@ class _GltfJudge:
     document: Document
     nodes: Nodes
     in_scene: frozenset[int]
-    carried: Mapping[int, Maps]  # of the nodes whose world matrix is not all
-    animated: Mapping[int, tuple[str, ...]]
+    classified: _Classifier
+    carried: Carried
     normals: Mapping[int, FoundNormals]  # of meshes
     remarks: tuple[str, ...]
-    tolerance: float
+
+    @classmethod
+    def of(cls, file: GltfFile, tolerance: float) -> _GltfJudge:
+        """Read what a file says of its meshes and of what carries them."""
+        used = dict.fromkeys(one.mesh for one in file.document.nodes if one.mesh is not None)
+        classified = _Classifier(tolerance)
+        found = carried(file, classified, tolerance)
+        return cls(
+            file.document,
+            file.nodes,
+            frozenset(file.in_scene),
+            classified,
+            found,
+            {mesh: normals_of(file, mesh) for mesh in used},
+            (*file.remarks, *found.remarks),
+        )
 
     def inspected(self, name: str) -> InspectedFile:
         """Count what is known without a look at any node; looks are left to those who ask."""
         records = self.document.nodes
         normals = [None if one.mesh is None else self.normals[one.mesh] for one in records]
-        found = {*suspects(self.nodes, self.tolerance), *self.carried}
-        found |= {i for i, one in enumerate(normals) if one is not None and one.degenerate != 0}
-        carriers = Counter(maps.carriers for maps in self.carried.values())
+        found = {
+            *suspects(self.nodes, self.classified.tolerance),
+            *self.carried.maps,
+            *self.carried.unread,
+            *(i for i, one in enumerate(normals) if one and (one.degenerate or one.unread)),
+        }
+        carriers = Counter(maps.carriers for maps in self.carried.maps.values())
         special = {
-            Special.SKINNED: carriers[Carriers.JOINTS],
+            Special.SKINNED: sum(map(_is_skinned, records)),
             Special.INSTANCED: carriers[Carriers.INSTANCES],
-            Special.ANIMATED: len(self.animated),
+            Special.ANIMATED: len(self.carried.animated),
             Special.MORPHED: sum(map(self._is_morphed, records)),
             Special.OUTSIDE_SCENE: len(records) - len(self.in_scene),
             Special.COMPUTED_NORMALS: sum(
@@ -170,10 +192,10 @@ class _GltfJudge:
     def node(self, name: str, index: int) -> InspectedNode:
         """Judge one node."""
         node = self.nodes[index]
-        maps = self.carried.get(index)
+        maps = self.carried.maps.get(index)
         is_sheared_above = False
         if maps is None:
-            maps = Maps(Carriers.NODE, (self._classified(node.world_from_object),))
+            maps = Maps.of(Carriers.NODE, (self.classified(node.world_from_object),))
             is_sheared_above = maps.kind is Kind.SHEAR and not self._is_sheared(node)
         mesh = None if node.mesh is None else self.document.meshes[node.mesh]
         return InspectedNode(
@@ -182,28 +204,27 @@ class _GltfJudge:
             self.nodes.hierarchy,
             node.world_from_object,
             maps,
-            FoundNormals() if node.mesh is None else self.normals[node.mesh],
+            self._normals(node),
             node.mesh,
             "" if mesh is None else mesh.name or "",
-            index in self.in_scene,
-            self.animated.get(index, ()),
-            is_sheared_above,
+            in_scene=index in self.in_scene,
+            skinned=_is_skinned(node.record),
+            animated=tuple(map(str, self.carried.animated.get(index, ()))),
+            sheared_by_ancestors=is_sheared_above,
         )
+
+    def _normals(self, node: Node) -> FoundNormals:
+        """Take the normals of a node's mesh; what carries them may be what was not read."""
+        found = FoundNormals() if node.mesh is None else self.normals[node.mesh]
+        unread = self.carried.unread.get(node.index)
+        return replace(found, unread=unread) if unread else found
 
     def _is_sheared(self, node: Node) -> bool:
         """Whether a node's own matrix is a shear; what is given in parts never is."""
         if node.record.matrix is None:
             return False
-        return self._classified(node.local).kind is Kind.SHEAR
+        return self.classified(node.local).kind is Kind.SHEAR
 
-    def _classified(self, A: RationalMatrix) -> Classification:
-        """Classify a map; one that came before is known, and so is its angle."""
-        block = LinearMap.of(linear_part(A))
-        key = (block, any(translation(A)))
-        if key not in self._known:
-            self._known[key] = classify(A, self.tolerance)
-        return self._known[key]
 
-    @cached_property
-    def _known(self) -> dict[tuple[LinearMap, bool], Classification]:
-        return {}
+def _is_skinned(record: NodeRecord) -> bool:
+    return record.mesh is not None and record.skin is not None

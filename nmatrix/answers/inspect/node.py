@@ -7,7 +7,7 @@ for each of its scales, at rest and by the keys.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
@@ -36,15 +36,25 @@ class Carriers(StrEnum):
     NODE = "node"
     JOINTS = "joints"
     INSTANCES = "instances"
-    KEYS = "scales over time"
+    SCALES = "scales over time"
 
 
 @dataclass(frozen=True)
 class Maps:
-    """The maps of one node, classified, and what there is one of each for."""
+    """The maps of one node, classified, and what there is one of each for.
+
+    `total` counts them with those that are plain and were passed over.
+    """
 
     carriers: Carriers
     each: tuple[Classification, ...]
+    total: int
+
+    @classmethod
+    def of(cls, carriers: Carriers, each: Iterable[Classification]) -> Maps:
+        """Put maps together of which none was left out."""
+        found = tuple(each)
+        return cls(carriers, found, len(found))
 
     @cached_property
     def kind(self) -> Kind:
@@ -104,12 +114,12 @@ def _bound_deg(one: Classification) -> float:
 class FoundNormals:
     """Where the normals of a node's mesh come from, and how many of them are no direction.
 
-    `degenerate` is None where they were not read; `because` says why.
+    `unread` is why some of them were not read, if so.
     """
 
     origin: NormalsFrom = NormalsFrom.NONE
-    degenerate: int | None = 0
-    because: str = ""
+    degenerate: int = 0
+    unread: str = ""
 
 
 @dataclass(frozen=True)
@@ -125,6 +135,7 @@ class InspectedNode:
     mesh: int | None = None
     mesh_name: str = ""
     in_scene: bool = True
+    skinned: bool = False
     animated: tuple[str, ...] = ()
     sheared_by_ancestors: bool = False
 
@@ -132,11 +143,6 @@ class InspectedNode:
     def path(self) -> str:
         """The names from the root to the node."""
         return self.hierarchy.path(self.index)
-
-    @property
-    def skinned(self) -> bool:
-        """Whether joints carry the mesh."""
-        return self.maps.carriers is Carriers.JOINTS
 
     @property
     def normal_matrix(self) -> RationalMatrix | None:
@@ -150,7 +156,7 @@ class InspectedNode:
         if self.maps.carriers is not Carriers.INSTANCES:
             return None
         return {
-            "count": len(self.maps.each),
+            "count": self.maps.total,
             "mirrored": self.maps.count(Flaw.MIRRORED),
             "non_uniform": sum(one.needs_inverse_transpose for one in self.maps.each),
         }
@@ -162,28 +168,29 @@ class InspectedNode:
 
     def _has(self, flaw: Flaw) -> bool:
         if flaw is Flaw.DEGENERATE:
-            return bool(self.normals.degenerate)
+            return self.normals.degenerate > 0
         if flaw is Flaw.UNREADABLE:
-            return self.normals.degenerate is None
+            return bool(self.normals.unread)
         return self.maps.count(flaw) > 0
 
     @property
     def found(self) -> str:
         """What the node is, in words: its flaws, or the kind of its map."""
-        told = self._maps_in_words()
-        if self.normals.degenerate is None:
-            told = f"{told}, normals not read" if told else "normals not read"
-        elif self.normals.degenerate:
-            told = f"{told}, degenerate normals" if told else "degenerate normals"
-        told = told or self._kind_in_words()
-        return told if self.in_scene else f"{told}, outside the scene"
+        parts = {
+            self._maps_in_words(): True,
+            "degenerate normals": self.normals.degenerate > 0,
+            "normals not read": bool(self.normals.unread),
+        }
+        told = [part for part, applies in parts.items() if part and applies]
+        told = told or [self._kind_in_words()]
+        return ", ".join([*told, *([] if self.in_scene else ["outside the scene"])])
 
     def told(self, flaw: Flaw) -> str:
         """Tell one flaw of the node in a sentence."""
         if flaw is Flaw.DEGENERATE:
             return f"{self.path}: {self.normals.degenerate} normals are no direction."
         if flaw is Flaw.UNREADABLE:
-            return f"{self.path}: its normals were not read: {self.normals.because}."
+            return f"{self.path}: not read: {self.normals.unread}."
         worst = self.maps.worst_angle_deg if self.maps.needs_inverse_transpose else None
         off = f"; without the inverse transpose normals are up to {worst:.4g}° off" if worst else ""
         return f"{self.path}: {self.found}{off}."
@@ -206,7 +213,7 @@ class InspectedNode:
                 by = "ancestors" if self.sheared_by_ancestors else "itself"
                 words[Flaw.SHEAR] = f"sheared by {by}"
             return " and ".join(words[flaw] for flaw in self._in_speech(found))
-        total = len(self.maps.each)
+        total = self.maps.total
         if len({*found.values()}) == 1 and self._are_the_same(tuple(found)):
             spoken = " and ".join(words[flaw] for flaw in self._in_speech(found))
             return f"{next(iter(found.values()))} of {total} {self._each} {spoken}"

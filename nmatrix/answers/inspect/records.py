@@ -45,7 +45,7 @@ def node_data(node: InspectedNode) -> dict[str, Value]:
         "needs_inverse_transpose": maps.needs_inverse_transpose,
         "determinant_sign": maps.determinant_sign,
         "worst_angle_without_deg": maps.worst_angle_deg,
-        "degenerate_normals": node.normals.degenerate,
+        "degenerate_normals": None if node.normals.unread else node.normals.degenerate,
         "sheared_by_ancestors": node.sheared_by_ancestors,
     }
 
@@ -79,7 +79,7 @@ def _flat(node: InspectedNode) -> Iterator[tuple[str, Cell]]:
 
 def _plain_node() -> InspectedNode:
     still = identity(4)
-    maps = Maps(Carriers.NODE, (classify(still),))
+    maps = Maps.of(Carriers.NODE, (classify(still),))
     return InspectedNode("", 0, Hierarchy(("",), (None,)), still, maps)
 
 

@@ -48,9 +48,9 @@ def _is_sheared_by_itself(node: InspectedNode) -> bool:
 
 def _unread(flawed: Sequence[InspectedNode]) -> Iterable[str]:
     """Tell each reason for which normals were not read."""
-    reasons = Counter(node.normals.because for node in flawed if node.normals.degenerate is None)
+    reasons = Counter(node.normals.unread for node in flawed if node.normals.unread)
     for because, count in reasons.items():
-        yield f"Normals of {counted(count, 'node')} were not read: {because}."
+        yield f"Not read of {counted(count, 'node')}: {because}."
 
 
 _OF_SPECIAL = {

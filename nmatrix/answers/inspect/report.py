@@ -200,13 +200,14 @@ class _Reporting:
                 return nodes
 
     def _table(self, nodes: Sequence[InspectedNode]) -> Table:
+        normals = [node.normals for node in nodes]
         columns: dict[str, list[Number | str | None]] = {
             "file": [elided(self._from_folder(node.file), FILE_ROOM) for node in nodes],
             "index": [node.index for node in nodes],
             "path": [elided(node.path, PATH_ROOM) for node in nodes],
             "mesh": [None if node.mesh is None else _mesh_name(node) for node in nodes],
             "found": [node.found for node in nodes],
-            "bad normals": [node.normals.degenerate for node in nodes],
+            "bad normals": [None if one.unread else one.degenerate for one in normals],
             "worst °": [_worst(node) for node in nodes],
         }
         if not self._has_several:
