@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import MissingPackageError, NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation_about, translation_matrix
 from nmatrix.linear.angle import Angle
@@ -26,10 +26,11 @@ from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.scene.fitting import DAYLIGHT, Ball, enclosing, fitted
+from nmatrix.scene.geometry import DamagedPartError, left_out
 from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
 from nmatrix.scene.material import WHITE, Colour, Material
 from nmatrix.scene.meshes.mesh import Mesh
-from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.scene import Scene, Settings
 from nmatrix.scene.words import LightKind
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
@@ -209,11 +210,10 @@ def loaded(scene: Scene) -> LoadedScene:
     """
     if scene.refusal is not None:
         raise scene.refusal
-    meshes: dict[object, Mesh] = {}
-    bodies = tuple(_body(one, meshes) for one in scene.objects)
+    bodies, faults = _bodies(scene)
     balls = [body.ball for body in bodies]
     made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
-    remarks = (*scene.remarks, *made)
+    remarks = (*scene.remarks, *left_out(faults), *made)
     if not scene.has_camera:
         scene = fitted(scene, balls)
         remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")
@@ -252,13 +252,34 @@ def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
     return rational.product(translation_matrix(middle.tolist()), turned, back)
 
 
-def _body(one: SceneObject, meshes: dict[object, Mesh]) -> Body:
-    """Return an object with its triangles; instances share one mesh."""
-    key = id(one.geometry)
-    if key not in meshes:
-        meshes[key] = one.geometry.mesh()
-    place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
-    return Body(one.name, meshes[key], place, one.material)
+def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError]]:
+    """Load the objects, instances with one mesh; those that cannot be drawn are faults.
+
+    Raises
+    ------
+    DamagedPartError
+        If there are objects, and none of them can be drawn.
+    MissingPackageError
+        If a package would help.
+    """
+    meshes: dict[int, Mesh | DamagedPartError] = {}
+    bodies = []
+    for one in scene.objects:
+        key = id(one.geometry)
+        if key not in meshes:
+            try:
+                meshes[key] = one.geometry.mesh()
+            except DamagedPartError as error:
+                meshes[key] = error
+        mesh = meshes[key]
+        if isinstance(mesh, Mesh):
+            place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
+            bodies.append(Body(one.name, mesh, place, one.material))
+    faults = [one for one in meshes.values() if isinstance(one, DamagedPartError)]
+    if faults and not bodies:
+        packages = [one.cause for one in faults if isinstance(one.cause, MissingPackageError)]
+        raise packages[0] if packages else faults[0]
+    return tuple(bodies), faults
 
 
 def _typed(light: SceneLight) -> str:

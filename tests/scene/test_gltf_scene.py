@@ -230,6 +230,7 @@ def test_colours_coordinates_and_tangents_of_vertices(tmp_path: Path) -> None:
                     {
                         "attributes": {
                             "POSITION": 0,
+                            "NORMAL": 0,
                             "COLOR_0": 1,
                             "TEXCOORD_0": 2,
                             "TANGENT": 3,
@@ -291,7 +292,7 @@ def test_each_primitive_is_an_object_and_instances_share_it(tmp_path: Path) -> N
     )
     assert [one.name for one in scene.objects] == ["a", "a 2", "a/a", "a/a 2"]
     assert scene.objects[0].geometry is scene.objects[2].geometry
-    assert "Points and lines are not drawn: 1." in scene.remarks
+    assert "Primitives that are not drawn: 1 of lines." in scene.remarks
     assert "Nodes outside of the scene are not drawn: 1." in scene.remarks
 
 

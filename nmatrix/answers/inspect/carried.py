@@ -93,11 +93,11 @@ def _over_time(
 
 
 def _is_even(scale: Vector, tolerance: float) -> bool:
-    x, y, z = scale
+    x, y, z = map(float, scale)
     if not x * y * z > 0:
         return False
-    sizes = sorted(map(abs, scale))
-    return sizes[2] - sizes[0] <= SHARE * tolerance * sizes[2]
+    sizes = (abs(x), abs(y), abs(z))
+    return max(sizes) - min(sizes) <= SHARE * tolerance * max(sizes)
 
 
 def normals_of(file: GltfFile, mesh: int) -> FoundNormals:
