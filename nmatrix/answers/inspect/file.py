@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cache, cached_property, partial
 from pathlib import Path
@@ -204,20 +204,15 @@ class _GltfJudge:
             self.nodes.hierarchy,
             node.world_from_object,
             maps,
-            self._normals(node),
+            FoundNormals() if node.mesh is None else self.normals[node.mesh],
             node.mesh,
             "" if mesh is None else mesh.name or "",
             in_scene=index in self.in_scene,
             skinned=_is_skinned(node.record),
             animated=tuple(map(str, self.carried.animated.get(index, ()))),
             sheared_by_ancestors=is_sheared_above,
+            unplaced=self.carried.unread.get(index, ""),
         )
-
-    def _normals(self, node: Node) -> FoundNormals:
-        """Take the normals of a node's mesh; what carries them may be what was not read."""
-        found = FoundNormals() if node.mesh is None else self.normals[node.mesh]
-        unread = self.carried.unread.get(node.index)
-        return replace(found, unread=unread) if unread else found
 
     def _is_sheared(self, node: Node) -> bool:
         """Whether a node's own matrix is a shear; what is given in parts never is."""

@@ -84,10 +84,10 @@ FLAWS = {
         Rule(
             "NM-A06",
             "unreadable",
-            "The file, or the mesh of a node, could not be read.",
+            "The file, or the mesh of a node, could not be read whole.",
             "What was not read was not judged. The message says what is wrong and where.",
         ),
-        "with normals not read",
+        "not wholly read",
         Severity.ERROR,
     ),
 }

@@ -124,7 +124,10 @@ class FoundNormals:
 
 @dataclass(frozen=True)
 class InspectedNode:
-    """One node in its file: where it stands, what carries its mesh, and the mesh's normals."""
+    """One node in its file: where it stands, what carries its mesh, and the mesh's normals.
+
+    `unplaced` is why its joints or instances could not be read, if so: its maps are its own then.
+    """
 
     file: str
     index: int
@@ -138,6 +141,7 @@ class InspectedNode:
     skinned: bool = False
     animated: tuple[str, ...] = ()
     sheared_by_ancestors: bool = False
+    unplaced: str = ""
 
     @property
     def path(self) -> str:
@@ -161,6 +165,11 @@ class InspectedNode:
             "non_uniform": sum(one.needs_inverse_transpose for one in self.maps.each),
         }
 
+    @property
+    def unread(self) -> str:
+        """Why its mesh, or what carries it, was not wholly read; empty where it was."""
+        return "; ".join(filter(None, (self.unplaced, self.normals.unread)))
+
     @cached_property
     def flaws(self) -> tuple[Flaw, ...]:
         """What is the matter with the node, the worst first."""
@@ -170,7 +179,7 @@ class InspectedNode:
         if flaw is Flaw.DEGENERATE:
             return self.normals.degenerate > 0
         if flaw is Flaw.UNREADABLE:
-            return bool(self.normals.unread)
+            return bool(self.unread)
         return self.maps.count(flaw) > 0
 
     @property
@@ -179,7 +188,7 @@ class InspectedNode:
         parts = {
             self._maps_in_words(): True,
             "degenerate normals": self.normals.degenerate > 0,
-            "normals not read": bool(self.normals.unread),
+            "mesh not wholly read": bool(self.unread),
         }
         told = [part for part, applies in parts.items() if part and applies]
         told = told or [self._kind_in_words()]
@@ -190,7 +199,7 @@ class InspectedNode:
         if flaw is Flaw.DEGENERATE:
             return f"{self.path}: {self.normals.degenerate} normals are no direction."
         if flaw is Flaw.UNREADABLE:
-            return f"{self.path}: not read: {self.normals.unread}."
+            return f"{self.path}: not wholly read: {self.unread}."
         worst = self.maps.worst_angle_deg if self.maps.needs_inverse_transpose else None
         off = f"; without the inverse transpose normals are up to {worst:.4g}° off" if worst else ""
         return f"{self.path}: {self.found}{off}."

@@ -47,10 +47,10 @@ def _is_sheared_by_itself(node: InspectedNode) -> bool:
 
 
 def _unread(flawed: Sequence[InspectedNode]) -> Iterable[str]:
-    """Tell each reason for which normals were not read."""
-    reasons = Counter(node.normals.unread for node in flawed if node.normals.unread)
-    for because, count in reasons.items():
-        yield f"Not read of {counted(count, 'node')}: {because}."
+    """Tell each reason for which meshes, or what carries them, were not read."""
+    reasons = Counter(node.unread for node in flawed if node.unread)
+    for because, count in reasons.most_common():
+        yield f"Not wholly read, {counted(count, 'node')}: {because}."
 
 
 _OF_SPECIAL = {

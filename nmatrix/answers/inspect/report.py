@@ -251,7 +251,7 @@ class _Reporting:
     def _failure(self) -> NMatrixError | None:
         """Name every flaw that was asked for and found, with its nodes and files."""
         fail_on = self.chosen.fail_on
-        told = [words for flaw in fail_on for words in self._failing(flaw)]
+        told = dict.fromkeys(words for flaw in fail_on for words in self._failing(flaw))
         if told:
             return CheckFailedError(
                 f"{quantity('fail_on')} {','.join(fail_on)}",
@@ -269,12 +269,12 @@ class _Reporting:
         if flaw is Flaw.UNREADABLE and self.unread:
             count = of_all(len(self.unread), len(self.files), "was", "were", "file")
             yield f"{count} not read ({named(one.file for one in self.unread)})"
-        if flaw in (Flaw.UNREADABLE, Flaw.DEGENERATE):
-            blind = self.having(Flaw.UNREADABLE)
+        if flaw is Flaw.DEGENERATE:  # what nobody saw is not right, nor wrong
+            blind = [node for node in self.having(Flaw.UNREADABLE) if node.normals.unread]
             if blind:
                 count = of_all(len(blind), self.total, "has", "have")
-                yield f"{count} normals that were not read ({self._named(blind)})"
-        if nodes and flaw is not Flaw.UNREADABLE:
+                yield f"{count} normals that were not wholly read ({self._named(blind)})"
+        if nodes:
             verb = ("has", "have") if flaw is Flaw.DEGENERATE else ("is", "are")
             words = FLAWS[flaw].adjective.removeprefix("with ")
             yield f"{of_all(len(nodes), self.total, *verb)} {words} ({self._named(nodes)})"
