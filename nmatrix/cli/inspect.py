@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
@@ -80,10 +81,11 @@ def inspect(
     paths = files_of(files)
     content = sys.stdin.buffer.read() if STANDARD_INPUT in files else b""
     limit = tolerance.value(FROM_FILE)
-    found = [
-        _spelled(inspected(path, limit, standard_input=content, allow_outside=allow_outside))
-        for path in progress(paths, len(paths), "inspecting")
-    ]
+    found = []
+    for path in progress(paths, len(paths), "inspecting"):
+        one = inspected(path, limit, standard_input=content, allow_outside=allow_outside)
+        found.append(_spelled(one))
+        gc.freeze()  # it stays to the end: looking through it for every file would take longest
     show(report(found, chosen), common)
 
 

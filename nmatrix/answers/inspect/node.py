@@ -15,7 +15,7 @@ from math import atan, degrees, inf, sqrt
 
 from nmatrix.answers.inspect.flaws import FLAWS
 from nmatrix.enums import Flaw, Kind
-from nmatrix.linear.classify import Classification, most_excess
+from nmatrix.linear.classify import Classification, most_excess, near_worst_angle_deg
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.words import NormalsFrom
@@ -96,6 +96,11 @@ class Maps:
             found = one.worst_angle_deg
             worst = found if worst is None else max(worst, found or 0.0)
         return worst
+
+    @cached_property
+    def near_worst_angle_deg(self) -> float:
+        """The worst angle to a millionth of a degree, to put nodes in order."""
+        return max(near_worst_angle_deg(one.linear_map) for one in self.each)
 
     def count(self, flaw: Flaw) -> int:
         """Count the maps that have a flaw."""
