@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 WORDS = ", ".join(Flaw)
 
 HELP = {
-    "inspect": """nmatrix inspect .
+    "inspect": """nmatrix inspect scene.glb
 
-nmatrix inspect . --only shear,mirrored -f csv
+nmatrix inspect assets --only shear,mirrored -f csv
 
-nmatrix inspect . --fail-on mirrored,shear -f github
+nmatrix inspect assets --fail-on mirrored,shear -f github
 
 The nodes whose map is not plain, and why: their normals need more than the world matrix. A folder
 is searched to its depths, - is standard input.""",
