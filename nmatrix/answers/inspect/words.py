@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from nmatrix.scene.hierarchy import SEPARATOR
+
 NAMED = 5  # of a list
 ROOM = 48  # characters of a path; its end tells it apart
 
@@ -35,17 +37,21 @@ def of_all(count: int, total: int, one: str, many: str, what: str = "node") -> s
 
 
 def elided(text: str, room: int = ROOM) -> str:
-    r"""Keep the end of a long text, whose beginning tells it less well from others.
+    r"""Keep the end of a long path, whose beginning tells it less well from others.
 
-    Characters that would change the line are spelled out.
+    It is cut between two names where it can be: what is left means the same. Characters that would
+    change the line are spelled out.
 
     Examples
     --------
-    >>> elided("root/arm/hand", 9), elided("a\n")
-    ('…arm/hand', 'a\\n')
+    >>> elided("root/arm/hand", 11), elided("roothand", 6), elided("a\n")
+    ('…/arm/hand', '…thand', 'a\\n')
     """
     plain = text if text.isprintable() else repr(text[-room:])[1:-1]
-    return plain if len(plain) <= room else f"…{plain[1 - room :]}"
+    if len(plain) <= room:
+        return plain
+    end = plain[1 - room :]
+    return f"…{end[end.find(SEPARATOR) :]}" if SEPARATOR in end else f"…{end}"
 
 
 def named(texts: Iterable[str]) -> str:
