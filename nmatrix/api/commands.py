@@ -224,9 +224,10 @@ def plan(scene: str | Path, *, allow_outside: bool = False) -> Report:
 
 def inspect(file: str | Path) -> Report:
     """Inspect a glTF scene or a mesh: the kind of each node's map, and where normals break."""
-    from nmatrix.answers.inspect import inspect_file, report
+    from nmatrix.answers.inspect.file import inspect_file
+    from nmatrix.answers.inspect.report import report
 
-    return Report(report(inspect_file(named_file(file, "file"))))
+    return Report(report((inspect_file(named_file(file, "file")),)))
 
 
 def _mapping(value: object, name: str) -> Mapping[str, object]:

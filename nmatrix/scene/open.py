@@ -8,7 +8,7 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.material import DEFAULT_MATERIAL
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
 
@@ -61,6 +61,7 @@ def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
     )
     return Scene(
         objects,
+        settings=settings_of_file(gamma=False),
         has_camera=False,
         path=path,
         remarks=file.remarks,

@@ -93,9 +93,14 @@ def read_header(path: Path, content: bytes) -> Header:
         For a line that cannot be understood, or a header that does not end.
     """
     if content[:3] != b"ply" or content[3:4] not in b"\r\n \t":
-        raise IllegalValueError(f"{path}", "a PLY file begins with the line ply", "check its ending")
+        raise IllegalValueError(
+            f"{path}", "a PLY file begins with the line ply", "check its ending"
+        )
     end = b"\r\n" if content[:LONGEST_HEADER].split(b"\n", 1)[0].endswith(b"\r") else b"\n"
-    if b"\n" not in content[: content.find(b"\r") + 2 or None] and b"\r" in content[:LONGEST_HEADER]:
+    if (
+        b"\n" not in content[: content.find(b"\r") + 2 or None]
+        and b"\r" in content[:LONGEST_HEADER]
+    ):
         end = b"\r"
     order: str | None = ""
     elements: list[Element] = []

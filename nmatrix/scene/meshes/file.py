@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from nmatrix.errors import IllegalValueError, printable
-from nmatrix.scene.beside import asset_bytes, beside
+from nmatrix.scene.beside import asset_bytes, beside, check_content
 from nmatrix.scene.material import Texture
 from nmatrix.scene.meshes.mesh import Mesh, joined
 from nmatrix.scene.meshes.mtl import Materials, coloured
@@ -33,7 +33,7 @@ def read_mesh(path: Path) -> Mesh:
     IllegalValueError
         For a file that cannot be read, holds no triangles, or has numbers that are not finite.
     """
-    found = _surface(path)
+    found = read_surface(path)
     mesh = joined([part.mesh for part in found.parts])
     return replace(mesh, remarks=found.remarks)
 
@@ -47,7 +47,7 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
         As `read_mesh`, and for a material or an image that lies outside the file's folder, unless
         that is allowed.
     """
-    found = _surface(path)
+    found = read_surface(path)
     materials = Materials(path, allow_outside)
     if path.suffix.lower() == ".ply":
         return _with_image(path, found, allow_outside=allow_outside)
@@ -62,20 +62,34 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
     return replace(found, parts=tuple(parts), remarks=(*found.remarks, *materials.remarks))
 
 
-def _surface(path: Path) -> MeshFile:
+def read_surface(path: Path, content: bytes | None = None) -> MeshFile:
+    """Read a mesh file, one part for each material, whatever these are.
+
+    `content` is the file's, if it was read already.
+
+    Raises
+    ------
+    IllegalValueError
+        As `read_mesh`.
+    """
     read = READERS.get(path.suffix.lower())
     if read is None:
         listed = ", ".join(MESH_SUFFIXES[:-1])
         why = f"meshes are {listed} or {MESH_SUFFIXES[-1]}, scenes .gltf or .glb"
         raise IllegalValueError(f"{path}", why, "check the name")
-    return read(path, asset_bytes(path))
+    if content is None:
+        return read(path, asset_bytes(path))
+    check_content(path, content)
+    return read(path, content)
 
 
 def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile:
     """Give the one part of a PLY file its colours, and its image if it has one and a place on it."""
     (part,) = found.parts
     files = [beside(path, name, allow_outside=allow_outside) for name in found.named]
-    missing = [f"Files are missing: {printable(file.name)}." for file in files if not file.is_file()]
+    missing = [
+        f"Files are missing: {printable(file.name)}." for file in files if not file.is_file()
+    ]
     material = coloured() if part.mesh.colours is not None else None
     if len(files) == 1 and not missing and part.mesh.uv is not None:
         material = replace(

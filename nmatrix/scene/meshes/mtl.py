@@ -11,7 +11,7 @@ from nmatrix.enums import Reflection
 from nmatrix.errors import IllegalValueError, printable, shortlist
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
-from nmatrix.scene.material import AMBIENT_SHARE, Colour, Material, Texture, grey
+from nmatrix.scene.material import AMBIENT_SHARE, BLACK, Colour, Material, Texture, grey
 from nmatrix.scene.meshes.text import FIGURE, lines_of, readable
 from nmatrix.scene.words import Wrap
 
@@ -34,7 +34,6 @@ NOT_DRAWN = {
     "disp": "displacement",
     "decal": "decals",
     "refl": "reflections",
-    "map_ke": "images of emission",
     "tf": "transmission filters",
     "pr": "roughness",
     "pm": "metals",
@@ -121,27 +120,25 @@ class Materials:
         illumination = values.get("illum", "2").split("#")[0].strip()
         diffuse = read.colour("kd", grey(0.8))
         ambient = read.colour("ka", diffuse)
-        specular = read.colour("ks", grey(0.0))
+        specular = read.colour("ks", BLACK)
         opacity = read.number("d", 1.0 - read.number("tr", 0.0))
         shines = any(specular) and illumination not in (UNLIT, MATT)
         red, green, blue = ambient
-        material = Material(
+        self.found[name] = Material(
             name=name,
             ambient=(AMBIENT_SHARE * red, AMBIENT_SHARE * green, AMBIENT_SHARE * blue),
             diffuse=diffuse,
             specular=specular,
             shininess=max(read.number("ns", Material.shininess), 0.0),
             reflection=Reflection.BLINN_PHONG if shines else Reflection.LAMBERT,
+            unlit=diffuse if illumination == UNLIT else None,
+            emission=read.colour("ke", BLACK),
             opacity=min(max(opacity, 0.0), 1.0),
             texture=self._texture(values.get("map_kd")),
+            emission_texture=self._texture(values.get("map_ke")),
         )
-        if illumination == UNLIT:
-            material = replace(material, ambient=diffuse, diffuse=grey(0.0))
-        if any(read.colour("ke", grey(0.0))):
-            self.left_out["emission"] += 1
         for word, what in NOT_DRAWN.items():
             self.left_out.update([what] if word in values else [])
-        self.found[name] = material
 
     def _texture(self, text: str | None) -> Texture | None:
         """Read an image with its options: `-s 2 2 -clamp on brick wall.png`."""

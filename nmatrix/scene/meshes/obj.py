@@ -263,7 +263,9 @@ def _is_alike(word: bytes, block: bytes, lines: int) -> bool:
     return alike and (word != b"f" or b"-" not in block)
 
 
-def _checked(path: Path, content: bytes, found: _Sorted, sizes: Indices, corners: Indices) -> list[str]:
+def _checked(
+    path: Path, content: bytes, found: _Sorted, sizes: Indices, corners: Indices
+) -> list[str]:
     """Refuse vertices that are not there; texture coordinates and normals alike are left out."""
     remarks = []
     for which, table in enumerate(found.values):
@@ -283,7 +285,8 @@ def _checked(path: Path, content: bytes, found: _Sorted, sizes: Indices, corners
         corners[beyond, which] = NONE
         count = np.count_nonzero(beyond)
         told = f"line {line} is the first to name a {table.what} that is not there"
-        remarks.append(f"{path.name}, {told}: {count:,} corners go without.")
+        corners_go = "corner goes" if count == 1 else "corners go"
+        remarks.append(f"{path.name}, {told}: {count:,} {corners_go} without.")
     return remarks
 
 

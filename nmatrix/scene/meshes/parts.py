@@ -174,7 +174,7 @@ class Polygons:
 
 
 def _vertices(keys: Sequence[Indices]) -> tuple[Indices, Indices]:
-    """Number the corners that agree in all keys alike: first corner of each, number of each corner.
+    """Give corners that agree in all keys one number: the first of each, and the number of each.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """STL files, binary or text: triangles that share nothing, so each is flat.
 
-The normals that such files hold repeat what the corners say, or are wrong or zero; they are computed.
+The normals that such files hold repeat what the corners say, or are wrong or zero: they are made.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def _binary(path: Path, content: bytes) -> tuple[Array, list[str]]:
     if held < 0:
         raise IllegalValueError(
             f"{path}",
-            f"it has {len(content)} bytes, and the header alone of an STL file has {HEADER + COUNT}",
+            f"it has {len(content)} bytes, and an STL file begins with {HEADER + COUNT}",
             "copy the file again",
         )
     count = int.from_bytes(content[HEADER : HEADER + COUNT], "little")

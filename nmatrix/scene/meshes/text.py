@@ -125,8 +125,10 @@ def figures(lines: Sequence[bytes], dtype: type, *, slashes: bool = False) -> Fi
         raise _bad_figure(text, dtype, slashes=slashes)
     first_of_word = np.flatnonzero(_starting(gaps))
     word = np.searchsorted(first_of_word, starts, side="right") - 1
+    if 1 + np.count_nonzero(np.diff(word)) < len(first_of_word):  # one is nothing but slashes
+        raise _bad_figure(text, dtype, slashes=slashes)
     if slashes:
-        before = np.cumsum(cuts, dtype=np.int32)
+        before = np.cumsum(cuts, dtype=np.int32) - cuts
         part = before[starts] - before[first_of_word[word]]
     else:
         part = np.zeros(len(starts), np.int32)
@@ -167,11 +169,12 @@ def refused_word(word: bytes, *, whole: bool) -> str | None:
 
 def _bad_figure(text: bytes, dtype: type, *, slashes: bool) -> BadFigureError:
     """Find the word at which the reading stopped."""
-    whole = dtype is int
+    whole = np.issubdtype(dtype, np.integer)
     for row, line in enumerate(text.split(b"\n")):
         for word in line.split():
-            for figure in word.split(b"/") if slashes else (word,):
-                why = refused_word(figure, whole=whole) if figure else None
+            figures_of_word = [one for one in word.split(b"/") if one] if slashes else []
+            for figure in figures_of_word or [word]:
+                why = refused_word(figure, whole=whole)
                 if why is not None:
                     return BadFigureError(row, printable(readable(word[:40])), why)
     return BadFigureError(0, "text", "a number in it cannot be read")
