@@ -84,7 +84,7 @@ def read_surface(path: Path, content: bytes | None = None) -> MeshFile:
 
 
 def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile:
-    """Give the one part of a PLY file its colours, and its image if it has one and a place on it."""
+    """Give the one part of a PLY file its colours, and its image if it has places on it."""
     (part,) = found.parts
     files = [beside(path, name, allow_outside=allow_outside) for name in found.named]
     missing = [
