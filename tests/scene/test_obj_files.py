@@ -63,7 +63,7 @@ def test_indices_may_name_vertices_that_come_later(tmp_path: Path) -> None:
         (SQUARE + "f 1 2 3\n").encode("utf-16"),
         b"\xfe\xff" + (SQUARE + "f 1 2 3\n").encode("utf-16-be"),
     ],
-    ids="crlf cr mark blanks continued comments exponents weights latin-1 utf-16 big-endian".split(),
+    ids="crlf cr mark blanks continued comments signs weights latin-1 utf-16 utf-16-be".split(),
 )
 def test_any_way_to_write_a_triangle_is_read(tmp_path: Path, text: str | bytes) -> None:
     assert corners(file_of(tmp_path, text)) == [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
@@ -162,7 +162,8 @@ def test_images_are_found_with_their_options(tmp_path: Path) -> None:
     (tmp_path / "my images").mkdir()
     (tmp_path / "my images" / "a b.png").write_bytes(b"")
     options = "-s 2 3 1 -o 0.5 -clamp on -bm 0.2"
-    mtl = f"newmtl red\nmap_Kd {options} my images\\a b.png\nnewmtl green\nmap_Kd none.png\nmap_Bump b\n"
+    red = f"newmtl red\nmap_Kd {options} my images\\a b.png\n"
+    mtl = red + "newmtl green\nmap_Kd none.png\nmap_Bump b\n"
     file = file_of(tmp_path, TWO.replace("f 1 2 3", "vt 0 0\nf 1/1 2/1 3/1"), mtl)
     texture = file.parts[0].material.texture
     assert texture.image == tmp_path / "my images" / "a b.png"

@@ -124,7 +124,7 @@ def read_header(path: Path, content: bytes) -> Header:
             raise IllegalValueError(
                 f"{path}, line {number} ({shown})",
                 "the header of a PLY file has no such line",
-                did_you_mean(words[1] if len(words) > 1 else "", (*ORDERS, *KINDS), "mend it"),
+                _hint(words),
             ) from None
     if declared.form is None:
         raise IllegalValueError(f"{path}", "its header has no line format", "export it again")
@@ -136,6 +136,13 @@ def read_header(path: Path, content: bytes) -> Header:
         tuple(declared.textures),
         tuple(declared.remarks),
     )
+
+
+def _hint(words: list[str]) -> str:
+    """Look for a form or a kind that is misspelled."""
+    known = (*ORDERS, *KINDS)
+    odd = [word for word in words[1:-1] if word not in (*known, "list")]
+    return did_you_mean(odd[0] if odd else "", known, "export it again")
 
 
 @dataclass

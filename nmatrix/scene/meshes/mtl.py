@@ -122,14 +122,15 @@ class Materials:
         ambient = read.colour("ka", diffuse)
         specular = read.colour("ks", BLACK)
         opacity = read.number("d", 1.0 - read.number("tr", 0.0))
+        shininess = max(read.number("ns", Material.shininess), 0.0)
         shines = any(specular) and illumination not in (UNLIT, MATT)
         red, green, blue = ambient
         self.found[name] = Material(
             name=name,
             ambient=(AMBIENT_SHARE * red, AMBIENT_SHARE * green, AMBIENT_SHARE * blue),
             diffuse=diffuse,
-            specular=specular,
-            shininess=max(read.number("ns", Material.shininess), 0.0),
+            specular=specular if shines else Material.specular,
+            shininess=shininess if shines else Material.shininess,
             reflection=Reflection.BLINN_PHONG if shines else Reflection.LAMBERT,
             unlit=diffuse if illumination == UNLIT else None,
             emission=read.colour("ke", BLACK),
