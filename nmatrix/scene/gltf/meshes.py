@@ -162,7 +162,10 @@ class _Part:
     def _at_rest(self, rows: Rows, triangles: Array, pose: Pose) -> tuple[Vertices, list[str]]:
         """Read the vertices that are referred to, morphed and carried by their joints."""
         remarks = []
-        found = {name: self._values(name) for name in TYPES if name in self.record.attributes}
+        present = set(self.record.attributes)
+        if "NORMAL" not in present:
+            present.discard("TANGENT")  # 3.7.2.1: without normals they are ignored
+        found = {name: self._values(name) for name in TYPES if name in present}
         read = {name: one.finite(rows) for name, one in found.items() if name != "NORMAL"}
         if "NORMAL" in found:
             normals = read["NORMAL"] = found["NORMAL"].floats(rows)
@@ -172,8 +175,6 @@ class _Part:
                 told = f"{np.count_nonzero(bad)} normals are not finite and count as none"
                 remarks.append(f"{self.name}: {told}; the first is that of vertex {first}.")
                 normals[bad] = 0.0
-        else:
-            read.pop("TANGENT", None)  # 3.7.2.1: without normals they are ignored
         for i, (target, weight) in enumerate(zip(self.record.targets, pose.weights, strict=False)):
             for name in read:
                 if weight and name in target:
