@@ -144,9 +144,8 @@ class _Part:
         vertices, remarks = self._at_rest(rows, triangles, pose)
         if vertices.normals is None:
             remarks.append(f"Flat normals were made where {self.file.path.name} has none.")
-            vertices = _flat(vertices)
-        normals = np.zeros_like(vertices.positions)
-        if vertices.normals is not None:
+            vertices, normals = _flat(vertices)
+        else:
             normals = unit(vertices.normals)
         uv, colours = vertices.uv, vertices.colours
         return Mesh(
@@ -172,8 +171,10 @@ class _Part:
             bad = ~np.isfinite(normals).all(axis=1)
             if bad.any():
                 first = int(np.arange(self.count)[rows][bad][0])
-                told = f"{np.count_nonzero(bad)} normals are not finite and count as none"
-                remarks.append(f"{self.name}: {told}; the first is that of vertex {first}.")
+                count = int(np.count_nonzero(bad))
+                some = "1 normal is" if count == 1 else f"{count} normals are"
+                told = f"{some} not finite, first that of vertex {first}, and taken as none"
+                remarks.append(f"{self.name}: {told}.")
                 normals[bad] = 0.0
         for i, (target, weight) in enumerate(zip(self.record.targets, pose.weights, strict=False)):
             for name in read:
@@ -215,8 +216,10 @@ class _Part:
         if not far.any():
             return blended(matrices, joint, weight), []
         worst = total[np.argmax(np.abs(total - 1))]
-        told = f"the weights of {np.count_nonzero(far)} vertices sum to {worst:g} or the like"
-        return blended(matrices, joint, weight), [f"{self.name}: {told} and were brought to 1."]
+        count = int(np.count_nonzero(far))
+        some = "1 vertex" if count == 1 else f"{count} vertices"
+        told = f"the weights of {some} were brought to a sum of 1, at worst from {worst:g}"
+        return blended(matrices, joint, weight), [f"{self.name}: {told}."]
 
     @cached_property
     def unpacked(self) -> tuple[Mapping[str, Values], Array | None]:
@@ -300,20 +303,20 @@ def _referred(triangles: Array, count: int) -> tuple[Rows, Array]:
     return np.flatnonzero(is_used), (np.cumsum(is_used) - 1)[triangles]
 
 
-def _flat(vertices: Vertices) -> Vertices:
-    """Give every triangle vertices of its own, with its normal."""
+def _flat(vertices: Vertices) -> tuple[Vertices, Array]:
+    """Give every triangle vertices of its own, and them its normal."""
     order = vertices.triangles.ravel()
     positions = vertices.positions[order]
     triangles = np.arange(len(order), dtype=np.intp).reshape(-1, 3)
     faces = Mesh(positions, np.zeros_like(positions), triangles).face_normals
     uv, colours = vertices.uv, vertices.colours
-    return Vertices(
+    split = Vertices(
         positions,
         triangles,
-        np.repeat(faces, 3, axis=0),
         uv=None if uv is None else uv[order],
         colours=None if colours is None else colours[order],
     )
+    return split, np.repeat(faces, 3, axis=0)
 
 
 def _triangles(corners: Array, mode: int) -> Array:
