@@ -39,12 +39,15 @@ class GltfGeometry:
     mesh_index: int
     primitive: int
     pose: Pose
+    coordinates: int = 0
 
     def mesh(self) -> Mesh:
-        """Read the triangles."""
+        """Read the triangles, with the set of texture coordinates that is asked for."""
         from nmatrix.scene.gltf.meshes import primitive_mesh
 
-        return primitive_mesh(self.file, self.mesh_index, self.primitive, self.pose)
+        return primitive_mesh(
+            self.file, self.mesh_index, self.primitive, self.pose, self.coordinates
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,9 +187,10 @@ class Objects:
         pose = Pose(tuple(weights) if primitive.targets and any(weights) else (), record.skin)
         has_tangents = {"TANGENT", "NORMAL"} <= set(primitive.attributes)
         needs_tangents = self._material(primitive).normal_map is not None and not has_tangents
-        key = (content_of(primitive), pose, needs_tangents)
+        coordinates = self.materials.coordinates(primitive.material)
+        key = (content_of(primitive), pose, needs_tangents, coordinates)
         if key not in self._geometries:
-            plain = GltfGeometry(self.file, mesh, number, pose)
+            plain = GltfGeometry(self.file, mesh, number, pose, coordinates)
             self._geometries[key] = TangentGeometry(plain) if needs_tangents else plain
         return self._geometries[key]
 
