@@ -167,6 +167,8 @@ def _why_black(body: BodyPlan) -> str:
     if body.lights:
         lamps.append(f"what {body.lights[0].light.name} sends falls on no side that is seen")
     material = body.body.material
+    if body.effects & {Effect.TEXTURE, Effect.VERTEX_COLOURS}:
+        lamps.append("or what it sends back is black, by its texture or its colours")
     if not any((*material.diffuse, *material.specular)):
         lamps = ["its material sends no light of lamps back"]
     reasons = [*lamps[:MOST_REASONS], *([] if lamps else ["the scene has no lamp"])]

@@ -94,7 +94,14 @@ class _Reading:
             names = shortlist(map(printable, unknown), MOST_NAMED)
             return self.file.fault(f"it requires {names}, which is not known here")
         if not objects:
-            return self.file.fault("it draws nothing: there are no triangles in its scene")
+            others = sum(
+                len(self.file.document.meshes[mesh].primitives)
+                for mesh in (self.file.nodes[i].mesh for i in self.file.in_scene)
+                if mesh is not None
+            )
+            beside = f", but {others} of points or lines" if others else ""
+            why = f"it draws nothing: there are no triangles in its scene{beside}"
+            return self.file.fault(why)
         return None
 
     def _node(self, index: int) -> SceneNode:
