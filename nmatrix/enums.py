@@ -322,3 +322,20 @@ class VectorFormat(StrEnum):
 
     SVG = "svg"
     PDF = "pdf"
+
+
+class AxisName(StrEnum):
+    """The axis systems that have a name; those of one line are one and the same."""
+
+    OPENGL = "opengl"
+    GLTF = "gltf"
+    THREE = "three.js"
+    MAYA = "maya"
+    GODOT = "godot"
+    BLENDER = "blender"
+    USD_Z_UP = "usd-z-up"
+    UNITY = "unity"
+    DIRECTX = "directx"
+    UNREAL = "unreal"
+    OPENCV = "opencv"
+    ROS = "ros"

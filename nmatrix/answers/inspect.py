@@ -12,6 +12,7 @@ from nmatrix.errors import CheckFailedError, IllegalValueError, quantity, shortl
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.report import Heading, Report, Table, Value, Verdict
+from nmatrix.scene.geometry import left_out
 from nmatrix.scene.gltf.file import read_gltf
 from nmatrix.scene.words import GLTF_SUFFIXES
 
@@ -99,13 +100,13 @@ def inspect_file(path: Path, tolerance: float = FROM_FILE) -> Inspection:
 
 
 def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
-    from nmatrix.scene.gltf.accessors import mesh_parts
+    from nmatrix.scene.gltf.meshes import mesh_normals
 
     file = read_gltf(path)
     if not file.nodes:
         raise IllegalValueError(f"{path}", "it has no nodes", "there is nothing to inspect")
-    degenerate = {
-        mesh: sum(part.degenerate_normals for part in mesh_parts(file, mesh))
+    normals = {
+        mesh: mesh_normals(file, mesh)
         for mesh in dict.fromkeys(node.mesh for node in file.nodes if node.mesh is not None)
     }
     nodes = []
@@ -114,9 +115,11 @@ def _inspect_gltf(path: Path, tolerance: float) -> Inspection:
         sheared = found.kind is Kind.SHEAR
         if sheared and record.matrix is not None:  # a turned scale is none by itself
             sheared = classify(node.local, tolerance).kind is not Kind.SHEAR
-        count = 0 if node.mesh is None else degenerate[node.mesh]
+        count = 0 if node.mesh is None else normals[node.mesh].degenerate
         nodes.append(InspectedNode(node.name, node.world_from_object, found, sheared, count))
-    return Inspection(path, tuple(nodes), file.remarks)
+    made = dict.fromkeys(text for one in normals.values() for text in one.remarks)
+    faults = left_out(fault for one in normals.values() for fault in one.faults)
+    return Inspection(path, tuple(nodes), (*file.remarks, *made, *faults))
 
 
 def report(inspection: Inspection, fail_on: Sequence[str] = ()) -> Report:

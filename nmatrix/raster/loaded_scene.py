@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError, printable
+from nmatrix.errors import MissingPackageError, NoAnswerError, printable
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation_about, translation_matrix
 from nmatrix.linear.angle import Angle
@@ -26,6 +26,7 @@ from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.scene.fitting import Ball, Facets, daylight, enclosing, fitted, octant
+from nmatrix.scene.geometry import DamagedPartError, left_out
 from nmatrix.scene.images import has_alpha, with_readable_images
 from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
 from nmatrix.scene.material import WHITE, Colour, Material
@@ -37,7 +38,7 @@ from nmatrix.spaces.transform import Transform
 
 Array = NDArray[Any]
 
-MOST_FACETS, MOST_ASKED = 2048, 64  # triangles of a body, and bodies, that place a fitted camera
+MOST_FACETS, MOST_ASKED = 512, 64  # triangles of a body, and bodies, that place a fitted camera
 FARTHEST = 1e100  # squares of longer lengths leave float64
 
 
@@ -233,12 +234,10 @@ def loaded(scene: Scene) -> LoadedScene:
     """
     if scene.refusal is not None:
         raise scene.refusal
-    meshes: dict[object, Mesh] = {}
-    told: dict[str, None] = {}
-    bodies = tuple(_body(one, meshes, told) for one in scene.objects)
+    bodies, faults, told = _bodies(scene)
     balls = [body.ball for body in bodies]
     made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
-    remarks = (*scene.remarks, *made, *told)
+    remarks = (*scene.remarks, *left_out(faults), *made, *told)
     is_fitted, chosen = not scene.has_camera, daylight(scene)
     if is_fitted:
         signs = octant(scene, [one.facets for one in _largest(bodies)])
@@ -285,24 +284,53 @@ def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
     return rational.product(translation_matrix(middle.tolist()), turned, back)
 
 
-def _body(one: SceneObject, meshes: dict[object, Mesh], told: dict[str, None]) -> Body:
-    """Return an object with its triangles; instances share one mesh."""
-    key = id(one.geometry)
-    if key not in meshes:
-        meshes[key] = one.geometry.mesh()
+def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError], list[str]]:
+    """Load the objects, instances with one mesh; those that cannot be drawn are faults.
+
+    What their materials could not bring along is told.
+
+    Raises
+    ------
+    DamagedPartError
+        If there are objects, and none of them can be drawn.
+    MissingPackageError
+        If a package would help.
+    """
+    meshes: dict[int, Mesh | DamagedPartError] = {}
+    bodies, told = [], []
+    for one in scene.objects:
+        key = id(one.geometry)
+        if key not in meshes:
+            try:
+                meshes[key] = one.geometry.mesh()
+            except DamagedPartError as error:
+                meshes[key] = error
+        mesh = meshes[key]
+        if isinstance(mesh, Mesh):
+            body, remarks = _body(one, mesh)
+            bodies.append(body)
+            told += remarks
+    faults = [one for one in meshes.values() if isinstance(one, DamagedPartError)]
+    if faults and not bodies:
+        packages = [one.cause for one in faults if isinstance(one.cause, MissingPackageError)]
+        raise packages[0] if packages else faults[0]
+    return tuple(bodies), faults, [*dict.fromkeys(told)]
+
+
+def _body(one: SceneObject, mesh: Mesh) -> tuple[Body, list[str]]:
+    """Put an object in its place, with as much of its material as can be drawn."""
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
-    material, remarks = with_readable_images(one.material)
-    if material.emission_texture is not None and meshes[key].uv is None:
+    material, told = with_readable_images(one.material)
+    if material.emission_texture is not None and mesh.uv is None:
         material = replace(material, emission_texture=None)
-        remarks.append(
+        told.append(
             f"emission_texture of material {printable(material.name)} changes nothing on "
             f"{printable(one.name)}: the mesh has no texture coordinates."
         )
-    told |= dict.fromkeys(remarks)
-    found = Body(one.name, meshes[key], place, material)
+    found = Body(one.name, mesh, place, material)
     if material.has_alpha and not (found.texture_has_alpha or found.vertices_have_alpha):
         found = replace(found, material=replace(material, has_alpha=False))
-    return found
+    return found, told
 
 
 def _typed(light: SceneLight) -> str:

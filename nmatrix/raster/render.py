@@ -31,6 +31,7 @@ from nmatrix.scene.words import LightKind
 Array = NDArray[Any]
 BLACK = 0.5 / 255 / 12.92  # no level of sRGB is reached by less light
 MOST_REASONS = 2  # that a remark names
+EVERY = 8  # of the points that are asked whether they are like the background
 APART = 20 / 255  # of two levels that are told apart in a lit room
 
 Change = Callable[[Surface], Surface]
@@ -140,7 +141,9 @@ class _Watched:
             self.is_black = float(found.max()) < BLACK
         if self.like is not None:
             low, high = self.like
-            self.faint += int(np.count_nonzero(((found > low) & (found < high)).all(axis=0)))
+            few = found[:, ::EVERY]
+            like = ((few > low) & (few < high)).all(axis=0)
+            self.faint += EVERY * int(np.count_nonzero(like))
         return found
 
 

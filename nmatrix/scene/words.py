@@ -8,6 +8,15 @@ GLTF_SUFFIXES = (".gltf", ".glb")
 MESH_SUFFIXES = (".obj", ".ply", ".stl")
 
 
+class NormalsFrom(StrEnum):
+    """Where the normals of a mesh come from; packed ones were not read."""
+
+    FILE = "file"
+    COMPUTED = "computed"
+    PACKED = "packed"
+    NONE = "none"
+
+
 class LightKind(StrEnum):
     """The kinds of light in a scene."""
 

@@ -22,6 +22,7 @@ KEYS = {
     "view": "camera_from_world rotation translation eye right up forward normal_matrix handed "
     "mirrored readings world_from_camera extrinsics",
     "identify '1 2 3; 4 5 6; 7 8 10'": "readings ambiguous",
+    "axes blender unity": "to_from mirrors unit_scale matrix parts winding_flips",
     "projection": "clip_from_camera handed clip_y depth_range near far left right bottom top "
     "fov_y_deg fov_x_deg aspect intrinsics readings depth_step depths",
     "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "

@@ -13,8 +13,8 @@ import pytest
 from PIL import Image
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf.accessors import primitive_mesh
 from nmatrix.scene.gltf.file import read_gltf
+from nmatrix.scene.gltf.meshes import primitive_mesh
 from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.material import EmbeddedImage, Texture
 from nmatrix.scene.words import Filter, Wrap

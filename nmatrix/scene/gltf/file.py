@@ -12,6 +12,7 @@ import binascii
 import codecs
 import struct
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -33,6 +34,7 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.scene.beside import asset_bytes, beside
 from nmatrix.scene.gltf.document import check_version, read_document
+from nmatrix.scene.gltf.primitives import Content, Kept, beyond_bytes
 from nmatrix.scene.gltf.records import Asset, Document, ImageRecord, NodeRecord
 from nmatrix.scene.hierarchy import Hierarchy
 
@@ -119,7 +121,21 @@ class GltfFile:
         return entries[index]
 
     @cached_property
-    def _buffers(self) -> dict[int, bytes]:
+    def kept(self) -> Kept:
+        """What was read and may be needed again."""
+        return Kept()
+
+    @cached_property
+    def beyond_bytes(self) -> frozenset[Content]:
+        """The primitives that have more corners than the file has bytes left for."""
+        sizes = {}
+        for index, record in enumerate(self.document.buffers):
+            with suppress(IllegalValueError):
+                sizes[record.uri or index] = len(self.buffer(index))
+        return beyond_bytes(self.document, sum(sizes.values()))
+
+    @cached_property
+    def _buffers(self) -> dict[int | str, bytes]:
         return {}
 
     def buffer(self, index: int) -> bytes:
@@ -132,18 +148,23 @@ class GltfFile:
         IllegalValueError
             If the buffer is missing or too short.
         """
-        if index in self._buffers:
-            return self._buffers[index]
         record = self.entry("buffer", self.document.buffers, index)
-        content = self.binary if record.uri is None else self._named(f"buffer {index}", record.uri)
+        place = record.uri or index  # several buffers may be one file
+        if place not in self._buffers:
+            self._buffers[place] = self._bytes_of(index, record.uri)
+        content = self._buffers[place]
         if len(content) < record.byte_length:
             raise IllegalValueError(
                 f"{self.path} (buffer {index})",
                 f"it has {len(content)} bytes and needs {record.byte_length}",
                 "copy the file again",
             )
-        self._buffers[index] = content
         return content
+
+    def _bytes_of(self, index: int, uri: str | None) -> bytes:
+        if uri is not None:
+            return self._named(f"buffer {index}", uri)
+        return self.binary if index == 0 else b""  # the container holds the first one alone
 
     def image(self, record: ImageRecord) -> bytes:
         """Return the bytes of an image that the file holds itself.

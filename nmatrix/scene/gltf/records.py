@@ -5,6 +5,7 @@ from __future__ import annotations
 import msgspec
 
 TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
+POINTS, LINES, LINE_LOOP, LINE_STRIP = 0, 1, 2, 3
 
 
 class NodeRecord(msgspec.Struct):
@@ -19,6 +20,7 @@ class NodeRecord(msgspec.Struct):
     rotation: list[float] | None = None
     scale: list[float] | None = None
     skin: int | None = None
+    weights: list[float] | None = None
     extensions: dict[str, object] = {}
 
 
@@ -30,6 +32,7 @@ class Primitive(msgspec.Struct):
     mode: int = TRIANGLES
     material: int | None = None
     targets: list[dict[str, int]] = []
+    extensions: dict[str, object] = {}
 
     @property
     def has_triangles(self) -> bool:
@@ -38,10 +41,27 @@ class Primitive(msgspec.Struct):
 
 
 class MeshRecord(msgspec.Struct):
-    """A mesh: its primitives."""
+    """A mesh: its primitives, and how far each morph target is blended in."""
 
     primitives: list[Primitive] = []
     name: str | None = None
+    weights: list[float] = []
+
+
+class SparsePlace(msgspec.Struct, rename="camel"):
+    """Where the numbers of a sparse accessor begin; indices have a component type of their own."""
+
+    buffer_view: int
+    byte_offset: int = 0
+    component_type: int | None = None
+
+
+class Sparse(msgspec.Struct):
+    """The elements of an accessor that differ from the rest: how many, which, and what they are."""
+
+    count: int
+    indices: SparsePlace
+    values: SparsePlace
 
 
 class Accessor(msgspec.Struct, rename="camel"):
@@ -53,7 +73,7 @@ class Accessor(msgspec.Struct, rename="camel"):
     buffer_view: int | None = None
     byte_offset: int = 0
     normalized: bool = False
-    sparse: dict[str, object] | None = None
+    sparse: Sparse | None = None
     min: list[float] | None = None
     max: list[float] | None = None
 
@@ -65,6 +85,7 @@ class BufferView(msgspec.Struct, rename="camel"):
     byte_length: int
     byte_offset: int = 0
     byte_stride: int | None = None
+    extensions: dict[str, object] = {}
 
 
 class Buffer(msgspec.Struct, rename="camel"):
@@ -72,6 +93,57 @@ class Buffer(msgspec.Struct, rename="camel"):
 
     byte_length: int
     uri: str | None = None
+    extensions: dict[str, object] = {}
+
+
+class DracoRecord(msgspec.Struct, rename="camel"):
+    """What of a primitive Draco packed: its bytes, and the number of each attribute in them."""
+
+    buffer_view: int
+    attributes: dict[str, int] = {}
+
+
+class Instancing(msgspec.Struct):
+    """The places of a mesh's instances, as accessors."""
+
+    attributes: dict[str, int] = {}
+
+
+class Skin(msgspec.Struct, rename="camel"):
+    """The joints that carry a mesh, and the accessor of their inverse bind matrices."""
+
+    joints: list[int]
+    inverse_bind_matrices: int | None = None
+    name: str | None = None
+
+
+class AnimationSampler(msgspec.Struct):
+    """The values of a channel over time, as accessors."""
+
+    input: int
+    output: int
+    interpolation: str = "LINEAR"
+
+
+class AnimationTarget(msgspec.Struct):
+    """The node that an animation moves, and what of it."""
+
+    path: str
+    node: int | None = None
+
+
+class AnimationChannel(msgspec.Struct):
+    """What moves a node."""
+
+    sampler: int
+    target: AnimationTarget
+
+
+class AnimationRecord(msgspec.Struct):
+    """An animation: what moves what."""
+
+    channels: list[AnimationChannel] = []
+    samplers: list[AnimationSampler] = []
 
 
 class Perspective(msgspec.Struct, rename="camel"):
@@ -289,7 +361,8 @@ class Document(msgspec.Struct, rename="camel"):
     textures: list[TextureRecord] = []
     samplers: list[Sampler] = []
     images: list[ImageRecord] = []
-    animations: list[msgspec.Raw] = []
+    skins: list[Skin] = []
+    animations: list[AnimationRecord] = []
     extensions: dict[str, object] = {}
     extensions_used: list[str] = []
     extensions_required: list[str] = []

@@ -135,6 +135,9 @@ class ObjectRecord(Record, frozen=True):
         str | None, Meta(description="A permutation of XYZ (intrinsic) or xyz (extrinsic).")
     ] = None
     quaternion: Annotated[Four | None, Meta(description="x, y, z, w instead of angles.")] = None
+    axis_angle: Annotated[
+        Four | None, Meta(description="x, y, z of an axis and degrees instead of angles.")
+    ] = None
     scale: Annotated[
         float | Three | None, Meta(description="Stretch, by three numbers or one for all.")
     ] = None
