@@ -16,7 +16,7 @@ from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
-from nmatrix.raster.shading.opacity import clear, solid
+from nmatrix.raster.shading.opacity import clear, opacity_inputs, solid
 from nmatrix.raster.shading.outline import OF_HULLS, hull
 from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
 from nmatrix.raster.shading.space import ShadingSpace, as_array
@@ -208,6 +208,9 @@ def _drawable(
     if body.rate is not None and surface is right:
         even = body.rate.even_triangles(loaded, body.body, projected)
     outputs = surface.vertex(projected)
+    if body.body.material.is_clear:
+        inputs = opacity_inputs(body.body, projected)
+        outputs = replace(outputs, points={**outputs.points, **inputs})
     seen_through, kept = clear(body.body), solid(body.body, projected)
     like = _like_background(plan, body.body.material.opacity if seen_through else 1.0)
     watched = _Watched(surface.fragment, like)
