@@ -13,11 +13,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from nmatrix.answers.render import PictureChoices, scene_frame
 from nmatrix.answers.render import render as report_of
 from nmatrix.enums import Effect
 from nmatrix.linear.rational import identity
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.proofs.frames import PictureFrame, around
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry
@@ -355,6 +357,26 @@ def test_what_no_background_parts_is_told(tmp_path: Path) -> None:
     (told,) = [one for one in remarks(scene) if "from the background" in one]
     assert "fewer than 20 levels" in told
     assert 35 < float(told.split()[1]) < 65
+
+
+def test_all_frames_of_a_turn_have_one_background(tmp_path: Path) -> None:
+    """A white front and a black back: each by itself would have a background of its own."""
+    front, back = quad(0, 1), quad(0, 1, back=True)
+    both = Mesh(
+        np.concatenate([front.positions, back.positions - (0, 0, 0.1)]),
+        np.concatenate([front.normals, back.normals]),
+        np.concatenate([front.triangles, back.triangles + 4]),
+    )
+    colours = np.repeat([[1, 1, 1, 1], [0, 0, 0, 1]], 4, axis=0).astype(float)
+    scene = gltf(tmp_path, both, base(1, 1, 1, **UNLIT), colours=colours)
+    frame = scene_frame(scene, "thing", PictureChoices(size=(40, 40)))
+    alone = {ground(frame.turned(angle)) for angle in (0, 180)}
+    assert len(alone) == 2
+    assert len({ground(one) for one in around(frame, 4)}) == 1
+
+
+def ground(frame: PictureFrame) -> tuple[int, ...]:
+    return tuple(frame.draw().image[0, 0].tolist())
 
 
 # --- the camera
