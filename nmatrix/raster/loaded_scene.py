@@ -138,15 +138,17 @@ class Body:
 
     @cached_property
     def texture_has_alpha(self) -> bool:
-        """True if the texture has an opacity of its own, and the mesh coordinates for it."""
+        """True if the texture brings an opacity that counts, and the mesh coordinates for it."""
         found = self.material.texture
-        return found is not None and self.mesh.uv is not None and has_alpha(found)
+        counts = self.material.has_alpha and found is not None and self.mesh.uv is not None
+        return counts and found is not None and has_alpha(found)
 
     @property
     def vertices_have_alpha(self) -> bool:
         """True if the vertices' colours bring an opacity that counts."""
-        colours = self.mesh.colours
-        return self.material.vertex_colours and colours is not None and colours.shape[1] == 4
+        material, colours = self.material, self.mesh.colours
+        counts = material.has_alpha and material.vertex_colours
+        return counts and colours is not None and colours.shape[1] == 4
 
     @property
     def ball(self) -> Ball:

@@ -23,6 +23,7 @@ from nmatrix.raster.proofs.frames import PictureFrame, around
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.scene.images import read_image
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import box, sphere, torus
 from nmatrix.scene.open import scene_of
@@ -245,6 +246,21 @@ def test_blending_takes_the_alpha_of_texture_and_vertices(tmp_path: Path) -> Non
     assert np.abs(middle - (1.055 * light ** (1 / 2.4) - 0.055)).max() < 1e-3
 
 
+def test_an_opacity_alone_asks_neither_texture_nor_vertices(tmp_path: Path) -> None:
+    """Scene files say one opacity; the alpha of an image counts where holes are asked for."""
+    levels = []
+    for alpha in (255, 40):
+        texels = np.full((2, 2, 4), (200, 100, 50, alpha), np.uint8)
+        Image.fromarray(texels).save(tmp_path / "a.png")
+        (tmp_path / "a.toml").write_text(
+            '[[object]]\nshape = "plane"\nmaterial = "m"\n[render]\nsize = [40, 40]\n'
+            '[materials.m]\ntexture = "a.png"\nopacity = 0.5\n'
+        )
+        read_image.cache_clear()
+        levels.append(drawn_scene(scene_of(tmp_path / "a.toml")).levels)
+    assert (levels[0] == levels[1]).all()
+
+
 def test_blending_without_any_alpha_is_opaque(tmp_path: Path) -> None:
     solid = image(np.full((1, 1, 3), 9, np.uint8))
     drawn = shown(gltf(tmp_path, quad(0, 1), textured(alphaMode="BLEND"), (solid,)))
@@ -339,6 +355,15 @@ def test_what_is_drawn_stands_out_from_the_background(
     apart = np.abs(covered(drawn) - ground).max(axis=1)
     assert (apart >= APART).mean() > 0.98
     assert not [one for one in remarks(scene) if "from the background" in one]
+
+
+@pytest.mark.parametrize("level", [255, 250, 236, 128, 20, 0])
+def test_an_image_stands_out_though_only_drawing_tells_its_colour(
+    tmp_path: Path, level: int
+) -> None:
+    texels = np.full((2, 2, 3), level, np.uint8)
+    drawn = shown(gltf(tmp_path, quad(0, 1), textured(**UNLIT), (image(texels),)))
+    assert np.abs(covered(drawn) - drawn.levels[0, 0].astype(int)).min() >= APART
 
 
 def test_what_no_background_parts_is_told(tmp_path: Path) -> None:
@@ -454,6 +479,12 @@ def test_triangles_without_area_are_told(tmp_path: Path) -> None:
     assert empty(gltf(tmp_path, line)) == [
         "Nothing can be seen: thing has no triangle with an area."
     ]
+
+
+def test_a_file_of_lines_alone_says_so(tmp_path: Path) -> None:
+    lines = [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 1}]}]
+    with pytest.raises(ValueError, match=r"no triangles in its scene \(other primitives: 1 of lin"):
+        loaded(gltf(tmp_path, quad(0, 1), meshes=lines))
 
 
 def test_what_covers_next_to_nothing_is_told(tmp_path: Path) -> None:

@@ -81,7 +81,7 @@ class _Reading:
             return self.objects.faults[0]
         if not objects:
             others = self.objects.others
-            beside = f", but primitives {others}" if others else ""
+            beside = f" (other primitives: {others})" if others else ""
             why = f"it draws nothing: there are no triangles in its scene{beside}"
             return self.file.fault(why)
         return None
