@@ -70,7 +70,7 @@ class Image(NamedTuple):
     alpha: Array | None
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)  # more than most scenes have: each stripe of a picture asks for all
 def read_image(source: ImageSource) -> Image:
     """Read an image, if its header tells of a kind and a size that are read.
 

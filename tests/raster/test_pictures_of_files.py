@@ -404,6 +404,19 @@ def ground(frame: PictureFrame) -> tuple[int, ...]:
     return tuple(frame.draw().image[0, 0].tolist())
 
 
+def test_black_things_are_told_together_and_why(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0, "name": f"part {i}", "translation": [3 * i, 0, 0]} for i in range(6)]
+    whole = gltf(tmp_path, sphere(6, 12), base(0, 0, 0), nodes=nodes)
+    (told,) = [one for one in remarks(whole) if "black" in one]
+    assert told == (
+        "part 0, part 1, part 2, part 3, … are black: its material sends no light of lamps back; "
+        "its material sends no ambient light back."
+    )
+    dark = gltf(tmp_path, quad(0, 1), textured(), (image(np.zeros((2, 2, 3))),))
+    (told,) = [one for one in remarks(dark) if "black" in one]
+    assert "its texture or its colours are black there; what it sends back of ambient" in told
+
+
 # --- the camera
 
 
