@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from nmatrix.enums import Reflection
-from nmatrix.errors import IllegalValueError, printable, shortlist
+from nmatrix.errors import printable, shortlist
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
 from nmatrix.scene.material import AMBIENT_SHARE, BLACK, Colour, Material, Texture, grey
