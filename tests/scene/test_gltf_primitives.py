@@ -52,7 +52,7 @@ def test_a_cube_without_normals_has_six_flat_sides_and_says_so(tmp_path: Path) -
         "POSITION": made.add(CUBE),
         "TEXCOORD_0": made.add(uv),
         "COLOR_0": made.add(np.abs(CUBE)),
-        "TANGENT": made.add([[1.0, 0, 0, 1]] * 8),
+        "TANGENT": made.add([[float("nan"), 0, 0, 1]] * 8),
     }
     primitive = {"attributes": attributes, "indices": made.add(CUBE_CORNERS, "u2")}
     file = made.file(tmp_path, meshes=meshes(primitive))
@@ -113,7 +113,7 @@ def test_a_normal_that_is_not_finite_counts_as_none(tmp_path: Path) -> None:
     mesh = primitive_mesh(file, 0, 0)
     assert mesh.normals.tolist() == [[0, 0, 1], [0, 0, 0], [0, 0, 1], [0, 0, 1]]
     assert mesh_normals(file, 0).degenerate == 1
-    told = "1 normals are not finite and count as none; the first is that of vertex 1."
+    told = "1 normal is not finite, first that of vertex 1, and taken as none."
     assert mesh.remarks == (f"mesh 0 (Wheel), primitive 0: {told}",)
 
 
@@ -292,7 +292,7 @@ def test_what_of_a_skin_counts_is_told(tmp_path: Path) -> None:
     scene = loaded(gltf_scene(made.file(tmp_path, **skinned(made)).path))
     told = "Joints carry the meshes of nodes whose own transforms do not count: body."
     assert told in scene.remarks
-    assert any("weights of 4 vertices sum to" in text for text in scene.remarks)
+    assert any("weights of 4 vertices were brought to a sum of 1" in text for text in scene.remarks)
     made = Made()
     parts = skinned(made)
     attributes = parts["meshes"][0]["primitives"][0]["attributes"]

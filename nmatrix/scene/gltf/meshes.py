@@ -40,14 +40,13 @@ TYPES = {
     "POSITION": ("VEC3",),
     "NORMAL": ("VEC3",),
     "TANGENT": ("VEC4",),
-    "TEXCOORD": ("VEC2",),
     "COLOR_0": ("VEC3", "VEC4"),
 }
+COORDINATES, TYPES_OF_COORDINATES = "TEXCOORD_", ("VEC2",)
 FIELDS = {
     "POSITION": "positions",
     "NORMAL": "normals",
     "TANGENT": "tangents",
-    "TEXCOORD": "uv",
     "COLOR_0": "colours",
 }
 FAR_FROM_ONE = 0.02  # a sum of weights; four of 8 bits may be off by 0.008
@@ -150,9 +149,8 @@ class _Part:
         vertices, remarks = self._at_rest(rows, triangles, pose)
         if vertices.normals is None:
             remarks.append(f"Flat normals were made where {self.file.path.name} has none.")
-            vertices = _flat(vertices)
-        normals = np.zeros_like(vertices.positions)
-        if vertices.normals is not None:
+            vertices, normals = _flat(vertices)
+        else:
             normals = unit(vertices.normals)
         uv, colours = vertices.uv, vertices.colours
         return Mesh(
@@ -168,26 +166,28 @@ class _Part:
     def _at_rest(self, rows: Rows, triangles: Array, pose: Pose) -> tuple[Vertices, list[str]]:
         """Read the vertices that are referred to, morphed and carried by their joints."""
         remarks = []
-        names = [self._spelled(name) for name in TYPES]
-        found = {name: self._values(name) for name in names if name in self.record.attributes}
+        present = set(self.record.attributes)
+        if "NORMAL" not in present:
+            present.discard("TANGENT")  # 3.7.2.1: without normals they are ignored
+        found = {name: self._values(name) for name in self.fields if name in present}
         read = {name: one.finite(rows) for name, one in found.items() if name != "NORMAL"}
         if "NORMAL" in found:
             normals = read["NORMAL"] = found["NORMAL"].floats(rows)
             bad = ~np.isfinite(normals).all(axis=1)
             if bad.any():
                 first = int(np.arange(self.count)[rows][bad][0])
-                told = f"{np.count_nonzero(bad)} normals are not finite and count as none"
-                remarks.append(f"{self.name}: {told}; the first is that of vertex {first}.")
+                count = int(np.count_nonzero(bad))
+                some = "1 normal is" if count == 1 else f"{count} normals are"
+                told = f"{some} not finite, first that of vertex {first}, and taken as none"
+                remarks.append(f"{self.name}: {told}.")
                 normals[bad] = 0.0
-        else:
-            read.pop("TANGENT", None)  # 3.7.2.1: without normals they are ignored
         for i, (target, weight) in enumerate(zip(self.record.targets, pose.weights, strict=False)):
             for name in read:
                 if weight and name in target:
                     delta = self._of_target(i, name, target[name]).finite(rows)
                     read[name][:, : delta.shape[1]] += weight * delta
         vertices = Vertices(
-            triangles=triangles, **{FIELDS[_plain(name)]: one for name, one in read.items()}
+            triangles=triangles, **{self.fields[name]: one for name, one in read.items()}
         )
         if pose.skin is None:
             return vertices, remarks
@@ -221,8 +221,10 @@ class _Part:
         if not far.any():
             return blended(matrices, joint, weight), []
         worst = total[np.argmax(np.abs(total - 1))]
-        told = f"the weights of {np.count_nonzero(far)} vertices sum to {worst:g} or the like"
-        return blended(matrices, joint, weight), [f"{self.name}: {told} and were brought to 1."]
+        count = int(np.count_nonzero(far))
+        some = "1 vertex" if count == 1 else f"{count} vertices"
+        told = f"the weights of {some} were brought to a sum of 1, at worst from {worst:g}"
+        return blended(matrices, joint, weight), [f"{self.name}: {told}."]
 
     @cached_property
     def unpacked(self) -> tuple[Mapping[str, Values], Array | None]:
@@ -242,6 +244,11 @@ class _Part:
         return all(
             0 <= i < len(accessors) and accessors[i].buffer_view is not None for i in indices
         )
+
+    @property
+    def fields(self) -> dict[str, str]:
+        """The attributes that are read, and what they are called here."""
+        return {**FIELDS, f"{COORDINATES}{self.coordinates}": "uv"}
 
     @cached_property
     def count(self) -> int:
@@ -269,10 +276,6 @@ class _Part:
             why = f"its {corners} corners are more than the file has bytes left for"
             raise self.file.fault(why)
 
-    def _spelled(self, name: str) -> str:
-        """Spell the name of an attribute, with the number of its set."""
-        return f"{name}_{self.coordinates}" if name == "TEXCOORD" else name
-
     def _values(self, name: str) -> Values:
         """Look up an attribute, which has an element for every vertex."""
         found = self._found(name)
@@ -287,12 +290,10 @@ class _Part:
             return unpacked[name]
         if name not in self.record.attributes:
             raise self.file.fault(f"it has no {name}")
-        return values(
-            self.file, self.record.attributes[name], name, TYPES.get(_plain(name), ("VEC4",))
-        )
+        return values(self.file, self.record.attributes[name], name, _types(name))
 
     def _of_target(self, number: int, name: str, accessor: int) -> Values:
-        types = ("VEC3",) if name == "TANGENT" else TYPES[_plain(name)]
+        types = ("VEC3",) if name == "TANGENT" else _types(name)
         found = values(self.file, accessor, f"{name} of morph target {number}", types)
         if len(found) != self.count:
             why = f"{name} of morph target {number} has {len(found)} elements"
@@ -300,9 +301,9 @@ class _Part:
         return found
 
 
-def _plain(name: str) -> str:
-    """Drop the number of a set of texture coordinates."""
-    return "TEXCOORD" if name.startswith("TEXCOORD_") else name
+def _types(name: str) -> tuple[str, ...]:
+    """Tell what types an attribute may have; those of joints and weights have four components."""
+    return TYPES_OF_COORDINATES if name.startswith(COORDINATES) else TYPES.get(name, ("VEC4",))
 
 
 def _referred(triangles: Array, count: int) -> tuple[Rows, Array]:
@@ -317,20 +318,20 @@ def _referred(triangles: Array, count: int) -> tuple[Rows, Array]:
     return np.flatnonzero(is_used), (np.cumsum(is_used) - 1)[triangles]
 
 
-def _flat(vertices: Vertices) -> Vertices:
-    """Give every triangle vertices of its own, with its normal."""
+def _flat(vertices: Vertices) -> tuple[Vertices, Array]:
+    """Give every triangle vertices of its own, and them its normal."""
     order = vertices.triangles.ravel()
     positions = vertices.positions[order]
     triangles = np.arange(len(order), dtype=np.intp).reshape(-1, 3)
     faces = Mesh(positions, np.zeros_like(positions), triangles).face_normals
     uv, colours = vertices.uv, vertices.colours
-    return Vertices(
+    split = Vertices(
         positions,
         triangles,
-        np.repeat(faces, 3, axis=0),
         uv=None if uv is None else uv[order],
         colours=None if colours is None else colours[order],
     )
+    return split, np.repeat(faces, 3, axis=0)
 
 
 def _triangles(corners: Array, mode: int) -> Array:
