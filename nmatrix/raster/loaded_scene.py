@@ -38,7 +38,7 @@ from nmatrix.spaces.transform import Transform
 
 Array = NDArray[Any]
 
-MOST_FACETS, MOST_ASKED = 2048, 64  # triangles of a body, and bodies, that place a fitted camera
+MOST_FACETS, MOST_ASKED = 512, 64  # triangles of a body, and bodies, that place a fitted camera
 FARTHEST = 1e100  # squares of longer lengths leave float64
 
 
@@ -138,15 +138,17 @@ class Body:
 
     @cached_property
     def texture_has_alpha(self) -> bool:
-        """True if the texture has an opacity of its own, and the mesh coordinates for it."""
+        """True if the texture brings an opacity that counts, and the mesh coordinates for it."""
         found = self.material.texture
-        return found is not None and self.mesh.uv is not None and has_alpha(found)
+        counts = self.material.has_alpha and found is not None and self.mesh.uv is not None
+        return counts and found is not None and has_alpha(found)
 
     @property
     def vertices_have_alpha(self) -> bool:
         """True if the vertices' colours bring an opacity that counts."""
-        colours = self.mesh.colours
-        return self.material.vertex_colours and colours is not None and colours.shape[1] == 4
+        material, colours = self.material, self.mesh.colours
+        counts = material.has_alpha and material.vertex_colours
+        return counts and colours is not None and colours.shape[1] == 4
 
     @property
     def ball(self) -> Ball:
@@ -234,8 +236,7 @@ def loaded(scene: Scene) -> LoadedScene:
     """
     if scene.refusal is not None:
         raise scene.refusal
-    told: dict[str, None] = {}
-    bodies, faults = _bodies(scene, told)
+    bodies, faults, told = _bodies(scene)
     balls = [body.ball for body in bodies]
     made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
     remarks = (*scene.remarks, *left_out(faults), *made, *told)
@@ -285,8 +286,10 @@ def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
     return rational.product(translation_matrix(middle.tolist()), turned, back)
 
 
-def _bodies(scene: Scene, told: dict[str, None]) -> tuple[tuple[Body, ...], list[DamagedPartError]]:
+def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError], list[str]]:
     """Load the objects, instances with one mesh; those that cannot be drawn are faults.
+
+    What their materials could not bring along is told.
 
     Raises
     ------
@@ -296,7 +299,7 @@ def _bodies(scene: Scene, told: dict[str, None]) -> tuple[tuple[Body, ...], list
         If a package would help.
     """
     meshes: dict[int, Mesh | DamagedPartError] = {}
-    bodies = []
+    bodies, told = [], []
     for one in scene.objects:
         key = id(one.geometry)
         if key not in meshes:
@@ -306,29 +309,30 @@ def _bodies(scene: Scene, told: dict[str, None]) -> tuple[tuple[Body, ...], list
                 meshes[key] = error
         mesh = meshes[key]
         if isinstance(mesh, Mesh):
-            bodies.append(_body(one, mesh, told))
+            body, remarks = _body(one, mesh)
+            bodies.append(body)
+            told += remarks
     faults = [one for one in meshes.values() if isinstance(one, DamagedPartError)]
     if faults and not bodies:
         packages = [one.cause for one in faults if isinstance(one.cause, MissingPackageError)]
         raise packages[0] if packages else faults[0]
-    return tuple(bodies), faults
+    return tuple(bodies), faults, [*dict.fromkeys(told)]
 
 
-def _body(one: SceneObject, mesh: Mesh, told: dict[str, None]) -> Body:
-    """Put an object's triangles in their place, with what of its material can be drawn."""
+def _body(one: SceneObject, mesh: Mesh) -> tuple[Body, list[str]]:
+    """Put an object in its place, with as much of its material as can be drawn."""
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
-    material, remarks = with_readable_images(one.material)
+    material, told = with_readable_images(one.material)
     if material.emission_texture is not None and mesh.uv is None:
         material = replace(material, emission_texture=None)
-        remarks.append(
+        told.append(
             f"emission_texture of material {printable(material.name)} changes nothing on "
             f"{printable(one.name)}: the mesh has no texture coordinates."
         )
-    told |= dict.fromkeys(remarks)
     found = Body(one.name, mesh, place, material)
     if material.has_alpha and not (found.texture_has_alpha or found.vertices_have_alpha):
         found = replace(found, material=replace(material, has_alpha=False))
-    return found
+    return found, told
 
 
 def _typed(light: SceneLight) -> str:

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect
-from nmatrix.errors import printable
+from nmatrix.errors import printable, shortlist
 from nmatrix.raster.loaded_scene import LoadedScene
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
-from nmatrix.raster.shading.opacity import clear, solid
+from nmatrix.raster.shading.opacity import clear, opacity_inputs, solid
 from nmatrix.raster.shading.outline import OF_HULLS, hull
 from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
 from nmatrix.raster.shading.space import ShadingSpace, as_array
@@ -30,7 +30,8 @@ from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 BLACK = 0.5 / 255 / 12.92  # no level of sRGB is reached by less light
-MOST_REASONS = 2  # that a remark names
+MOST_REASONS, MOST_NAMED = 2, 4  # that a remark names
+EVERY = 8  # of the points that are asked whether they are like the background
 APART = 20 / 255  # of two levels that are told apart in a lit room
 
 Change = Callable[[Surface], Surface]
@@ -110,7 +111,7 @@ def render(
         for body, one, samples in zip(plan.drawn, drawables, picture.shaded, strict=False)
         if samples and isinstance(one.fragment, _Watched) and one.fragment.is_black
     ]
-    remarks = tuple(_why_black(one) for one in dark)
+    remarks = _told_of_black(loaded, dark)
     work = _work(drawn, picture, passes)
     seen, faint = picture.seen, _faint(drawables, sum(picture.shaded))
     return Rendered(picture.image, work, picture.shaded, remarks, picture.depth, seen, faint)
@@ -140,7 +141,9 @@ class _Watched:
             self.is_black = float(found.max()) < BLACK
         if self.like is not None:
             low, high = self.like
-            self.faint += int(np.count_nonzero(((found > low) & (found < high)).all(axis=0)))
+            few = found[:, ::EVERY]
+            like = ((few > low) & (few < high)).all(axis=0)
+            self.faint += EVERY * int(np.count_nonzero(like))
         return found
 
 
@@ -161,19 +164,34 @@ def _like_background(plan: Plan, opacity: float) -> tuple[Array, Array] | None:
     return low, high
 
 
-def _why_black(body: BodyPlan) -> str:
-    """Say why a body is black."""
+def _told_of_black(loaded: LoadedScene, dark: Sequence[BodyPlan]) -> tuple[str, ...]:
+    """Name the bodies that are black, those together that are so for the same reasons."""
+    alike: dict[str, list[str]] = {}
+    for one in dark:
+        alike.setdefault(_why_black(loaded, one), []).append(printable(one.body.name))
+    return tuple(
+        f"{shortlist(names, MOST_NAMED)} {'is' if len(names) == 1 else 'are'} black: {why}."
+        for why, names in alike.items()
+    )
+
+
+def _why_black(loaded: LoadedScene, body: BodyPlan) -> str:
+    """Find the reasons why a body is black: of lamps, and of the light from everywhere."""
     lamps = [f"{one.placed.light.name} {one.because}" for one in body.light_decisions if not one.on]
     if body.lights:
         lamps.append(f"what {body.lights[0].light.name} sends falls on no side that is seen")
+        if body.effects & {Effect.TEXTURE, Effect.VERTEX_COLOURS}:
+            lamps[-1] += ", or its texture or its colours are black there"
     material = body.body.material
-    if not any((*material.diffuse, *material.specular)):
+    if not any(material.diffuse) and not material.shines:
         lamps = ["its material sends no light of lamps back"]
     reasons = [*lamps[:MOST_REASONS], *([] if lamps else ["the scene has no lamp"])]
-    ambient = "its material sends no ambient light back"
-    if any(material.ambient):
+    ambient = "what it sends back of ambient light makes no level"
+    if not any(material.ambient):
+        ambient = "its material sends no ambient light back"
+    elif not any(loaded.ambient_light):
         ambient = "the ambient light is black"
-    return f"{printable(body.body.name)} is black: {'; '.join(reasons)}; {ambient}."
+    return f"{'; '.join(reasons)}; {ambient}"
 
 
 def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
@@ -203,6 +221,9 @@ def _drawable(
     if body.rate is not None and surface is right:
         even = body.rate.even_triangles(loaded, body.body, projected)
     outputs = surface.vertex(projected)
+    if body.body.material.is_clear:
+        inputs = opacity_inputs(body.body, projected)
+        outputs = replace(outputs, points={**outputs.points, **inputs})
     seen_through, kept = clear(body.body), solid(body.body, projected)
     like = _like_background(plan, body.body.material.opacity if seen_through else 1.0)
     watched = _Watched(surface.fragment, like)

@@ -96,4 +96,4 @@ def _samples(plan: Plan) -> int:
 
 
 def _percent(part: float) -> str:
-    return f"{100 * part:.2g} %"
+    return f"{100 * part:.0f} %" if part >= FAINT else f"{100 * part:.2g} %"

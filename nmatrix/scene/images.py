@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, printable
-from nmatrix.scene.material import EmbeddedImage, ImageSource, Material, Texture
+from nmatrix.scene.material import BLACK, EmbeddedImage, ImageSource, Material, Texture
 from nmatrix.scene.words import Pattern
 
 if TYPE_CHECKING:
@@ -58,6 +58,8 @@ def with_readable_images(material: Material) -> tuple[Material, list[str]]:
                 name = printable(Path(found.image.name).name)
                 told.append(f"An image is not drawn: {name}: {error.parts[1]}.")
                 lost[field] = None
+                if found is material.emission_texture:
+                    lost["emission"] = BLACK  # what of it would have shone is not known
     return replace(material, **lost) if lost else material, told
 
 
@@ -68,7 +70,7 @@ class Image(NamedTuple):
     alpha: Array | None
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)  # more than most scenes have: each stripe of a picture asks for all
 def read_image(source: ImageSource) -> Image:
     """Read an image, if its header tells of a kind and a size that are read.
 

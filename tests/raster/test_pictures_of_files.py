@@ -13,14 +13,17 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from nmatrix.answers.render import PictureChoices, scene_frame
 from nmatrix.answers.render import render as report_of
 from nmatrix.enums import Effect
 from nmatrix.linear.rational import identity
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.loaded_scene import loaded
+from nmatrix.raster.proofs.frames import PictureFrame, around
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.scene.images import read_image
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import box, sphere, torus
 from nmatrix.scene.open import scene_of
@@ -243,6 +246,21 @@ def test_blending_takes_the_alpha_of_texture_and_vertices(tmp_path: Path) -> Non
     assert np.abs(middle - (1.055 * light ** (1 / 2.4) - 0.055)).max() < 1e-3
 
 
+def test_an_opacity_alone_asks_neither_texture_nor_vertices(tmp_path: Path) -> None:
+    """Scene files say one opacity; the alpha of an image counts where holes are asked for."""
+    levels = []
+    for alpha in (255, 40):
+        texels = np.full((2, 2, 4), (200, 100, 50, alpha), np.uint8)
+        Image.fromarray(texels).save(tmp_path / "a.png")
+        (tmp_path / "a.toml").write_text(
+            '[[object]]\nshape = "plane"\nmaterial = "m"\n[render]\nsize = [40, 40]\n'
+            '[materials.m]\ntexture = "a.png"\nopacity = 0.5\n'
+        )
+        read_image.cache_clear()
+        levels.append(drawn_scene(scene_of(tmp_path / "a.toml")).levels)
+    assert (levels[0] == levels[1]).all()
+
+
 def test_blending_without_any_alpha_is_opaque(tmp_path: Path) -> None:
     solid = image(np.full((1, 1, 3), 9, np.uint8))
     drawn = shown(gltf(tmp_path, quad(0, 1), textured(alphaMode="BLEND"), (solid,)))
@@ -339,6 +357,15 @@ def test_what_is_drawn_stands_out_from_the_background(
     assert not [one for one in remarks(scene) if "from the background" in one]
 
 
+@pytest.mark.parametrize("level", [255, 250, 236, 128, 20, 0])
+def test_an_image_stands_out_though_only_drawing_tells_its_colour(
+    tmp_path: Path, level: int
+) -> None:
+    texels = np.full((2, 2, 3), level, np.uint8)
+    drawn = shown(gltf(tmp_path, quad(0, 1), textured(**UNLIT), (image(texels),)))
+    assert np.abs(covered(drawn) - drawn.levels[0, 0].astype(int)).min() >= APART
+
+
 def test_what_no_background_parts_is_told(tmp_path: Path) -> None:
     """Half of it is white and half nearly black, as the two backgrounds are."""
     texels = np.zeros((1, 2, 3), np.uint8)
@@ -355,6 +382,39 @@ def test_what_no_background_parts_is_told(tmp_path: Path) -> None:
     (told,) = [one for one in remarks(scene) if "from the background" in one]
     assert "fewer than 20 levels" in told
     assert 35 < float(told.split()[1]) < 65
+
+
+def test_all_frames_of_a_turn_have_one_background(tmp_path: Path) -> None:
+    """A white front and a black back: each by itself would have a background of its own."""
+    front, back = quad(0, 1), quad(0, 1, back=True)
+    both = Mesh(
+        np.concatenate([front.positions, back.positions - (0, 0, 0.1)]),
+        np.concatenate([front.normals, back.normals]),
+        np.concatenate([front.triangles, back.triangles + 4]),
+    )
+    colours = np.repeat([[1, 1, 1, 1], [0, 0, 0, 1]], 4, axis=0).astype(float)
+    scene = gltf(tmp_path, both, base(1, 1, 1, **UNLIT), colours=colours)
+    frame = scene_frame(scene, "thing", PictureChoices(size=(40, 40)))
+    alone = {ground(frame.turned(angle)) for angle in (0, 180)}
+    assert len(alone) == 2
+    assert len({ground(one) for one in around(frame, 4)}) == 1
+
+
+def ground(frame: PictureFrame) -> tuple[int, ...]:
+    return tuple(frame.draw().image[0, 0].tolist())
+
+
+def test_black_things_are_told_together_and_why(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0, "name": f"part {i}", "translation": [3 * i, 0, 0]} for i in range(6)]
+    whole = gltf(tmp_path, sphere(6, 12), base(0, 0, 0), nodes=nodes)
+    (told,) = [one for one in remarks(whole) if "black" in one]
+    assert told == (
+        "part 0, part 1, part 2, part 3, … are black: its material sends no light of lamps back; "
+        "its material sends no ambient light back."
+    )
+    dark = gltf(tmp_path, quad(0, 1), textured(), (image(np.zeros((2, 2, 3))),))
+    (told,) = [one for one in remarks(dark) if "black" in one]
+    assert "its texture or its colours are black there; what it sends back of ambient" in told
 
 
 # --- the camera
@@ -432,6 +492,12 @@ def test_triangles_without_area_are_told(tmp_path: Path) -> None:
     assert empty(gltf(tmp_path, line)) == [
         "Nothing can be seen: thing has no triangle with an area."
     ]
+
+
+def test_a_file_of_lines_alone_says_so(tmp_path: Path) -> None:
+    lines = [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 1}]}]
+    with pytest.raises(ValueError, match=r"no triangles in its scene \(other primitives: 1 of lin"):
+        loaded(gltf(tmp_path, quad(0, 1), meshes=lines))
 
 
 def test_what_covers_next_to_nothing_is_told(tmp_path: Path) -> None:

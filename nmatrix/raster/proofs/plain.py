@@ -44,7 +44,7 @@ def picture(
 
 
 def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
-    if not drawn.rendered.work.fragments:
+    if not any(drawn.rendered.seen):
         return "Nothing covers a sample."
     if rule is not NormalRule.EXACT:
         return _of_rule(worst, rule)

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from nmatrix.enums import Effect, NormalRule, Shading
 from nmatrix.raster.shading.lighting import Lighting, Lit, colour
 from nmatrix.raster.shading.normals import bumped, turned_towards
-from nmatrix.raster.shading.opacity import opacity_inputs
 from nmatrix.raster.shading.space import ShadingSpace, quotient
 from nmatrix.raster.shading.texture import sample
 from nmatrix.raster.triangles.fragments import Fragments, Interpolation, VertexOutputs
@@ -63,8 +62,6 @@ class Surface:
             points["uv"] = projected.per_vertex(uv)
         if Effect.VERTEX_COLOURS in self.effects and mesh.colours is not None:
             points["colour"] = projected.per_vertex(mesh.colours.T[: self.style.channels])
-        if Effect.TRANSPARENCY in self.effects:
-            points |= opacity_inputs(self.space.body, projected)
         if Effect.NORMAL_MAP in self.effects and mesh.tangents is not None:
             tangents = self.space.vectors(mesh.tangents[:, :3])
             points["tangent"] = projected.per_vertex(tangents)

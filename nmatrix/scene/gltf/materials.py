@@ -11,7 +11,7 @@ from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, Sampler, TextureReference
-from nmatrix.scene.material import Colour, EmbeddedImage, ImageSource, Material, Texture
+from nmatrix.scene.material import BLACK, Colour, EmbeddedImage, ImageSource, Material, Texture
 from nmatrix.scene.words import Filter, Sides, Wrap
 
 MOST_NAMED = 4  # files that a remark names
@@ -46,16 +46,18 @@ class Materials:
         red, green, blue, alpha = (min(max(one, 0.0), 1.0) for one in surface.base_color_factor)
         base = (red, green, blue)
         coordinates = self.coordinates(index)
+        emission_texture = self._texture(record.emissive_texture, coordinates)
+        emission_is_lost = record.emissive_texture is not None and emission_texture is None
         found = Material(
             name=record.name or ("default" if index is None else f"material {index}"),
             ambient=_times(base, AMBIENT_PART),
             diffuse=_times(base, 1.0 - AMBIENT_PART),
-            emission=_emission(record),
+            emission=BLACK if emission_is_lost else _emission(record),
             opacity=1.0 if record.alpha_mode == "OPAQUE" else alpha,
             has_alpha=record.alpha_mode != "OPAQUE",
             alpha_cutoff=record.alpha_cutoff if record.alpha_mode == "MASK" else None,
             texture=self._texture(surface.base_color_texture, coordinates),
-            emission_texture=self._texture(record.emissive_texture, coordinates),
+            emission_texture=emission_texture,
             normal_map=self._texture(record.normal_texture, coordinates),
             vertex_colours=vertex_colours,
             sides=Sides.BOTH if record.double_sided else Sides.FRONT,

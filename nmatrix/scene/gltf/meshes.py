@@ -40,14 +40,13 @@ TYPES = {
     "POSITION": ("VEC3",),
     "NORMAL": ("VEC3",),
     "TANGENT": ("VEC4",),
-    "TEXCOORD": ("VEC2",),
     "COLOR_0": ("VEC3", "VEC4"),
 }
+COORDINATES, TYPES_OF_COORDINATES = "TEXCOORD_", ("VEC2",)
 FIELDS = {
     "POSITION": "positions",
     "NORMAL": "normals",
     "TANGENT": "tangents",
-    "TEXCOORD": "uv",
     "COLOR_0": "colours",
 }
 FAR_FROM_ONE = 0.02  # a sum of weights; four of 8 bits may be off by 0.008
@@ -170,8 +169,7 @@ class _Part:
         present = set(self.record.attributes)
         if "NORMAL" not in present:
             present.discard("TANGENT")  # 3.7.2.1: without normals they are ignored
-        names = [self._spelled(name) for name in TYPES]
-        found = {name: self._values(name) for name in names if name in present}
+        found = {name: self._values(name) for name in self.fields if name in present}
         read = {name: one.finite(rows) for name, one in found.items() if name != "NORMAL"}
         if "NORMAL" in found:
             normals = read["NORMAL"] = found["NORMAL"].floats(rows)
@@ -189,7 +187,7 @@ class _Part:
                     delta = self._of_target(i, name, target[name]).finite(rows)
                     read[name][:, : delta.shape[1]] += weight * delta
         vertices = Vertices(
-            triangles=triangles, **{FIELDS[_plain(name)]: one for name, one in read.items()}
+            triangles=triangles, **{self.fields[name]: one for name, one in read.items()}
         )
         if pose.skin is None:
             return vertices, remarks
@@ -247,6 +245,11 @@ class _Part:
             0 <= i < len(accessors) and accessors[i].buffer_view is not None for i in indices
         )
 
+    @property
+    def fields(self) -> dict[str, str]:
+        """The attributes that are read, and what they are called here."""
+        return {**FIELDS, f"{COORDINATES}{self.coordinates}": "uv"}
+
     @cached_property
     def count(self) -> int:
         """How many vertices there are, whether triangles refer to them or not."""
@@ -273,10 +276,6 @@ class _Part:
             why = f"its {corners} corners are more than the file has bytes left for"
             raise self.file.fault(why)
 
-    def _spelled(self, name: str) -> str:
-        """Spell the name of an attribute, with the number of its set."""
-        return f"{name}_{self.coordinates}" if name == "TEXCOORD" else name
-
     def _values(self, name: str) -> Values:
         """Look up an attribute, which has an element for every vertex."""
         found = self._found(name)
@@ -291,12 +290,10 @@ class _Part:
             return unpacked[name]
         if name not in self.record.attributes:
             raise self.file.fault(f"it has no {name}")
-        return values(
-            self.file, self.record.attributes[name], name, TYPES.get(_plain(name), ("VEC4",))
-        )
+        return values(self.file, self.record.attributes[name], name, _types(name))
 
     def _of_target(self, number: int, name: str, accessor: int) -> Values:
-        types = ("VEC3",) if name == "TANGENT" else TYPES[_plain(name)]
+        types = ("VEC3",) if name == "TANGENT" else _types(name)
         found = values(self.file, accessor, f"{name} of morph target {number}", types)
         if len(found) != self.count:
             why = f"{name} of morph target {number} has {len(found)} elements"
@@ -304,9 +301,9 @@ class _Part:
         return found
 
 
-def _plain(name: str) -> str:
-    """Drop the number of a set of texture coordinates."""
-    return "TEXCOORD" if name.startswith("TEXCOORD_") else name
+def _types(name: str) -> tuple[str, ...]:
+    """Tell what types an attribute may have; those of joints and weights have four components."""
+    return TYPES_OF_COORDINATES if name.startswith(COORDINATES) else TYPES.get(name, ("VEC4",))
 
 
 def _referred(triangles: Array, count: int) -> tuple[Rows, Array]:

@@ -42,7 +42,7 @@ class GltfGeometry:
     coordinates: int = 0
 
     def mesh(self) -> Mesh:
-        """Read the triangles, with the set of texture coordinates that is asked for."""
+        """Read the triangles, with one of their sets of texture coordinates."""
         from nmatrix.scene.gltf.meshes import primitive_mesh
 
         return primitive_mesh(
@@ -140,15 +140,8 @@ class Objects:
     def remarks(self) -> Iterator[str]:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
         yield from left_out(self.faults)
-        others = Counter(
-            _kind(one)
-            for mesh in self.file.document.meshes
-            for one in mesh.primitives
-            if not one.has_triangles
-        )
-        if others:
-            told = ", ".join(f"{count} {what}" for what, count in others.items())
-            yield f"Primitives that are not drawn: {told}."
+        if self.others:
+            yield f"Primitives that are not drawn: {self.others}."
         by_joints = [
             printable(self.file.nodes[index].name)
             for index in self.places
@@ -157,6 +150,17 @@ class Objects:
         if by_joints:
             told = shortlist(by_joints, MOST_NAMED)
             yield f"Joints carry the meshes of nodes whose own transforms do not count: {told}."
+
+    @cached_property
+    def others(self) -> str:
+        """What the file's primitives without triangles are made of, counted."""
+        found = Counter(
+            _kind(one)
+            for mesh in self.file.document.meshes
+            for one in mesh.primitives
+            if not one.has_triangles
+        )
+        return ", ".join(f"{count} {what}" for what, count in found.items())
 
     def _is_skinned(self, index: int) -> bool:
         return self.file.document.nodes[index].skin is not None

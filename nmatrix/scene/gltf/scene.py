@@ -80,7 +80,10 @@ class _Reading:
         if not objects and self.objects.faults:
             return self.objects.faults[0]
         if not objects:
-            return self.file.fault("it draws nothing: there are no triangles in its scene")
+            others = self.objects.others
+            beside = f" (other primitives: {others})" if others else ""
+            why = f"it draws nothing: there are no triangles in its scene{beside}"
+            return self.file.fault(why)
         return None
 
     @cached_property
