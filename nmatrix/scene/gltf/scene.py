@@ -12,9 +12,9 @@ from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.lights import camera, carried_lights, radius_of, read_lights
 from nmatrix.scene.gltf.materials import Materials
-from nmatrix.scene.gltf.objects import Objects, own_place
+from nmatrix.scene.gltf.objects import Objects
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
+from nmatrix.scene.scene import Scene, SceneObject, settings_of_file
 
 SIDE = 512  # pixels, the longer one
 MOST_NAMED = 5  # extensions that a refusal names
@@ -65,7 +65,7 @@ class _Reading:
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
-            nodes=tuple(map(self._node, range(len(self.file.nodes)))),
+            nodes=tuple(map(self.objects.node, range(len(self.file.nodes)))),
             refusal=self._refusal(objects),
         )
 
@@ -85,12 +85,6 @@ class _Reading:
             why = f"it draws nothing: there are no triangles in its scene{beside}"
             return self.file.fault(why)
         return None
-
-    def _node(self, index: int) -> SceneNode:
-        node = self.file.nodes[index]
-        above = None if node.parent is None else self.file.nodes[node.parent].world_from_object
-        own = own_place(self.file, index)
-        return SceneNode(node.name, node.world_from_object, own, above, node.parent)
 
     @cached_property
     def _cameras(self) -> tuple[int, ...]:
