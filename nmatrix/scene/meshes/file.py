@@ -94,7 +94,7 @@ def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile
     if len(files) == 1 and not missing and part.mesh.uv is not None:
         material = replace(
             material or coloured(),
-            texture=Texture(files[0]),
+            texture=Texture(files[0], is_optional=True),
             vertex_colours=part.mesh.colours is not None,
         )
     elif files and not missing:
