@@ -182,6 +182,16 @@ def test_chains_that_leave_the_range_of_squares_are_looked_at(scale: float) -> N
     assert 1 in suspects(placed(Path(), nodes, 0), 1e-6)
 
 
+@pytest.mark.parametrize(("i", "j"), [(0, 1), (0, 2), (1, 2)])
+def test_a_matrix_that_leans_by_one_pair_of_columns_is_looked_at(i: int, j: int) -> None:
+    """All columns have the length one, and the two others are perpendicular to each other."""
+    columns = [[float(row == column) for row in range(3)] for column in range(3)]
+    columns[j][i], columns[j][j] = 0.28, 0.96
+    entries = [entry for column in columns for entry in (*column, 0.0)]
+    node = NodeRecord(matrix=[*entries, 0.0, 0.0, 0.0, 1.0])
+    assert suspects(placed(Path(), [node], 0), 1e-6) == [0]
+
+
 def test_deviations_add_up_down_a_chain(tmp_path: Path) -> None:
     """Each of thirty scales is within the tolerance, and their product is not."""
     step = [1, 1, 1 + 1e-7]
