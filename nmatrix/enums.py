@@ -295,6 +295,7 @@ class NodeOrder(StrEnum):
 class Effect(StrEnum):
     """Everything that a picture can be made of, each computed only where a scene calls for it."""
 
+    UNLIT = "unlit"
     AMBIENT = "ambient"
     DIFFUSE = "diffuse"
     INVERSE_TRANSPOSE = "inverse-transpose"
@@ -315,6 +316,8 @@ class Effect(StrEnum):
     TEXTURE = "texture"
     NORMAL_MAP = "normal-map"
     VERTEX_COLOURS = "vertex-colours"
+    EMISSION = "emission"
+    ALPHA_MASK = "alpha-mask"
     TRANSPARENCY = "transparency"
     FOG = "fog"
     COLOUR = "colour"

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
-from nmatrix.errors import IllegalValueError, MissingPackageError, NMatrixError, shortlist
+from nmatrix.errors import IllegalValueError, MissingPackageError, NMatrixError
 from nmatrix.scene.words import Shape
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def left_out(faults: Iterable[DamagedPartError]) -> tuple[str, ...]:
     --------
     >>> cause = IllegalValueError("a.gltf (buffer 0, a.bin)", "no such file")
     >>> left_out(DamagedPartError(Path("a.gltf"), f"mesh {i}", cause) for i in range(5))
-    ('5 parts are not drawn (mesh 0, mesh 1, mesh 2, …): buffer 0, a.bin: no such file.',)
+    ('5 parts are not drawn (mesh 0; mesh 1; mesh 2; …): buffer 0, a.bin: no such file.',)
     """
     parts: dict[str, dict[str, None]] = {}
     for one in faults:
@@ -51,9 +51,13 @@ def left_out(faults: Iterable[DamagedPartError]) -> tuple[str, ...]:
     return tuple(
         f"{next(iter(names))} is not drawn: {reason}."
         if len(names) == 1
-        else f"{len(names)} parts are not drawn ({shortlist(names, MOST_NAMED)}): {reason}."
+        else f"{len(names)} parts are not drawn ({_listed(list(names))}): {reason}."
         for reason, names in parts.items()
     )
+
+
+def _listed(names: list[str]) -> str:
+    return "; ".join(names if len(names) <= MOST_NAMED else [*names[:MOST_NAMED], "…"])
 
 
 class Geometry(Protocol):

@@ -7,7 +7,7 @@ from pathlib import Path
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import FileGeometry
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
 
@@ -41,4 +41,5 @@ def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
         raise IllegalValueError(f"{path}", "there is no such file", "check the name")
     still = SceneObject(path.stem, FileGeometry(path), identity(4), place=World())
     node = SceneNode(path.stem, identity(4), World())
-    return Scene((still,), has_camera=False, path=path, nodes=(node,))
+    settings = settings_of_file(gamma=False)
+    return Scene((still,), settings=settings, has_camera=False, path=path, nodes=(node,))

@@ -58,6 +58,13 @@ class Wrap(StrEnum):
     MIRROR = "mirror"
 
 
+class Filter(StrEnum):
+    """How an image is read between its texels: the mean of four around a place, or the nearest."""
+
+    LINEAR = "linear"
+    NEAREST = "nearest"
+
+
 class DepthBuffer(StrEnum):
     """The precision of stored depth: integers of 16 or 24 bits, float32, or float64."""
 

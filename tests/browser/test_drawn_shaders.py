@@ -307,7 +307,7 @@ SCENES = sorted(IMAGES.glob("*.toml"))
 def test_the_example_scenes_agree(blank, path: Path) -> None:
     scene = scene_of(path).sized(200, 150)
     scene = replace(scene, settings=replace(scene.settings, samples=1))
-    opaque = tuple(one for one in scene.objects if one.material.opacity == 1.0)
+    opaque = tuple(one for one in scene.objects if not one.material.is_clear)
     must_agree(blank, replace(scene, objects=opaque), what=path.name)
 
 

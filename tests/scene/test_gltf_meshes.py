@@ -235,11 +235,9 @@ def view(**changes: object) -> dict[str, object]:
             "accessor 0 begins at byte -4 of buffer view 0",
         ),
         (
-            {"accessors": [{**GOOD, "byteOffset": 2, "count": 2}]},
-            "accessor 0 begins at byte 2 of buffer view 0, and its numbers need multiples of 4",
+            view(byteStride=8),
+            "buffer view 0 has the stride 8, and an element of accessor 0 has 12 bytes",
         ),
-        (view(byteStride=8), "buffer view 0 has the stride 8, and accessor 0 needs 12 bytes"),
-        (view(byteStride=14), "needs 12 bytes or more, in multiples of 4"),
         (view(byteStride=-12), "buffer view 0 has the stride -12"),
         (view(byteOffset=-4), "buffer view 0 has a negative offset or length"),
         (view(byteLength=40), "buffer view 0 ends at byte 40, and buffer 0 has 36"),
@@ -253,7 +251,7 @@ def view(**changes: object) -> dict[str, object]:
             sparse(indices={"bufferView": 0, "componentType": 5121, "byteOffset": 15}),
             "accessor 0 changes its element 64 and has 3",
         ),
-        (sparse(count=2), "accessor 0 has sparse indices that do not grow: 0 after 0"),
+        (view(byteLength=10**300), "buffer view 0 ends at byte about 10^300, and buffer 0"),
         (
             sparse(values={"bufferView": 0, "byteOffset": 28}),
             "accessor 0, in its sparse values, ends at byte 40 of buffer view 0",

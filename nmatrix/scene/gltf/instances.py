@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import msgspec
 
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, product
 from nmatrix.scene.gltf.extensions import INSTANCING
@@ -28,6 +28,25 @@ def is_instanced(file: GltfFile, node_index: int) -> bool:
     return record.mesh is not None and INSTANCING in record.extensions
 
 
+def instance_count(file: GltfFile, node_index: int) -> int:
+    """Count how often a node claims to draw its mesh, without a look at the places."""
+    if not is_instanced(file, node_index):
+        return 1
+    accessors = file.document.accessors
+    try:
+        indices = _instancing(file, node_index).attributes.values()
+    except IllegalValueError:  # which `instance_matrices` tells
+        return 0
+    return max((accessors[i].count for i in indices if 0 <= i < len(accessors)), default=0)
+
+
+def _instancing(file: GltfFile, node_index: int) -> Instancing:
+    try:
+        return msgspec.convert(file.document.nodes[node_index].extensions[INSTANCING], Instancing)
+    except msgspec.ValidationError as error:
+        raise file.fault(f"{INSTANCING}: {error}") from None
+
+
 def instance_matrices(file: GltfFile, node_index: int) -> tuple[RationalMatrix, ...]:
     """Multiply a node's world matrix and each instance's T · R · S, exactly.
 
@@ -45,10 +64,7 @@ def instance_matrices(file: GltfFile, node_index: int) -> tuple[RationalMatrix, 
         return (world,)
     from nmatrix.scene.gltf.accessors import values
 
-    try:
-        given = msgspec.convert(file.document.nodes[node_index].extensions[INSTANCING], Instancing)
-    except msgspec.ValidationError as error:
-        raise file.fault(f"{INSTANCING}: {error}") from None
+    given = _instancing(file, node_index)
     found = {
         name: values(file, given.attributes[name], f"{name} of instances", (kind,))
         for name, kind in TYPES.items()

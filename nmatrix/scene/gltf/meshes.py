@@ -40,14 +40,14 @@ TYPES = {
     "POSITION": ("VEC3",),
     "NORMAL": ("VEC3",),
     "TANGENT": ("VEC4",),
-    "TEXCOORD_0": ("VEC2",),
+    "TEXCOORD": ("VEC2",),
     "COLOR_0": ("VEC3", "VEC4"),
 }
 FIELDS = {
     "POSITION": "positions",
     "NORMAL": "normals",
     "TANGENT": "tangents",
-    "TEXCOORD_0": "uv",
+    "TEXCOORD": "uv",
     "COLOR_0": "colours",
 }
 FAR_FROM_ONE = 0.02  # a sum of weights; four of 8 bits may be off by 0.008
@@ -55,13 +55,18 @@ FEW = 4  # vertices for each corner: beyond, corners are sorted and vertices are
 
 
 def primitive_mesh(
-    file: GltfFile, mesh_index: int, primitive: int, pose: Pose = AS_MODELLED
+    file: GltfFile,
+    mesh_index: int,
+    primitive: int,
+    pose: Pose = AS_MODELLED,
+    coordinates: int = 0,
 ) -> Mesh:
-    """Read the triangles of one primitive, with its coordinates, colours and tangents, at rest.
+    """Read the triangles of one primitive, with its colours and tangents, at rest.
 
     Where it has no normals each triangle has its own, flat, as the format demands (3.7.2.1): no two
     triangles share a vertex then, and tangents are left out. A normal that is not finite counts as
-    none. Texture coordinates have v upwards; the file has it downwards.
+    none. Texture coordinates, of the set that is asked for, have v upwards; the file has it
+    downwards.
 
     Raises
     ------
@@ -71,7 +76,7 @@ def primitive_mesh(
     name = part_name(file.document, mesh_index, primitive)
     try:
         record = file.document.meshes[mesh_index].primitives[primitive]
-        return _Part(file, record, name).mesh(pose)
+        return _Part(file, record, name, coordinates).mesh(pose)
     except NMatrixError as error:
         raise DamagedPartError(file.path, name, error) from None
 
@@ -133,6 +138,7 @@ class _Part:
     file: GltfFile
     record: Primitive
     name: str
+    coordinates: int
 
     def mesh(self, pose: Pose) -> Mesh:
         triangles = _triangles(self.corners, self.record.mode)
@@ -154,7 +160,7 @@ class _Part:
             normals,
             vertices.triangles,
             uv=None if uv is None else uv * (1, -1) + (0, 1),
-            colours=None if colours is None else np.clip(colours[:, :3], 0.0, 1.0),
+            colours=None if colours is None else np.clip(colours, 0.0, 1.0),
             tangents=vertices.tangents,
             remarks=tuple(remarks),
         )
@@ -162,7 +168,8 @@ class _Part:
     def _at_rest(self, rows: Rows, triangles: Array, pose: Pose) -> tuple[Vertices, list[str]]:
         """Read the vertices that are referred to, morphed and carried by their joints."""
         remarks = []
-        found = {name: self._values(name) for name in TYPES if name in self.record.attributes}
+        names = [self._spelled(name) for name in TYPES]
+        found = {name: self._values(name) for name in names if name in self.record.attributes}
         read = {name: one.finite(rows) for name, one in found.items() if name != "NORMAL"}
         if "NORMAL" in found:
             normals = read["NORMAL"] = found["NORMAL"].floats(rows)
@@ -180,7 +187,7 @@ class _Part:
                     delta = self._of_target(i, name, target[name]).finite(rows)
                     read[name][:, : delta.shape[1]] += weight * delta
         vertices = Vertices(
-            triangles=triangles, **{FIELDS[name]: one for name, one in read.items()}
+            triangles=triangles, **{FIELDS[_plain(name)]: one for name, one in read.items()}
         )
         if pose.skin is None:
             return vertices, remarks
@@ -202,12 +209,14 @@ class _Part:
         joint, weight = np.hstack(joints), np.hstack(weights)
         if joint.dtype.kind not in "iu":
             raise self.file.fault("its joints are no whole numbers")
-        joint = np.where(weight == 0, 0, joint.astype(np.int64))
+        total = weight.sum(axis=1)
+        idle = weight == 0
+        idle[:, 0] &= total != 0  # a vertex without weights follows its first joint
+        joint = np.where(idle, 0, joint.astype(np.int64))
         if len(matrices) == 0 or joint.max() >= len(matrices) or joint.min() < 0:
             worst = joint.min() if joint.min() < 0 else joint.max()
             why = f"a vertex follows joint {worst}, and skin {skin} has {len(matrices)} joints"
             raise self.file.fault(why)
-        total = weight.sum(axis=1)
         far = np.abs(total - 1) > FAR_FROM_ONE
         if not far.any():
             return blended(matrices, joint, weight), []
@@ -257,8 +266,12 @@ class _Part:
 
     def _check_room(self, corners: int) -> None:
         if content_of(self.record) in self.file.beyond_bytes:
-            why = f"its {corners} corners are more than the file has bytes for them"
-            raise self.file.fault(f"{why}: its accessors lie over one another")
+            why = f"its {corners} corners are more than the file has bytes left for"
+            raise self.file.fault(why)
+
+    def _spelled(self, name: str) -> str:
+        """Spell the name of an attribute, with the number of its set."""
+        return f"{name}_{self.coordinates}" if name == "TEXCOORD" else name
 
     def _values(self, name: str) -> Values:
         """Look up an attribute, which has an element for every vertex."""
@@ -274,15 +287,22 @@ class _Part:
             return unpacked[name]
         if name not in self.record.attributes:
             raise self.file.fault(f"it has no {name}")
-        return values(self.file, self.record.attributes[name], name, TYPES.get(name, ("VEC4",)))
+        return values(
+            self.file, self.record.attributes[name], name, TYPES.get(_plain(name), ("VEC4",))
+        )
 
     def _of_target(self, number: int, name: str, accessor: int) -> Values:
-        types = ("VEC3",) if name == "TANGENT" else TYPES[name]
+        types = ("VEC3",) if name == "TANGENT" else TYPES[_plain(name)]
         found = values(self.file, accessor, f"{name} of morph target {number}", types)
         if len(found) != self.count:
             why = f"{name} of morph target {number} has {len(found)} elements"
             raise self.file.fault(f"{why} for {self.count} vertices")
         return found
+
+
+def _plain(name: str) -> str:
+    """Drop the number of a set of texture coordinates."""
+    return "TEXCOORD" if name.startswith("TEXCOORD_") else name
 
 
 def _referred(triangles: Array, count: int) -> tuple[Rows, Array]:

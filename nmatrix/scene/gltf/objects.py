@@ -12,10 +12,10 @@ from nmatrix.errors import IllegalValueError, printable, shortlist
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.scene.geometry import DamagedPartError, Geometry, TangentGeometry, left_out
 from nmatrix.scene.gltf.file import GltfFile
-from nmatrix.scene.gltf.instances import instance_matrices, is_instanced
+from nmatrix.scene.gltf.instances import instance_count, instance_matrices, is_instanced
 from nmatrix.scene.gltf.lights import unique
 from nmatrix.scene.gltf.materials import Materials
-from nmatrix.scene.gltf.primitives import Content, Pose, content_of
+from nmatrix.scene.gltf.primitives import Content, Pose, content_of, corners_of
 from nmatrix.scene.gltf.records import LINE_LOOP, LINE_STRIP, LINES, POINTS, Primitive
 from nmatrix.scene.material import Material
 from nmatrix.scene.scene import SceneObject
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from nmatrix.scene.meshes.mesh import Mesh
 
 MOST_OBJECTS = 1 << 18
+MOST_CORNERS = 1 << 27  # of triangles, those of an instance each time that it is drawn
 MOST_NAMED = 5  # nodes that a remark names
 STILL = (identity(4),)
 WORDS = {POINTS: "points", **dict.fromkeys((LINES, LINE_LOOP, LINE_STRIP), "lines")}
@@ -38,12 +39,15 @@ class GltfGeometry:
     mesh_index: int
     primitive: int
     pose: Pose
+    coordinates: int = 0
 
     def mesh(self) -> Mesh:
-        """Read the triangles."""
+        """Read the triangles, with the set of texture coordinates that is asked for."""
         from nmatrix.scene.gltf.meshes import primitive_mesh
 
-        return primitive_mesh(self.file, self.mesh_index, self.primitive, self.pose)
+        return primitive_mesh(
+            self.file, self.mesh_index, self.primitive, self.pose, self.coordinates
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,44 +74,65 @@ class Objects:
 
     @cached_property
     def places(self) -> dict[int, tuple[RationalMatrix, ...]]:
-        """Where each node of the scene draws its mesh; one that joints carry needs no place.
-
-        Raises
-        ------
-        IllegalValueError
-            For more objects than are drawn.
-        """
+        """Where each node of the scene draws its mesh; one that joints carry needs no place."""
         found: dict[int, tuple[RationalMatrix, ...]] = {}
-        count = 0
-        for index in self.file.in_scene:
-            primitives = len(self._with_triangles(self.file.nodes[index].mesh))
-            if not primitives:
-                continue
+        for index in () if self.too_large else self._drawing:
             try:
                 found[index] = self._places(index)
             except IllegalValueError as error:
                 name = f"node {index} ({printable(self.file.nodes[index].name)})"
                 self.faults.append(DamagedPartError(self.file.path, name, error))
-                continue
-            count += primitives * len(found[index])
-            if count > MOST_OBJECTS:
-                why = f"its scene has {count} objects or more, and {MOST_OBJECTS} are drawn at most"
-                raise self.file.fault(why, "draw it in parts")
         return found
+
+    @cached_property
+    def _drawing(self) -> list[int]:
+        """The nodes of the scene that have triangles."""
+        return [i for i in self.file.in_scene if self._with_triangles(self.file.nodes[i].mesh)]
+
+    @cached_property
+    def too_large(self) -> IllegalValueError | None:
+        """Why the scene is more than memory and patience hold, if so; no place is computed yet."""
+        objects, corners = self._size(frozenset())
+        if corners > MOST_CORNERS:  # some may be claimed without a byte behind them
+            objects, corners = self._size(self.file.beyond_bytes)
+        for number, most, what in (
+            (objects, MOST_OBJECTS, "objects"),
+            (corners, MOST_CORNERS, "corners of triangles"),
+        ):
+            if number > most:
+                why = f"its scene has {number} {what}, and {most} are drawn at most"
+                return self.file.fault(why, "draw it in parts")
+        return None
+
+    def _size(self, false_claims: frozenset[Content]) -> tuple[int, int]:
+        """Count the objects and their corners, but for those of some primitives."""
+        objects = corners = 0
+        of_meshes: dict[int | None, int] = {}
+        for index in self._drawing:
+            mesh = self.file.nodes[index].mesh
+            primitives = self._with_triangles(mesh)
+            if mesh not in of_meshes:
+                of_meshes[mesh] = sum(
+                    corners_of(self.file.document, one)
+                    for _, one in primitives
+                    if content_of(one) not in false_claims
+                )
+            count = 1 if self._is_skinned(index) else instance_count(self.file, index)
+            objects += count * len(primitives)
+            corners += count * of_meshes[mesh]
+        return objects, corners
 
     def remarks(self) -> Iterator[str]:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
         yield from left_out(self.faults)
         others = Counter(
-            WORDS.get(
-                one.mode, "an unknown mode" if "POSITION" in one.attributes else "no positions"
-            )
+            _kind(one)
             for mesh in self.file.document.meshes
             for one in mesh.primitives
             if not one.has_triangles
         )
         if others:
-            told = ", ".join(f"{count} of {what}" for what, count in others.items())
+            told = ", ".join(f"{count} {what}" for what, count in others.items())
             yield f"Primitives that are not drawn: {told}."
         by_joints = [
             printable(self.file.nodes[index].name)
@@ -116,7 +141,7 @@ class Objects:
         ]
         if by_joints:
             told = shortlist(by_joints, MOST_NAMED)
-            yield f"Joints carry their meshes, so their own transforms do not count: {told}."
+            yield f"Joints carry the meshes of nodes whose own transforms do not count: {told}."
 
     def _is_skinned(self, index: int) -> bool:
         return self.file.document.nodes[index].skin is not None
@@ -162,9 +187,10 @@ class Objects:
         pose = Pose(tuple(weights) if primitive.targets and any(weights) else (), record.skin)
         has_tangents = {"TANGENT", "NORMAL"} <= set(primitive.attributes)
         needs_tangents = self._material(primitive).normal_map is not None and not has_tangents
-        key = (content_of(primitive), pose, needs_tangents)
+        coordinates = self.materials.coordinates(primitive.material)
+        key = (content_of(primitive), pose, needs_tangents, coordinates)
         if key not in self._geometries:
-            plain = GltfGeometry(self.file, mesh, number, pose)
+            plain = GltfGeometry(self.file, mesh, number, pose, coordinates)
             self._geometries[key] = TangentGeometry(plain) if needs_tangents else plain
         return self._geometries[key]
 
@@ -176,8 +202,8 @@ class Objects:
 def _kind(primitive: Primitive) -> str:
     """Name what a primitive without triangles is made of."""
     if "POSITION" not in primitive.attributes:
-        return "no positions"
-    return WORDS.get(primitive.mode, "an unknown mode")
+        return "without positions"
+    return f"of {WORDS.get(primitive.mode, 'an unknown mode')}"
 
 
 def own_place(file: GltfFile, index: int) -> World:

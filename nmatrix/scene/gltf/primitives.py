@@ -7,7 +7,6 @@ corners beyond the file's bytes tell of accessors that lie over one another.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -123,7 +122,7 @@ def beyond_bytes(document: Document, bytes_of_buffers: int) -> frozenset[Content
             if not primitive.has_triangles or DRACO in primitive.extensions or content in seen:
                 continue
             seen.add(content)
-            corners = _corners(document, primitive)
+            corners = corners_of(document, primitive)
             if corners > left:
                 beyond.add(content)
             else:
@@ -131,8 +130,8 @@ def beyond_bytes(document: Document, bytes_of_buffers: int) -> frozenset[Content
     return frozenset(beyond)
 
 
-def _corners(document: Document, primitive: Primitive) -> int:
-    attributes: Mapping[str, int] = primitive.attributes
-    index = attributes["POSITION"] if primitive.indices is None else primitive.indices
+def corners_of(document: Document, primitive: Primitive) -> int:
+    """Count the corners that a primitive claims to have, of triangles, strips or fans."""
+    index = primitive.attributes["POSITION"] if primitive.indices is None else primitive.indices
     known = 0 <= index < len(document.accessors)
     return max(document.accessors[index].count, 0) if known else 0

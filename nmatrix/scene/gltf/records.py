@@ -204,10 +204,43 @@ class TextureReference(msgspec.Struct, rename="camel"):
 
 
 class MetallicRoughness(msgspec.Struct, rename="camel"):
-    """The base colour of a material."""
+    """The base colour of a material, and how it reflects."""
 
     base_color_factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
     base_color_texture: TextureReference | None = None
+    metallic_factor: float = 1.0
+    roughness_factor: float = 1.0
+    metallic_roughness_texture: TextureReference | None = None
+
+    @property
+    def reflects(self) -> bool:
+        """True if it does anything but scatter light evenly."""
+        return self.metallic_factor > 0 or self.roughness_factor < 1
+
+
+class SpecularGlossiness(msgspec.Struct, rename="camel"):
+    """The diffuse part of a material by KHR_materials_pbrSpecularGlossiness."""
+
+    diffuse_factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
+    diffuse_texture: TextureReference | None = None
+
+
+class EmissiveStrength(msgspec.Struct, rename="camel"):
+    """How many times a material's emission is as strong."""
+
+    emissive_strength: float = 1.0
+
+
+class MaterialExtensions(msgspec.Struct):
+    """The extensions of materials that are read."""
+
+    unlit: object = msgspec.field(default=None, name="KHR_materials_unlit")
+    emissive: EmissiveStrength = msgspec.field(
+        default_factory=EmissiveStrength, name="KHR_materials_emissive_strength"
+    )
+    specular_glossiness: SpecularGlossiness | None = msgspec.field(
+        default=None, name="KHR_materials_pbrSpecularGlossiness"
+    )
 
 
 class MaterialRecord(msgspec.Struct, rename="camel"):
@@ -220,7 +253,23 @@ class MaterialRecord(msgspec.Struct, rename="camel"):
     emissive_texture: TextureReference | None = None
     emissive_factor: tuple[float, float, float] = (0.0, 0.0, 0.0)
     alpha_mode: str = "OPAQUE"
+    alpha_cutoff: float = 0.5
     double_sided: bool = False
+    extensions: MaterialExtensions = msgspec.field(default_factory=MaterialExtensions)
+
+
+class OtherImage(msgspec.Struct):
+    """The image of a texture in a format that the specification itself does not know."""
+
+    source: int | None = None
+
+
+class OtherImages(msgspec.Struct):
+    """The images that a texture has in other formats."""
+
+    basisu: OtherImage = msgspec.field(default_factory=OtherImage, name="KHR_texture_basisu")
+    webp: OtherImage = msgspec.field(default_factory=OtherImage, name="EXT_texture_webp")
+    avif: OtherImage = msgspec.field(default_factory=OtherImage, name="EXT_texture_avif")
 
 
 class TextureRecord(msgspec.Struct):
@@ -228,6 +277,14 @@ class TextureRecord(msgspec.Struct):
 
     source: int | None = None
     sampler: int | None = None
+    extensions: OtherImages = msgspec.field(default_factory=OtherImages)
+
+    @property
+    def image(self) -> int | None:
+        """The image in a format that every reader knows, else in another one."""
+        other = self.extensions
+        sources = (self.source, other.webp.source, other.avif.source, other.basisu.source)
+        return next((one for one in sources if one is not None), None)
 
 
 class Sampler(msgspec.Struct, rename="camel"):

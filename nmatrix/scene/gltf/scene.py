@@ -14,7 +14,7 @@ from nmatrix.scene.gltf.lights import camera, carried_lights, radius_of, read_li
 from nmatrix.scene.gltf.materials import Materials
 from nmatrix.scene.gltf.objects import Objects, own_place
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject, Settings
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
 
 SIDE = 512  # pixels, the longer one
 MOST_NAMED = 5  # extensions that a refusal names
@@ -61,7 +61,7 @@ class _Reading:
             lights=lights,
             view=view,
             lens=lens,
-            settings=Settings(size=_size(lens.aspect)),
+            settings=settings_of_file(gamma=True, size=_size(lens.aspect)),
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
@@ -75,6 +75,8 @@ class _Reading:
         if unknown:
             names = shortlist(map(printable, unknown), MOST_NAMED)
             return self.file.fault(f"it requires {names}, which is not known here")
+        if self.objects.too_large:
+            return self.objects.too_large
         if not objects and self.objects.faults:
             return self.objects.faults[0]
         if not objects:

@@ -31,7 +31,7 @@ class Mesh:
     uv
         (V, 2) texture coordinates, v upwards, if the mesh has them.
     colours
-        (V, 3) linear colours in [0, 1], if it has them.
+        (V, 3) linear colours in [0, 1], or (V, 4) with an opacity, if it has them.
     tangents
         (V, 4) tangent vectors and the sign of the bitangent, if it has them.
     built_as
