@@ -102,9 +102,10 @@ def inspect_file(
 
 
 def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile:
-    from nmatrix.scene.meshes.file import read_mesh
+    from nmatrix.scene.meshes.file import read_surface
 
-    mesh = read_mesh(path)
+    file = read_surface(path, content)
+    degenerate = sum(part.mesh.degenerate_normals for part in file.parts)
     still = identity(4)
     node = InspectedNode(
         name,
@@ -112,10 +113,10 @@ def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile
         Hierarchy((path.stem,), (None,)),
         still,
         Maps.of(Carriers.NODE, (classify(still),)),
-        FoundNormals(NormalsFrom.FILE, mesh.degenerate_normals),
+        FoundNormals(file.normals_from, degenerate),
         mesh=0,
     )
-    return InspectedFile(name, 1, lambda _: node, (0,), {}, mesh.remarks)
+    return InspectedFile(name, 1, lambda _: node, (0,), {}, file.remarks)
 
 
 @dataclass(frozen=True, eq=False)
