@@ -141,7 +141,7 @@ class Objects:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
         yield from left_out(self.faults)
         if self.others:
-            yield f"Primitives that are not drawn: {self.others}."
+            yield f"Primitives that are not drawn: {self.told_of_others}."
         by_joints = [
             printable(self.file.nodes[index].name)
             for index in self.places
@@ -152,15 +152,19 @@ class Objects:
             yield f"Joints carry the meshes of nodes whose own transforms do not count: {told}."
 
     @cached_property
-    def others(self) -> str:
+    def others(self) -> Counter[str]:
         """What the file's primitives without triangles are made of, counted."""
-        found = Counter(
+        return Counter(
             _kind(one)
             for mesh in self.file.document.meshes
             for one in mesh.primitives
             if not one.has_triangles
         )
-        return ", ".join(f"{count} {what}" for what, count in found.items())
+
+    @property
+    def told_of_others(self) -> str:
+        """The same in words."""
+        return ", ".join(f"{count} {what}" for what, count in self.others.items())
 
     def _is_skinned(self, index: int) -> bool:
         return self.file.document.nodes[index].skin is not None

@@ -17,6 +17,7 @@ from nmatrix.scene.meshes.ply import read_ply
 from nmatrix.scene.meshes.stl import read_stl
 from nmatrix.scene.words import MESH_SUFFIXES
 
+NO_TRIANGLES = ("it holds no triangles", "export it again")
 READERS: dict[str, Callable[[Path, bytes], MeshFile]] = dict(
     zip(MESH_SUFFIXES, (read_obj, read_ply, read_stl), strict=True)
 )
@@ -34,6 +35,8 @@ def read_mesh(path: Path) -> Mesh:
         For a file that cannot be read, holds no triangles, or has numbers that are not finite.
     """
     found = read_surface(path)
+    if not found.parts:
+        raise IllegalValueError(f"{path}", *NO_TRIANGLES)
     mesh = joined([part.mesh for part in found.parts])
     return replace(mesh, remarks=found.remarks)
 
