@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Shown, Space, Theme
-from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity
+from nmatrix.errors import IllegalValueError, did_you_mean, quantity
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.proof import SHEET, Proof, ProofSettings
@@ -86,39 +85,6 @@ def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFram
     return PictureFrame(name, scene=found, shown=choices.shown, theme=choices.theme)
 
 
-def shown_named(names: str | Iterable[str]) -> frozenset[Shown]:
-    """Read what is to be shown: words between commas, or one after the other.
-
-    Raises
-    ------
-    IllegalValueError
-        For another word, or none.
-
-    Examples
-    --------
-    >>> sorted(shown_named("normals,axes"))
-    [<Shown.AXES: 'axes'>, <Shown.NORMALS: 'normals'>]
-    """
-    if not isinstance(names, Iterable):
-        raise IllegalValueError(
-            f"{quantity('show')} ({printable(repr(names)[:40])})",
-            "it is neither text nor words one after the other",
-            f"try {quantity('show')} normals",
-        )
-    words = names.split(",") if isinstance(names, str) else list(names)
-    found = set()
-    for word in (str(one).strip() for one in words):
-        if word not in list(Shown):
-            listed = ", ".join(Shown)
-            raise IllegalValueError(
-                f"{quantity('show')} ({printable(word[:40])})",
-                f"it takes words with commas between them: {listed}",
-                did_you_mean(word, Shown, f"try {quantity('show')} normals"),
-            )
-        found.add(Shown(word))
-    return frozenset(found)
-
-
 def is_proof(subject: str, **beside: object) -> bool:
     """Tell a proof by its name from a file, beside which nothing else may say what to draw.
 
@@ -174,6 +140,7 @@ def render(proof: Proof, image: str | None = None, milliseconds: float | None = 
         "milliseconds": milliseconds,
         "effects": list(proof.effects),
         "numbers": dict(proof.numbers),
+        "file_features": [asdict(one) for one in proof.features],
     }
     alternative = f"a picture of {proof.subject}"
     about: tuple[Block, ...] = (

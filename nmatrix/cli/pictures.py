@@ -9,9 +9,18 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.shared_options import whole_number
+from nmatrix.cli.shared_options import completed_from, whole_number
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading, Shown, Theme
+from nmatrix.enums import (
+    Effort,
+    NormalRule,
+    PixelFormat,
+    Reflection,
+    Shading,
+    Shown,
+    Theme,
+    chosen_words,
+)
 from nmatrix.reading.numbers import number, numbers
 
 if TYPE_CHECKING:
@@ -21,12 +30,6 @@ if TYPE_CHECKING:
 in_picture = partial(Option, rich_help_panel="Picture")
 in_frames = partial(Option, rich_help_panel="Frames")
 MOST_FRAMES = 10_000
-
-
-def _complete_shown(incomplete: str) -> list[str]:
-    """Complete the last of the words between commas."""
-    before, comma, word = incomplete.rpartition(",")
-    return [f"{before}{comma}{one}" for one in Shown if one.startswith(word)]
 
 
 @dataclass(frozen=True)
@@ -54,13 +57,13 @@ class PictureOptions:
         in_picture(
             metavar="WORDS",
             help=f"Marks over a scene or mesh, with commas: {', '.join(Shown)}.",
-            autocompletion=_complete_shown,
+            autocompletion=completed_from(Shown),
         ),
     ] = None
 
     def choices(self, space: Space | None = None) -> PictureChoices:
         """Read what was chosen of a picture, its shading space beside it."""
-        from nmatrix.answers.render import PictureChoices, shown_named
+        from nmatrix.answers.render import PictureChoices
 
         return PictureChoices(
             size=None if self.size is None else numbers(self.size, 2, "--size"),
@@ -71,7 +74,7 @@ class PictureOptions:
             samples=None if self.samples is None else number(self.samples, "--samples"),
             effort=self.effects,
             theme=self.theme,
-            shown=frozenset() if self.show is None else shown_named(self.show),
+            shown=frozenset(() if self.show is None else chosen_words(Shown, self.show, "show")),
         )
 
 

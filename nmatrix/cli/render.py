@@ -174,9 +174,12 @@ def _scene(
 
 def _drawn(groups: OptionGroups) -> SceneObject:
     """Find the object that was named, or the first, if it has triangles."""
-    one = groups.scene.chosen
+    one, scene = groups.scene.chosen, groups.scene.scene
     if isinstance(one, SceneObject):
         return one
+    for other in scene.objects if scene is not None else ():
+        if other.node is not None and scene is not None and scene.nodes[other.node] is one:
+            return other
     raise IllegalValueError(
         f"--object ({'' if one is None else printable(one.name)})",
         "it has no triangles of its own",
@@ -191,11 +194,9 @@ def _stand_together(one: SceneObject, other: SceneObject) -> bool:
 
 
 def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
-    from nmatrix.raster.proofs.frames import drawn, turns
+    from nmatrix.raster.proofs.frames import around, drawn
 
-    pictures = (
-        [frame.turned(angle) for angle in turns(frames.count)] if frames.count > 1 else [frame]
-    )
+    pictures = around(frame, frames.count)
     with frames.executor() as executor:
         return list(progress(drawn(pictures, executor), len(pictures), "frames"))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
+from enum import StrEnum
 from functools import cached_property, partial
 from typing import Annotated, Any
 
@@ -103,6 +104,22 @@ def option_name(field: str) -> str:
     '--world-matrix'
     """
     return f"--{field.replace('_', '-')}"
+
+
+def completed_from(words: type[StrEnum]) -> Callable[[str], list[str]]:
+    """Make the completion of an option whose value is words with commas between them.
+
+    Examples
+    --------
+    >>> completed_from(Layout)("row-major,c")
+    ['row-major,column-major']
+    """
+
+    def complete(incomplete: str) -> list[str]:
+        before, comma, word = incomplete.rpartition(",")
+        return [f"{before}{comma}{one}" for one in words if one.startswith(word)]
+
+    return complete
 
 
 def whole_number(text: str, option: str, among: range, example: int, why: str = "") -> int:

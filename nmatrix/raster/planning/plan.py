@@ -24,7 +24,7 @@ from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.light import PlacedLight
-from nmatrix.scene.material import DEFAULT_MATERIAL
+from nmatrix.scene.material import BLACK, DEFAULT_MATERIAL
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
@@ -148,8 +148,8 @@ class Plan:
             found += shadow_remarks(self.loaded, placed, [one.body for one in lit], views)
         found += self._said_in_vain()
         if not self.drawn:
-            reasons = "; ".join(f"{one.body.name} {one.why_unseen}" for one in self.bodies[:3])
-            found.append(f"Nothing can be seen: {reasons}.")
+            reasons = [(one.body.name, one.why_unseen or "") for one in self.bodies[:3]]
+            found.append(nothing_seen(reasons))
         return tuple(dict.fromkeys(found))
 
     def _said_in_vain(self) -> list[str]:
@@ -164,6 +164,12 @@ class Plan:
             f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
             for (setting, material, because), names in bodies.items()
         ]
+
+
+def nothing_seen(reasons: Sequence[tuple[str, str]]) -> str:
+    """Say that a picture is empty, and why, object by object."""
+    told = (f"{printable(name)} {why}" for name, why in reasons)
+    return f"Nothing can be seen: {'; '.join(told)}."
 
 
 def plan_for(loaded: LoadedScene) -> Plan:
@@ -203,12 +209,16 @@ def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
 
 
 def _ineffective(facts: Facts) -> dict[str, str]:
-    """Find the settings of a material, other than the default, that no effect on here reads."""
+    """Find the settings of a material, other than the default, that no effect on here reads.
+
+    Black asks for nothing.
+    """
     return {
         setting: one.because
         for effect, one in facts.decisions.items()
         for setting in RECIPES[effect].settings
-        if not one.on and getattr(facts.material, setting) != getattr(DEFAULT_MATERIAL, setting)
+        if not one.on
+        and getattr(facts.material, setting) not in (getattr(DEFAULT_MATERIAL, setting), BLACK)
     }
 
 
