@@ -25,12 +25,13 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace, Window, frustum, orthographic, perspective
 from nmatrix.linear.rational import to_floats
 from nmatrix.linear.view import look_at
+from nmatrix.linear.viewport import Viewport
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.light_and_eye import eye_in, light_in
-from nmatrix.spaces.trace import Viewport, trace
+from nmatrix.spaces.trace import trace
 from nmatrix.spaces.transform import Transform
 
 FLOAT64, FLOAT32 = 2e-14, 2e-7

@@ -78,7 +78,7 @@ class _Reading:
             lights=lights,
             view=view,
             lens=lens,
-            settings=Settings(size=_size(lens.aspect)),
+            settings=Settings(size=_size(float(lens.aspect_ratio))),
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
