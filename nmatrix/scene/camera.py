@@ -94,7 +94,7 @@ class View:
                 f"{quantity(measured_as)} with {quantity('handed')} left",
                 "a measured camera becomes one that looks down −z, and a left-handed one looks "
                 "down +z",
-                f"leave {quantity('handed')} left, or an interface that is, out",
+                f"leave out {quantity('handed')} left, and {quantity('api')} direct3d",
             )
 
     @property

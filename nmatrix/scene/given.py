@@ -132,7 +132,7 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     for way, others in EXCLUDES.items():
         refuse_together(way, others, found, TWO_SHAPES)
     if "projection_matrix" in found:
-        return replace(_given_lens(found), viewport=found.get("viewport", base.viewport))
+        return _given_lens({"viewport": base.viewport} | found)
     kept = ("aspect", "near", "far", "ortho", "frustum", "viewport")
     changed = {name: found[name] for name in kept if name in found}
     if "fov" in found:
@@ -151,7 +151,7 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
 
 def _given_lens(found: Given) -> Lens:
     """Make a lens of a matrix, of which an interface or parts of its clip space may be said."""
-    lens = Lens(matrix=found["projection_matrix"])
+    lens = Lens(matrix=found["projection_matrix"], viewport=found.get("viewport"))
     clip = clip_space_over(lens.clip, found)
     said = CLIP_PARTS if "api" in found else tuple(name for name in CLIP_PARTS if name in found)
     depths = {one.depth for one in lens.readings}

@@ -1,8 +1,8 @@
 """Views as cameras are measured: the extrinsic matrix of computer vision, and the pose.
 
 A camera of OpenCV and COLMAP looks down +z with y down, one of OpenGL down −z with y up: half a
-turn about x, F = diag(1, −1, −1), leads from one to the other. Of an extrinsic matrix V = F · [R t],
-of a pose with OpenCV's axes V = F · pose⁻¹, of one with OpenGL's V = pose⁻¹.
+turn about x, F = diag(1, −1, −1), leads from one to the other. Of extrinsics V = F · [R t], of a
+pose with OpenCV's axes V = F · pose⁻¹, of one with OpenGL's V = pose⁻¹.
 """
 
 from __future__ import annotations

@@ -138,9 +138,7 @@ def _point(
     if place is None:
         raise NoAnswerError(
             f"{quantity('depth_value')} ({short_text(depth, 6)})",
-            "what has this depth lies behind the eye"
-            if found[3]
-            else "it is reached at no distance: it lies at infinity",
+            "what has it lies behind the eye" if found[3] else "what has it is infinitely far away",
             "take a depth nearer to the eye, or leave it out for the ray",
         )
     return place
