@@ -17,6 +17,7 @@ from nmatrix.linear.interval import Bound
 from nmatrix.linear.lens_readings import LARGEST
 from nmatrix.linear.measured_lens import intrinsics_of
 from nmatrix.linear.projection import Sides, sides_seen
+from nmatrix.linear.rational import scaled
 from nmatrix.report import Block, Heading, Number, Quantity, Report, Text, Value, Vector, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
@@ -129,12 +130,12 @@ def _numbers(lens: Lens) -> Mapping[str, Number]:
 
 
 def _sides_seen(lens: Lens) -> Sides | None:
-    """Find what a perspective lens shows at distance 1; a given one by its likeliest reading."""
+    """Find what a perspective lens shows at distance 1; a given one by its entries as they are."""
     if lens.matrix is None:
         return sides_seen(lens.exact, lens.clip)
     if not lens.readings:
         return None
-    return sides_seen(lens.readings[0].rebuilt or lens.matrix, lens.clip)
+    return sides_seen(scaled(lens.matrix, 1 / lens.readings[0].factor), lens.clip)
 
 
 def _fields(sides: Sides) -> dict[str, Number]:
