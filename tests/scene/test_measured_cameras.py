@@ -55,7 +55,7 @@ def projected(given: dict[str, Any]) -> Any:
 # ---- OpenCV and COLMAP ----
 
 
-@settings(max_examples=200)
+@settings(max_examples=200, deadline=None)
 @given(
     quarters, places, places, st.sampled_from(CLIPS),
     st.tuples(st.integers(100, 900), st.integers(100, 900), st.integers(0, 640), halves),
@@ -114,6 +114,7 @@ def test_the_projection_of_intrinsics_is_the_one_that_pyrender_documents() -> No
     assert np.allclose(projected(lens), wanted, rtol=1e-15, atol=1e-16)
 
 
+@settings(deadline=None)
 @given(quarters, places, st.sampled_from(CameraAxes))
 def test_a_pose_and_the_extrinsics_that_undo_it_are_one_camera(
     R: Any, t: Any, axes: CameraAxes
@@ -212,6 +213,7 @@ def test_the_sensor_has_its_own_aspect_until_another_is_said() -> None:
     assert "height lies along" in tall.remarks[0]
 
 
+@settings(deadline=None)
 @given(st.floats(1, 179), st.floats(0.1, 10))
 def test_a_horizontal_field_is_the_vertical_one_over_the_aspect(fov: float, aspect: float) -> None:
     data = nmatrix.Setup(lens={"fov_x": fov, "aspect": aspect}).projection().data

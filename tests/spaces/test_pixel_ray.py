@@ -70,7 +70,7 @@ lenses = st.builds(
 )
 
 
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 @given(lenses, st.booleans(), places, places.filter(any), placings)
 def test_a_point_comes_back_from_its_pixel_and_depth_exactly(
     lens: Lens, as_matrix: bool, point: Any, eye: Any, world: World
@@ -97,7 +97,7 @@ def test_a_point_comes_back_from_its_pixel_and_depth_exactly(
     assert (found.projected is Projected.PARALLEL) is is_parallel
 
 
-@settings(max_examples=60)
+@settings(max_examples=60, deadline=None)
 @given(st.sampled_from(list(SHAPES)), st.sampled_from(list(Api)), places, places)
 def test_what_python_tells_is_within_half_an_ulp(
     shape: str, api: Api, point: Any, eye: Any
