@@ -100,15 +100,15 @@ _HEADINGS = {
     "camera_from_world": "View matrix: camera from world, V = R · T",
     "rotation": "Its factors: first move the eye to the origin, then the 3×3 block",
     "eye": "The camera in the world",
-    "world_from_camera": "The same camera elsewhere: as a pose, and as OpenCV and COLMAP have it",
+    "world_from_camera": "The same camera elsewhere",
 }
 _TITLES = {
     "camera_from_world": "V",
     "rotation": "R",
     "translation": "T",
     "normal_matrix": "normal matrix, V⁻ᵀ of the 3×3 block",
-    "world_from_camera": "V⁻¹",
-    "extrinsics": "[R t]",
+    "world_from_camera": "V⁻¹, its pose",
+    "extrinsics": "[R t] of OpenCV and COLMAP",
 }
 
 

@@ -62,7 +62,9 @@ class LensOptions(OptionGroup):
     """How the camera projects."""
 
     fov: Annotated[str | None, in_lens(metavar="DEG", help="Vertical field of view (60).")] = None
-    fov_x: Annotated[str | None, in_lens(metavar="DEG", help="Horizontal one instead.")] = None
+    fov_x: Annotated[
+        str | None, in_lens(metavar="DEG", help="Horizontal field of view instead.")
+    ] = None
     focal: Annotated[
         str | None, in_lens(metavar="MM", help="Focal length instead, before a --sensor.")
     ] = None

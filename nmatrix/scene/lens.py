@@ -208,7 +208,7 @@ class Lens:
     def remarks(self) -> tuple[str, ...]:
         """What a measured camera leaves to a convention, and how it was taken here."""
         match self.measured:
-            case FilmBack() as film if film.aspect != Fraction(self.aspect_ratio):
+            case FilmBack() as film if float(film.aspect) != float(self.aspect_ratio):
                 across = self.aspect_ratio >= 1
                 return (
                     f"The picture has another aspect than the sensor, whose "
@@ -224,6 +224,8 @@ class Lens:
                     "down lies above up, which turns the picture upside down: the order is left, "
                     "right, down, up; OpenXR's own is left, right, up, down.",
                 )
+            case SideAngles() as sides if sides.left > sides.right:
+                return ("left lies to the right of right, which mirrors the picture.",)
         return ()
 
     @property

@@ -202,7 +202,9 @@ def test_the_sensor_has_its_own_aspect_until_another_is_said() -> None:
     assert own.data["aspect"] == 1.5
     assert own.data["fov_x_deg"] == pytest.approx(degrees(2 * atan(18 / 50)))
     assert own.data["fov_y_deg"] == pytest.approx(degrees(2 * atan(12 / 50)))
-    assert not own.remarks[:1] or "sensor" not in own.remarks[0]
+    assert not any("sensor" in one for one in own.remarks)
+    same = nmatrix.Setup(lens={"focal": 50, "sensor": (16, 9), "aspect": 16 / 9}).projection()
+    assert not any("sensor" in one for one in same.remarks)
     wide = nmatrix.Setup(lens={"focal": 50, "sensor": (36, 24), "aspect": 2}).projection()
     assert wide.data["fov_x_deg"] == own.data["fov_x_deg"]
     assert wide.data["fov_y_deg"] == pytest.approx(degrees(2 * atan(9 / 50)))
@@ -255,6 +257,12 @@ def test_four_angles_are_openxr_s_field_of_view(sides: Any, api: Api, far: float
 def test_openxr_s_own_order_is_told_when_it_turns_the_picture() -> None:
     found = nmatrix.Setup(lens={"angles": (-50, 40, 45, -45)}).projection()
     assert "upside down" in found.remarks[0]
+    assert found.data["fov_y_deg"] is None
+    mirrored = nmatrix.Setup(lens={"angles": (50, -40, -45, 45)}).projection()
+    assert "mirrors" in mirrored.remarks[0]
+    assert nmatrix.Setup(lens={"angles": (-50, 40, -45, 45)}).projection().remarks[:1] != (
+        mirrored.remarks[0],
+    )
 
 
 # ---- what is kept, what is replaced, what is refused ----
