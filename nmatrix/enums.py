@@ -115,6 +115,13 @@ class Handedness(StrEnum):
     LEFT = "left"
 
 
+class CameraAxes(StrEnum):
+    """A camera's own axes: x right and y up, z back (OpenGL), or y down, z ahead (OpenCV)."""
+
+    OPENGL = "opengl"
+    OPENCV = "opencv"
+
+
 class ClipY(StrEnum):
     """Whether y in clip space points up (OpenGL, Direct3D) or down (Vulkan)."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
 from math import inf
 
@@ -15,7 +15,10 @@ from nmatrix.linear.depthstep import DepthAxis
 from nmatrix.linear.identify import Reading, identify
 from nmatrix.linear.interval import Bound
 from nmatrix.linear.lens_readings import LARGEST
-from nmatrix.report import Block, Heading, Number, Quantity, Report, Text, Value, Verdict
+from nmatrix.linear.measured_lens import intrinsics_of
+from nmatrix.linear.projection import Sides, sides_seen
+from nmatrix.linear.rational import scaled
+from nmatrix.report import Block, Heading, Number, Quantity, Report, Text, Value, Vector, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 
@@ -42,11 +45,16 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
     readings = _readings(lens)
     table = DepthTable(_axis(lens), asked)
     numbers = _numbers(lens) if readings is None else _numbers_read(lens)
+    sides = _sides_seen(lens)
+    if sides is not None:
+        numbers = {**_fields(sides), **numbers}
+    viewport = lens.viewport
+    intrinsics = None if sides is None or viewport is None else intrinsics_of(sides, viewport)
     data: dict[str, Value] = {
         "clip_from_camera": P,
         **_clip_data(lens),
         **{name: _finite(numbers.get(name)) for name in NUMBERS},
-        "intrinsics": None,
+        "intrinsics": intrinsics,
         "readings": None if readings is None else [reading_data(one) for one in readings],
         **table.data,
     }
@@ -54,9 +62,10 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
         Heading("Projection matrix: clip from camera"),
         Quantity("clip_from_camera", P, "P"),
         *((Verdict(_verdict(lens)),) if readings is None else _told(readings)),
+        *_measured_blocks(lens, numbers, intrinsics),
         *table.blocks,
     )
-    remarks = (*_remarks(lens), *table.remarks)
+    remarks = (*lens.remarks, *_remarks(lens), *table.remarks)
     return Report("projection", data, blocks, remarks, glsl=table.glsl)
 
 
@@ -117,10 +126,45 @@ def _numbers(lens: Lens) -> Mapping[str, Number]:
     }
     found: dict[str, Number] = {"near": lens.near, "far": lens.far, **sides}
     found["aspect"] = (sides["right"] - sides["left"]) / (sides["top"] - sides["bottom"])
-    if not parallel and not across and not upwards and min(x[0], y[1]) > 0:
-        found["fov_x_deg"] = 2 * arctangent(1 / x[0]) * DEGREES
-        found["fov_y_deg"] = 2 * arctangent(1 / y[1]) * DEGREES
     return found
+
+
+def _sides_seen(lens: Lens) -> Sides | None:
+    """Find what a perspective lens shows at distance 1; a given one by its entries as they are."""
+    if lens.matrix is None:
+        return sides_seen(lens.exact, lens.clip)
+    if not lens.readings:
+        return None
+    return sides_seen(scaled(lens.matrix, 1 / lens.readings[0].factor), lens.clip)
+
+
+def _fields(sides: Sides) -> dict[str, Number]:
+    """Measure the angles between left and right and between bottom and top, seen from the eye."""
+    left, right, bottom, top = sides
+    if left > right or bottom > top:  # the picture is mirrored
+        return {}
+    return {
+        "fov_x_deg": _turn(right) - _turn(left),
+        "fov_y_deg": _turn(top) - _turn(bottom),
+    }
+
+
+def _turn(tangent: Fraction) -> Fraction:
+    size = arctangent(abs(tangent)) * DEGREES
+    return size if tangent > 0 else -size
+
+
+def _measured_blocks(
+    lens: Lens, numbers: Mapping[str, Bound | Number], intrinsics: Vector | None
+) -> Iterator[Block]:
+    """Tell the same lens as other programs ask for it, where it was given so or has a viewport."""
+    if lens.measured is None and intrinsics is None:
+        return
+    for key in ("fov_x_deg", "fov_y_deg"):
+        if numbers.get(key) is not None:
+            yield Quantity(key, numbers[key], f"field of view, {key[4]}", "°")
+    if intrinsics is not None:
+        yield Quantity("intrinsics", intrinsics, "fx fy cx cy, from the corner")
 
 
 def _finite(value: Number | None) -> Number | None:

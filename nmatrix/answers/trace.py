@@ -1,18 +1,51 @@
-"""`nmatrix trace`: one vertex through the pipeline."""
+"""`nmatrix trace`: one vertex through the pipeline, or one pixel back through it."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
-from nmatrix.errors import quantity
+from nmatrix.enums import Projected
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.projection import ClipSpace
+from nmatrix.linear.rational import rational_vector
 from nmatrix.linear.rounding import short_text
+from nmatrix.linear.values import contradiction
+from nmatrix.linear.viewport import Viewport
 from nmatrix.report import Block, Heading, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
-from nmatrix.spaces.trace import Trace, TracedNormal, Viewport
+from nmatrix.spaces.exact_maps import ExactMaps
+from nmatrix.spaces.pixel_ray import PixelRay, Ray, pixel_ray
+from nmatrix.spaces.trace import Trace, TracedNormal
 from nmatrix.spaces.trace import trace as follow
+
+VERTEX, PIXEL = ("point", "normal"), ("pixel", "depth_value")
+
+
+def answer_to(given: Mapping[str, Any], setup: Setup, viewport: Viewport) -> Report:
+    """Answer what was given by name: a vertex, by default the origin, or a pixel.
+
+    Raises
+    ------
+    IllegalValueError
+        If both were given, or a depth without a pixel.
+    """
+    found = {name: value for name, value in given.items() if value is not None}
+    if "pixel" in found:
+        beside = [name for name in VERTEX if name in found]
+        if beside:
+            because = "one goes to the window, the other comes back from it"
+            raise contradiction(quantity("pixel"), beside, because)
+        return pixel(setup, found["pixel"], found.get("depth_value"), viewport)
+    if "depth_value" in found:
+        why = "it is the depth of a pixel"
+        raise IllegalValueError(
+            f"{quantity('depth_value')} alone", why, f"add {quantity('pixel')} X Y"
+        )
+    return trace(setup, found.get("point", (0, 0, 0)), found.get("normal"), viewport)
 
 
 def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport) -> Report:
@@ -24,9 +57,7 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
     >>> found.data["inside"], float(found.data["window"][0])
     (True, 256.0)
     """
-    # The lens before its rounding has near, far and the sides exactly where they were put.
-    maps = replace(setup.maps, clip_from_camera=setup.lens.exact)
-    found = follow(maps, point, normal, setup.lens.clip, viewport)
+    found = follow(_exact_maps(setup), point, normal, setup.lens.clip, viewport)
     titles = _TITLES | {"window": _window_title(setup.lens.clip)}
     frames: dict[str, Vector | Number | None] = {key: getattr(found, key) for key in titles}
     carried = None if found.normal is None else _directions(found.normal)
@@ -36,6 +67,9 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
         "outside_planes": list(found.outside_planes),
         "pixel": found.pixel,
         "normal": None if carried is None else {**carried},
+        "ray": None,
+        "point_world": None,
+        "point_object": None,
     }
     blocks: tuple[Block, ...] = (
         Heading("One vertex through the pipeline"),
@@ -44,8 +78,89 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
         *(Quantity(f"normal.{key}", v, f"normal, {key}") for key, v in (carried or {}).items()),
         Verdict(_verdict(found)),
     )
-    remarks = (*setup.remarks, *_lens_remarks(setup.lens), *_remarks(found))
+    remarks = (*setup.remarks, *setup.lens.remarks, *_lens_remarks(setup.lens), *_remarks(found))
     return Report("trace", data, blocks, remarks)
+
+
+def pixel(setup: Setup, place: Vector, depth: Number | None, viewport: Viewport) -> Report:
+    """Answer with the ray of all that a pixel may show, and with the point that has a depth there.
+
+    Examples
+    --------
+    >>> found = pixel(Setup(), (256, 256), None, Viewport(512, 512))
+    >>> found.data["ray"]["direction_world"]
+    (0.0, 0.0, -1.0)
+    """
+    if depth is not None and not 0 <= depth <= 1:
+        raise IllegalValueError(
+            f"{quantity('depth_value')} ({float(depth):g})",
+            "a buffer stores depths from 0 to 1",
+            "give such a number",
+        )
+    clip, counted = setup.lens.clip, rational_vector(place)
+    stored = None if depth is None else Fraction(depth)
+    found = pixel_ray(_exact_maps(setup), counted, stored, clip, viewport)
+    window = viewport.pixel(counted, clip)
+    points = {"point_world": found.point_world, "point_object": found.point_object}
+    data: dict[str, Value] = {
+        **dict.fromkeys(_TITLES),
+        "ndc": None if stored is None else found.ndc,
+        "window": None if stored is None else (*window, stored),
+        "inside": None,
+        "outside_planes": None,
+        "pixel": counted,
+        "normal": None,
+        "ray": {**_ray_data("world", found.world), **_ray_data("object", found.object)},
+        **points,
+    }
+    blocks: list[Block] = [Heading("The ray of a pixel")]
+    for space, ray in (("world", found.world), ("object", found.object)):
+        if ray is not None:
+            blocks += [
+                Quantity(f"ray.origin_{space}", ray.origin, f"origin, {space}"),
+                Quantity(f"ray.direction_{space}", ray.direction, f"direction, {space}"),
+            ]
+    for key, point in points.items():
+        if point is not None:
+            blocks.append(Quantity(key, point, f"point, {key.removeprefix('point_')}"))
+    blocks.append(Verdict(_how_found(found)))
+    remarks = (
+        *setup.remarks,
+        *setup.lens.remarks,
+        *_lens_remarks(setup.lens),
+        *_ray_remarks(found),
+    )
+    return Report("trace", data, tuple(blocks), remarks)
+
+
+def _exact_maps(setup: Setup) -> ExactMaps:
+    """Take the lens before its rounding, which has near, far and the sides where they were put."""
+    return replace(setup.maps, clip_from_camera=setup.lens.exact)
+
+
+def _ray_data(space: str, ray: Ray | None) -> dict[str, Value]:
+    return {
+        f"origin_{space}": None if ray is None else ray.origin,
+        f"direction_{space}": None if ray is None else ray.direction,
+    }
+
+
+def _how_found(found: PixelRay) -> str:
+    x, y = (short_text(one, 6) for one in found.ndc[:2])
+    begins = {
+        Projected.PERSPECTIVE: "it begins in the eye, as all rays of this lens do",
+        Projected.PARALLEL: "it begins on the near plane, and all rays of this lens are parallel",
+    }
+    return f"Back by P⁻¹, V⁻¹ and M⁻¹ from x = {x}, y = {y} in NDC: {begins[found.projected]}."
+
+
+def _ray_remarks(found: PixelRay) -> tuple[str, ...]:
+    remarks = []
+    if max(map(abs, found.ndc[:2])) > 1:
+        remarks.append("The pixel is outside of the window, and its ray is outside of the view.")
+    if found.object is None:
+        remarks.append("M flattens space, so no M⁻¹ leads from the world back to the object.")
+    return tuple(remarks)
 
 
 _TITLES = {

@@ -30,7 +30,9 @@ def view(setup: Setup) -> Report:
     V = placed.camera_from_world
     R = rational.affine_matrix(rational.linear_part(V))
     T = translation_matrix(tuple(-component for component in placed.eye))
-    found = classify(V, setup.tolerance)
+    meant = setup.to_digits
+    stands_for = None if meant is setup else meant.camera.camera_from_world
+    found = classify(V, setup.tolerance, stands_for)
     right, up, forward = _camera_axes(V, found, setup.view.handed)
     if not found.linear_map.integer_determinant:
         raise NoAnswerError("view matrix (determinant 0)", "it flattens space", "give another")
@@ -47,21 +49,26 @@ def view(setup: Setup) -> Report:
         "forward": forward,
         "normal_matrix": normal_matrix,
     }
+    elsewhere: dict[str, Matrix | None] = {
+        "world_from_camera": rational.affine_matrix(_back(V, found), placed.eye),
+        "extrinsics": _extrinsics(V, setup.view.handed),
+    }
     undecided = given and setup.view.handed is Handedness.RIGHT  # nobody said so
     data: dict[str, Value] = {
         **shown,
         "handed": None if undecided else setup.view.handed.value,
         "mirrored": found.mirrored,
         "readings": [reading_data(one) for one in readings] if given else None,
-        "world_from_camera": rational.affine_matrix(_back(V, found), placed.eye),
-        "extrinsics": _extrinsics(V, setup.view.handed),
+        **elsewhere,
     }
     remarks = [*placed.remarks, *transform_remarks(found)]
-    if given and (found.mirrored or not found.is_rigid):
+    whole = setup.view.typed_matrix is not None
+    if whole and (found.mirrored or not found.is_rigid):
         remarks.append(_no_pose(found))
     if undecided:
         remarks.append(_NO_HAND)
-    return Report("view", data, _blocks(shown, found, readings), tuple(remarks))
+    told = shown | {key: matrix for key, matrix in elsewhere.items() if matrix is not None}
+    return Report("view", data, _blocks(told, found, readings), tuple(remarks))
 
 
 _NO_HAND = (
@@ -93,12 +100,15 @@ _HEADINGS = {
     "camera_from_world": "View matrix: camera from world, V = R · T",
     "rotation": "Its factors: first move the eye to the origin, then the 3×3 block",
     "eye": "The camera in the world",
+    "world_from_camera": "The same camera elsewhere",
 }
 _TITLES = {
     "camera_from_world": "V",
     "rotation": "R",
     "translation": "T",
     "normal_matrix": "normal matrix, V⁻ᵀ of the 3×3 block",
+    "world_from_camera": "V⁻¹, its pose",
+    "extrinsics": "[R t] of OpenCV and COLMAP",
 }
 
 
@@ -135,9 +145,10 @@ def _camera_axes(
 
 
 def _back(camera_from_world: RationalMatrix, found: Classification) -> RationalMatrix:
-    """Invert the 3×3 block; of a rotation by turning rows to columns, which rounds nothing."""
+    """Invert the 3×3 block; of a rotation of floats by turning it over, which rounds nothing."""
     block = rational.linear_part(camera_from_world)
-    rigid = found.kind_as_typed in RIGID_KINDS
+    is_built = rational.rounded_for_display(block) == block
+    rigid = is_built and found.kind_as_typed in RIGID_KINDS
     return rational.transpose(block) if rigid else rational.inverse(block)
 
 

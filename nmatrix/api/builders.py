@@ -22,6 +22,7 @@ from nmatrix.errors import IllegalValueError
 from nmatrix.linear import affine, projection, rational, view
 from nmatrix.linear.angle import Angle, as_angle
 from nmatrix.linear.projection import ClipSpace, Window, clip_space
+from nmatrix.linear.viewport import window_from_ndc
 from nmatrix.scene.given import refuse_together
 
 XYZ, SIDES = (3,), (4,)
@@ -299,8 +300,10 @@ def viewport(width: ArrayLike, height: ArrayLike, api: str | Api = Api.OPENGL) -
 
     def build(w: float, h: float) -> rational.RationalMatrix:
         if not (w > 0 and h > 0):
-            raise IllegalValueError(f"viewport ({w:g} × {h:g})", "both sides are positive", "")
-        return projection.window_from_ndc(w, h, clip)
+            raise IllegalValueError(
+                f"viewport ({w:g} × {h:g})", "both sides are positive", "try viewport(640, 480)"
+            )
+        return window_from_ndc(w, h, clip)
 
     return places.each(build, (places.real("width", width, ()), places.real("height", height, ())))
 

@@ -17,7 +17,7 @@ from nmatrix.enums import (
     Space,
     chosen,
 )
-from nmatrix.linear.values import named_file, plain_value, real, refused, vector
+from nmatrix.linear.values import named_file, number, plain_value, real, refused, vector
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
 from nmatrix.scene.given import hand_of, lens_of, light_of, view_of, world_of
@@ -205,29 +205,52 @@ class Setup:
         return Report(answer(self.values, request))
 
     def trace(
-        self, point: object = (0, 0, 0), *, normal: object = None, viewport: object = (512, 512)
+        self,
+        point: object = None,
+        *,
+        normal: object = None,
+        pixel: object = None,
+        depth_value: object = None,
+        viewport: object = None,
     ) -> Report:
-        """Return one vertex in every frame from object space to the window.
+        """Return one vertex in every frame from object space to the window, or a pixel's ray.
 
         Parameters
         ----------
         point, normal
-            In object space.
+            In object space; the origin where neither it nor a pixel is given.
+        pixel
+            x and y from the upper left corner instead; the first pixel's middle is (0.5, 0.5).
+        depth_value
+            The window depth there, from 0 to 1: then the point is known too.
         viewport
-            Width and height in pixels.
-        """
-        from nmatrix.answers.trace import trace
-        from nmatrix.spaces.trace import Viewport
+            Width and height in pixels; the lens's own, else 512 × 512.
 
-        sides = (real(side, "viewport") for side in vector(viewport, "viewport", size=2))
-        return Report(
-            trace(
-                self.values,
-                vector(point, "point"),
-                None if normal is None else vector(normal, "normal"),
-                Viewport(*sides),
-            )
-        )
+        Raises
+        ------
+        IllegalValueError
+            For a vertex and a pixel at once, or a depth outside 0 to 1.
+        NoAnswerError
+            For a depth that is infinitely far away.
+
+        Examples
+        --------
+        >>> seen = Setup(lens={"fov": 90, "near": 1}).trace(pixel=(256, 256), depth_value=0)
+        >>> seen.data["point_world"]
+        [0.0, 0.0, 4.0]
+        """
+        from nmatrix.answers.trace import answer_to
+        from nmatrix.linear.viewport import Viewport, read_viewport
+
+        own = self.values.lens.viewport or Viewport(512, 512)
+        given = {
+            "point": None if point is None else vector(point, "point"),
+            "normal": None if normal is None else vector(normal, "normal"),
+            "pixel": None if pixel is None else vector(pixel, "pixel", size=2),
+            "depth_value": None if depth_value is None else number(depth_value, "depth_value"),
+        }
+        window = own if viewport is None else read_viewport(viewport, "viewport")
+        return Report(answer_to(given, self.values, window))
 
 
 def setup_values(given: object) -> setup.Setup:

@@ -10,7 +10,8 @@ from typer import Option
 
 from nmatrix.cli.shared_options import ConventionOption, HandedOption, OptionGroup
 from nmatrix.cli.sources import Sources
-from nmatrix.enums import Api, ClipY, DepthRange
+from nmatrix.enums import Api, CameraAxes, ClipY, DepthRange
+from nmatrix.linear.viewport import Viewport
 from nmatrix.reading.numbers import number_or_infinity
 from nmatrix.scene.given import hand_of, lens_of, view_of
 from nmatrix.scene.setup import Setup
@@ -34,15 +35,25 @@ class ViewOptions(OptionGroup):
     view_matrix: Annotated[
         str | None, in_view(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
+    extrinsics: Annotated[
+        str | None,
+        in_view(metavar="MATRIX", help="[R t] from the world to an OpenCV or COLMAP camera."),
+    ] = None
+    pose: Annotated[
+        str | None, in_view(metavar="MATRIX", help="World from camera, as in NeRF.")
+    ] = None
+    pose_axes: Annotated[
+        CameraAxes | None, in_view(help="The camera axes of that pose (opengl).")
+    ] = None
     handed: HandedOption = None
     convention: ConventionOption = None
 
     def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own view."""
         given = self.numbers(eye=3, target=3, up=3, elevation=1, angle=1, roll=1)
-        given |= self.typed("handed", "convention")
-        if self.view_matrix is not None:
-            given["view_matrix"] = sources.affine(self.view_matrix)
+        given |= self.typed("handed", "convention", "pose_axes")
+        for name, text in self.typed("view_matrix", "extrinsics", "pose").items():
+            given[name] = sources.affine(text)
         return replace(setup, view=view_of(given, setup.view))
 
 
@@ -51,7 +62,27 @@ class LensOptions(OptionGroup):
     """How the camera projects."""
 
     fov: Annotated[str | None, in_lens(metavar="DEG", help="Vertical field of view (60).")] = None
-    aspect: Annotated[str | None, in_lens(metavar="R", help="Width over height (1).")] = None
+    fov_x: Annotated[
+        str | None, in_lens(metavar="DEG", help="Horizontal field of view instead.")
+    ] = None
+    focal: Annotated[
+        str | None, in_lens(metavar="MM", help="Focal length instead, before a --sensor.")
+    ] = None
+    sensor: Annotated[str | None, in_lens(metavar="W H", help="Its size, in mm.")] = None
+    intrinsics: Annotated[
+        str | None,
+        in_lens(metavar="FX FY CX CY", help="Pixels of a --viewport, from its upper left corner."),
+    ] = None
+    angles: Annotated[
+        str | None,
+        in_lens(metavar="LEFT RIGHT DOWN UP", help="Four angles from the axis, left, down < 0."),
+    ] = None
+    viewport: Annotated[
+        str | None, in_lens(metavar="W H", help="The window or image in pixels.")
+    ] = None
+    aspect: Annotated[
+        str | None, in_lens(metavar="R", help="Width over height (the picture's, or 1).")
+    ] = None
     near: Annotated[str | None, in_lens(metavar="N", help="Near distance (0.1).")] = None
     far: Annotated[str | None, in_lens(metavar="F", help="Far distance, or inf (100).")] = None
     ortho: Annotated[
@@ -70,9 +101,16 @@ class LensOptions(OptionGroup):
         str | None, in_lens(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
 
+    @property
+    def window(self) -> Viewport | None:
+        """The viewport that was typed."""
+        found = self.numbers(viewport=2)
+        return Viewport(*found["viewport"]) if found else None
+
     def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own lens; its hand is the view's too."""
-        given = self.numbers(fov=1, aspect=1, near=1, ortho=4, frustum=4)
+        given = self.numbers(fov=1, fov_x=1, focal=1, aspect=1, near=1, sensor=2, viewport=2)
+        given |= self.numbers(intrinsics=4, angles=4, ortho=4, frustum=4)
         given |= self.typed("depth", "handed", "clip_y", "api")
         if self.far is not None:
             given["far"] = number_or_infinity(self.far, "--far")

@@ -54,6 +54,10 @@ def render(
     if list_:
         put("".join(f"{one.name:14}{one.claim}\n" for one in PROOFS))
         return
+    if picture.size is None and groups.lens.viewport is not None:
+        picture = replace(
+            picture, size=groups.lens.viewport
+        )  # pixels of a camera are its picture's
     _write(_frame(subject, mesh, groups, picture, common), frames, file, common)
 
 

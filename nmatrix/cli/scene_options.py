@@ -213,6 +213,8 @@ class OptionGroups:
         tolerance: ToleranceOption = USUAL_TOLERANCE,
     ) -> Setup:
         """Build what the command line describes; `aspect` is that of a picture, if it has one."""
+        if aspect is None and self.lens.window is not None and self.scene.scene is not None:
+            aspect = float(self.lens.window.aspect)  # without a scene it is the lens's own
         setup = self.scene.setup(common.sources, aspect)
         for group in (self.world, self.view, self.lens):
             setup = group.override(setup, common.sources)

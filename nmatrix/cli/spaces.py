@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from typer import Option
 
@@ -13,10 +13,9 @@ from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Shading
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.numbers import numbers
-
-if TYPE_CHECKING:
-    from nmatrix.spaces.trace import Viewport
+from nmatrix.linear.viewport import Viewport
+from nmatrix.reading.numbers import number, numbers
+from nmatrix.scene.setup import Setup
 
 HELP = {
     "light": """nmatrix light camera --eye 3 3 3 --light-angles -60 -120
@@ -39,6 +38,8 @@ With -f glsl its shaders.""",
     "trace": """nmatrix trace --point 1 1 1 --normal 0 0 1
 
 nmatrix trace --point 0 0 6 --viewport 1920 1080 --api vulkan
+
+nmatrix trace --pixel 960 540 --viewport 1920 1080 --depth-value 0.5
 
 It names the planes that the vertex is outside of.""",
 }
@@ -110,29 +111,35 @@ def trace(
     lens: LensOptions,
     scene: SceneOptions,
     common: CommonOptions,
-    point: Annotated[str, Option(metavar="X Y Z", help="The vertex, in object space.")] = "0 0 0",
+    point: Annotated[
+        str | None, Option(metavar="X Y Z", help="The vertex, in object space (0 0 0).")
+    ] = None,
     normal: Annotated[
         str | None, Option(metavar="X Y Z", help="Its normal, in object space.")
     ] = None,
-    viewport: Annotated[
-        str | None, Option(metavar="W H", help="The window in pixels (512 512).")
+    pixel: Annotated[
+        str | None,
+        Option(metavar="X Y", help="Back from a pixel instead: 0.5 0.5 is the upper left one."),
+    ] = None,
+    depth_value: Annotated[
+        str | None, Option(metavar="D", help="The depth that is stored there, 0 to 1.")
     ] = None,
 ) -> None:
-    """Show one vertex on its way."""
-    from nmatrix.answers.trace import trace as answer
+    """Show one vertex on its way, or the ray of one pixel."""
+    from nmatrix.answers.trace import answer_to
 
-    window = _window(viewport, scene)
-    aspect = None if viewport is None else window.width / window.height
-    setup = OptionGroups(world, view, lens, scene=scene).setup(common, aspect=aspect)
-    n = None if normal is None else numbers(normal, 3, "--normal")
-    show(answer(setup, numbers(point, 3, "--point"), n, window), common)
+    setup = OptionGroups(world, view, lens, scene=scene).setup(common)
+    given = {
+        "point": None if point is None else numbers(point, 3, "--point"),
+        "normal": None if normal is None else numbers(normal, 3, "--normal"),
+        "pixel": None if pixel is None else numbers(pixel, 2, "--pixel"),
+        "depth_value": None if depth_value is None else number(depth_value, "--depth-value"),
+    }
+    show(answer_to(given, setup, _window(setup, scene)), common)
 
 
-def _window(viewport: str | None, scene: SceneOptions) -> Viewport:
-    """Read the window, by default the scene's picture."""
-    from nmatrix.spaces.trace import Viewport
-
-    if viewport is None:
-        size = (512, 512) if scene.scene is None else scene.scene.settings.size
-        return Viewport(*map(float, size))
-    return Viewport(*numbers(viewport, 2, "--viewport"))
+def _window(setup: Setup, scene: SceneOptions) -> Viewport:
+    """Choose the window: the one that is given, else the scene's picture."""
+    if setup.lens.viewport is not None:
+        return setup.lens.viewport
+    return Viewport(*((512, 512) if scene.scene is None else scene.scene.settings.size))

@@ -17,8 +17,9 @@ from sys import float_info
 
 from nmatrix.enums import DepthRange, Projected
 from nmatrix.errors import NoAnswerError
-from nmatrix.linear.projection import WINDOW_DEPTH, orthographic_depth, perspective_depth
+from nmatrix.linear.projection import orthographic_depth, perspective_depth
 from nmatrix.linear.rounding import nearest, nth_root
+from nmatrix.linear.viewport import WINDOW_DEPTH
 
 DISTANCES = 7
 INTERVALS = DISTANCES - 1

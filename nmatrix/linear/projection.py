@@ -29,6 +29,8 @@ from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant
 from nmatrix.linear.values import read_fields, real
 
+Sides = tuple[Fraction, Fraction, Fraction, Fraction]  # left, right, bottom, top
+
 CLIP_PARTS = ("depth", "handed", "clip_y")  # what may be given beside an interface
 
 
@@ -128,7 +130,7 @@ class Window:
     def __post_init__(self) -> None:
         read_fields(self, left=real, right=real, bottom=real, top=real)
 
-    def checked(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+    def checked(self) -> Sides:
         """Return the four sides exactly.
 
         Raises
@@ -136,17 +138,8 @@ class Window:
         NoAnswerError
             If two of them coincide and the window encloses nothing.
         """
-        for low, high, names in (
-            (self.left, self.right, "left and right"),
-            (self.bottom, self.top, "bottom and top"),
-        ):
-            if low == high:
-                raise NoAnswerError(
-                    f"{names} ({low:g} and {high:g})",
-                    "they coincide, so the view has no extent",
-                    "move one of them",
-                )
         left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
+        _check_extent((left, right, bottom, top))
         return left, right, bottom, top
 
 
@@ -156,18 +149,12 @@ NDC_DEPTH: Mapping[DepthRange, tuple[int, int]] = {  # at the near plane, at the
     DepthRange.ZERO_TO_ONE: (0, 1),
     DepthRange.REVERSED: (1, 0),
 }
-HALF = Fraction(1, 2)
-WINDOW_DEPTH: Mapping[DepthRange, tuple[Fraction, Fraction]] = {  # of NDC z: slope and offset
-    DepthRange.MINUS_ONE_TO_ONE: (HALF, HALF),
-    DepthRange.ZERO_TO_ONE: (ONE, ZERO),
-    DepthRange.REVERSED: (ONE, ZERO),
-}
 CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 
 
 def perspective(
     half_fov_y: Angle,
-    aspect: float,
+    aspect: float | Fraction,
     near: float,
     far: float,
     clip: ClipSpace = DEFAULT_CLIP_SPACE,
@@ -207,7 +194,7 @@ def perspective(
     return _perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
 
 
-def _focal_lengths(half_fov_y: Angle, aspect: float) -> tuple[Fraction, Fraction]:
+def _focal_lengths(half_fov_y: Angle, aspect: float | Fraction) -> tuple[Fraction, Fraction]:
     """Return the focal lengths in x and y: cot(fov/2), for x over the aspect."""
     if half_fov_y.sine <= 0 or half_fov_y.cosine <= 0:
         raise IllegalValueError(
@@ -247,14 +234,77 @@ def frustum(
     >>> print(*frustum(Window(0, 2, -1, 1), 1.0, inf)[0])
     1 0 1 0
     """
-    left, right, bottom, top = window.checked()
-    width, height, n = right - left, top - bottom, Fraction(near)
+    return _through(
+        window.checked(), Fraction(near), perspective_depth(near, far, clip.depth), clip
+    )
+
+
+def perspective_through(
+    sides: Sides, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+) -> RationalMatrix:
+    """Build the projection of a perspective view through any rectangle at distance 1.
+
+    Raises
+    ------
+    IllegalValueError
+        For a near that is not positive, near > far.
+    NoAnswerError
+        For near = far, and if two opposite sides coincide.
+
+    Examples
+    --------
+    >>> sides = tuple(map(Fraction, (0, 2, -1, 1)))
+    >>> perspective_through(sides, 3.0, inf) == frustum(Window(0, 6, -3, 3), 3.0, inf)
+    True
+    """
+    _check_extent(sides)
+    return _through(sides, ONE, perspective_depth(near, far, clip.depth), clip)
+
+
+def _through(
+    sides: Sides, distance: Fraction, depth_row: tuple[Fraction, Fraction], clip: ClipSpace
+) -> RationalMatrix:
+    """Build a perspective matrix of a rectangle at a distance, and of its z row."""
+    left, right, bottom, top = sides
+    width, height = right - left, top - bottom
     return _perspective_rows(
-        (2 * n / width, 2 * n / height),
+        (2 * distance / width, 2 * distance / height),
         ((right + left) / width, (top + bottom) / height),
-        perspective_depth(near, far, clip.depth),
+        depth_row,
         clip,
     )
+
+
+def sides_seen(P: RationalMatrix, clip: ClipSpace) -> Sides | None:
+    """Find the rectangle at distance 1 that a perspective matrix shows; of any other, None.
+
+    Examples
+    --------
+    >>> print(*sides_seen(frustum(Window(0, 6, -3, 3), 3.0, inf), ClipSpace()))
+    0 2 -1 1
+    """
+    if not is_lens(P) or P[3][3]:
+        return None
+    forward, y = clip.forward_z, clip.y_sign
+    across, upwards = forward * P[0][2], forward * y * P[1][2]
+    wide, high = P[0][0], y * P[1][1]
+    return (
+        (-1 - across) / wide,
+        (1 - across) / wide,
+        (-1 - upwards) / high,
+        (1 - upwards) / high,
+    )
+
+
+def _check_extent(sides: Sides) -> None:
+    """Refuse a rectangle whose opposite sides coincide."""
+    for low, high, names in ((*sides[:2], "left and right"), (*sides[2:], "bottom and top")):
+        if low == high:
+            raise NoAnswerError(
+                f"{names} ({float(low):g} and {float(high):g})",
+                "they coincide, so the view has no extent",
+                "move one of them",
+            )
 
 
 def orthographic(
@@ -274,31 +324,6 @@ def orthographic(
         (2 / (right - left), ZERO, ZERO, -(right + left) / (right - left)),
         (ZERO, 2 * y / (top - bottom), ZERO, -y * (top + bottom) / (top - bottom)),
         (ZERO, ZERO, clip.forward_z * slope, offset),
-        (ZERO, ZERO, ZERO, ONE),
-    )
-
-
-def window_from_ndc(width: float, height: float, clip: ClipSpace) -> RationalMatrix:
-    """Build the last map of the pipeline: x and y in pixels, z the window depth from 0 to 1.
-
-    x counts from the left, y from where the interface's window begins. Pixels begin at whole
-    numbers, so the middle of the first one is at (0.5, 0.5).
-
-    Examples
-    --------
-    >>> for row in window_from_ndc(640, 480, clip_space("direct3d", "clip"))[:3]:
-    ...     print(*row)
-    320 0 0 320
-    0 -240 0 240
-    0 0 1 0
-    """
-    half_width, half_height = Fraction(width) / 2, Fraction(height) / 2
-    flip = clip.window_y_sign * clip.y_sign
-    slope, offset = WINDOW_DEPTH[clip.depth]
-    return (
-        (half_width, ZERO, ZERO, half_width),
-        (ZERO, flip * half_height, ZERO, half_height),
-        (ZERO, ZERO, slope, offset),
         (ZERO, ZERO, ZERO, ONE),
     )
 
@@ -369,11 +394,11 @@ def check_near_far(near: float, far: float) -> None:
         )
 
 
-def check_aspect(aspect: float) -> None:
+def check_aspect(aspect: float | Fraction) -> None:
     """Refuse an aspect ratio that is not positive."""
     if not aspect > 0:
         raise IllegalValueError(
-            f"aspect ({aspect:g})",
+            f"aspect ({float(aspect):g})",
             "width over height must be positive",
             f"try {quantity('aspect')} 1.5",
         )

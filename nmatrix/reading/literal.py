@@ -12,6 +12,7 @@ from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.projection import is_lens
 from nmatrix.linear.rational import (
+    AFFINE_ROW,
     RationalMatrix,
     RoundedMatrix,
     Rows,
@@ -141,10 +142,12 @@ def literal_from_tokens(
 def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     """Take a matrix for an affine 4×4 with the last row 0 0 0 1; nine numbers are its linear part.
 
+    Three rows of four are all of it but that last row.
+
     Raises
     ------
     IllegalValueError
-        If it is neither 3×3 nor 4×4, or its last row is not 0 0 0 1.
+        If it is neither 3×3 nor 3×4 nor 4×4, or its last row is not 0 0 0 1.
 
     Examples
     --------
@@ -155,6 +158,9 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     if matrix.shape == (3, 3):
         digits = (*((*row, None) for row in matrix.digits), (None,) * 4)
         return replace(matrix, rows_exact=affine_matrix(matrix.rows_exact), digits=digits)
+    if matrix.shape == (3, 4):
+        rows, digits = (*matrix.rows_exact, AFFINE_ROW), (*matrix.digits, (None,) * 4)
+        return replace(matrix, rows_exact=rows, digits=digits)
     _require_4x4(matrix, "9 or 16 numbers")
     if not is_affine(matrix.rows_exact):
         raise _not_affine(matrix)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from nmatrix.enums import Convention, Handedness, chosen
@@ -19,6 +19,7 @@ from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vec
 from nmatrix.linear.view import first_person, look_at
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
+from nmatrix.scene.measured_view import Extrinsics, MeasuredView, measured_view
 
 _POLIMI = (
     "convention polimi: a positive angle looks to the right: V = Rx(−elevation) · Ry(+angle) · "
@@ -26,6 +27,8 @@ _POLIMI = (
 )
 
 AIM = ("target", "up")  # where to look, unless angles say so
+ANGLES = ("elevation", "angle", "roll")
+MEASURED = ("extrinsics", "pose")  # the whole place in one matrix, as a view matrix is
 
 
 @dataclass(frozen=True)
@@ -51,13 +54,14 @@ class FirstPerson:
 
 @dataclass(frozen=True)
 class View:
-    """A camera in world units; `angles` or `matrix` take the place of the target."""
+    """A camera in world units; `angles`, `matrix` or `measured` take the place of the target."""
 
     eye: Vector = (0, 0, 5)
     target: Vector = (0, 0, 0)
     up: Vector = (0, 1, 0)
     angles: FirstPerson | None = None
     matrix: RationalMatrix | None = None
+    measured: MeasuredView | None = None
     handed: Handedness = Handedness.RIGHT
     convention: Convention = Convention.STANDARD
 
@@ -69,10 +73,14 @@ class View:
             up=vector,
             angles=_read_angles,
             matrix=named("view_matrix", read_affine),
+            measured=measured_view,
             handed=partial(chosen, Handedness),
             convention=partial(chosen, Convention),
         )
         refuse_beside(self, "matrix", ("eye", *AIM, "angles"), names={"matrix": "view_matrix"})
+        measured_as = "extrinsics" if isinstance(self.measured, Extrinsics) else "pose"
+        names = {"matrix": "view_matrix", "measured": measured_as}
+        refuse_beside(self, "measured", ("eye", *AIM, "angles", "matrix"), names=names)
         refuse_beside(self, "angles", AIM, "both say where to look")
         if self.angles is not None and self.handed is Handedness.LEFT:
             raise IllegalValueError(
@@ -80,6 +88,30 @@ class View:
                 "the two angles are defined for a camera that looks down −z",
                 f"use {quantity('target')}, or leave {quantity('handed')} out",
             )
+
+        if self.measured is not None and self.handed is Handedness.LEFT:
+            raise IllegalValueError(
+                f"{quantity(measured_as)} with {quantity('handed')} left",
+                "a measured camera becomes one that looks down −z, and a left-handed one looks "
+                "down +z",
+                f"leave out {quantity('handed')} left, and {quantity('api')} direct3d",
+            )
+
+    @property
+    def is_aimed(self) -> bool:
+        """Whether the camera looks at a target."""
+        return (self.angles, self.matrix, self.measured) == (None, None, None)
+
+    @property
+    def typed_matrix(self) -> RationalMatrix | None:
+        """The matrix that the camera was given as, in whatever sense."""
+        return self.matrix if self.measured is None else self.measured.matrix
+
+    def with_matrix(self, matrix: RationalMatrix) -> View:
+        """Return the camera that another matrix in that same sense makes."""
+        if self.measured is None:
+            return replace(self, matrix=matrix)
+        return replace(self, measured=replace(self.measured, matrix=matrix))
 
     def placed(self) -> PlacedCamera:
         """Return the view matrix and the eye.
@@ -96,6 +128,8 @@ class View:
         """
         if self.matrix is not None:
             return PlacedCamera(self.matrix, _eye_of(self.matrix))
+        if self.measured is not None:
+            return PlacedCamera(self.measured.camera_from_world, self.measured.eye)
         if self.angles is not None:
             return self._by_angles(self.angles)
         found = look_at(self.eye, self.target, self.up, self.handed)

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.scene import Scene
 from nmatrix.scene.words import LightKind
@@ -93,8 +94,7 @@ def _to_light(light: SceneLight) -> Array | None:
 def fitted(scene: Scene, balls: Sequence[Ball], signs: Sequence[int] = OCTANTS[0]) -> Scene:
     """Return the scene with an eye that sees the balls (centre, radius) that hold its objects."""
     centre, radius = enclosing(balls)
-    half = radians(scene.lens.fov_degrees / 2)
-    half = min(half, atan(tan(half) * scene.lens.aspect))
+    half = _half_angle(scene.lens)
     direction = np.array(TOWARDS_EYE) / np.sqrt(np.dot(TOWARDS_EYE, TOWARDS_EYE)) * signs
     distance = radius / sin(half) * ROOM
     eye = centre + direction * distance
@@ -104,6 +104,14 @@ def fitted(scene: Scene, balls: Sequence[Ball], signs: Sequence[int] = OCTANTS[0
         view=replace(scene.view, eye=tuple(eye.tolist()), target=tuple(centre.tolist())),
         lens=replace(scene.lens, near=near, far=distance + radius * ROOM),
     )
+
+
+def _half_angle(lens: Lens) -> float:
+    """Find the smallest angle from the view axis to a side, in radians."""
+    if lens.measured_sides is not None:
+        return atan(min(abs(float(side)) for side in lens.measured_sides))
+    half = radians(lens.fov_degrees / 2)
+    return min(half, atan(tan(half) * lens.aspect_ratio))
 
 
 def enclosing(balls: Sequence[Ball]) -> Ball:

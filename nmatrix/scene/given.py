@@ -14,6 +14,7 @@ from typing import Any
 
 from nmatrix.enums import Convention, DepthRange, Handedness, chosen
 from nmatrix.errors import IllegalValueError, did_you_mean, quantity
+from nmatrix.linear.measured_lens import Intrinsics, SideAngles
 from nmatrix.linear.projection import (
     CLIP_PARTS,
     check_aspect,
@@ -21,8 +22,9 @@ from nmatrix.linear.projection import (
     clip_space_over,
 )
 from nmatrix.linear.values import WHOLE, contradiction
-from nmatrix.scene.camera import AIM, FirstPerson, View
-from nmatrix.scene.lens import Lens
+from nmatrix.scene.camera import AIM, ANGLES, MEASURED, FirstPerson, View
+from nmatrix.scene.lens import EXCLUDES, SHAPES, TWO_SHAPES, Lens, measured_lens
+from nmatrix.scene.measured_view import Pose, measured_view
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
@@ -30,8 +32,8 @@ Given = Mapping[str, Any]
 
 WHOLE_TURNS = ("quaternion", "axis_angle")  # a rotation without an order
 PARTS = ("translate", "rotate", *WHOLE_TURNS, "scale", "shear")
-ANGLES = ("elevation", "angle", "roll")
-SHAPE = ("fov", "aspect", "near", "far", "ortho", "frustum")
+SHAPE = (*SHAPES, "near", "far")
+_UNMEASURED = {"fov", "ortho", "frustum"}  # each takes the place of a measured lens
 LIGHT = ("light_direction", "light_angles", "light_position")
 
 
@@ -88,18 +90,29 @@ def view_of(given: Given, base: View | None = None) -> View:
     >>> view_of({"eye": (1, 2, 3), "handed": "left"}).eye
     (1, 2, 3)
     """
-    names = ("eye", *AIM, *ANGLES, "handed", "convention", "view_matrix")
+    parts = ("eye", *AIM, *ANGLES)
+    names = (*parts, "handed", "convention", "view_matrix", *MEASURED, "pose_axes")
     found, base = _known(given, names, "view"), base or View()
-    refuse_together("view_matrix", ("eye", *AIM, *ANGLES), found, WHOLE)
+    refuse_together("view_matrix", (*parts, *MEASURED), found, WHOLE)
+    refuse_together("extrinsics", (*parts, "pose", "pose_axes"), found, WHOLE)
+    refuse_together("pose", parts, found, WHOLE)
     if "view_matrix" in found:
         kept = {"handed": base.handed} | found
         return View(matrix=kept.pop("view_matrix"), **kept)
+    if found.keys() & set(MEASURED):
+        measured = {name: found.pop(name) for name in (*MEASURED, "pose_axes") if name in found}
+        return View(measured=measured_view(measured, "view"), **found)
+    if "pose_axes" in found:
+        if not isinstance(base.measured, Pose):
+            alone, why = quantity("pose_axes"), "it says how the axes of a pose point"
+            raise IllegalValueError(alone, why, f"add {quantity('pose')} MATRIX")
+        found["measured"] = replace(base.measured, axes=found.pop("pose_axes"))
     angles = {name: found.pop(name) for name in ANGLES if name in found}
     aimed = [name for name in AIM if name in found]
     if angles and aimed:
         raise contradiction(quantity(next(iter(angles))), aimed, "both say where to look")
     if aimed or angles or "eye" in found:
-        found["matrix"] = None
+        found |= {"matrix": None, "measured": None}
     if aimed:
         found["angles"] = None
     elif angles:
@@ -116,28 +129,32 @@ def lens_of(given: Given, base: Lens | None = None) -> Lens:
     >>> lens_of({"api": "vulkan"}).clip.depth
     <DepthRange.ZERO_TO_ONE: 'zero-to-one'>
     """
-    found = _known(given, (*SHAPE, *CLIP_PARTS, "api", "projection_matrix"), "lens")
+    found = _known(given, (*SHAPE, *CLIP_PARTS, "api", "projection_matrix", "viewport"), "lens")
     base = base or Lens()
     refuse_together("projection_matrix", SHAPE, found, WHOLE)
-    refuse_together("ortho", ("fov", "aspect", "frustum"), found, "both shape the view")
-    refuse_together("frustum", ("fov", "aspect"), found, "both shape the view")
+    for way, others in EXCLUDES.items():
+        refuse_together(way, others, found, TWO_SHAPES)
     if "projection_matrix" in found:
-        return _given_lens(found)
-    clip = clip_space_over(base.clip, found)
-    shape = {name: found[name] for name in SHAPE if name in found}
-    if shape.keys() & {"fov", "aspect", "ortho", "frustum"}:
-        shape = {"ortho": None, "frustum": None, "matrix": None} | shape
-    if "fov" in shape:
-        shape["fov_degrees"] = shape.pop("fov")
-    lens = replace(base, clip=clip, **shape)
-    if "aspect" in shape:
-        check_aspect(lens.aspect)
+        return _given_lens({"viewport": base.viewport} | found)
+    kept = ("aspect", "near", "far", "ortho", "frustum", "viewport")
+    changed = {name: found[name] for name in kept if name in found}
+    if "fov" in found:
+        changed["fov_degrees"] = found["fov"]
+    if found.keys() & set(SHAPES):
+        measured = None if found.keys() & _UNMEASURED else base.measured
+        if "aspect" in found and isinstance(measured, Intrinsics | SideAngles):
+            measured = None  # it had an aspect of its own
+        shape = {"ortho": None, "frustum": None, "matrix": None}
+        changed = shape | changed | {"measured": measured_lens(found, measured)}
+    lens = replace(base, clip=clip_space_over(base.clip, found), **changed)
+    if "aspect" in found:
+        check_aspect(lens.aspect_ratio)
     return lens
 
 
 def _given_lens(found: Given) -> Lens:
     """Make a lens of a matrix, of which an interface or parts of its clip space may be said."""
-    lens = Lens(matrix=found["projection_matrix"])
+    lens = Lens(matrix=found["projection_matrix"], viewport=found.get("viewport"))
     clip = clip_space_over(lens.clip, found)
     said = CLIP_PARTS if "api" in found else tuple(name for name in CLIP_PARTS if name in found)
     depths = {one.depth for one in lens.readings}

@@ -1,48 +1,83 @@
-"""The lens group: how camera space becomes clip space: an angle, a rectangle, a box, a matrix."""
+"""The lens group: how camera space becomes clip space: an angle, a rectangle, a box, a matrix.
+
+The ways in which cameras are measured (millimetres, pixels, four angles) are kept as they were
+given: another near or another picture must not change what they see.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.angle import Angle, float_turn
+from nmatrix.linear.measured_lens import (
+    FilmBack,
+    HorizontalField,
+    Intrinsics,
+    MeasuredLens,
+    SideAngles,
+    check_field,
+    sides_at_distance_one,
+)
 from nmatrix.linear.projection import (
     CLIP_PARTS,
     DEFAULT_CLIP_SPACE,
     ClipSpace,
+    Sides,
     Window,
+    check_aspect,
     clip_space,
     clip_space_over,
     frustum,
     orthographic,
     perspective,
+    perspective_through,
 )
 from nmatrix.linear.rational import RationalMatrix, rounded_for_display
-from nmatrix.linear.values import named, read_fields, real, refuse_beside, vector
+from nmatrix.linear.values import listed, named, read_fields, real, refuse_beside, refused, vector
+from nmatrix.linear.viewport import Viewport, read_viewport
 from nmatrix.reading.arrays import read_projection
 
 if TYPE_CHECKING:
     from nmatrix.linear.lens_readings import LensReading
 
 
+# The ways to say what a lens sees, each with what it may not stand beside: two ways at once, or an
+# aspect where all four sides are said already. What is no way of its own belongs to the one before.
+_WAYS = ("ortho", "frustum", "intrinsics", "angles", "focal", "fov_x", "fov")
+_MEASURED = ("fov_x", "focal", "sensor", "intrinsics", "angles")
+_BY_FOUR_SIDES = ("ortho", "frustum", "intrinsics", "angles")
+EXCLUDES: Mapping[str, tuple[str, ...]] = {
+    way: (*_WAYS[:place:-1], *(("aspect",) if way in _BY_FOUR_SIDES else ()))
+    for place, way in enumerate(_WAYS)
+} | {"sensor": tuple(way for way in _WAYS if way != "focal")}
+SHAPES = (*EXCLUDES, "aspect")  # names of all that shapes the view
+TWO_SHAPES = "both shape the view"
+
+
 @dataclass(frozen=True)
 class Lens:
     """A lens; the field of view is vertical and in degrees, distances in world units.
 
+    `measured` takes the place of the field of view; `aspect` is None where nobody said it, and
+    `viewport` the image in pixels, where there is one.
     Of a matrix the clip space is read from its entries, where `said` does not name its parts as
     known; the two may not contradict each other.
     """
 
     fov_degrees: float = 60.0
-    aspect: float = 1.0
+    aspect: float | None = None
     near: float = 0.1
     far: float = 100.0
     ortho: Window | None = None
     frustum: Window | None = None
+    measured: MeasuredLens | None = None
+    viewport: Viewport | None = None
     matrix: RationalMatrix | None = None
     clip: ClipSpace = DEFAULT_CLIP_SPACE
     said: tuple[str, ...] = ()
@@ -56,12 +91,17 @@ class Lens:
             far=_real_or_infinity,
             ortho=_read_window,
             frustum=_read_window,
+            measured=_read_measured,
+            viewport=read_viewport,
             matrix=named("projection_matrix", read_projection),
             clip=clip_space,
         )
         names = {"matrix": "projection_matrix"}
-        refuse_beside(self, "matrix", ("ortho", "frustum"), names=names)
-        refuse_beside(self, "ortho", ("frustum",), "both shape the view")
+        refuse_beside(self, "matrix", ("ortho", "frustum", "measured"), names=names)
+        refuse_beside(self, "ortho", ("frustum", "measured"), TWO_SHAPES)
+        refuse_beside(self, "frustum", ("measured",), TWO_SHAPES)
+        if isinstance(self.measured, Intrinsics):
+            _ = self.measured_sides
         if self.matrix is not None:
             said = self.said or (() if self.clip is DEFAULT_CLIP_SPACE else CLIP_PARTS)
             object.__setattr__(self, "said", said)
@@ -135,9 +175,58 @@ class Lens:
             return orthographic(self.ortho, self.near, self.far, self.clip)
         if self.frustum is not None:
             return frustum(self.frustum, self.near, self.far, self.clip)
-        check_fov(self.fov_degrees)
+        if self.measured_sides is not None:
+            return perspective_through(self.measured_sides, self.near, self.far, self.clip)
+        check_field(self.fov_degrees, "fov", "vertical")
         half = Angle.degrees(Fraction(self.fov_degrees) / 2)
-        return perspective(half, self.aspect, self.near, self.far, self.clip)
+        return perspective(half, self.aspect_ratio, self.near, self.far, self.clip)
+
+    @property
+    def aspect_ratio(self) -> float | Fraction:
+        """Width over height: as it was said, or the viewport's, or the sensor's, or 1.
+
+        Examples
+        --------
+        >>> print(Lens(measured=FilmBack(50, (36, 24))).aspect_ratio)
+        3/2
+        """
+        if self.aspect is not None:
+            return self.aspect
+        if self.viewport is not None:
+            return self.viewport.aspect
+        return self.measured.aspect if isinstance(self.measured, FilmBack) else 1.0
+
+    @cached_property
+    def measured_sides(self) -> Sides | None:
+        """What a measured camera sees at distance 1: left, right, bottom, top."""
+        if self.measured is None:
+            return None
+        check_aspect(self.aspect_ratio)
+        return sides_at_distance_one(self.measured, Fraction(self.aspect_ratio), self.viewport)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What a measured camera leaves to a convention, and how it was taken here."""
+        match self.measured:
+            case FilmBack() as film if float(film.aspect) != float(self.aspect_ratio):
+                across = self.aspect_ratio >= 1
+                return (
+                    f"The picture has another aspect than the sensor, whose "
+                    f"{'width lies across it' if across else 'height lies along it'}.",
+                )
+            case Intrinsics():
+                return (
+                    "cx and cy count from the image's upper left corner, as COLMAP does; OpenCV "
+                    "counts from the middle of the first pixel: add 0.5 to its cx and cy.",
+                )
+            case SideAngles() as sides if sides.down > sides.up:
+                return (
+                    "down lies above up, which turns the picture upside down: the order is left, "
+                    "right, down, up; OpenXR's own is left, right, up, down.",
+                )
+            case SideAngles() as sides if sides.left > sides.right:
+                return ("left lies to the right of right, which mirrors the picture.",)
+        return ()
 
     @property
     def clip_from_camera(self) -> RationalMatrix:
@@ -151,6 +240,47 @@ class Lens:
         return rounded_for_display(self.exact)
 
 
+def _read_measured(given: object, name: str) -> MeasuredLens:
+    """Read a measured lens that is given by the names of options."""
+    found = measured_lens(given, None) if isinstance(given, Mapping) else given
+    if isinstance(found, MeasuredLens):
+        return found
+    why, names = "it is no lens as they are measured", ", ".join(_MEASURED)
+    raise refused(given, name, why, f"give a dict of {names}")
+
+
+def measured_lens(given: Mapping[str, Any], base: MeasuredLens | None) -> MeasuredLens | None:
+    """Make a measured lens of what was given by name, if that is one; else the base stays.
+
+    A focal length or a sensor that is given alone replaces that of the base.
+
+    Raises
+    ------
+    IllegalValueError
+        For a value that is illegal, or a focal length without a sensor.
+    """
+    if "fov_x" in given:
+        return HorizontalField(given["fov_x"])
+    if "intrinsics" in given:
+        return Intrinsics(*vector(given["intrinsics"], "intrinsics", size=4))
+    if "angles" in given:
+        return SideAngles(*listed(given["angles"], "angles", (4,)))  # type: ignore[arg-type]  # read there
+    film = {name: given[name] for name in ("focal", "sensor") if name in given}
+    if not film:
+        return base
+    if isinstance(base, FilmBack):
+        return replace(base, **film)
+    if len(film) == 1:
+        (name,), missing = film, {"focal": "sensor", "sensor": "focal"}
+        usual = {"focal": "50", "sensor": "36 24"}[missing[name]]
+        raise IllegalValueError(
+            f"{quantity(name)} alone",
+            "focal length and sensor make the angle together",
+            f"add {quantity(missing[name])} {usual}",
+        )
+    return FilmBack(**film)
+
+
 def _real_or_infinity(value: object, name: str) -> float:
     return inf if isinstance(value, float) and value == inf else real(value, name)
 
@@ -159,13 +289,3 @@ def _read_window(given: object, name: str) -> Window:
     if isinstance(given, Window):
         return given
     return Window(*(real(side, name) for side in vector(given, name, size=4)))
-
-
-def check_fov(degrees: float) -> None:
-    """Refuse a field of view outside (0°, 180°)."""
-    if not 0 < degrees < 180:
-        raise IllegalValueError(
-            f"fov ({degrees:g})",
-            "a vertical field of view lies between 0 and 180 degrees, both excluded",
-            f"try {quantity('fov')} 60",
-        )

@@ -124,14 +124,16 @@ class Setup:
     def to_digits(self) -> Setup:
         """The setup with every rounded matrix replaced by what it stands for."""
         world, view, space = self.world, self.view, self.space_matrix
-        if not any(isinstance(one, RoundedMatrix) for one in (world.matrix, view.matrix, space)):
+        if not any(
+            isinstance(one, RoundedMatrix) for one in (world.matrix, view.typed_matrix, space)
+        ):
             return self
         from nmatrix.linear.rounded import meant  # most matrices are built, or exact
 
         return replace(
             self,
             world=world if world.matrix is None else replace(world, matrix=meant(world.matrix)),
-            view=view if view.matrix is None else replace(view, matrix=meant(view.matrix)),
+            view=view if view.typed_matrix is None else view.with_matrix(meant(view.typed_matrix)),
             space_matrix=None if space is None else meant(space),
         )
 

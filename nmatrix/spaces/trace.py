@@ -9,28 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.exact import Normal
-from nmatrix.linear.projection import NDC_DEPTH, ClipSpace, window_from_ndc
+from nmatrix.linear.projection import NDC_DEPTH, ClipSpace
 from nmatrix.linear.rational import RationalVector, apply, rational_vector
+from nmatrix.linear.viewport import Viewport, window_from_ndc
 from nmatrix.report import Vector
 from nmatrix.spaces.exact_maps import ExactMaps
-
-
-@dataclass(frozen=True)
-class Viewport:
-    """The window in pixels."""
-
-    width: float
-    height: float
-
-    def __post_init__(self) -> None:
-        if not all(side > 0 and float(side).is_integer() for side in (self.width, self.height)):
-            raise IllegalValueError(
-                f"{quantity('viewport')} ({self.width:g} {self.height:g})",
-                "both sides are whole pixels, 1 or more",
-                "try 512 512",
-            )
 
 
 @dataclass(frozen=True)
@@ -102,7 +86,7 @@ def trace(
         clip=clip_point,
         ndc=ndc,
         window=window,
-        pixel=None if window is None else _pixel(window, clip, viewport),
+        pixel=None if window is None else viewport.pixel(window, clip),
         reciprocal_w=1 / w if w else None,
         outside_planes=outside_planes(clip_point, clip),
         normal=None if normal is None else _traced_normal(maps, normal),
@@ -130,11 +114,6 @@ def outside_planes(point: RationalVector, clip: ClipSpace) -> tuple[str, ...]:
 def _window(ndc: RationalVector, clip: ClipSpace, viewport: Viewport) -> RationalVector:
     matrix = window_from_ndc(viewport.width, viewport.height, clip)
     return apply(matrix, (*ndc, Fraction(1)))[:3]
-
-
-def _pixel(window: RationalVector, clip: ClipSpace, viewport: Viewport) -> RationalVector:
-    x, y, _ = window
-    return x, y if clip.window_y_sign < 0 else Fraction(viewport.height) - y
 
 
 def _traced_normal(maps: ExactMaps, normal: Vector) -> TracedNormal:

@@ -37,6 +37,15 @@ PARTS: dict[str, dict[str, Any]] = {
         "world": {"scale": (-1, 1, 1), "shear": (0.5, 0, 0)},
         "lens": {"frustum": (-1, 2, -1, 1), "near": 1, "depth": "reversed", "clip_y": "down"},
     },
+    "across": {"world": {"scale": (2, 1, 1)}, "lens": {"fov_x": 70, "aspect": 1.5}},
+    "film": {
+        "world": {"scale": (2, 1, 1)},
+        "lens": {"focal": 35, "sensor": (36, 24), "aspect": 0.75, "far": float("inf")},
+    },
+    "headset": {
+        "world": {"scale": (2, 1, 1)},
+        "lens": {"angles": (-50, 40, -45, 48), "api": "webgpu"},
+    },
     "course": {"world": {"rotate": (30, 60, 10), "convention": "polimi"}},
 }
 QUESTIONS: dict[str, Any] = {
@@ -55,6 +64,10 @@ QUESTIONS: dict[str, Any] = {
     "space object --shading gouraud --reflection toon": lambda setup: setup.space(
         "object", shading="gouraud", reflection="toon"
     ),
+    "trace --pixel 100 200.5 --depth-value 0.25": lambda setup: setup.trace(
+        pixel=(100, 200.5), depth_value=0.25
+    ),
+    "trace --pixel 7 9 --viewport 512 512": lambda setup: setup.trace(pixel=(7, 9)),
     "trace --point 1 0.5 0.25 --normal 0 1 0 --viewport 512 512": lambda setup: setup.trace(
         (1, 0.5, 0.25), normal=(0, 1, 0)
     ),

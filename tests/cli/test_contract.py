@@ -15,6 +15,8 @@ from nmatrix.enums import FINDING_FORMATS, Format
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
+TRACE = "object world camera clip ndc window reciprocal_w inside outside_planes pixel normal"
+RAY = "ray point_world point_object"
 KEYS = {
     "world": "world_from_object normal_matrix cofactor_matrix determinant determinant_sign rank "
     "condition transform transform_exact mirrored needs_inverse_transpose worst_angle_without_deg "
@@ -35,7 +37,8 @@ KEYS = {
     "space object": "space space_from_world space_from_object normal_matrix clip_from_object "
     "light_direction light_position eye metric table uniforms cost pros cons vertex_shader "
     "fragment_shader",
-    "trace": "object world camera clip ndc window reciprocal_w inside outside_planes pixel normal",
+    "trace": f"{TRACE} {RAY}",
+    "trace --pixel 3 4 --depth-value 0.5": f"{TRACE} {RAY}",
     "derive mirror": "cases",
     "check eye '0 0 5'": "verdict mistake also explanation max_difference wrong_entries",
     f"inspect {DOCS / 'samples' / 'gate.gltf'}": "files nodes summary",

@@ -31,7 +31,8 @@ VALUES = [
     "json", "csv", "latex", "glsl", "text", "numpy", "XYZ", "zyx", "XXX", "polimi", "standard",
     "left", "right", "reversed", "vulkan", "world", "camera", "object", "light", "custom",
     "static", "rule", "mirror", "det(M)", "M.T@M", "M.__class__", "2**9**9", "inverse(M)",
-    "exact", "inverse", "none", "\ud800", "a=1 0; 0 1", "💥", "\n\n", "../x", ".", "/",
+    "640 480", "500 500 320 240", "opencv", "-40 40 -30 30", "exact", "inverse", "none", "\ud800",
+    "a=1 0; 0 1", "💥", "\n\n", "../x", ".", "/",
 ]  # fmt: skip
 
 

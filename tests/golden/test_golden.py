@@ -25,12 +25,14 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace, Window, frustum, orthographic, perspective
 from nmatrix.linear.rational import to_floats
 from nmatrix.linear.view import look_at
+from nmatrix.linear.viewport import Viewport
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.light_and_eye import eye_in, light_in
-from nmatrix.spaces.trace import Viewport, trace
+from nmatrix.spaces.pixel_ray import pixel_ray
+from nmatrix.spaces.trace import trace
 from nmatrix.spaces.transform import Transform
 
 FLOAT64, FLOAT32 = 2e-14, 2e-7
@@ -309,6 +311,26 @@ def test_every_record_agrees(data: Path) -> None:
     wrong.sort(key=lambda row: -row[0])
     assert not wrong, f"{len(wrong)} of {sum(counted.values())}: {wrong[:40]}"
     assert counted["mpmath"] > 900
+
+
+def test_the_windows_of_others_lead_back_to_their_points(data: Path) -> None:
+    seen = 0
+    for record in records(data):
+        if record["function"] != "project" or "float32" in record["precision"]:
+            continue
+        a, window = record["args"], record["result"].get("window")
+        if window is None or not 0 <= window[2] <= 1:
+            continue
+        width, height = a["viewport"][2:]
+        half = Angle.degrees(Fraction(a["fovy_deg"]) / 2)
+        placed = maps(a["MV"], None, perspective(half, a["aspect"], a["near"], a["far"]))
+        x, y, depth = map(Fraction, window)
+        found = pixel_ray(placed, (x, height - y), depth, ClipSpace(), Viewport(width, height))
+        assert found.point_object is not None
+        # Depth near 1 is stored coarsely: a step of it is a step of some z² / near.
+        assert difference(found.point_object, a["p"]) <= 1e-10
+        seen += 1
+    assert seen > 50
 
 
 def test_decompositions_recompose(data: Path) -> None:

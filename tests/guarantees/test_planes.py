@@ -18,12 +18,12 @@ from nmatrix.answers.trace import trace
 from nmatrix.api import setup as api_setup
 from nmatrix.enums import Api, ClipY, DepthRange, Handedness
 from nmatrix.linear.projection import NDC_DEPTH, ClipSpace, Window
+from nmatrix.linear.viewport import Viewport
 from nmatrix.output.jsontext import write
 from nmatrix.output.write import OutputOptions
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
-from nmatrix.spaces.trace import Viewport
 
 RANGES = [
     (0.1, 100.0), (1.0, 10.0), (0.5, 50.0), (1.0, 1000.0), (2.0, 7.0),

@@ -10,7 +10,8 @@ from __future__ import annotations
 import json
 from base64 import b64encode
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import astuple, replace
+from fractions import Fraction
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any
@@ -19,9 +20,10 @@ from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import API_PRESETS, DepthRange, Handedness, NormalRule, Reflection, Space, Theme
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.linear.decompose import parts
-from nmatrix.linear.projection import DEFAULT_CLIP_SPACE, window_from_ndc
+from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
+from nmatrix.linear.viewport import window_from_ndc
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import AMBIENT, DIFFUSE
 from nmatrix.report import Number
@@ -48,7 +50,7 @@ SCRIPTS = (
 )
 TESSELLATION = (32, 64)
 WINDOW = (512, 512)  # what `trace` uses where no window is given
-LENS = {"fov": "fov_degrees", "aspect": "aspect", "near": "near", "far": "far"}
+LENS = {"fov": 60, "aspect": 1, "near": 0.1, "far": 100}  # what an option says that is left out
 WRONG_RULES = (
     NormalRule.NONE,
     NormalRule.NOT_TRANSPOSED,
@@ -119,7 +121,7 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
     """Collect the data that the script works with."""
     maps, view = setup.maps, setup.view
     light = maps.light
-    looks = view.matrix is None and view.angles is None and view.handed is Handedness.RIGHT
+    looks = view.is_aimed and view.handed is Handedness.RIGHT
     return {
         "start": _start(setup),
         "translate": _floats(row[3] for row in maps.world_from_object.exact[:3]),
@@ -231,16 +233,10 @@ def _options(setup: Setup, *, looks: bool) -> dict[str, str]:
 
 
 def _lens_words(lens: Lens) -> Iterator[str]:
-    if lens.matrix is not None:
+    if lens.matrix is None:
+        yield from _shape_words(lens)
+    else:
         yield f"--projection-matrix {_literal(lens.matrix)}"
-    for option, field in LENS.items():
-        value = getattr(lens, field)
-        if value != getattr(Lens(), field) and lens.matrix is None:
-            yield f"--{option} {value:.17g}"
-    for name, window in (("ortho", lens.ortho), ("frustum", lens.frustum)):
-        if window is not None:
-            sides = (window.left, window.right, window.bottom, window.top)
-            yield f"--{name} {_spaced(sides)}"
     clip = lens.clip
     if clip == DEFAULT_CLIP_SPACE:
         return
@@ -250,6 +246,21 @@ def _lens_words(lens: Lens) -> Iterator[str]:
             yield f"--api {api}"
             return
     yield f"--depth {clip.depth} --clip-y {clip.clip_y} --handed {clip.handed}"
+
+
+def _shape_words(lens: Lens) -> Iterator[str]:
+    """Write the options of a lens that was built; a measured one is its window at near."""
+    window = lens.ortho or lens.frustum
+    said = {"near": lens.near, "far": lens.far}
+    if window is None and lens.measured is None:
+        said = {"fov": lens.fov_degrees, "aspect": float(lens.aspect_ratio)} | said
+    for option, value in said.items():
+        if value != LENS[option]:
+            yield f"--{option} {value:.17g}"
+    if window is not None:
+        yield f"--{'ortho' if lens.ortho else 'frustum'} {_spaced(astuple(window))}"
+    elif lens.measured_sides is not None:
+        yield f"--frustum {_spaced(side * Fraction(lens.near) for side in lens.measured_sides)}"
 
 
 def _spaced(values: Iterable[Number]) -> str:

@@ -63,7 +63,7 @@ class _Reading:
             lights=lights,
             view=view,
             lens=lens,
-            settings=settings_of_file(gamma=True, size=_size(lens.aspect)),
+            settings=settings_of_file(gamma=True, size=_size(float(lens.aspect_ratio))),
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -15,9 +16,13 @@ from nmatrix.linear.projection import (
     Window,
     clip_space_over,
 )
-from nmatrix.scene.camera import FirstPerson, View
-from nmatrix.scene.lens import Lens
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.linear.values import WHOLE
+from nmatrix.linear.viewport import Viewport
+from nmatrix.scene.camera import AIM, ANGLES, MEASURED, FirstPerson, View
+from nmatrix.scene.lens import EXCLUDES, TWO_SHAPES, Lens, measured_lens
 from nmatrix.scene.material import AMBIENT_SHARE, Colour, Material, Texture, colour
+from nmatrix.scene.measured_view import measured_view
 from nmatrix.scene.scene import Fog, Settings
 from nmatrix.scene.toml.records import CameraRecord, FogRecord, MaterialRecord, RenderRecord
 from nmatrix.scene.toml.table import SceneTable
@@ -28,8 +33,8 @@ PLACING = ("wrap", "uv_scale", "uv_rotation", "uv_offset")
 SIDES = {None: Sides.AS_NEEDED, True: Sides.BOTH, False: Sides.FRONT}
 
 
-def camera(table: SceneTable, aspect: float) -> tuple[View, Lens]:
-    """Return the camera and its lens; `aspect` is the picture's.
+def camera(table: SceneTable, picture: Viewport) -> tuple[View, Lens]:
+    """Return the camera and its lens, for a picture of that size.
 
     Raises
     ------
@@ -38,9 +43,13 @@ def camera(table: SceneTable, aspect: float) -> tuple[View, Lens]:
     """
     record = table.checked(CameraRecord)
     clip = clip_space_over(DEFAULT_CLIP_SPACE, asdict(record))
-    view, lens = _view(table, record, clip.handed), _lens(table, record, clip, aspect)
+    _check_together(table, record, clip.handed)
     _check_distances(table, record)
+    measured = {
+        key: table.affine_matrix(key, table.raw[key]) for key in MEASURED if key in table.raw
+    }
     try:
+        view, lens = _view(table, record, measured, clip.handed), _lens(record, clip, picture)
         view.placed()
         _ = lens.clip_from_camera
     except NMatrixError as error:
@@ -48,40 +57,68 @@ def camera(table: SceneTable, aspect: float) -> tuple[View, Lens]:
     return view, lens
 
 
-def _view(table: SceneTable, record: CameraRecord, handed: Handedness) -> View:
-    angles = [key for key in ("elevation", "angle", "roll") if key in table.raw]
+def _check_together(table: SceneTable, record: CameraRecord, handed: Handedness) -> None:
+    """Refuse keys that contradict each other."""
+    place = ("eye", *AIM, *ANGLES)
+    if "extrinsics" in table.raw:
+        table.refuse_beside("extrinsics", ("pose", "pose_axes", *place), WHOLE)
+    if "pose" in table.raw:
+        table.refuse_beside("pose", place, WHOLE)
+    if "pose_axes" in table.raw and "pose" not in table.raw:
+        raise table.fault("pose_axes", "it says how the axes of a pose point", "add pose")
+    angles = [key for key in ANGLES if key in table.raw]
     if angles:
-        table.refuse_beside(angles[0], ("target", "up"), "both say where to look")
+        table.refuse_beside(angles[0], AIM, "both say where to look")
         if handed is Handedness.LEFT:
             because = "the angles are for a camera that looks down −z"
             table.refuse_beside(angles[0], ("handed", "api"), because)
     elif record.convention is not Convention.STANDARD:
         raise table.fault("convention", "it is about elevation and angle", "add them")
+    for way, others in EXCLUDES.items():
+        if way in table.raw:
+            table.refuse_beside(way, others, TWO_SHAPES)
+
+
+def _view(
+    table: SceneTable,
+    record: CameraRecord,
+    measured: Mapping[str, RationalMatrix],
+    handed: Handedness,
+) -> View:
+    if measured:
+        axes = {} if record.pose_axes is None else {"pose_axes": record.pose_axes}
+        return View(measured=measured_view({**measured, **axes}, "pose"), handed=handed)
     turned = FirstPerson(record.elevation or 0.0, record.angle or 0.0, record.roll or 0.0)
     return View(
         eye=record.eye or View.eye,
         target=record.target or View.target,
         up=record.up or View.up,
-        angles=turned if angles else None,
+        angles=turned if any(key in table.raw for key in ANGLES) else None,
         handed=handed,
         convention=record.convention,
     )
 
 
-def _lens(table: SceneTable, record: CameraRecord, clip: ClipSpace, aspect: float) -> Lens:
-    if record.ortho is not None:
-        table.refuse_beside("ortho", ("fov", "aspect", "frustum"), "both shape the view")
-    if record.frustum is not None:
-        table.refuse_beside("frustum", ("fov", "aspect"), "both shape the view")
+def _lens(record: CameraRecord, clip: ClipSpace, picture: Viewport) -> Lens:
+    given = {name: value for name, value in asdict(record).items() if value is not None}
     return Lens(
         fov_degrees=record.fov or Lens.fov_degrees,
-        aspect=record.aspect or aspect,
+        aspect=record.aspect or float(picture.aspect),
         near=record.near,
         far=record.far,
         ortho=None if record.ortho is None else Window(*record.ortho),
         frustum=None if record.frustum is None else Window(*record.frustum),
+        measured=measured_lens(given, None),
+        viewport=_image(record, picture),
         clip=clip,
     )
+
+
+def _image(record: CameraRecord, picture: Viewport) -> Viewport | None:
+    """Find the image that pixels are meant of: one of its own, or the picture."""
+    if record.viewport is not None:
+        return Viewport(*record.viewport)
+    return None if record.intrinsics is None else picture
 
 
 def _check_distances(table: SceneTable, record: CameraRecord) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nmatrix.errors import IllegalValueError, printable, quoted
+from nmatrix.linear.viewport import Viewport
 from nmatrix.reading.files import file_bytes
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
@@ -35,7 +36,7 @@ def read_scene(path: Path, *, allow_outside: bool = False) -> Scene:
     whole = SceneTable(path, raw=raw, allow_outside=allow_outside)
     _check_tables(whole)
     drawing = settings(whole.part("[render]", raw.get("render", {})))
-    aspect = drawing.size[0] / drawing.size[1]
+    picture = Viewport(*map(float, drawing.size))
     materials = {
         name: material(whole.part(f"[materials.{printable(name)}]", table), name)
         for name, table in raw.get("materials", {}).items()
@@ -45,9 +46,9 @@ def read_scene(path: Path, *, allow_outside: bool = False) -> Scene:
     if not objects:
         raise IllegalValueError(f"{path}", "it draws nothing", 'add shape = "sphere" to an object')
     lights = read_lights(_tables(whole, "light"), [one.name for one in objects])
-    view, lens = View(), Lens(aspect=aspect)
+    view, lens = View(), Lens(aspect=float(picture.aspect))
     if "camera" in raw:
-        view, lens = camera(whole.part("[camera]", raw["camera"]), aspect)
+        view, lens = camera(whole.part("[camera]", raw["camera"]), picture)
     return Scene(
         objects=objects,
         lights=lights,

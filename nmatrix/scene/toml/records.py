@@ -11,6 +11,7 @@ from msgspec import Meta, Struct
 
 from nmatrix.enums import (
     Api,
+    CameraAxes,
     ClipY,
     Convention,
     DepthRange,
@@ -51,12 +52,42 @@ class CameraRecord(Record, frozen=True):
     ] = None
     angle: Annotated[float | None, Meta(description="Look sideways by degrees.")] = None
     roll: Annotated[float | None, Meta(description="Turn about the view axis by degrees.")] = None
+    extrinsics: Annotated[
+        Rows | None, Meta(description="Rows of [R t], from the world to an OpenCV camera.")
+    ] = None
+    pose: Annotated[Rows | None, Meta(description="Rows of world from camera instead.")] = None
+    pose_axes: Annotated[
+        CameraAxes | None, Meta(description="The camera axes of that pose, opengl by default.")
+    ] = None
     convention: Annotated[Convention, Meta(description="How angles make a matrix.")] = (
         Convention.STANDARD
     )
     fov: Annotated[
         Annotated[float, Meta(gt=0, lt=180)] | None,
         Meta(description="Vertical field of view in degrees, 60 by default."),
+    ] = None
+    fov_x: Annotated[
+        Annotated[float, Meta(gt=0, lt=180)] | None,
+        Meta(description="Horizontal field of view in degrees instead."),
+    ] = None
+    focal: Annotated[
+        Annotated[float, Meta(gt=0)] | None,
+        Meta(description="Focal length instead, in the unit of the sensor."),
+    ] = None
+    sensor: Annotated[
+        tuple[float, float] | None, Meta(description="Width and height of the sensor.")
+    ] = None
+    intrinsics: Annotated[
+        Four | None,
+        Meta(description="fx, fy, cx, cy in pixels of the viewport, from its upper left corner."),
+    ] = None
+    angles: Annotated[
+        Four | None,
+        Meta(description="Left, right, down, up from the view axis in degrees, left, down < 0."),
+    ] = None
+    viewport: Annotated[
+        tuple[float, float] | None,
+        Meta(description="The image of intrinsics in pixels, by default the picture."),
     ] = None
     aspect: Annotated[
         Annotated[float, Meta(gt=0)] | None,

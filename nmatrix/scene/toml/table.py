@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeVar, get_args, get_origin
 import msgspec
 
 from nmatrix.errors import IllegalValueError, did_you_mean, printable, quoted, shortlist
-from nmatrix.linear.rational import RationalMatrix, affine_matrix, rational_matrix
+from nmatrix.linear.rational import AFFINE_ROW, RationalMatrix, affine_matrix, rational_matrix
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
 from nmatrix.scene.toml.records import Record
@@ -87,11 +87,13 @@ class SceneTable:
         IllegalValueError
             For another size, or a last row other than 0 0 0 1.
         """
-        size = len(rows)
-        if size not in (3, 4) or any(len(row) != size for row in rows):
-            raise self.fault(key, "it is three rows of three numbers or four rows of four")
-        if size == 3:
+        shape = {(len(rows), len(row)) for row in rows}
+        if shape == {(3, 3)}:
             return affine_matrix(rational_matrix(rows))
+        if shape == {(3, 4)}:
+            return (*rational_matrix(rows), AFFINE_ROW)
+        if shape != {(4, 4)}:
+            raise self.fault(key, "it is three rows of three numbers or four rows of four")
         if tuple(rows[3]) != (0, 0, 0, 1):
             raise self.refused(
                 f"{key} (last row {' '.join(f'{x:g}' for x in rows[3])})",

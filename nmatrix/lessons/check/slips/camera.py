@@ -36,7 +36,8 @@ def has_numbers(setup: Setup) -> bool:
 def has_angle(setup: Setup) -> bool:
     """Recognise a lens that is given by its field of view."""
     lens = setup.lens
-    return has_numbers(setup) and lens.ortho is None and lens.frustum is None
+    by_sides = (lens.ortho, lens.frustum, lens.measured)
+    return has_numbers(setup) and not any(by_sides)
 
 
 def view_of_the_other_hand(setup: Setup) -> Iterator[Setup]:
@@ -60,7 +61,7 @@ def angle_in_radians(setup: Setup) -> Iterator[Setup]:
 def aspect_inverted(setup: Setup) -> Iterator[Setup]:
     """Take height over width."""
     lens = setup.lens
-    inverted = replace(lens, aspect=1 / lens.aspect)
+    inverted = replace(lens, aspect=float(1 / lens.aspect_ratio))
     if lens.frustum is not None:
         inverted = replace(inverted, frustum=_window(inverted, lens.frustum.top / lens.near))
     yield replace(setup, lens=inverted)
@@ -72,7 +73,7 @@ def horizontal_fov(setup: Setup) -> Iterator[Setup]:
     across = tan(radians(lens.fov_degrees) / 2)
     if lens.frustum is not None:
         across = lens.frustum.top / lens.near
-    yield _seen_through(setup, _window(lens, across / lens.aspect))
+    yield _seen_through(setup, _window(lens, float(across / lens.aspect_ratio)))
 
 
 def other_depth_ranges(setup: Setup) -> Iterator[Setup]:
@@ -124,7 +125,7 @@ def _near_far_exchanged_in_frustum(setup: Setup) -> Iterator[Setup]:
 def _window(lens: Lens, tangent: float) -> Window:
     """Open a window that is so high at distance 1, above the axis."""
     top = lens.near * tangent
-    right = top * lens.aspect
+    right = float(top * lens.aspect_ratio)
     return Window(-right, right, -top, top)
 
 
