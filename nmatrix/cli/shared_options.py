@@ -46,9 +46,9 @@ class CommonOptions:
         str, in_output(metavar="N", help="Significant digits for people, 1 to 17.")
     ] = "6"
     layout: Annotated[Layout, in_output(help="Order of written matrices.")] = Layout.ROW_MAJOR
-    input_layout: Annotated[Layout, in_output(help="Order of matrices that are read.")] = (
-        Layout.ROW_MAJOR
-    )
+    input_layout: Annotated[
+        Layout | None, in_output(help="Order of matrices that are read (each notation's own).")
+    ] = None
     color: Annotated[ColorWhen, in_output(help="Colours in text.")] = ColorWhen.AUTO
 
     @cached_property

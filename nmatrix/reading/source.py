@@ -21,7 +21,7 @@ MARKS_OF_A_LITERAL = " \t\n[({;,"
 def matrix_source(
     text: str,
     stdin_text: Callable[[], str],
-    layout: Layout = Layout.ROW_MAJOR,
+    layout: Layout | None = None,
 ) -> MatrixLiteral:
     """Read the matrix that a MATRIX argument stands for.
 
@@ -55,7 +55,7 @@ def matrix_source(
     )
 
 
-def _from_file(path: Path, key: str | None, layout: Layout) -> MatrixLiteral:
+def _from_file(path: Path, key: str | None, layout: Layout | None) -> MatrixLiteral:
     content = file_bytes(path)
     source = quoted(str(path))
     if content.startswith(npy.MAGIC):
