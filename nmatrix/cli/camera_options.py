@@ -11,7 +11,7 @@ from typer import Option
 from nmatrix.cli.shared_options import ConventionOption, HandedOption, OptionGroup
 from nmatrix.cli.sources import Sources
 from nmatrix.enums import Api, ClipY, DepthRange
-from nmatrix.reading.numbers import number_or_infinity
+from nmatrix.reading.numbers import number_or_infinity, ratio
 from nmatrix.scene.given import hand_of, lens_of, view_of
 from nmatrix.scene.setup import Setup
 
@@ -27,10 +27,10 @@ class ViewOptions(OptionGroup):
     target: Annotated[str | None, in_view(metavar="X Y Z", help="What it looks at (0 0 0).")] = None
     up: Annotated[str | None, in_view(metavar="X Y Z", help="What is up (0 1 0).")] = None
     elevation: Annotated[
-        str | None, in_view(metavar="DEG", help="Look up by so much, instead of a target.")
+        str | None, in_view(metavar="ANGLE", help="Look up by so much, instead of a target.")
     ] = None
-    angle: Annotated[str | None, in_view(metavar="DEG", help="Look sideways by so much.")] = None
-    roll: Annotated[str | None, in_view(metavar="DEG", help="Turn about the view axis.")] = None
+    angle: Annotated[str | None, in_view(metavar="ANGLE", help="Look sideways by so much.")] = None
+    roll: Annotated[str | None, in_view(metavar="ANGLE", help="Turn about the view axis.")] = None
     view_matrix: Annotated[
         str | None, in_view(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
@@ -39,7 +39,8 @@ class ViewOptions(OptionGroup):
 
     def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own view."""
-        given = self.numbers(eye=3, target=3, up=3, elevation=1, angle=1, roll=1)
+        given = self.numbers(eye=3, target=3, up=3)
+        given |= self.angles(sources, elevation=1, angle=1, roll=1)
         given |= self.typed("handed", "convention")
         if self.view_matrix is not None:
             given["view_matrix"] = sources.affine(self.view_matrix)
@@ -50,7 +51,7 @@ class ViewOptions(OptionGroup):
 class LensOptions(OptionGroup):
     """How the camera projects."""
 
-    fov: Annotated[str | None, in_lens(metavar="DEG", help="Vertical field of view (60).")] = None
+    fov: Annotated[str | None, in_lens(metavar="ANGLE", help="Vertical field of view (60).")] = None
     aspect: Annotated[str | None, in_lens(metavar="R", help="Width over height (1).")] = None
     near: Annotated[str | None, in_lens(metavar="N", help="Near distance (0.1).")] = None
     far: Annotated[str | None, in_lens(metavar="F", help="Far distance, or inf (100).")] = None
@@ -72,7 +73,9 @@ class LensOptions(OptionGroup):
 
     def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own lens; its hand is the view's too."""
-        given = self.numbers(fov=1, aspect=1, near=1, ortho=4, frustum=4)
+        given = self.numbers(near=1, ortho=4, frustum=4) | self.angles(sources, fov=1)
+        if self.aspect is not None:
+            given["aspect"] = ratio(self.aspect, "--aspect")
         given |= self.typed("depth", "handed", "clip_y", "api")
         if self.far is not None:
             given["far"] = number_or_infinity(self.far, "--far")

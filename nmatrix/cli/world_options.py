@@ -14,7 +14,7 @@ from nmatrix.cli.shared_options import (
     ReadNumbers,
 )
 from nmatrix.cli.sources import Sources
-from nmatrix.reading.numbers import fractions, numbers
+from nmatrix.reading.numbers import fractions, numbers, spread
 from nmatrix.scene.given import light_of, world_of
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
@@ -34,7 +34,7 @@ class WorldOptions(OptionGroup):
     quaternion: Annotated[
         str | None, in_world(metavar="X Y Z W", help="Turn by a quaternion instead.")
     ] = None
-    scale: Annotated[str | None, in_world(metavar="X Y Z", help="Stretch.")] = None
+    scale: Annotated[str | None, in_world(metavar="S|X Y Z", help="Stretch.")] = None
     shear: Annotated[
         str | None, in_world(metavar="XY XZ YZ", help="Shear x along y, x along z, y along z.")
     ] = None
@@ -63,7 +63,9 @@ class WorldOptions(OptionGroup):
         >>> found.translate, found.scale
         ((1, 0, 0), (1.0, 2.0, 1.0))
         """
-        given = self.numbers(read, translate=3, rotate=3, quaternion=4, scale=3, shear=3)
+        sized = self if self.scale is None else replace(self, scale=spread(self.scale, 3))
+        given = sized.numbers(read, translate=3, quaternion=4, scale=3, shear=3)
+        given |= self.angles(sources, read, rotate=3)
         given |= self.typed("order", "convention")
         if self.world_matrix is not None:
             matrix = sources.affine(self.world_matrix, exact=read is fractions)
@@ -83,7 +85,8 @@ class LightOptions(OptionGroup):
     ] = None
     light_position: Annotated[str | None, in_light(metavar="X Y Z", help="Where a lamp is.")] = None
 
-    def override(self, setup: Setup, _: Sources) -> Setup:
+    def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own light."""
-        given = self.numbers(light_direction=3, light_angles=2, light_position=3)
+        given = self.numbers(light_direction=3, light_position=3)
+        given |= self.angles(sources, light_angles=2)
         return replace(setup, light=light_of(given, setup.light))

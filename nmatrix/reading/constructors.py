@@ -1,4 +1,4 @@
-"""What a word before a bracket means: how many groups of how many numbers, and what may be inside."""
+"""The words before brackets: how many numbers in what groups they take, and what may be inside."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ _VECTOR = re.compile(
 )
 _PART = re.compile(r"D?Mat[23]A?|List|Array|\([0-9]{1,2}\)")  # of a larger value
 _FLAT = {"matrix3d": 16}
-_DECLARED = r"\b(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})[ \t]*=[ \t]*(?=(?:glm::|np\.|numpy\.)?(?:%s)[ \t\n]*\()"
+_DECLARED = (
+    r"\b(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})[ \t]*=[ \t]*"
+    r"(?=(?:glm::|np\.|numpy\.)?(?:%s)[ \t\n]*\()"
+)
 GLSL_DECLARED = re.compile(_DECLARED % "mat[234](?:x[234])?|vec[234]")
 NUMPY_DECLARED = re.compile(_DECLARED % "array|matrix")
 _STATED = re.compile(r"^#.*layout: (row-major|column-major)", re.MULTILINE)
@@ -129,7 +132,7 @@ def _sized(group: Group, count: int, length: int, source: str) -> Tokens:
 
 
 def _filled(group: Group, count: int, source: str) -> list[str]:
-    """The numbers of a vector; a single one is repeated."""
+    """List the numbers of a vector; a single one is repeated."""
     numbers = [number for row in rows_of(group, source) for number in row]
     if len(numbers) == 1:
         return numbers * count

@@ -1,4 +1,4 @@
-"""What a reader finds in a text: quantities as rows of number texts; and the error if it is none."""
+"""What a text holds: quantities as rows of number texts; and the errors of one that holds none."""
 
 from __future__ import annotations
 

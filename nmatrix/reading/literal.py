@@ -199,7 +199,7 @@ def _misshapen(count: int, height: int, source: str) -> IllegalValueError:
         return unreadable(source, f"it has {height} rows of {count} numbers", "use at most 4×4")
     total = count * height
     why = f"it holds {total} numbers, a matrix has 9 or 16"
-    next_step = "copy it whole" if total < max(SQUARES) else "leave out what is not an entry"
+    next_step = "give them all" if total < max(SQUARES) else "leave out what is not an entry"
     return unreadable(source, why, next_step)
 
 

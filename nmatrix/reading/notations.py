@@ -1,4 +1,4 @@
-"""The notations of matrices: what each looks like, who prints it, and whether columns come first."""
+"""The notations of matrices: what each looks like, who prints it, and if columns come first."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Matrices whose entries name their places: nmatrix's CSV, Unity's e00 … e33, a typed array's 0 … 15."""
+"""Matrices whose entries name their places: nmatrix's CSV, Unity's fields, an array's 0 … 15."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def _with_decimal_commas(lines: Sequence[str]) -> Tokens:
 
 
 def _with_points(lines: Sequence[str], source: str) -> Tokens:
-    """Part rows at line ends and semicolons; at line ends alone where each entry has a semicolon."""
+    """Part rows at line ends and semicolons, or at line ends where semicolons part entries."""
     pieces = [[*filter(None, map(str.strip, line.split(";", MOST)))] for line in lines]
     rows = [piece for line in pieces for piece in line]
     if len(lines) > 1 and max(map(len, pieces)) > 1 and not any(map(_SEPARATOR.search, rows)):
