@@ -31,7 +31,7 @@ Group = Any  # a frozen dataclass type; its fields are Typer's options, or group
 
 # A minus with a digit, a point or pi behind it is a number; "-" and "-#KEY" are standard input.
 _VALUE = re.compile(r"-(?:[\d.].*|(?:pi|π).*|#.*)?\Z", re.DOTALL)
-_NUMBER = re.compile(r"[+-−]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+|/[+-]?[0-9]+)?")
+_NUMBER = re.compile(r"[+\-−]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+|/[+-]?[0-9]+)?")
 AXES = ("x", "y", "z")
 ONE_OR = "S|"  # begins the metavar of an option that takes one value or several
 MATRICES, SIZES = ("MATRIX", "ANSWER"), (16, 12, 9)

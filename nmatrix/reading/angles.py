@@ -17,7 +17,7 @@ EXAMPLE = "write it like 30, 90deg, 1.5708rad, pi/2rad or 0.25turn"
 
 _UNIT = re.compile(r"(?P<size>.*?)(?P<unit>deg|°|rad|turns?)", re.DOTALL)
 _OF_PI = re.compile(
-    r"(?P<sign>[+-−]?)(?P<times>[0-9.]+(?:/[0-9]+)?)?\*?(?:pi|π)(?:/(?P<parts>[0-9.]+))?"
+    r"(?P<sign>[+\-−]?)(?P<times>[0-9.]+(?:/[0-9]+)?)?\*?(?:pi|π)(?:/(?P<parts>[0-9.]+))?"
 )
 
 

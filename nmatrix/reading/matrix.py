@@ -9,7 +9,7 @@ from itertools import islice
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, printable, quantity, quoted, shortlist
-from nmatrix.linear.rational import transpose
+from nmatrix.linear.rational import is_affine, transpose
 from nmatrix.reading.contents import ACCEPTED, Contents, Tokens, unreadable
 from nmatrix.reading.literal import SQUARES, MatrixLiteral, literal_from_tokens
 from nmatrix.reading.notations import Notation, read
@@ -85,7 +85,10 @@ def _remarks(literal: MatrixLiteral, notation: Notation, tokens: Tokens) -> tupl
     if notation.told and not (is_flat and own is Layout.ROW_MAJOR):
         how = "row by row" if own is Layout.ROW_MAJOR else "column by column"
         return (f"Read as {notation.name}, {how}; {option} reads it the other way.",)
-    if is_flat and literal.rows_exact != transpose(literal.rows_exact):
+    turned = transpose(literal.rows_exact)
+    # The last row of an affine matrix, 0 0 0 1, says which are the rows.
+    is_plain = is_affine(literal.rows_exact) and not is_affine(turned)
+    if is_flat and literal.rows_exact != turned and not is_plain:
         stored = "three.js, glTF and OpenGL store columns first"
         return (f"Read row by row; {stored}: for those, {option}.",)
     return ()

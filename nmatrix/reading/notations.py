@@ -74,8 +74,7 @@ def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
         group, end = first_group(text, source, start)
         tokens = constructors.laid_out(group, source)
     else:
-        ends = text.find("}", start)
-        end = len(text) if ends < 0 else ends + 1
+        end = _closing(text, start)
         tokens = found.read(text[start:end], source).quantities[""]
     return shaped_rows(tokens, found.layout, source), end
 
@@ -87,6 +86,17 @@ def _signed(text: str, among: Iterable[Notation]) -> Notation | None:
     return None
 
 
+def _closing(text: str, start: int) -> int:
+    """Find the end of the braces that open at `start`."""
+    depth = 0
+    for one in _BRACE.finditer(text, start):
+        depth += 1 if one[0] == "{" else -1
+        if not depth:
+            return one.end()
+    return len(text)
+
+
+_BRACE = re.compile(r"[{}]")
 _DECLARATION = re.compile(r"\A(?:[\w:<>*&\s]|\[[0-9]*\]){1,200}?(?:=|<<)\s*")
 _UNKNOWN = re.compile(r"[^\s\[\](){}<>]{0,40}[\[\](){}<>]")
 
@@ -197,7 +207,7 @@ NOTATIONS = (
     Notation(
         "SymPy's Matrix", "str and repr of a Matrix; Maple",
         "Matrix([[1, 2, 0], [0, 3, 0], [0, 0, 4]])",
-        re.compile(r"\A(?:sympy\.|sp\.)?(?:Immutable|Mutable)?(?:Dense)?Matrix\s*\("),
+        re.compile(r"\A(?:sympy\.|sp\.)?(?:Immutable|Mutable)?(?:Dense)?Matrix\(\s*\["),
         constructors.bracketed,
     ),
     Notation(

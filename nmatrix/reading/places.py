@@ -72,6 +72,8 @@ def fields(text: str, source: str) -> Contents:
         if place in places or count >= MOST:
             raise unreadable(source, "it holds several matrices", "give one of them")
         places[place] = plain_number(one["value"].strip("\"'"))
+    if not places:
+        raise cut_off(source, "before its first number")
     if min(min(place) for place in places):  # .NET and CSS count from 1
         places = {(row - 1, column - 1): value for (row, column), value in places.items()}
     lacking = _gaps(places)

@@ -21,7 +21,7 @@ _SEPARATOR = re.compile(r"\s*,\s*|\s+")
 _PARTED = re.compile(r"[\s;]+")
 _BLANK = re.compile(r"[^\s,]\s+[^\s,]")
 _TIGHT_COMMA = re.compile(r"(?<![0-9])[0-9]*,[0-9]+")
-_COMMA_NUMBER = re.compile(r"[+-−]?[0-9]+(?:,[0-9]+)?(?:[eE][+-−]?[0-9]+)?")
+_COMMA_NUMBER = re.compile(r"[+\-−]?[0-9]+(?:,[0-9]+)?(?:[eE][+\-−]?[0-9]+)?")
 
 
 def bare_rows(text: str, source: str) -> Contents:
