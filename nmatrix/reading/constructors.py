@@ -28,6 +28,8 @@ _DECLARED = (
 GLSL_DECLARED = re.compile(_DECLARED % "mat[234](?:x[234])?|vec[234]")
 NUMPY_DECLARED = re.compile(_DECLARED % "array|matrix")
 _STATED = re.compile(r"^#.*layout: (row-major|column-major)", re.MULTILINE)
+# NumPy 2 prints the numbers of a plain list as np.float64(1.0).
+_SCALAR = re.compile(r"\b(?:np|numpy)\.(?:float|int)[0-9]{2}\(([^()]{1,60})\)")
 _COMMENT = re.compile(r"^[ \t]*//", re.MULTILINE)
 
 
@@ -44,7 +46,7 @@ def bracketed(text: str, source: str) -> Contents:
     >>> bracketed("mat2(vec2(1.0), vec2(2.0))", "x").quantities
     {'': [['1.0', '1.0'], ['2.0', '2.0']]}
     """
-    return Contents({"": laid_out(whole_text(text, source), source)})
+    return Contents({"": laid_out(whole_text(_SCALAR.sub(r"\1", text), source), source)})
 
 
 def glsl_program(text: str, source: str) -> Contents:

@@ -8,8 +8,9 @@ from nmatrix.enums import Layout
 from nmatrix.reading.contents import Contents, Tokens, cut_off
 
 LONGEST = 40_000  # characters between \begin and \end
-MATRIX = re.compile(r"\\begin\{([bpvBV]?matrix)\}")
-_NAMED = re.compile(r"^% key: (\S{1,200})[ \t]*$|\\begin\{([bpvBV]?matrix)\}", re.MULTILINE)
+_BEGIN = r"\\begin\{([bpvBV]?matrix|smallmatrix|array)\}(?:\{[lcr|]{1,20}\})?"
+MATRIX = re.compile(_BEGIN)
+_NAMED = re.compile(rf"^% key: (\S{{1,200}})[ \t]*$|{_BEGIN}", re.MULTILINE)
 _POWER = re.compile(r" ?\\(?:times|cdot) ?10\^ ?\{? ?(-?[0-9]{1,6}) ?\}?")
 _FRACTION = re.compile(r"\\[td]?frac\{([+-]?[0-9]{1,4000})\}\{([+-]?[0-9]{1,4000})\}")
 

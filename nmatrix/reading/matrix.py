@@ -6,13 +6,16 @@ import re
 from dataclasses import replace
 from functools import partial
 from itertools import islice
+from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, printable, quantity, quoted, shortlist
 from nmatrix.linear.rational import is_affine, transpose
 from nmatrix.reading.contents import ACCEPTED, Contents, Tokens, unreadable
 from nmatrix.reading.literal import SQUARES, MatrixLiteral, literal_from_tokens
-from nmatrix.reading.notations import Notation, read
+
+if TYPE_CHECKING:
+    from nmatrix.reading.notations import Notation
 
 FIRST_OF = (
     "world_from_object",
@@ -56,6 +59,8 @@ def matrix_literal(
     >>> matrix_literal("mat3(2.0)").rows == matrix_literal("[[2,0,0],[0,2,0],[0,0,2]]").rows
     True
     """
+    from nmatrix.reading.notations import read  # thirty patterns, made where a text is read
+
     origin = source or quoted(text)
     if len(text) > LONGEST:
         raise _unreadable(origin, f"{len(text)} characters are too many")
@@ -112,7 +117,7 @@ def _with_values(refusal: IllegalValueError, text: str) -> IllegalValueError:
     literal = "; ".join(rows)
     if len(literal) > LONGEST_LITERAL:
         return refusal
-    return IllegalValueError(what, why, f'write "{literal}"')
+    return IllegalValueError(what, why, f'write "{literal}", if these are its rows')
 
 
 def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:

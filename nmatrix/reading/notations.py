@@ -75,7 +75,7 @@ def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
         tokens = constructors.laid_out(group, source)
     else:
         end = _closing(text, start)
-        tokens = found.read(text[start:end], source).quantities[""]
+        tokens = next(iter(found.read(text[start:end], source).quantities.values()), [])
     return shaped_rows(tokens, found.layout, source), end
 
 
@@ -102,10 +102,15 @@ _UNKNOWN = re.compile(r"[^\s\[\](){}<>]{0,40}[\[\](){}<>]")
 
 NOTATIONS = (
     Notation(
-        "three.js", "JSON.stringify of a Matrix3 or Matrix4, and consoles",
+        "three.js", "JSON.stringify of a Matrix3, a Matrix4, or what holds them",
         '{"elements":[1,0,0,2,3,0,0,0,4]}',
-        re.compile(r"\A(?:_?Matrix[34]\s?)?\{\s*[\"']?elements[\"']?\s*:"),
-        constructors.bracketed, COLUMNS,
+        re.compile(r"\A\{(?=\s*\").*?\"elements\"\s*:\s*\[", re.DOTALL),
+        jsontext.json_notation, COLUMNS,
+    ),
+    Notation(
+        "three.js's Matrix", "console.log of a Matrix3 or Matrix4",
+        "Matrix3 {elements: (9) [1, 0, 0, 2, 3, 0, 0, 0, 4]}",
+        re.compile(r"\A(?:_?Matrix[34]\s?)?\{\s*elements\s*:"), constructors.bracketed, COLUMNS,
     ),
     Notation(
         "a typed array's JSON", "JSON.stringify of a Float32Array: gl-matrix, WebGL",
@@ -242,9 +247,9 @@ NOTATIONS = (
         re.compile(r"\A(?:[|│┃┌⎡⎛]|Matrix \(float[234]x|[234]×[234] )"), rows.framed_rows,
     ),
     Notation(
-        "lists", "Python, NumPy, MATLAB, JavaScript, Eigen, glam's {}",
+        "lists", "Python, NumPy, MATLAB, Julia, JavaScript, Eigen",
         "[[1, 2, 0], [0, 3, 0], [0, 0, 4]]",
-        re.compile(r"\A[\[(]"), constructors.bracketed, told=False,
+        re.compile(r"\A(?:(?:Float|Int)[0-9]{2})?[\[(]"), constructors.bracketed, told=False,
     ),
     Notation(
         "rows", "people, MATLAB, Eigen, JOML, Unity's tabs, spreadsheets",
@@ -252,8 +257,10 @@ NOTATIONS = (
         re.compile(r""), rows.bare_rows, told=False,
     ),
 )  # fmt: skip
+# Inside of an expression a list is an expression itself, and a report is not a value.
 _IN_BRACKETS = tuple(
     one
     for one in NOTATIONS
-    if one.read in (constructors.bracketed, places.fields) and one.name != "lists"
+    if one.read in (constructors.bracketed, places.fields, jsontext.json_notation)
+    and one.name not in ("lists", "JSON")
 )

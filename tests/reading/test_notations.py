@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from counted import at_most
 from hypothesis import given, settings
@@ -83,7 +84,11 @@ def decimal_commas(m: Matrix, between: str) -> str:
 WRITERS: dict[str, list[Writer]] = {
     "three.js": [
         lambda m: json.dumps({"elements": flat(columns(m))}),
+        lambda m: json.dumps({"uuid": "1-2", "matrixWorld": {"elements": flat(columns(m))}}),
+    ],
+    "three.js's Matrix": [
         lambda m: f"_Matrix4 {{elements: (16) [{joined(flat(columns(m)))}]}}",
+        lambda m: f"Matrix4 {{\n  elements: {wrapped(flat(columns(m)), 6)}\n}}",
     ],
     "a typed array's JSON": [
         lambda m: json.dumps({str(i): entry for i, entry in enumerate(flat(columns(m)))}),
@@ -121,6 +126,12 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: "$$\\begin{pmatrix}\n"
         + "\\\\\n".join(joined(row, "&") for row in m)
         + "\n\\end{pmatrix}$$",
+        lambda m: r"\left( \begin{array}{cccc} "  # Mathematica's TeXForm
+        + r" \\ ".join(joined(row, " & ") for row in m)
+        + r" \end{array} \right)",
+        lambda m: r"\left[\begin{matrix}"  # SymPy's latex()
+        + r"\\".join(joined(row, " & ") for row in m)
+        + r"\end{matrix}\right]",
     ],
     "NumPy program": [
         lambda m: f"M = np.array([{nested(m, '[]')}])",
@@ -230,6 +241,9 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: f"m = [{'; '.join(joined(row, ', ') for row in m)}];",
         lambda m: "\n".join(f"[ {joined(row, ' | ')} ]" for row in m),  # PyGLM's str
         lambda m: f"[{joined(flat(m))}] (16)",  # Safari
+        lambda m: f"Float64[{'; '.join(joined(row, ' ') for row in m)}]",  # Julia
+        lambda m: str([[np.float64(entry) for entry in row] for row in m]),
+        lambda m: str([[np.float32(entry) for entry in row] for row in m]),
         lambda m: f"[{nested(m, '[]').replace(',', '')}]",  # NumPy's str
     ],
     "rows": [
@@ -344,7 +358,7 @@ REFUSED = {
     "(16) [Array(4), Array(4), Array(4), Array(4)]": "the console folded its rows",
     "Array(16) [ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, … ]": "left numbers out",
     "[[1. 0. ... 0.]\n [0. 1. ... 0.]]": "left numbers out",
-    "Transform(1,0,0,0,2,0,0,0,3)": r'write "1 0 0; 0 2 0; 0 0 3"',
+    "Transform(1,0,0,0,2,0,0,0,3)": r'write "1 0 0; 0 2 0; 0 0 3", if these are its rows',
     "identity(3)": r"'identity\(' begins no notation",
     "float4x4(2.0)": "float4x4 takes 16 numbers, got 1",
     "matrix3d(1, 0, 0, 1, 5, 6)": "matrix3d takes 16 numbers, got 6",
@@ -378,7 +392,7 @@ CUT = [
 def test_a_text_cut_inside_its_brackets_never_passes_for_a_whole_one(name: str, i: int) -> None:
     m = matrix_for(BY_NAME[name])
     text = WRITERS[name][i](m).strip()
-    whole = text.rstrip(";$)>]} (16\n")
+    whole = text.rpartition(r"\end")[0] or text.rstrip(";$)>]} (16\n")
     for end in range(len(whole)):
         try:
             found = matrix_literal(text[:end])
