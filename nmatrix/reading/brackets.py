@@ -8,14 +8,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import TypeAlias
 
 from nmatrix.errors import quoted
 from nmatrix.reading.contents import Tokens, cut_off, unreadable
 
 DEEPEST = 2  # brackets without a word before them
 MOST = 64  # numbers; a matrix has 16, a slip of the hand a few more
-LONGEST_HEAD = 60
 PAIRS = {"[": "]", "(": ")", "{": "}", "<": ">"}
 CUT = ("…", "...", "⋯")
 
@@ -58,9 +56,6 @@ class Group:
         return [one for one in self.entries if isinstance(one, str)]
 
 
-Found: TypeAlias = tuple[Group, int]
-
-
 def plain_number(token: str) -> str:
     """Take off what languages put on numbers: 1.0f, 1f32, Mathematica's 1.*^-7 and 0.5`.
 
@@ -96,7 +91,7 @@ def whole_text(text: str, source: str) -> Group:
     return found.groups[0] if len(found.groups) == 1 else found
 
 
-def first_group(text: str, source: str, start: int) -> Found:
+def first_group(text: str, source: str, start: int) -> tuple[Group, int]:
     """Read the bracket that opens at `start`, and find where it ends.
 
     Examples

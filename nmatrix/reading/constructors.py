@@ -27,6 +27,7 @@ _DECLARED = (
 )
 GLSL_DECLARED = re.compile(_DECLARED % "mat[234](?:x[234])?|vec[234]")
 NUMPY_DECLARED = re.compile(_DECLARED % "array|matrix")
+MOST_DECLARED = 1000
 _STATED = re.compile(r"^#.*layout: (row-major|column-major)", re.MULTILINE)
 # NumPy 2 prints the numbers of a plain list as np.float64(1.0).
 _SCALAR = re.compile(r"\b(?:np|numpy)\.(?:float|int)[0-9]{2}\(([^()]{1,60})\)")
@@ -82,8 +83,10 @@ def numpy_program(text: str, source: str) -> Contents:
 
 def _declared(sign: re.Pattern[str], text: str, source: str) -> dict[str, Tokens]:
     quantities: dict[str, Tokens] = {}
-    refusals = []
+    refusals: list[IllegalValueError] = []
     for found in sign.finditer(text):
+        if len(quantities) > MOST_DECLARED or len(refusals) > MOST_DECLARED:
+            raise unreadable(source, f"it declares more than {MOST_DECLARED} matrices")
         try:
             group, _ = first_group(text, source, found.end())
             quantities[found["name"]] = laid_out(group, source)

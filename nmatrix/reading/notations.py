@@ -50,9 +50,10 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
         found = _signed(candidate, NOTATIONS[:-1])
         if found is not None:
             return found, found.read(candidate, source)
-    unknown = _UNKNOWN.search(candidate)
-    if unknown is not None:
-        raise unreadable(source, f"{quoted(unknown[0])} begins no notation that is read")
+    bracket = _BRACKET.search(candidate)
+    if bracket is not None:
+        *_, word = candidate[: bracket.end()][-LONGEST_WORD:].split() or [""]
+        raise unreadable(source, f"{quoted(word)} begins no notation that is read")
     return NOTATIONS[-1], NOTATIONS[-1].read(candidate, source)
 
 
@@ -98,7 +99,8 @@ def _closing(text: str, start: int) -> int:
 
 _BRACE = re.compile(r"[{}]")
 _DECLARATION = re.compile(r"\A(?:[\w:<>*&\s]|\[[0-9]*\]){1,200}?(?:=|<<)\s*")
-_UNKNOWN = re.compile(r"[^\s\[\](){}<>]{0,40}[\[\](){}<>]")
+_BRACKET = re.compile(r"[\[\](){}<>]")
+LONGEST_WORD = 40  # characters before a bracket that an error shows
 
 NOTATIONS = (
     Notation(

@@ -13,7 +13,7 @@ from nmatrix.reading.brackets import MOST, plain_number
 from nmatrix.reading.contents import Contents, Tokens, cut_off, unreadable
 
 # SymPy, nalgebra and Julia draw brackets, cglm bars; R and Julia have a heading.
-FRAME = re.compile(
+_FRAME = re.compile(
     r"\A(?:Matrix \(float[234]x[234]\):|[234]×[234] [^\n:]{1,120}:)|[|│┃┌┐└┘⎡⎤⎢⎥⎣⎦⎛⎞⎜⎟⎝⎠]"
     r"|\[[ ]*[0-9]?,[0-9]?\]"
 )
@@ -58,7 +58,7 @@ def framed_rows(text: str, source: str) -> Contents:
     >>> framed_rows("| 1 0 |\n| 0 2 |", "x").quantities
     {'': [['1', '0'], ['0', '2']]}
     """
-    return bare_rows(FRAME.sub(" ", text), source)
+    return bare_rows(_FRAME.sub(" ", text), source)
 
 
 def _with_decimal_commas(lines: Sequence[str]) -> Tokens:

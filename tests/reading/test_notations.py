@@ -454,6 +454,11 @@ def test_a_million_characters_end_in_few_calls(name: str, i: int) -> None:
                 assert len(str(refusal)) < 400
 
 
+def test_a_program_that_declares_without_end_is_refused_early() -> None:
+    with at_most(10**6), pytest.raises(IllegalValueError, match="it declares more than"):
+        matrix_literal("m=mat3(" * 140_000)
+
+
 IN_EXPRESSIONS = [
     (name, i)
     for name, i in CASES
