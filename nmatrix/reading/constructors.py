@@ -29,6 +29,8 @@ GLSL_DECLARED = re.compile(_DECLARED % "mat[234](?:x[234])?|vec[234]")
 NUMPY_DECLARED = re.compile(_DECLARED % "array|matrix")
 MOST_DECLARED = 1000
 _STATED = re.compile(r"^#.*layout: (row-major|column-major)", re.MULTILINE)
+# nmatrix says in a comment that its matrices are columns, or writes uniforms in comments.
+_OURS = re.compile(r"^// (?:nmatrix [^\n]*column-major|uniform )", re.MULTILINE)
 # NumPy 2 prints the numbers of a plain list as np.float64(1.0).
 _SCALAR = re.compile(r"\b(?:np|numpy)\.(?:float|int)[0-9]{2}\(([^()]{1,60})\)")
 _COMMENT = re.compile(r"^[ \t]*//", re.MULTILINE)
@@ -65,7 +67,8 @@ def glsl_program(text: str, source: str) -> Contents:
     >>> glsl_program("const mat2 m = mat2(1, 2, 3, 4);", "x").quantities
     {'m': [['1', '2'], ['3', '4']]}
     """
-    return Contents(_declared(GLSL_DECLARED, _COMMENT.sub("", text), source))
+    layout = Layout.COLUMN_MAJOR if _OURS.search(text) else None
+    return Contents(_declared(GLSL_DECLARED, _COMMENT.sub("", text), source), layout)
 
 
 def numpy_program(text: str, source: str) -> Contents:

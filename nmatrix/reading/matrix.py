@@ -45,7 +45,8 @@ def matrix_literal(
 ) -> MatrixLiteral:
     """Read a matrix in any notation of `NOTATIONS`.
 
-    Each has its own layout, unless `layout` says another. `key` chooses among several matrices.
+    A text that states its layout is believed; else `layout` wins, and without it each notation has
+    its own. `key` chooses among several matrices.
 
     Raises
     ------
@@ -71,7 +72,7 @@ def matrix_literal(
     try:
         notation, contents = read(bare, origin)
         tokens = _chosen(contents, key, origin)
-        used = layout or contents.layout or notation.layout
+        used = contents.layout or layout or notation.layout
         literal = literal_from_tokens(tokens, used, origin, exact=contents.exact)
     except IllegalValueError as refusal:
         raise _with_values(refusal, bare) from None
