@@ -91,7 +91,7 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
     )
 
 
-def answers_to(question: Question, layout: Layout = Layout.ROW_MAJOR) -> JudgeRecord:
+def answers_to(question: Question, layout: Layout | None = None) -> JudgeRecord:
     """Make the judge of a class's answers to one question; equal answers are judged once."""
     known: dict[str, Judgement] = {}
     asked = judges(question)

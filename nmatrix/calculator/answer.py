@@ -42,7 +42,8 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
     denominators = [x.denominator for x in value.numbers if isinstance(x, Fraction)]
     if value.exact and 1 < max(denominators) <= READABLE:
         blocks.append(Text(f"exactly: {_fractions(value)}"))
-    return Report("calc", data, tuple(blocks), tuple(_remarks(value, calculation.arithmetic)))
+    remarks = (*calculation.remarks, *_remarks(value, calculation.arithmetic))
+    return Report("calc", data, tuple(blocks), remarks)
 
 
 def _fractions(value: Value) -> str:

@@ -5,13 +5,16 @@ from __future__ import annotations
 import ast
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
+from nmatrix.calculator.numbers import shown
 from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
+from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT, LARGEST
 from nmatrix.reading.numbers import fraction
 
@@ -35,6 +38,7 @@ class Calculation:
     value: Value
     arithmetic: Arithmetic
     steps: tuple[CalculationStep, ...]
+    remarks: tuple[str, ...] = ()
 
 
 def calculate(
@@ -57,7 +61,8 @@ def calculate(
     expression = plain(expression)
     evaluation = _Evaluation(expression, names, arithmetic)
     value = evaluation.value_of(parse(expression))
-    return Calculation(expression, value, arithmetic, tuple(evaluation.steps))
+    steps, remarks = tuple(evaluation.steps), tuple(dict.fromkeys(evaluation.remarks))
+    return Calculation(expression, value, arithmetic, steps, remarks)
 
 
 @dataclass
@@ -66,6 +71,7 @@ class _Evaluation:
     names: Names
     arithmetic: Arithmetic
     steps: list[CalculationStep] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
 
     def value_of(self, node: ast.expr) -> Value:  # noqa: PLR0911 - one line for each kind of node
         match node:
@@ -135,7 +141,18 @@ class _Evaluation:
             found = function.compute(*values)
         except (IllegalValueError, NoAnswerError) as error:
             raise self._error(node.col_offset, name, error) from None
+        if function.turns:
+            self._remark_radians(name, arguments[0], values[0])
         return self._step(node, found, function.rule)
+
+    def _remark_radians(self, name: str, argument: ast.expr, turn: Value) -> None:
+        """Keep a remark on an angle that was typed and looks like radians."""
+        typed = argument.operand if isinstance(argument, ast.UnaryOp) else argument
+        if isinstance(typed, ast.Constant):
+            found = like_radians([Fraction(shown(turn.scalar))])
+            if found is not None:
+                looks = f"{self._typed(argument)} looks like {of_pi(found[1])} radians"
+                self.remarks.append(f"{name} takes degrees, but {looks}, {180 * found[1]} degrees.")
 
     def _binary(self, node: ast.expr, sign: str, left: ast.expr, right: ast.expr) -> Value:
         a, b = self.value_of(left), self.value_of(right)

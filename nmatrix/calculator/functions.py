@@ -39,13 +39,15 @@ Compute = Callable[..., Value]
 class Function:
     """One function: the kinds of its arguments, its rule in words, and its computation.
 
-    A function that gathers takes three numbers in the place of a vector, too.
+    A function that gathers takes three numbers in the place of a vector, too; one that turns takes
+    degrees.
     """
 
     takes: tuple[ValueKind, ...]
     rule: str
     compute: Compute
     gathers: bool = False
+    turns: bool = False
 
     @property
     def wanted(self) -> str:
@@ -145,11 +147,12 @@ def _identity(n: Value) -> Value:
     return Value(rational.identity(SIZES[SIZES.index(n.scalar)]))
 
 
-def _rotate(axis: str) -> Compute:
+def _rotate(axis: str) -> Function:
     def compute(turn: Value) -> Value:
         return Value(rational.affine_matrix(affine.rotation_about(axis, angle(turn.scalar))))
 
-    return compute
+    rule = f"a rotation about {axis.lower()}, in degrees"
+    return Function((ValueKind.SCALAR,), rule, compute, turns=True)
 
 
 def _builder(rule: str, make: Callable[[RationalVector], RationalMatrix]) -> Function:
@@ -210,9 +213,9 @@ FUNCTIONS: dict[str, Function] = {
     "cross": Function(_VV, "perpendicular to both", _cross),
     "angle": Function(_VV, "arctan of |a×b| over a·b, in degrees", _angle),
     "identity": Function(_S, "ones on the diagonal", _identity),
-    "rotate_x": Function(_S, "a rotation about x, in degrees", _rotate("X")),
-    "rotate_y": Function(_S, "a rotation about y, in degrees", _rotate("Y")),
-    "rotate_z": Function(_S, "a rotation about z, in degrees", _rotate("Z")),
+    "rotate_x": _rotate("X"),
+    "rotate_y": _rotate("Y"),
+    "rotate_z": _rotate("Z"),
     "translate": _builder(
         "a translation", lambda v: rational.affine_matrix(rational.identity(3), v)
     ),

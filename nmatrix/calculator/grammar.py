@@ -11,6 +11,8 @@ import string
 import warnings
 
 from nmatrix.calculator.faults import CalculatorError
+from nmatrix.errors import IllegalValueError
+from nmatrix.reading.notations import value_at
 
 LONGEST = 10_000  # characters
 DEEPEST = 200  # levels of nesting; Python's own stack holds about 1000
@@ -28,6 +30,10 @@ _CHARACTERS = frozenset(string.ascii_letters + string.digits + "_., ()[]@*/+-'\"
 _AS_TYPED = str.maketrans("\t\n\r", "   ")
 _NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+|/[0-9]+)?"
 _LITERAL = re.compile(rf"\[\s*({_NUMBER}(?:[\s,;]+{_NUMBER})+)[\s;]*\]")
+_NOTATION = re.compile(
+    r"(?<![\w.])(?:(?:new )?[A-Za-z_][\w.:<>]{0,40} ?(?:\([0-9]{1,2}\) ?)?[\[({]"
+    r"|\{|\[X|<M|\([0-9]{1,2}\) ?\[)"
+)
 _BETWEEN_ROWS = re.compile(r"\]\s+\[")
 _ROW_END = re.compile(r"\s*[;\n]\s*")
 _SEPARATOR = re.compile(r"\s*,\s*|\s+")
@@ -43,13 +49,39 @@ def plain(expression: str) -> str:
     --------
     >>> plain(" 1 −\n2 "), plain("det([1 -2; 3 4])")
     ('1 - 2', 'det([[1, -2], [3, 4]])')
-    >>> plain("[[1. 0.]\n [0. 2.]]")
-    '[[1., 0.], [0., 2.]]'
+    >>> plain("[[1. 0.]\n [0. 2.]]"), plain("det(mat2(1, 2, 3, 4))")
+    ('[[1., 0.], [0., 2.]]', 'det([[1, 3], [2, 4]])')
     """
     if len(expression) > LONGEST:
         return expression
-    listed = _LITERAL.sub(_with_commas, expression.replace("−", "-"))
+    lists = _with_lists(expression.replace("−", "-"))
+    listed = _LITERAL.sub(_with_commas, lists)
     return _BETWEEN_ROWS.sub("], [", listed).translate(_AS_TYPED).strip()
+
+
+def _with_lists(expression: str) -> str:
+    """Write the matrices of other notations, such as mat3(…) or {{…}, {…}}, as lists.
+
+    Raises
+    ------
+    CalculatorError
+        If one of them cannot be read.
+    """
+    parts, done = [], 0
+    for found in _NOTATION.finditer(expression):
+        if found.start() < done:
+            continue
+        try:
+            value = value_at(expression, found.start(), "a literal")
+        except IllegalValueError as refusal:
+            what, why, _ = refusal.parts
+            raise CalculatorError(expression, found.start(), what, why) from None
+        if value is not None:
+            rows, end = value
+            lists = ", ".join(f"[{', '.join(row)}]" for row in rows)
+            parts += [expression[done : found.start()], f"[{lists}]" if len(rows) > 1 else lists]
+            done = end
+    return "".join([*parts, expression[done:]])
 
 
 def _with_commas(literal: re.Match[str]) -> str:

@@ -12,7 +12,7 @@ from nmatrix.cli.shared_options import ConventionOption, HandedOption, OptionGro
 from nmatrix.cli.sources import Sources
 from nmatrix.enums import Api, CameraAxes, ClipY, DepthRange
 from nmatrix.linear.viewport import Viewport
-from nmatrix.reading.numbers import number_or_infinity
+from nmatrix.reading.numbers import number_or_infinity, ratio
 from nmatrix.scene.given import hand_of, lens_of, view_of
 from nmatrix.scene.setup import Setup
 
@@ -28,10 +28,10 @@ class ViewOptions(OptionGroup):
     target: Annotated[str | None, in_view(metavar="X Y Z", help="What it looks at (0 0 0).")] = None
     up: Annotated[str | None, in_view(metavar="X Y Z", help="What is up (0 1 0).")] = None
     elevation: Annotated[
-        str | None, in_view(metavar="DEG", help="Look up by so much, instead of a target.")
+        str | None, in_view(metavar="ANGLE", help="Look up by so much, instead of a target.")
     ] = None
-    angle: Annotated[str | None, in_view(metavar="DEG", help="Look sideways by so much.")] = None
-    roll: Annotated[str | None, in_view(metavar="DEG", help="Turn about the view axis.")] = None
+    angle: Annotated[str | None, in_view(metavar="ANGLE", help="Look sideways by so much.")] = None
+    roll: Annotated[str | None, in_view(metavar="ANGLE", help="Turn about the view axis.")] = None
     view_matrix: Annotated[
         str | None, in_view(metavar="MATRIX", help="The whole matrix instead.")
     ] = None
@@ -50,7 +50,8 @@ class ViewOptions(OptionGroup):
 
     def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own view."""
-        given = self.numbers(eye=3, target=3, up=3, elevation=1, angle=1, roll=1)
+        given = self.numbers(eye=3, target=3, up=3)
+        given |= self.degrees(sources, elevation=1, angle=1, roll=1)
         given |= self.typed("handed", "convention", "pose_axes")
         for name, text in self.typed("view_matrix", "extrinsics", "pose").items():
             given[name] = sources.affine(text)
@@ -61,9 +62,9 @@ class ViewOptions(OptionGroup):
 class LensOptions(OptionGroup):
     """How the camera projects."""
 
-    fov: Annotated[str | None, in_lens(metavar="DEG", help="Vertical field of view (60).")] = None
+    fov: Annotated[str | None, in_lens(metavar="ANGLE", help="Vertical field of view (60).")] = None
     fov_x: Annotated[
-        str | None, in_lens(metavar="DEG", help="Horizontal field of view instead.")
+        str | None, in_lens(metavar="ANGLE", help="Horizontal field of view instead.")
     ] = None
     focal: Annotated[
         str | None, in_lens(metavar="MM", help="Focal length instead, before a --sensor.")
@@ -109,8 +110,11 @@ class LensOptions(OptionGroup):
 
     def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own lens; its hand is the view's too."""
-        given = self.numbers(fov=1, fov_x=1, focal=1, aspect=1, near=1, sensor=2, viewport=2)
-        given |= self.numbers(intrinsics=4, angles=4, ortho=4, frustum=4)
+        given = self.numbers(focal=1, near=1, sensor=2, viewport=2)
+        given |= self.numbers(intrinsics=4, ortho=4, frustum=4)
+        given |= self.degrees(sources, fov=1, fov_x=1, angles=4)
+        if self.aspect is not None:
+            given["aspect"] = ratio(self.aspect, "--aspect")
         given |= self.typed("depth", "handed", "clip_y", "api")
         if self.far is not None:
             given["far"] = number_or_infinity(self.far, "--far")

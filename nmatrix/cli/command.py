@@ -4,7 +4,8 @@ A command takes option groups, frozen dataclasses; Typer sees their fields as fl
 not be given more than it can read, so the words are gathered first: an option of N values takes N
 words and becomes one `--option=values` token, −3 is a value, and whatever else is a value stands
 behind `--`. What is read is told by metavars: an option of `X Y Z` takes three values, one of
-`Z...` all up to the next option, an argument EXPRESSION may be `-M`. What Typer would refuse in its
+`S|X Y Z` one or three, one of `Z...` all up to the next option; an argument EXPRESSION may be `-M`,
+and MATRIX may be nine or sixteen words. What Typer would refuse in its
 own words is refused here: WHAT (value): why; next step.
 """
 
@@ -28,8 +29,20 @@ if TYPE_CHECKING:
 
 Group = Any  # a frozen dataclass type; its fields are Typer's options, or groups again
 
-# A minus with a digit or a point behind it is a number; "-" and "-#KEY" are standard input.
-_VALUE = re.compile(r"-(?:[\d.].*|#.*)?\Z", re.DOTALL)
+# A minus with a digit, a point or pi behind it is a number; "-" and "-#KEY" are standard input.
+_VALUE = re.compile(r"-(?:[\d.].*|(?:pi|π).*|#.*)?\Z", re.DOTALL)
+_NUMBER = re.compile(r"[+\-−]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+|/[+-]?[0-9]+)?")
+AXES = ("x", "y", "z")
+ONE_OR = "S|"  # begins the metavar of an option that takes one value or several
+MATRICES, SIZES = ("MATRIX", "ANSWER"), (16, 12, 9)
+# What numbers without an option mean to those who have other programs in their fingers.
+IN_ORDER = {
+    "trace": ("--point", "--normal"),
+    "projection": ("--fov", "--aspect", "--near", "--far"),
+    "view": ("--eye", "--target", "--up"),
+    "eye": ("--eye",),
+    "light": ("--light-direction",),
+}
 AND_MORE = "..."  # ends the metavar of an option that takes any number of values
 _SEPARATOR = re.compile(r"[\s,]")
 EXPRESSION = "EXPRESSION"  # the metavar of an argument that may begin with any minus
@@ -118,19 +131,26 @@ class GatheringCommand(TyperCommand):
         options = [one for one in parameters if isinstance(one, TyperOption)]
         reads_expression = any(one.metavar == EXPRESSION for one in parameters)
         words = gather(args, options, reads_expression=reads_expression)
-        self._check_arguments(ctx, words[words.index("--") + 1 :] if "--" in words else [])
-        return super().parse_args(ctx, words)
+        end = words.index("--") if "--" in words else len(words)
+        places = [one for one in parameters if isinstance(one, TyperArgument)]
+        values = _with_matrix(words[end + 1 :], places)
+        self._check_arguments(values, places, options)
+        return super().parse_args(ctx, [*words[:end], "--", *values] if values else words)
 
-    def _check_arguments(self, ctx: Context, values: list[str]) -> None:
+    def _check_arguments(
+        self, values: list[str], places: list[TyperArgument], options: list[TyperOption]
+    ) -> None:
         """Refuse a value too many, and say which argument is missing."""
-        places = [one for one in self.get_params(ctx) if isinstance(one, TyperArgument)]
         required = [one for one in places if one.required]
         if len(values) > len(places) and all(one.nargs == 1 for one in places):
+            meant = _as_options(values, IN_ORDER.get(self.name or "", ()), options)
             names = " and ".join(one.metavar or one.name or "" for one in places) or "options only"
             raise IllegalValueError(
                 f"argument ({values[len(places)][:40]})",
                 f"{self.name} takes {names}",
-                "leave it out, or put what belongs together in quotes",
+                f"write nmatrix {self.name} {meant}"
+                if meant
+                else "leave it out, or put what belongs together in quotes",
             )
         if len(values) < len(required):
             name = required[len(values)].metavar or required[len(values)].name
@@ -145,6 +165,46 @@ class GatheringCommand(TyperCommand):
         for name, style in HELP_STYLES.items():
             setattr(rich_utils, name, style)
         super().format_help(ctx, formatter)
+
+
+def _with_matrix(values: list[str], places: list[TyperArgument]) -> list[str]:
+    """Make one word of the numbers of a matrix at the end, if there are too many words without.
+
+    Examples
+    --------
+    >>> place = TyperArgument(param_decls=["m"], metavar="MATRIX")
+    >>> _with_matrix("1 0 0 0 2 0 0 0 1".split(), [place])
+    ['1 0 0 0 2 0 0 0 1']
+    """
+    if len(values) <= len(places) or not any(one.metavar in MATRICES for one in places):
+        return values
+    for size in SIZES:
+        before, numbers = values[:-size], values[-size:]
+        fits = len(numbers) == size and len(before) < len(places)
+        if fits and all(map(_NUMBER.fullmatch, numbers)):
+            return [*before, " ".join(numbers)]
+    return values
+
+
+def _as_options(values: list[str], names: tuple[str, ...], known: list[TyperOption]) -> str:
+    """Write numbers behind the options that they may be meant for; nothing if they do not fit.
+
+    Examples
+    --------
+    >>> point = TyperOption(param_decls=["--point"], metavar="X Y Z", type=str)
+    >>> [_as_options(words, ("--point",), [point]) for words in (["0", "0", "6"], ["6"])]
+    ['--point 0 0 6', '']
+    """
+    sizes = {name: len((one.metavar or "").split()) for one in known for name in one.opts}
+    left, written = values, []
+    for name in names:
+        taken, left = left[: sizes[name]], left[sizes[name] :]
+        if len(taken) < sizes[name] or not all(map(_NUMBER.fullmatch, taken)):
+            return ""
+        written += [name, *taken]
+        if not left:
+            return " ".join(written)
+    return ""
 
 
 def examples_and_notes(text: str) -> tuple[tuple[str, ...], str]:
@@ -178,19 +238,41 @@ class _Reader:
             taken.append(self.values(option, 1))
         return " ".join(taken)
 
-    def values(self, option: str, count: int) -> str:
-        """Take so many values, or one word that holds several."""
+    def values(self, option: str, count: int, *, or_one: bool = False) -> str:
+        """Take so many values, or one word that holds several.
+
+        Where one alone will do, only numbers are taken behind it: the next word may be an argument.
+        """
         taken: list[str] = []
         while len(taken) < count and self.at < len(self.words) and is_value(self.words[self.at]):
+            if or_one and taken and not _NUMBER.fullmatch(self.words[self.at]):
+                break
             taken.append(self.words[self.at])
             self.at += 1
             if count > 1 and len(taken) == 1 and _SEPARATOR.search(taken[0].strip()):
                 return taken[0]
-        if len(taken) < count:
-            what = "a value" if count == 1 else f"{count} numbers"
+        if len(taken) < count and not (or_one and len(taken) == 1):
+            what = "a value" if count == 1 else f"{'1 or ' if or_one else ''}{count} numbers"
             where = f"before {self.words[self.at]}" if self.at < len(self.words) else "at the end"
-            raise IllegalValueError(f"{option} takes {what}, got {len(taken) or 'none'} {where}")
+            raise IllegalValueError(
+                f"{option} takes {what}, got {len(taken) or 'none'} {where}",
+                next_step=_along_axis(option, taken) if count == len(AXES) else "",
+            )
         return " ".join(taken)
+
+
+def _along_axis(option: str, words: list[str]) -> str:
+    """Write the three numbers of an axis by its letter, and of how much about or along it.
+
+    Examples
+    --------
+    >>> _along_axis("--rotate", ["y", "45"]), _along_axis("--up", ["z"]), _along_axis("--up", ["1"])
+    ('write --rotate 0 45 0', 'write --up 0 0 1', '')
+    """
+    if not words or words[0] not in AXES:
+        return ""
+    amount = words[1] if len(words) > 1 else "1"
+    return f"write {option} {' '.join(amount if one == words[0] else '0' for one in AXES)}"
 
 
 def is_value(word: str) -> bool:
@@ -273,7 +355,7 @@ def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
     elif metavar.endswith(AND_MORE):
         value = reader.all_values(full)
     else:
-        value = reader.values(full, len(metavar.split()))
+        value = reader.values(full, len(metavar.split()), or_one=metavar.startswith(ONE_OR))
     choices = [str(one) for one in getattr(option.type, "choices", ())]
     if choices and value not in choices:
         raise IllegalValueError(

@@ -15,6 +15,7 @@ from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention, Format, Handedness, Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.write import MOST_DIGITS
+from nmatrix.reading.angles import angle, radians_remark
 from nmatrix.reading.numbers import number, numbers
 from nmatrix.report import Vector
 
@@ -22,7 +23,7 @@ from nmatrix.report import Vector
 in_conventions = partial(Option, rich_help_panel="Conventions")
 in_output = partial(Option, rich_help_panel="Output")
 
-ReadNumbers = Callable[[str, int, str], Vector]
+ReadNumbers = Callable[..., Vector]  # `numbers`, or `fractions`
 
 ConventionOption = Annotated[
     Convention | None,
@@ -47,9 +48,9 @@ class CommonOptions:
         str, in_output(metavar="N", help="Significant digits for people, 1 to 17.")
     ] = "6"
     layout: Annotated[Layout, in_output(help="Order of written matrices.")] = Layout.ROW_MAJOR
-    input_layout: Annotated[Layout, in_output(help="Order of matrices that are read.")] = (
-        Layout.ROW_MAJOR
-    )
+    input_layout: Annotated[
+        Layout | None, in_output(help="Order of matrices that are read (each notation's own).")
+    ] = None
     color: Annotated[ColorWhen, in_output(help="Colours in text.")] = ColorWhen.AUTO
     full: Annotated[bool, in_output("--full", help="Show all of the answer as text.")] = False
 
@@ -84,6 +85,22 @@ class OptionGroup:
     def typed(self, *names: str) -> dict[str, Any]:
         """Collect those of these options that were typed, by field."""
         return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+
+    def degrees(
+        self, sources: Sources, read: ReadNumbers = numbers, **counts: int
+    ) -> dict[str, Any]:
+        """Read so many angles, in degrees, of each option that was typed, by field.
+
+        Where they look like radians, that is remarked.
+        """
+        found: dict[str, Any] = {}
+        for name, text in self.typed(*counts).items():
+            angles = read(text, counts[name], option_name(name), angle)
+            found[name] = angles if counts[name] > 1 else angles[0]
+            remark = radians_remark(text, name)
+            if remark is not None:
+                sources.remark(remark)
+        return found
 
     def numbers(self, read: ReadNumbers = numbers, **counts: int) -> dict[str, Any]:
         """Read so many numbers of each option that was typed, by field; one is a number alone."""

@@ -6,6 +6,7 @@ import os
 import struct
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, TextIO, TypeVar
 
@@ -47,7 +48,8 @@ def show(report: Report, common: CommonOptions) -> None:
         colour=_colour(common),
         full=common.full,
     )
-    put(write(report.spelled(option_name), options))
+    told = replace(report, remarks=(*report.remarks, *common.sources.remarks))
+    put(write(told.spelled(option_name), options))
     if report.failure is not None:
         raise report.failure
 

@@ -26,10 +26,14 @@ _FOR_PEOPLE = re.compile(r"^(?:─{4,}|-{4,})$|[⎡⎢⎣]", re.MULTILINE)
 
 @dataclass
 class Sources:
-    """The matrices of one command line; it remembers whether one of them came from a file."""
+    """What is read for one command line.
 
-    layout: Layout = Layout.ROW_MAJOR
+    It remembers whether a matrix came from a file, and what is to be said about how it was read.
+    """
+
+    layout: Layout | None = None
     any_from_file: bool = False
+    remarks: list[str] = field(default_factory=list)
     _stdin_used: bool = field(default=False, init=False)
     _from_stdin: str = field(default="", init=False)
 
@@ -50,7 +54,7 @@ class Sources:
         if existing_file(text.rpartition("#")[0] or text) or existing_file(text):
             self.any_from_file = True
         try:
-            return matrix_source(text, self._stdin, self.layout)
+            found = matrix_source(text, self._stdin, self.layout)
         except IllegalValueError:
             if _FOR_PEOPLE.search(self._from_stdin):
                 raise IllegalValueError(
@@ -59,6 +63,12 @@ class Sources:
                     "add -f json to the command before the pipe",
                 ) from None
             raise
+        self.remark(*found.remarks)
+        return found
+
+    def remark(self, *sentences: str) -> None:
+        """Keep what is to be said about the way something was read, once."""
+        self.remarks += [one for one in sentences if one not in self.remarks]
 
     def _stdin(self) -> str:
         if self._stdin_used:

@@ -4,24 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Any
 
 from typer import Option
 
-from nmatrix.cli.shared_options import (
-    ConventionOption,
-    OptionGroup,
-    ReadNumbers,
-)
+from nmatrix.cli.shared_options import ConventionOption, OptionGroup, ReadNumbers, option_name
 from nmatrix.cli.sources import Sources
-from nmatrix.reading.numbers import fractions, numbers
+from nmatrix.reading.numbers import fractions, number_words, numbers, spread
 from nmatrix.scene.given import light_of, world_of
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 in_world = partial(Option, rich_help_panel="World")
 in_light = partial(Option, rich_help_panel="Light")
-
 
 OrderOption = Annotated[
     str | None,
@@ -42,9 +37,9 @@ class WorldOptions(OptionGroup):
     ] = None
     axis_angle: Annotated[
         str | None,
-        in_world(metavar="X Y Z ANGLE", help="Turn about one axis by degrees instead."),
+        in_world(metavar="X Y Z ANGLE", help="Turn about one axis instead."),
     ] = None
-    scale: Annotated[str | None, in_world(metavar="X Y Z", help="Stretch.")] = None
+    scale: Annotated[str | None, in_world(metavar="S|X Y Z", help="Stretch.")] = None
     shear: Annotated[
         str | None, in_world(metavar="XY XZ YZ", help="Shear x along y, x along z, y along z.")
     ] = None
@@ -70,14 +65,25 @@ class WorldOptions(OptionGroup):
         >>> found.translate, found.scale
         ((1, 0, 0), (1.0, 2.0, 1.0))
         """
-        given = self.numbers(
-            read, translate=3, rotate=3, quaternion=4, axis_angle=4, scale=3, shear=3
-        )
+        sized = self if self.scale is None else replace(self, scale=spread(self.scale, 3))
+        given = sized.numbers(read, translate=3, quaternion=4, scale=3, shear=3)
+        given |= self.degrees(sources, read, rotate=3)
+        given |= self.axis_and_angle(sources, read)
         given |= self.typed("order", "convention")
         if self.world_matrix is not None:
             matrix = sources.affine(self.world_matrix, exact=read is fractions)
             given["world_matrix"] = matrix
         return world_of(given, base)
+
+    def axis_and_angle(self, sources: Sources, read: ReadNumbers) -> dict[str, Any]:
+        """Read the axis and the angle that were typed; the angle alone has a unit."""
+        if self.axis_angle is None:
+            return {}
+        name, words = "axis_angle", number_words(self.axis_angle)
+        if len(words) != 4:
+            return self.numbers(read, axis_angle=4)  # which refuses them
+        turned = type(self)(axis_angle=words[3]).degrees(sources, read, axis_angle=1)
+        return {name: (*read(" ".join(words[:3]), 3, option_name(name)), turned[name])}
 
 
 @dataclass(frozen=True)
@@ -92,7 +98,8 @@ class LightOptions(OptionGroup):
     ] = None
     light_position: Annotated[str | None, in_light(metavar="X Y Z", help="Where a lamp is.")] = None
 
-    def override(self, setup: Setup, _: Sources) -> Setup:
+    def override(self, setup: Setup, sources: Sources) -> Setup:
         """Put the typed options in place of the setup's own light."""
-        given = self.numbers(light_direction=3, light_angles=2, light_position=3)
+        given = self.numbers(light_direction=3, light_position=3)
+        given |= self.degrees(sources, light_angles=2)
         return replace(setup, light=light_of(given, setup.light))

@@ -8,7 +8,7 @@ from functools import partial
 
 from nmatrix.enums import Layout
 from nmatrix.errors import quoted
-from nmatrix.reading.literal import Notation, Tokens, unreadable
+from nmatrix.reading.contents import Contents, Tokens, cut_off, unreadable
 
 DEEPEST = 12  # levels of objects and lists that are looked into
 
@@ -21,7 +21,7 @@ class _Digits(str):
     __slots__ = ()
 
 
-def json_notation(text: str, source: str) -> Notation:
+def json_notation(text: str, source: str) -> Contents:
     """Read the matrices and vectors of a JSON object, and the layout that it states.
 
     Raises
@@ -40,11 +40,13 @@ def json_notation(text: str, source: str) -> Notation:
         raise _unreadable(source, "it nests too deeply") from None
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
+        if error.pos >= len(text) or error.msg.startswith("Unterminated"):
+            raise cut_off(source, f"at {place}") from None
         raise _unreadable(source, f"not JSON at {place}: {error.msg}") from None
     if not isinstance(found, dict):
         raise _unreadable(source, "it is not a JSON object")
     ours = "command" in found and "version" in found
-    return Notation(dict(_matrices(found, "", 0)), _layout(found.get("layout"), source), ours)
+    return Contents(dict(_matrices(found, "", 0)), _layout(found.get("layout"), source), ours)
 
 
 def _layout(stated: object, source: str) -> Layout | None:

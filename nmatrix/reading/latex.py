@@ -5,16 +5,17 @@ from __future__ import annotations
 import re
 
 from nmatrix.enums import Layout
-from nmatrix.reading.literal import Notation, Tokens, unreadable
+from nmatrix.reading.contents import Contents, Tokens, cut_off
 
 LONGEST = 40_000  # characters between \begin and \end
-MATRIX = re.compile(r"\\begin\{([bpvBV]?matrix)\}")
-_NAMED = re.compile(r"^% key: (\S{1,200})[ \t]*$|\\begin\{([bpvBV]?matrix)\}", re.MULTILINE)
+_BEGIN = r"\\begin\{([bpvBV]?matrix|smallmatrix|array)\}(?:\{[lcr|]{1,20}\})?"
+MATRIX = re.compile(_BEGIN)
+_NAMED = re.compile(rf"^% key: (\S{{1,200}})[ \t]*$|{_BEGIN}", re.MULTILINE)
 _POWER = re.compile(r" ?\\(?:times|cdot) ?10\^ ?\{? ?(-?[0-9]{1,6}) ?\}?")
 _FRACTION = re.compile(r"\\[td]?frac\{([+-]?[0-9]{1,4000})\}\{([+-]?[0-9]{1,4000})\}")
 
 
-def latex_notation(text: str, source: str) -> Notation:
+def latex_notation(text: str, source: str) -> Contents:
     r"""Read the matrices of a LaTeX text; a column of several numbers is a vector.
 
     Raises
@@ -38,11 +39,11 @@ def latex_notation(text: str, source: str) -> Notation:
         else:
             end = text.find(rf"\end{{{found[2]}}}", after)
             if end < 0 or end - after > LONGEST:
-                raise unreadable(source, f"no \\end{{{found[2]}}}", "close it")
+                raise cut_off(source, f"before \\end{{{found[2]}}}")
             quantities.setdefault(name, _rows(text[after:end]))
             name, after = "", end
         found = _NAMED.search(text, after)
-    return Notation(quantities, Layout.ROW_MAJOR)
+    return Contents(quantities, Layout.ROW_MAJOR)
 
 
 def _rows(body: str) -> Tokens:

@@ -1,9 +1,8 @@
-"""What a text holds: quantities as rows of number texts, and the matrix that one of them is."""
+"""A matrix out of rows of number texts: its exact entries, its floats, and its digits."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -22,34 +21,13 @@ from nmatrix.linear.rational import (
     to_floats,
     transpose,
 )
+from nmatrix.reading.contents import Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
 from nmatrix.reading.numbers import fraction
 
 LARGEST = 4  # rows and columns
 SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
-ACCEPTED = 'write a matrix like "1 0 0; 0 2 0; 0 0 1"'
-
-Tokens = Sequence[Sequence[str]]  # rows of numbers that are still text
-
 BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
-
-
-def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:
-    """Make the error of a text that is no matrix: where it came from, why, what to write."""
-    return IllegalValueError(f"matrix ({source})", why, next_step)
-
-
-@dataclass(frozen=True)
-class Notation:
-    """The quantities of a text, in its order; `layout` is None where the text does not say it.
-
-    A text that is one nameless matrix has the single name "". `exact` is a text of nmatrix itself,
-    whose floats are the very floats.
-    """
-
-    quantities: Mapping[str, Tokens]
-    layout: Layout | None = None
-    exact: bool = False
 
 
 @dataclass(frozen=True)
@@ -57,13 +35,16 @@ class MatrixLiteral:
     """A matrix of at most 4×4 entries and where it came from.
 
     `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `digits` are
-    those that were typed; `exact` numbers are known as they are, however many digits they have.
+    those that were typed; `exact` numbers are known as they are, however many digits they have;
+    `layout` is how its text was read, and the remarks say so where that is not plain to see.
     """
 
     rows_exact: RationalMatrix
     source: str
     digits: TypedDigits
     exact: bool = False
+    layout: Layout = Layout.ROW_MAJOR
+    remarks: tuple[str, ...] = ()
 
     @cached_property
     def rows(self) -> Rows:
@@ -128,26 +109,40 @@ def literal_from_tokens(
     >>> literal_from_tokens([["1", "2"], ["3", "4"]], Layout.COLUMN_MAJOR, "x").rows
     ((1.0, 3.0), (2.0, 4.0))
     """
-    shaped = _squared(tokens, source)
-    rows = tuple(
-        tuple(_entry(text, (r, c), source) for c, text in enumerate(row))
-        for r, row in enumerate(shaped)
-    )
+    known = {
+        text: _entry(text, (r, c), source)
+        for r, row in enumerate(tokens)
+        for c, text in enumerate(row)
+    }
+    shaped = shaped_rows(tokens, layout, source)
+    rows = tuple(tuple(known[text] for text in row) for row in shaped)
     digits = tuple(tuple(map(digits_of, row)) for row in shaped)
-    if layout is Layout.COLUMN_MAJOR and min(len(rows), len(rows[0])) > 1:
-        rows, digits = transpose(rows), transpose(digits)
-    return MatrixLiteral(rows, source, digits, exact)
+    return MatrixLiteral(rows, source, digits, exact, layout)
+
+
+def shaped_rows(tokens: Tokens, layout: Layout, source: str) -> Tokens:
+    """Lay out the rows of a matrix: flat ones squared, columns turned into rows.
+
+    Examples
+    --------
+    >>> shaped_rows(["123456789"], Layout.COLUMN_MAJOR, "x")
+    [('1', '4', '7'), ('2', '5', '8'), ('3', '6', '9')]
+    """
+    squared = _squared(tokens, source)
+    if layout is Layout.COLUMN_MAJOR and min(len(squared), len(squared[0])) > 1:
+        return [*zip(*squared, strict=True)]
+    return squared
 
 
 def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
-    """Take a matrix for an affine 4×4 with the last row 0 0 0 1; nine numbers are its linear part.
+    """Take a matrix for an affine 4×4 with the last row 0 0 0 1, which may be left out.
 
-    Three rows of four are all of it but that last row.
+    Nine numbers are its linear part.
 
     Raises
     ------
     IllegalValueError
-        If it is neither 3×3 nor 3×4 nor 4×4, or its last row is not 0 0 0 1.
+        If it is neither 3×3, 3×4 nor 4×4, or its last row is not 0 0 0 1.
 
     Examples
     --------
@@ -159,8 +154,8 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
         digits = (*((*row, None) for row in matrix.digits), (None,) * 4)
         return replace(matrix, rows_exact=affine_matrix(matrix.rows_exact), digits=digits)
     if matrix.shape == (3, 4):
-        rows, digits = (*matrix.rows_exact, AFFINE_ROW), (*matrix.digits, (None,) * 4)
-        return replace(matrix, rows_exact=rows, digits=digits)
+        rows = (*matrix.rows_exact, AFFINE_ROW)
+        return replace(matrix, rows_exact=rows, digits=(*matrix.digits, (None,) * 4))
     _require_4x4(matrix, "9 or 16 numbers")
     if not is_affine(matrix.rows_exact):
         raise _not_affine(matrix)
@@ -195,9 +190,17 @@ def _squared(tokens: Tokens, source: str) -> Tokens:
         side = SQUARES[len(flat)]
         return [flat[start : start + side] for start in range(0, len(flat), side)]
     if max(count, len(tokens)) > LARGEST:
-        size = f"it has {len(tokens)} rows of {count} numbers"
-        raise unreadable(source, size, "use at most 4×4, or a flat 9 or 16")
+        raise _misshapen(count, len(tokens), source)
     return tokens
+
+
+def _misshapen(count: int, height: int, source: str) -> IllegalValueError:
+    if 1 not in (count, height):
+        return unreadable(source, f"it has {height} rows of {count} numbers", "use at most 4×4")
+    total = count * height
+    why = f"it holds {total} numbers, a matrix has 9 or 16"
+    next_step = "give them all" if total < max(SQUARES) else "leave out what is not an entry"
+    return unreadable(source, why, next_step)
 
 
 def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
@@ -220,5 +223,8 @@ def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:
 
 
 def _looks_transposed(matrix: MatrixLiteral) -> IllegalValueError:
-    why = f"this looks column-major or row-vector: {quantity('input_layout')} column-major"
+    if matrix.layout is Layout.COLUMN_MAJOR:
+        why = f"this looks row-major: {quantity('input_layout')} row-major"
+    else:
+        why = f"this looks column-major or row-vector: {quantity('input_layout')} column-major"
     return unreadable(matrix.source, why, "")

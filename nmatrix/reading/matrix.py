@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
+from itertools import islice
+from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError, printable, quoted, shortlist
-from nmatrix.reading import brackets, csvtext, glsl, jsontext, latex
-from nmatrix.reading.literal import (
-    MatrixLiteral,
-    Notation,
-    Tokens,
-    literal_from_tokens,
-    unreadable,
-)
+from nmatrix.errors import IllegalValueError, printable, quantity, quoted, shortlist
+from nmatrix.linear.rational import is_affine, transpose
+from nmatrix.reading.contents import ACCEPTED, Contents, Tokens, unreadable
+from nmatrix.reading.literal import SQUARES, MatrixLiteral, literal_from_tokens
+
+if TYPE_CHECKING:
+    from nmatrix.reading.notations import Notation
 
 FIRST_OF = (
     "world_from_object",
@@ -28,21 +28,25 @@ FIRST_OF = (
 )
 LONGEST = 4_000_000  # characters; a page of shaders and tables has some ten thousand
 
+LONGEST_LITERAL = 160  # characters of a matrix that an error writes again
+
+_COLOURS = re.compile(r"\x1b\[[0-9;]{0,20}m")  # cglm prints in cyan
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
+_NUMBER = re.compile(r"(?<![\w.])[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?(?![\w.])")
 
 _unreadable = partial(unreadable, next_step="give it as text of at most 16 numbers")
 
 
 def matrix_literal(
     text: str,
-    layout: Layout = Layout.ROW_MAJOR,
+    layout: Layout | None = None,
     key: str | None = None,
     source: str = "",
 ) -> MatrixLiteral:
-    """Read a matrix in any notation: rows, brackets, NumPy, GLSL, JSON, CSV or LaTeX.
+    """Read a matrix in any notation of `NOTATIONS`.
 
-    A text that says its own layout (GLSL, a JSON report, a CSV report) is believed; `layout` is
-    for all others. `key` chooses among several matrices.
+    A text that states its layout is believed; else `layout` wins, and without it each notation has
+    its own. `key` chooses among several matrices.
 
     Raises
     ------
@@ -56,25 +60,68 @@ def matrix_literal(
     >>> matrix_literal("mat3(2.0)").rows == matrix_literal("[[2,0,0],[0,2,0],[0,0,2]]").rows
     True
     """
+    from nmatrix.reading.notations import read  # thirty patterns, made where a text is read
+
     origin = source or quoted(text)
     if len(text) > LONGEST:
         raise _unreadable(origin, f"{len(text)} characters are too many")
-    found = _UNPRINTABLE.search(text)
+    bare = _COLOURS.sub("", text).replace("\r\n", "\n").removeprefix("\ufeff").strip()
+    found = _UNPRINTABLE.search(bare)
     if found is not None:
         raise _unreadable(origin, f"it holds the control character {found[0]!r}, so it is not text")
-    notation = _notation(text.replace("\r\n", "\n").removeprefix("\ufeff").strip(), origin)
-    tokens = _chosen(notation, key, origin)
-    return literal_from_tokens(tokens, notation.layout or layout, origin, exact=notation.exact)
+    try:
+        notation, contents = read(bare, origin)
+        tokens = _chosen(contents, key, origin)
+        used = contents.layout or layout or notation.layout
+        literal = literal_from_tokens(tokens, used, origin, exact=contents.exact)
+    except IllegalValueError as refusal:
+        raise _with_values(refusal, bare) from None
+    if layout is not None or contents.layout is not None:
+        return literal
+    return replace(literal, remarks=_remarks(literal, notation, tokens))
 
 
-def _notation(text: str, source: str) -> Notation:
-    for sign, reader in _NOTATIONS:
-        if sign.search(text):
-            return reader(text, source)
-    return brackets.bare_notation(text, source)
+def _remarks(literal: MatrixLiteral, notation: Notation, tokens: Tokens) -> tuple[str, ...]:
+    """Tell the layout in which a matrix was read, where its reader may have meant the other."""
+    if min(literal.shape) == 1:
+        return ()
+    own, other = literal.layout, _other(literal.layout)
+    option = f"{quantity('input_layout')} {other}"
+    is_flat = 1 in (len(tokens), len(tokens[0]))
+    if notation.told and not (is_flat and own is Layout.ROW_MAJOR):
+        how = "row by row" if own is Layout.ROW_MAJOR else "column by column"
+        return (f"Read as {notation.name}, {how}; {option} reads it the other way.",)
+    turned = transpose(literal.rows_exact)
+    # The last row of an affine matrix, 0 0 0 1, says which are the rows.
+    is_plain = is_affine(literal.rows_exact) and not is_affine(turned)
+    if is_flat and literal.rows_exact != turned and not is_plain:
+        stored = "three.js, glTF and OpenGL store columns first"
+        return (f"Read row by row; {stored}: for those, {option}.",)
+    return ()
 
 
-def _chosen(notation: Notation, key: str | None, source: str) -> Tokens:
+def _other(layout: Layout) -> Layout:
+    return Layout.COLUMN_MAJOR if layout is Layout.ROW_MAJOR else Layout.ROW_MAJOR
+
+
+def _with_values(refusal: IllegalValueError, text: str) -> IllegalValueError:
+    """Show how the numbers of a text that was refused would be read."""
+    what, why, next_step = refusal.parts
+    if next_step != ACCEPTED:
+        return refusal
+    found = islice(_NUMBER.finditer(text[: 10 * LONGEST_LITERAL]), 1 + max(SQUARES))
+    numbers = [one[0].removesuffix(".") for one in found]
+    side = SQUARES.get(len(numbers))
+    if side is None:
+        return refusal
+    rows = [" ".join(numbers[start : start + side]) for start in range(0, len(numbers), side)]
+    literal = "; ".join(rows)
+    if len(literal) > LONGEST_LITERAL:
+        return refusal
+    return IllegalValueError(what, why, f'write "{literal}", if these are its rows')
+
+
+def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:
     """Choose the quantity under a key, else the first that is usually meant, else the only one.
 
     Dots and underscores in keys are alike, since programs cannot name a value with dots.
@@ -86,10 +133,10 @@ def _chosen(notation: Notation, key: str | None, source: str) -> Tokens:
 
     Examples
     --------
-    >>> _chosen(Notation({"eye": [["1"]], "value": [["2"]]}), None, "x")
+    >>> _chosen(Contents({"eye": [["1"]], "value": [["2"]]}), None, "x")
     [['2']]
     """
-    found = notation.quantities
+    found = contents.quantities
     names = [printable(name) for name in found if name]
     if key is not None:
         for name, tokens in found.items():
@@ -110,14 +157,3 @@ def _chosen(notation: Notation, key: str | None, source: str) -> Tokens:
 
 def _program_name(key: str) -> str:
     return re.sub(r"[^A-Za-z0-9]+", "_", key).strip("_")
-
-
-# Each notation is known by its first characters, or by a word that the later ones never hold.
-_NOTATIONS: tuple[tuple[re.Pattern[str], Callable[[str, str], Notation]], ...] = (
-    (re.compile(r"\A\{"), jsontext.json_notation),
-    (csvtext.HEADER, csvtext.csv_notation),
-    (latex.MATRIX, latex.latex_notation),
-    (brackets.ARRAY, brackets.numpy_notation),
-    (glsl.CONSTRUCTOR, glsl.glsl_notation),
-    (re.compile(r"\A[\[(]"), brackets.list_notation),
-)

@@ -8,7 +8,8 @@ from io import BytesIO
 from typing import TYPE_CHECKING
 
 from nmatrix.enums import Layout
-from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens, unreadable
+from nmatrix.reading.contents import unreadable
+from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,7 +21,7 @@ LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 _unreadable = partial(unreadable, next_step="save a 3×3 or 4×4 array of floats with np.save")
 
 
-def npy_literal(content: bytes, layout: Layout, source: str) -> MatrixLiteral:
+def npy_literal(content: bytes, layout: Layout | None, source: str) -> MatrixLiteral:
     """Read the array of a .npy file as a matrix, every float exact.
 
     Raises
@@ -35,7 +36,10 @@ def npy_literal(content: bytes, layout: Layout, source: str) -> MatrixLiteral:
         raise _unreadable(source, f"its shape is {array.shape}")
     rows = array.reshape(1, -1) if array.ndim == 1 else array
     return literal_from_tokens(
-        [[repr(entry) for entry in row] for row in rows.tolist()], layout, source, exact=True
+        [[repr(entry) for entry in row] for row in rows.tolist()],
+        layout or Layout.ROW_MAJOR,
+        source,
+        exact=True,
     )
 
 

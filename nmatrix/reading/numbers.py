@@ -6,6 +6,7 @@ Only ASCII digits count; U+2212 is read as a minus.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from fractions import Fraction
 from math import inf, isinf
 
@@ -16,10 +17,13 @@ LONGEST = 4000  # characters; the longest exact float64 takes about 1100
 SMALLEST = Fraction(49, 10**325)  # 2⁻¹⁰⁷⁴ in its shortest spelling, 4.9e-324
 WRITE_LIKE = "write it like 1.5, -2e-3 or 1/3"
 
+ReadOne = Callable[[str, str], Fraction]  # of a word, under the name that an error speaks of
+
 _NUMBER = re.compile(
     r"(?P<decimal>(?P<sign>[+-]?)(?P<mantissa>[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     r"|(?P<top>[+-]?[0-9]+)/(?P<bottom>[+-]?[0-9]+)"
 )
+_BRACKETED = re.compile(r"(?:vec[234])?[\[({](.*)[\])}]", re.DOTALL)
 _SEPARATOR = re.compile(r"[ \t\r\n]*,[ \t\r\n]*|[ \t\r\n]+")
 
 
@@ -79,8 +83,8 @@ def number_or_infinity(text: str, name: str = "number") -> float:
     return inf if text.strip() == "inf" else number(text, name)
 
 
-def fractions(text: str, count: int, name: str) -> tuple[Fraction, ...]:
-    """Read so many exact numbers, separated by blanks or commas.
+def fractions(text: str, count: int, name: str, read: ReadOne = fraction) -> tuple[Fraction, ...]:
+    """Read so many exact numbers, separated by blanks or commas, in brackets or without.
 
     Raises
     ------
@@ -89,22 +93,20 @@ def fractions(text: str, count: int, name: str) -> tuple[Fraction, ...]:
 
     Examples
     --------
-    >>> fractions("1, 1/2 -3", 3, "--translate")
-    (Fraction(1, 1), Fraction(1, 2), Fraction(-3, 1))
+    >>> fractions("1, 1/2 -3", 3, "--translate") == fractions("(1, 1/2, -3)", 3, "--translate")
+    True
     """
-    stripped = text.strip(" \t\r\n")
-    parts = _SEPARATOR.split(stripped, maxsplit=count) if stripped else []
-    if len(parts) != count:
-        got = len(_SEPARATOR.split(stripped)) if stripped else 0
+    words = number_words(text)
+    if len(words) != count:
         raise IllegalValueError(
             f"{name} ({quoted(text)})",
-            f"it takes {count} numbers, got {got}",
+            f"it takes {count} numbers, got {len(words)}",
             "separate them by blanks or commas",
         )
-    return tuple(fraction(part, name) for part in parts)
+    return tuple(read(word, name) for word in words)
 
 
-def numbers(text: str, count: int, name: str) -> tuple[float, ...]:
+def numbers(text: str, count: int, name: str, read: ReadOne = fraction) -> tuple[float, ...]:
     """Read so many numbers as `fractions` does, each as the nearest float64.
 
     Examples
@@ -112,7 +114,48 @@ def numbers(text: str, count: int, name: str) -> tuple[float, ...]:
     >>> numbers("-3 0 -1.5", 3, "--translate")
     (-3.0, 0.0, -1.5)
     """
-    return tuple(map(nearest, fractions(text, count, name)))
+    return tuple(map(nearest, fractions(text, count, name, read)))
+
+
+def number_words(text: str) -> list[str]:
+    """Part the words of a list of numbers.
+
+    Examples
+    --------
+    >>> number_words("[1, 2 3]"), number_words("")
+    (['1', '2', '3'], [])
+    """
+    stripped = text.strip(" \t\r\n")
+    bracketed = _BRACKETED.fullmatch(stripped)
+    inside = stripped if bracketed is None else bracketed[1].strip(" \t\r\n")
+    return _SEPARATOR.split(inside) if inside else []
+
+
+def spread(text: str, count: int) -> str:
+    """Repeat a number that stands alone for so many.
+
+    Examples
+    --------
+    >>> spread("2", 3), spread("1 2 1", 3)
+    ('2 2 2', '1 2 1')
+    """
+    return " ".join(number_words(text) * count) if len(number_words(text)) == 1 else text
+
+
+def ratio(text: str, name: str) -> float:
+    """Read a number, or width and height as 16/9 or 16:9.
+
+    Examples
+    --------
+    >>> ratio("16:9", "--aspect") == ratio("16/9", "--aspect") == 16 / 9
+    True
+    """
+    width, colon, height = text.partition(":")
+    if not colon:
+        return number(text, name)
+    if not fraction(height, name):
+        raise IllegalValueError(f"{name} ({quoted(text)})", "its height is 0", "write it like 16:9")
+    return nearest(fraction(width, name) / fraction(height, name))
 
 
 def number_list(text: str, name: str) -> tuple[float, ...]:

@@ -15,13 +15,13 @@ from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.matrix import matrix_literal
 
-MARKS_OF_A_LITERAL = " \t\n[({;,"
+MARKS_OF_A_LITERAL = "[({;,"
 
 
 def matrix_source(
     text: str,
     stdin_text: Callable[[], str],
-    layout: Layout = Layout.ROW_MAJOR,
+    layout: Layout | None = None,
 ) -> MatrixLiteral:
     """Read the matrix that a MATRIX argument stands for.
 
@@ -46,7 +46,7 @@ def matrix_source(
     keyed = existing_file(name) if mark and name else None
     if keyed is not None:
         return _from_file(keyed, key or None, layout)
-    if any(character in text for character in MARKS_OF_A_LITERAL):
+    if any(one.isspace() or one in MARKS_OF_A_LITERAL for one in text):
         return matrix_literal(text, layout)
     raise IllegalValueError(
         f"matrix ({quoted(text)})",
@@ -55,7 +55,7 @@ def matrix_source(
     )
 
 
-def _from_file(path: Path, key: str | None, layout: Layout) -> MatrixLiteral:
+def _from_file(path: Path, key: str | None, layout: Layout | None) -> MatrixLiteral:
     content = file_bytes(path)
     source = quoted(str(path))
     if content.startswith(npy.MAGIC):

@@ -31,8 +31,13 @@ VALUES = [
     "json", "csv", "latex", "glsl", "text", "numpy", "XYZ", "zyx", "XXX", "polimi", "standard",
     "left", "right", "reversed", "vulkan", "world", "camera", "object", "light", "custom",
     "static", "rule", "mirror", "det(M)", "M.T@M", "M.__class__", "2**9**9", "inverse(M)",
-    "640 480", "500 500 320 240", "opencv", "-40 40 -30 30", "exact", "inverse", "none", "\ud800",
-    "a=1 0; 0 1", "💥", "\n\n", "../x", ".", "/",
+    "90deg", "pi/2rad", "-pi", "0.25turn", "1.5708", "16:9", "(1, 2, 1)", "y", "2",
+    '{"elements":[1,0,0,0,2,0,0,0,1]}', '{"elements":[1,0,0', '{"0":1,"1":',
+    "Float32Array(9) [1, 0", "mat4x4((1, 0, 0, 0), (0, 1", "Mat3 { x_axis: Vec3(1.0, 0.0",
+    "<Matrix 3x3 (1, 0, 0)\n(0",
+    "{{1.0f, 0}, {0, 1}}", "{", "| 1 0 |\n| 0 1 |", "1,5;0\n0;1", "e00: 1", "\u200b", "\ufeff", "²",
+    "640 480", "500 500 320 240", "opencv", "-40 40 -30 30",
+    "exact", "inverse", "none", "\ud800", "a=1 0; 0 1", "💥", "\n\n", "../x", ".", "/",
 ]  # fmt: skip
 
 

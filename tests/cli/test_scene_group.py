@@ -168,7 +168,7 @@ def test_a_flashlight_points_where_the_camera_looks(answer, scene: Path) -> None
         ("light --light sun", "it is a name in a scene; add --scene FILE"),
         ("world --scene none.toml", "No such file"),
         ("world --scene scene.txt", "scenes and meshes are"),
-        ("world --scene SCENE --scale 1 2", "--scale takes 3 numbers"),
+        ("world --scene SCENE --scale 1 2", "--scale takes 1 or 3 numbers, got 2 at the end"),
         ("world --scene SCENE --order ZYX --quaternion 0 0 0 1", "--quaternion with --order"),
         ("projection --scene SCENE --near 60", "near"),
         ("view --scene SCENE --eye 0 0.5 0", "they coincide"),

@@ -149,6 +149,7 @@ HOSTILE = {
     "glsl blanks": "mat4" + " " * 10**6,
     "numpy": "array([" * 10**5,
     "numpy blanks": "array(" + " " * 10**6,
+    "one word": "a1" * 500_000 + " x",
     "csv": "key,row,column,value\n" + "a,1,1,1\n" * 10**5,
     "nul": "\x00" * 10**6,
     "five million": " 1" * 2_500_000,

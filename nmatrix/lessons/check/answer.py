@@ -67,7 +67,7 @@ def floats_or_none(rows: RationalMatrix) -> Rows | None:
         return None
 
 
-def read_answer(text: str, question: Question, layout: Layout = Layout.ROW_MAJOR) -> Answer:
+def read_answer(text: str, question: Question, layout: Layout | None = None) -> Answer:
     """Read an answer in any notation that matrices have.
 
     Raises
