@@ -12,13 +12,14 @@ from nmatrix.cli.show import show
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import FROM_FILE
 from nmatrix.reading.files import existing_file, is_folder
+from nmatrix.samples import file_or_sample
 
 HELP = {
-    "inspect": """nmatrix inspect scene.glb
+    "inspect": """nmatrix inspect teapot
 
-nmatrix inspect teapot.obj -f json
+nmatrix inspect teapot -f json
 
-nmatrix inspect scene.gltf --fail-on mirrored,shear
+nmatrix inspect teapot --fail-on mirrored,shear
 
 For each node the kind of its world matrix, and why it needs it or not.""",
 }
@@ -43,7 +44,7 @@ def inspect(
             raise IllegalValueError(
                 f"--fail-on ({word[:20]})", f"it knows {', '.join(FAILURES)}", "choose from them"
             )
-    path = existing_file(file)
+    path = existing_file(str(file_or_sample(file)))
     if path is None:
         raise IllegalValueError(
             f"file ({file[:60]})",

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.shared_options import whole_number
+from nmatrix.cli.environment import usual
+from nmatrix.cli.shared_options import among, whole_number
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading, Shown, Theme
 from nmatrix.reading.numbers import number, numbers
@@ -21,12 +22,6 @@ if TYPE_CHECKING:
 in_picture = partial(Option, rich_help_panel="Picture")
 in_frames = partial(Option, rich_help_panel="Frames")
 MOST_FRAMES = 10_000
-
-
-def _complete_shown(incomplete: str) -> list[str]:
-    """Complete the last of the words between commas."""
-    before, comma, word = incomplete.rpartition(",")
-    return [f"{before}{comma}{one}" for one in Shown if one.startswith(word)]
 
 
 @dataclass(frozen=True)
@@ -43,8 +38,9 @@ class PictureOptions:
         str | None, in_picture(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
     ] = None
     theme: Annotated[
-        Theme, in_picture(help="Colours of proofs and marks: a page, a dark slide, grey paper.")
-    ] = Theme.LIGHT
+        Theme | None,
+        in_picture(help="Colours of proofs and marks: a page (light), a dark slide, grey paper."),
+    ] = None
     effects: Annotated[Effort, in_picture(help="What the scene calls for, or everything.")] = (
         Effort.PLANNED
     )
@@ -54,7 +50,7 @@ class PictureOptions:
         in_picture(
             metavar="WORDS",
             help=f"Marks over a scene or mesh, with commas: {', '.join(Shown)}.",
-            autocompletion=_complete_shown,
+            autocompletion=among(Shown),
         ),
     ] = None
 
@@ -70,7 +66,7 @@ class PictureOptions:
             space=space,
             samples=None if self.samples is None else number(self.samples, "--samples"),
             effort=self.effects,
-            theme=self.theme,
+            theme=self.theme or usual("NMATRIX_THEME", Theme) or Theme.LIGHT,
             shown=frozenset() if self.show is None else shown_named(self.show),
         )
 
