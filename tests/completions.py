@@ -20,6 +20,7 @@ from nmatrix.output.spelling import sayable
 from nmatrix.samples import samples
 from nmatrix.scene.open import SUFFIXES
 
+KINDS_OF_WORDS = ("arguments", "options", "pages")
 HELP_FLAGS = {HELP_OPTIONS: "Show help.", ("--full",): "With --help: describe every option."}
 KINDS = {".csv": (".csv",), ".toml": SUFFIXES, ".obj": SUFFIXES}
 
@@ -69,9 +70,7 @@ def table() -> dict[str, Any]:
                 for one in options
             ],
         }
-        for names, about in HELP_FLAGS.items():
-            if not any(set(names) & set(one["names"]) for one in found[name]["options"]):
-                found[name]["options"].append(_flag(list(names), about))
+        found[name]["pages"] = [_flag(list(names), about) for names, about in HELP_FLAGS.items()]
     return found
 
 
@@ -102,7 +101,8 @@ def written() -> str:
             f'  "{kind}": [\n' + ",\n".join(f"   {json.dumps(x)}" for x in one[kind]) + "\n  ]"
             if one[kind]
             else f'  "{kind}": []'
-            for kind in ("arguments", "options")
+            for kind in KINDS_OF_WORDS
+            if kind in one
         ]
         commands.append(f" {json.dumps(name)}: {{\n" + ",\n".join(kinds) + "\n }")
     return "{\n" + ",\n".join(commands) + "\n}\n"

@@ -102,7 +102,7 @@ def _options(line: _Line) -> list[Offer]:
     """List the options that may still be given, by their longest names first."""
     return [
         Offer(name, one["about"])
-        for one in line.command["options"]
+        for one in (*line.command["options"], *line.command.get("pages", ()))
         if one["repeats"] or one["names"][0] not in line.options
         for name in sorted(one["names"], key=len, reverse=True)
     ]

@@ -1,8 +1,8 @@
 """What people type from other tools, and where nmatrix has it: the hints for unknown words.
 
 A word of three.js, GLM, OpenCV, Unity, Blender or NumPy means something that is here by another
-name. A hint is an option (`--fov`) or a command with options (`trace --pixel`); the first that
-exists, and for an option the command at hand has, is told. Only then spelling is looked at.
+name. A hint is an option (`--fov`) or a command with options (`trace --pixel`). The first option that the
+command at hand has is told, else the first command that exists. Only then spelling is looked at.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def meant_by(word: str, command: str = "") -> str | None:
     """Find what a word of another tool is called here, for a command or before any."""
     if command and len(_plain(word)) == 1 and not word.startswith("--"):
         return None  # a letter is a slip, or an expression
-    hints = meanings().get(_plain(word), ())
+    hints = sorted(meanings().get(_plain(word), ()), key=lambda one: not one.startswith("-"))
     return next((found for one in hints if (found := _usable(one, command))), None)
 
 
