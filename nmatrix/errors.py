@@ -12,6 +12,7 @@ The tree::
 
 from __future__ import annotations
 
+import errno
 import re
 from collections.abc import Callable, Iterable
 from typing import ClassVar
@@ -87,6 +88,31 @@ def slips(typed: str, meant: str) -> int:
                 least = min(least, earlier[j - 2] + 1)
             row.append(least)
     return row[-1]
+
+
+_REFUSALS = {
+    errno.ENOENT: "there is no such file or folder",
+    errno.EISDIR: "it is a folder",
+    errno.ENOTDIR: "a part of its path is a file and not a folder",
+    errno.ENAMETOOLONG: "its name is too long",
+    errno.EACCES: "its permissions do not allow it",
+    errno.EPERM: "its permissions do not allow it",
+    errno.EROFS: "it is on a disk that can only be read",
+    errno.ENOSPC: "no space is left there",
+    errno.EFBIG: "no file may be so large there",
+}
+
+
+def refusal(error: OSError) -> str:
+    """Tell in a sentence why the file system refused.
+
+    Examples
+    --------
+    >>> refusal(IsADirectoryError(errno.EISDIR, "Is a directory"))
+    'it is a folder'
+    """
+    told = _REFUSALS.get(error.errno or 0)
+    return told or f"the system refuses it ({error.strerror or type(error).__name__})"
 
 
 def shortlist(names: Iterable[str], most: int = 8) -> str:

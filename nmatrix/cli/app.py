@@ -23,7 +23,7 @@ from nmatrix.cli.command import (
 )
 from nmatrix.cli.environment import usual
 from nmatrix.cli.show import ColorWhen, fail, put, show_page
-from nmatrix.errors import IllegalValueError, NMatrixError, printable
+from nmatrix.errors import IllegalValueError, NMatrixError, printable, refusal
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:
@@ -167,8 +167,5 @@ def _usage(error: TyperException, when: ColorWhen) -> int:
 
 def _told(error: OSError) -> str:
     """Tell what the file system refused."""
-    reason = error.strerror or type(error).__name__
-    if error.filename is None:
-        return f"the system ({reason}): it refused to read or write; try again, or elsewhere"
-    name = printable(str(error.filename))
-    return f"file ({name}): it cannot be used ({reason}); check the path and its permissions"
+    name = "a file" if error.filename is None else f"file ({printable(str(error.filename))})"
+    return f"{name}: {refusal(error)}; check the path and its permissions"

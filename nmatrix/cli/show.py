@@ -11,7 +11,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, TextIO, TypeVar
 
 from nmatrix.enums import Format
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, refusal
 from nmatrix.output.write import Charset, Colour, OutputOptions, write
 from nmatrix.report import Report
 
@@ -154,7 +154,9 @@ def _lose(error: OSError) -> None:
     _forget(sys.stdout.fileno())
     if not isinstance(error, BrokenPipeError):
         raise IllegalValueError(
-            "standard output", f"it cannot be written ({error.strerror})", "give it another place"
+            "standard output (stdout)",
+            f"it takes no more: {refusal(error)}",
+            "give it another place",
         ) from None
 
 
