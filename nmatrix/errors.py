@@ -45,8 +45,9 @@ PER_SLIP = 4  # letters of a word to one slip
 def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
     """Ask for the known word that was probably meant, or name another next step.
 
-    A slip is a letter too many, too few or another, or two exchanged; a word has one for each four
-    of its letters, and may be cut short where only one word begins so. Others are no guesses.
+    A slip is a letter too many, too few or another, or two exchanged; a word of three letters has
+    one, a longer one more for each further four, and it may be cut short where only one word begins
+    so. Others are no guesses.
 
     Examples
     --------
@@ -60,12 +61,12 @@ def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
     begun: list[str] = []
     for one in known:
         name = one.lstrip("-").casefold()
-        if abs(len(name) - len(typed)) <= len(typed) // PER_SLIP:
+        if abs(len(name) - len(typed)) <= (len(typed) + 1) // PER_SLIP:
             near.append((slips(typed, name), one))
-        if len(typed) >= 3 and name.startswith(typed):
+        if len(typed) >= 2 and name.startswith(typed):
             begun.append(one)
     slipped, best = min(near, default=(len(typed), ""), key=lambda one: one[0])
-    if slipped <= max(len(typed), 3) // PER_SLIP or slipped == 0:
+    if slipped <= (len(typed) + 1) // PER_SLIP:
         return f"did you mean {printable(best)}?"
     return f"did you mean {printable(begun[0])}?" if len(begun) == 1 else otherwise
 
