@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from nmatrix.api.builders import rotation as rotation
     from nmatrix.api.builders import viewport as viewport
     from nmatrix.api.builders import world as world
+    from nmatrix.api.commands import axes as axes
     from nmatrix.api.commands import calc as calc
     from nmatrix.api.commands import check as check
     from nmatrix.api.commands import check_exercise as check_exercise
@@ -92,7 +93,7 @@ _NAMES = {
         "transform_normals"
     ),
     "api.setup": "Setup",
-    "api.commands": "calc check check_exercise derive identify inspect plan",
+    "api.commands": "axes calc check check_exercise derive identify inspect plan",
     "api.pictures": "render",
     "api.report": "Picture Report",
     "scene.world": "World",

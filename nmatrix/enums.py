@@ -41,6 +41,40 @@ def chosen(
     )
 
 
+def chosen_words(
+    words: type[Words], given: str | Iterable[object], parameter: str
+) -> tuple[Words, ...]:
+    """Turn words between commas, or one after the other, into members of an enum, each once.
+
+    Raises
+    ------
+    IllegalValueError
+        For another word, or none.
+
+    Examples
+    --------
+    >>> [one.name for one in chosen_words(Shown, "normals, axes,normals", "show")]
+    ['NORMALS', 'AXES']
+    """
+    if not isinstance(given, Iterable):
+        raise IllegalValueError(
+            f"{quantity(parameter)} ({printable(repr(given)[:40])})",
+            "it is neither text nor words one after the other",
+            f"try {quantity(parameter)} {next(iter(words))}",
+        )
+    found: dict[Words, None] = {}
+    for word in given.split(",") if isinstance(given, str) else map(str, given):
+        try:
+            found[words(word.strip())] = None
+        except ValueError:
+            raise IllegalValueError(
+                f"{quantity(parameter)} ({printable(word.strip()[:40])})",
+                f"it takes words with commas between them: {', '.join(words)}",
+                did_you_mean(word, words, f"try {quantity(parameter)} {next(iter(words))}"),
+            ) from None
+    return tuple(found)
+
+
 class Space(StrEnum):
     """A space to compute lighting in."""
 
@@ -217,11 +251,51 @@ class Format(StrEnum):
     GLSL = "glsl"
     JS = "js"
     NUMPY = "numpy"
+    SARIF = "sarif"
+    GITHUB = "github"
+
+
+# What they list are findings; an answer that found nothing to find fault with has none.
+FINDING_FORMATS = (Format.SARIF, Format.GITHUB)
+
+
+class Severity(StrEnum):
+    """How much a finding weighs."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    NOTE = "note"
+
+
+class Flaw(StrEnum):
+    """What can be the matter with a node of a file, the worst first."""
+
+    SHEAR = "shear"
+    SINGULAR = "singular"
+    MIRRORED = "mirrored"
+    DEGENERATE = "degenerate"
+    NON_UNIFORM_SCALE = "non-uniform-scale"
+    UNREADABLE = "unreadable"
+
+    @classmethod
+    def _missing_(cls, value: object) -> Flaw | None:
+        return cls.NON_UNIFORM_SCALE if value == "non-uniform" else None
+
+
+class NodeOrder(StrEnum):
+    """What the nodes of a file are sorted by: the worst kind or the largest angle comes first."""
+
+    KIND = "kind"
+    INDEX = "index"
+    PATH = "path"
+    MESH = "mesh"
+    ANGLE = "angle"
 
 
 class Effect(StrEnum):
     """Everything that a picture can be made of, each computed only where a scene calls for it."""
 
+    UNLIT = "unlit"
     AMBIENT = "ambient"
     DIFFUSE = "diffuse"
     INVERSE_TRANSPOSE = "inverse-transpose"
@@ -242,6 +316,8 @@ class Effect(StrEnum):
     TEXTURE = "texture"
     NORMAL_MAP = "normal-map"
     VERTEX_COLOURS = "vertex-colours"
+    EMISSION = "emission"
+    ALPHA_MASK = "alpha-mask"
     TRANSPARENCY = "transparency"
     FOG = "fog"
     COLOUR = "colour"
@@ -319,3 +395,20 @@ class VectorFormat(StrEnum):
 
     SVG = "svg"
     PDF = "pdf"
+
+
+class AxisName(StrEnum):
+    """The axis systems that have a name; those of one line are one and the same."""
+
+    OPENGL = "opengl"
+    GLTF = "gltf"
+    THREE = "three.js"
+    MAYA = "maya"
+    GODOT = "godot"
+    BLENDER = "blender"
+    USD_Z_UP = "usd-z-up"
+    UNITY = "unity"
+    DIRECTX = "directx"
+    UNREAL = "unreal"
+    OPENCV = "opencv"
+    ROS = "ros"

@@ -7,17 +7,20 @@ A `Quantity` names its place in `data` by its `key`, so that every format speaks
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, overload
 
+from nmatrix.enums import Severity
 from nmatrix.errors import NMatrixError, spelled
 
 if TYPE_CHECKING:
     from nmatrix.formula import Row, TypedRows
+
+Entry = TypeVar("Entry", covariant=True)
 
 Number = int | float | Fraction
 Vector = tuple[Number, ...]
@@ -94,7 +97,7 @@ class Table:
     """Rows of cells under column names; numbers stay numbers until a writer formats them."""
 
     columns: tuple[str, ...]
-    rows: tuple[Cells, ...]
+    rows: Sequence[Cells]
     title: str = ""
 
 
@@ -212,14 +215,80 @@ Block = (
 Value = None | bool | str | Number | Step | Sequence["Value"] | Mapping[str, "Value"]
 
 
+class OnDemand(Sequence[Entry]):
+    """A sequence that is made when someone looks into it; most formats never do.
+
+    Examples
+    --------
+    >>> rows = OnDemand(lambda: print("made") or ["a", "b"])
+    >>> len(rows), rows[0]
+    made
+    (2, 'a')
+    """
+
+    def __init__(self, make: Callable[[], Iterable[Entry]]) -> None:
+        self._make = make
+
+    @cached_property
+    def _made(self) -> tuple[Entry, ...]:
+        return tuple(self._make())
+
+    def __len__(self) -> int:
+        return len(self._made)
+
+    @overload
+    def __getitem__(self, place: int) -> Entry: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[Entry]: ...
+
+    def __getitem__(self, place: int | slice) -> Entry | Sequence[Entry]:
+        return self._made[place]
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a finding goes against; its `code` never changes, so that people can switch it off."""
+
+    code: str
+    name: str
+    sentence: str
+    advice: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One fault in a file: on a line of it, or at a named place in what it describes.
+
+    `line` and `column` count from 1; 0 where a fault is on no line.
+    """
+
+    rule: Rule
+    severity: Severity
+    message: str
+    file: str
+    line: int = 0
+    column: int = 0
+    place: str = ""
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What was looked for, and what was found."""
+
+    rules: tuple[Rule, ...]
+    found: Sequence[Finding]
+
+
 @dataclass(frozen=True)
 class Report:
     """The answer of one command.
 
     `failure` is the error that the answer still ends in (an undefined normal, a failed check):
     the whole report is shown first, then its one line. `records` is for an answer that is a list
-    of rows by nature, such as the grades of a class: as CSV it is written as that table. `glsl` is
-    code that a shader needs beside the numbers.
+    of rows by nature, such as the grades of a class: as CSV it is written as that table.
+    `findings` are the faults that a check of files met. `glsl` is code that a shader needs beside
+    the numbers.
     """
 
     command: str
@@ -228,8 +297,16 @@ class Report:
     remarks: tuple[str, ...] = ()
     failure: NMatrixError | None = field(default=None, compare=False)
     records: Table | None = None
+    findings: Findings | None = None
     glsl: str = ""
 
     def spelled(self, spell: Callable[[str], str]) -> Report:
-        """Spell the names of quantities in the remarks as the caller types them."""
-        return replace(self, remarks=tuple(spelled(one, spell) for one in self.remarks))
+        """Spell the names of quantities in sentences and remarks as the caller types them."""
+        return replace(
+            self,
+            blocks=tuple(
+                Text(spelled(one.text, spell)) if isinstance(one, Text) else one
+                for one in self.blocks
+            ),
+            remarks=tuple(spelled(one, spell) for one in self.remarks),
+        )

@@ -56,7 +56,12 @@ def table() -> dict[str, Any]:
         arguments = [one for one in command.params if isinstance(one, TyperArgument)]
         found[name] = {
             "arguments": [
-                {"names": [one.metavar or one.name], **place(one, command), **_after(name, at)}
+                {
+                    "names": [one.metavar or one.name],
+                    "repeats": one.nargs != 1,
+                    **place(one, command),
+                    **_after(name, at),
+                }
                 for at, one in enumerate(arguments)
             ],
             "options": [
@@ -83,7 +88,7 @@ def _after(command: str, at: int) -> dict[str, str]:
 
 
 def _words(name: str, words: list[str]) -> dict[str, Any]:
-    return {"names": [name], "words": words, "listed": False, "endings": []}
+    return {"names": [name], "repeats": False, "words": words, "listed": False, "endings": []}
 
 
 def _flag(names: list[str], about: str) -> dict[str, Any]:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Shown, Space, Theme
-from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity
+from nmatrix.errors import IllegalValueError, did_you_mean, quantity
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.raster.proofs.frames import PictureFrame
 from nmatrix.raster.proofs.proof import SHEET, Proof, ProofSettings
@@ -84,39 +83,6 @@ def scene_frame(scene: Scene, name: str, choices: PictureChoices) -> PictureFram
         )
         found = replace(found, objects=tuple(objects))
     return PictureFrame(name, scene=found, shown=choices.shown, theme=choices.theme)
-
-
-def shown_named(names: str | Iterable[str]) -> frozenset[Shown]:
-    """Read what is to be shown: words between commas, or one after the other.
-
-    Raises
-    ------
-    IllegalValueError
-        For another word, or none.
-
-    Examples
-    --------
-    >>> sorted(shown_named("normals,axes"))
-    [<Shown.AXES: 'axes'>, <Shown.NORMALS: 'normals'>]
-    """
-    if not isinstance(names, Iterable):
-        raise IllegalValueError(
-            f"{quantity('show')} ({printable(repr(names)[:40])})",
-            "it is neither text nor words one after the other",
-            f"try {quantity('show')} normals",
-        )
-    words = names.split(",") if isinstance(names, str) else list(names)
-    found = set()
-    for word in (str(one).strip() for one in words):
-        if word not in list(Shown):
-            listed = ", ".join(Shown)
-            raise IllegalValueError(
-                f"{quantity('show')} ({printable(word[:40])})",
-                f"it takes words with commas between them: {listed}",
-                did_you_mean(word, Shown, f"try {quantity('show')} normals"),
-            )
-        found.add(Shown(word))
-    return frozenset(found)
 
 
 def is_proof(subject: str, **beside: object) -> bool:

@@ -47,8 +47,8 @@ def world(setup: Setup) -> Report:
     remarks = [*setup.world.remarks, *transform_remarks(found)]
     if parts is not None:
         how = "as given" if parts.given else "one choice of several"
-        blocks += [Heading(f"Parts, {how}"), _parts_table(parts)]
-        remarks += _parts_remarks(parts)
+        blocks += [Heading(f"Parts, {how}"), parts_table(parts)]
+        remarks += parts_remarks(parts)
     return Report("world", data, tuple(blocks), tuple(remarks))
 
 
@@ -59,7 +59,8 @@ def parts_data(parts: Parts) -> dict[str, Value]:
     return {**data, "unique": parts.unique, "given": given}
 
 
-def _parts_table(parts: Parts) -> Table:
+def parts_table(parts: Parts) -> Table:
+    """Show the parts row by row."""
     angles = f"rotate {parts.order} (deg)"
     if parts.convention is not Convention.STANDARD:
         angles = f"rotate {parts.convention} (deg)"
@@ -75,7 +76,7 @@ def _parts_table(parts: Parts) -> Table:
     return Table(("part", "x", "y", "z", "w"), tuple(rows))
 
 
-def _parts_remarks(parts: Parts) -> list[str]:
+def parts_remarks(parts: Parts) -> list[str]:
     """Tell that angles lose a degree of freedom, and which other parts build the same matrix."""
     angles = " ".join(f"{float(angle):.6g}" for angle in parts.other_angles)
     told = []

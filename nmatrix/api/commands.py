@@ -10,7 +10,7 @@ from nmatrix.api.report import Report
 from nmatrix.api.setup import Part, Setup, setup_values, world_part
 from nmatrix.enums import Space
 from nmatrix.linear.values import flag, named_file, number, refused, text, vector, whole
-from nmatrix.reading.arrays import read_matrix
+from nmatrix.reading.arrays import read_affine, read_matrix
 from nmatrix.spaces.shading_spaces import space_named
 
 NO_SETUP = Setup()
@@ -188,6 +188,33 @@ def identify(matrix: object) -> Report:
     return Report(identify_matrix(read_matrix(matrix, "matrix").as_floats))
 
 
+def axes(source: str, target: str, matrix: object = None, *, order: str = "XYZ") -> Report:
+    """Tell points of one axis system in another, and a matrix of the one as one of the other.
+
+    Parameters
+    ----------
+    source, target
+        `opengl`, `blender`, `unity`, `unreal`, …, or three signed axes that point right, up and
+        forward.
+    matrix
+        A map between two frames of the source: an affine 4×4, or its 3×3 linear part.
+    order
+        In which the angles of its parts are told.
+
+    Examples
+    --------
+    >>> [[int(x) for x in row[:3]] for row in axes("ros", "opencv").data["to_from"][:3]]
+    [[0, -1, 0], [0, 0, -1], [1, 0, 0]]
+    """
+    from nmatrix.answers.axes import axes as answer
+    from nmatrix.linear.affine import checked_order
+
+    given = None if matrix is None else read_affine(matrix, "matrix")
+    return Report(
+        answer(text(source, "source"), text(target, "target"), given, checked_order(order))
+    )
+
+
 def plan(scene: str | Path, *, allow_outside: bool = False) -> Report:
     """List the effects that a scene file calls for, why, and how safely the others are left out."""
     from nmatrix.answers.plan import plan_of_file
@@ -197,9 +224,10 @@ def plan(scene: str | Path, *, allow_outside: bool = False) -> Report:
 
 def inspect(file: str | Path) -> Report:
     """Inspect a glTF scene or a mesh: the kind of each node's map, and where normals break."""
-    from nmatrix.answers.inspect import inspect_file, report
+    from nmatrix.answers.inspect.file import inspect_file
+    from nmatrix.answers.inspect.report import report
 
-    return Report(report(inspect_file(named_file(file, "file"))))
+    return Report(report((inspect_file(named_file(file, "file")),)))
 
 
 def _mapping(value: object, name: str) -> Mapping[str, object]:

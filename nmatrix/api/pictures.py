@@ -7,7 +7,17 @@ from pathlib import Path
 
 from nmatrix.api.report import Picture
 from nmatrix.api.setup import Setup, setup_values
-from nmatrix.enums import Effort, NormalRule, Reflection, Shading, Space, Theme, chosen
+from nmatrix.enums import (
+    Effort,
+    NormalRule,
+    Reflection,
+    Shading,
+    Shown,
+    Space,
+    Theme,
+    chosen,
+    chosen_words,
+)
 from nmatrix.linear.values import named_file, number, vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.setup import Light
@@ -69,7 +79,6 @@ def render(
         proof_frame,
         scene_frame,
         scene_lights,
-        shown_named,
     )
     from nmatrix.answers.render import render as answer
     from nmatrix.raster.proofs.proof import ProofSettings
@@ -86,7 +95,7 @@ def render(
         None if samples is None else number(samples, "samples"),
         chosen(Effort, effects, "effects"),
         chosen(Theme, theme, "theme"),
-        shown_named(show),
+        frozenset(chosen_words(Shown, show, "show")),
     )
     if is_proof(name, setup=setup, mesh=mesh):
         values = setup_values(Setup() if setup is None else setup)

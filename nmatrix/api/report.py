@@ -72,6 +72,8 @@ class Report:
     ) -> str:
         """Return the answer as text, json, csv, latex, markdown, mathml, typst, glsl, js or numpy.
 
+        An answer that looked for faults in files is also written as sarif or github.
+
         Parameters
         ----------
         format, layout

@@ -43,6 +43,9 @@ COMMANDS = {
     "identify": CatalogueEntry(
         Panel.MATRICES, "matrices", "What is this matrix? Every reading, with its evidence"
     ),
+    "axes": CatalogueEntry(
+        Panel.MATRICES, "matrices", "From one axis system to another: Unity, Unreal, Blender, …"
+    ),
     "light": CatalogueEntry(
         Panel.SPACES, "spaces", "Light direction and position in one space, or in four"
     ),

@@ -65,8 +65,11 @@ def offers(words: Sequence[str], incomplete: str) -> list[Offer]:
     if incomplete == "-" or (incomplete[:1] == "-" and incomplete[1] not in _NUMBER):
         return _starting(_options(line), incomplete)
     places = command["arguments"]
-    if len(line.arguments) < len(places):
-        return _values(line, places[len(line.arguments)], incomplete)
+    at = len(line.arguments)
+    if at >= len(places) and places and places[-1]["repeats"]:
+        at = len(places) - 1
+    if at < len(places):
+        return _values(line, places[at], incomplete)
     return [] if incomplete else _options(line)
 
 

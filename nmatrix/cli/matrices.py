@@ -11,8 +11,8 @@ from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions, ToleranceOption
 from nmatrix.cli.shared_options import CommonOptions, among, option_name
 from nmatrix.cli.show import show
-from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import NORMAL_METHODS, NormalRule, chosen
+from nmatrix.cli.world_options import OrderOption, WorldOptions
+from nmatrix.enums import NORMAL_METHODS, AxisName, NormalRule, chosen
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.numbers import number_list, numbers
 
@@ -35,12 +35,27 @@ nmatrix projection --ortho -2 2 -1 1 --near 0 --far 10""",
 nmatrix identify "0.70711 -0.70711 0; 0.70711 0.70711 0; 0 0 1"
 
 nmatrix view --eye 3 3 2.5 -f json | nmatrix identify -""",
+    "axes": """nmatrix axes blender unity
+
+nmatrix axes opengl unreal "0 0 1 5; 0 1 0 0; -1 0 0 0; 0 0 0 1" --order ZYX
+
+nmatrix axes "+x +z +y" opengl
+
+Three axes of your own say which of them point right, up and forward.""",
     "normal": """nmatrix normal "1 0 0; 0 2 0; 0 0 1" --normal 1 1 0
 
 nmatrix normal --scale 1 2 1 --rotate 0 30 0 --space camera
 
 nmatrix world --scale 1 2 1 -f json | nmatrix normal - --normal 1 1 0""",
 }
+
+
+AXES = f"{', '.join(AxisName)}, or three signed axes."
+
+
+def complete_axes(incomplete: str) -> list[str]:
+    """List the axis systems that begin so."""
+    return [name for name in AxisName if name.startswith(incomplete)]
 
 
 def world(
@@ -135,6 +150,23 @@ def identify(
     from nmatrix.answers.identify import identify_matrix
 
     show(identify_matrix(common.sources.literal(matrix).as_floats), common)
+
+
+def axes(
+    *,
+    source: Annotated[str, Argument(metavar="FROM", help=AXES, autocompletion=complete_axes)],
+    target: Annotated[str, Argument(metavar="TO", help="The same.", autocompletion=complete_axes)],
+    matrix: Annotated[
+        str | None, Argument(metavar="MATRIX", help="A matrix of FROM to tell in TO.")
+    ] = None,
+    order: OrderOption = None,
+    common: CommonOptions,
+) -> None:
+    """Show the way from one axis system to another."""
+    from nmatrix.answers.axes import axes as answer
+
+    given = None if matrix is None else common.sources.affine(matrix)
+    show(answer(source, target, given, "XYZ" if order is None else order), common)
 
 
 def _with_matrix(world: WorldOptions, matrix: str | None) -> WorldOptions:

@@ -1,8 +1,9 @@
 """What people type from other tools, and where nmatrix has it: the hints for unknown words.
 
 A word of three.js, GLM, OpenCV, Unity, Blender or NumPy means something that is here by another
-name. A hint is an option (`--fov`) or a command with options (`trace --pixel`). The first option that the
-command at hand has is told, else the first command that exists. Only then spelling is looked at.
+name. A hint is an option (`--fov`) or a command with options (`trace --pixel`). The first option
+that the command at hand has is told, else the first command that exists. Only then spelling is
+looked at.
 """
 
 from __future__ import annotations

@@ -12,7 +12,16 @@ from typer import Option
 from nmatrix.cli.environment import usual
 from nmatrix.cli.shared_options import among, whole_number
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.enums import Effort, NormalRule, PixelFormat, Reflection, Shading, Shown, Theme
+from nmatrix.enums import (
+    Effort,
+    NormalRule,
+    PixelFormat,
+    Reflection,
+    Shading,
+    Shown,
+    Theme,
+    chosen_words,
+)
 from nmatrix.reading.numbers import number, numbers
 
 if TYPE_CHECKING:
@@ -56,7 +65,7 @@ class PictureOptions:
 
     def choices(self, space: Space | None = None) -> PictureChoices:
         """Read what was chosen of a picture, its shading space beside it."""
-        from nmatrix.answers.render import PictureChoices, shown_named
+        from nmatrix.answers.render import PictureChoices
 
         return PictureChoices(
             size=None if self.size is None else numbers(self.size, 2, "--size"),
@@ -67,7 +76,7 @@ class PictureOptions:
             samples=None if self.samples is None else number(self.samples, "--samples"),
             effort=self.effects,
             theme=self.theme or usual("NMATRIX_THEME", Theme) or Theme.LIGHT,
-            shown=frozenset() if self.show is None else shown_named(self.show),
+            shown=frozenset(() if self.show is None else chosen_words(Shown, self.show, "show")),
         )
 
 

@@ -211,11 +211,9 @@ def _stand_together(one: SceneObject, other: SceneObject) -> bool:
 
 
 def _draw(frame: PictureFrame, frames: FrameOptions) -> list[Proof]:
-    from nmatrix.raster.proofs.frames import drawn, turns
+    from nmatrix.raster.proofs.frames import around, drawn
 
-    pictures = (
-        [frame.turned(angle) for angle in turns(frames.count)] if frames.count > 1 else [frame]
-    )
+    pictures = around(frame, frames.count)
     with frames.executor() as executor:
         return list(progress(drawn(pictures, executor), len(pictures), "frames"))
 

@@ -241,6 +241,7 @@ def _as_typed(place: World) -> World:
         translate=tuple(map(_decimal, place.translate)),
         rotate_degrees=tuple(map(_decimal, place.rotate_degrees)),
         quaternion=None if place.quaternion is None else tuple(map(_decimal, place.quaternion)),
+        axis_angle=None if place.axis_angle is None else tuple(map(_decimal, place.axis_angle)),
         scale=tuple(map(_decimal, place.scale)),
         shear=tuple(map(_decimal, place.shear)),
     )

@@ -23,6 +23,12 @@ in_world = partial(Option, rich_help_panel="World")
 in_light = partial(Option, rich_help_panel="Light")
 
 
+OrderOption = Annotated[
+    str | None,
+    in_world(metavar="ORDER", help="A permutation of XYZ (intrinsic) or xyz (extrinsic)."),
+]
+
+
 @dataclass(frozen=True)
 class WorldOptions(OptionGroup):
     """Where the object stands."""
@@ -34,14 +40,15 @@ class WorldOptions(OptionGroup):
     quaternion: Annotated[
         str | None, in_world(metavar="X Y Z W", help="Turn by a quaternion instead.")
     ] = None
+    axis_angle: Annotated[
+        str | None,
+        in_world(metavar="X Y Z ANGLE", help="Turn about one axis by degrees instead."),
+    ] = None
     scale: Annotated[str | None, in_world(metavar="X Y Z", help="Stretch.")] = None
     shear: Annotated[
         str | None, in_world(metavar="XY XZ YZ", help="Shear x along y, x along z, y along z.")
     ] = None
-    order: Annotated[
-        str | None,
-        in_world(metavar="ORDER", help="A permutation of XYZ (intrinsic) or xyz (extrinsic)."),
-    ] = None
+    order: OrderOption = None
     convention: ConventionOption = None
     world_matrix: Annotated[
         str | None, in_world(metavar="MATRIX", help="The whole matrix instead.")
@@ -63,7 +70,9 @@ class WorldOptions(OptionGroup):
         >>> found.translate, found.scale
         ((1, 0, 0), (1.0, 2.0, 1.0))
         """
-        given = self.numbers(read, translate=3, rotate=3, quaternion=4, scale=3, shear=3)
+        given = self.numbers(
+            read, translate=3, rotate=3, quaternion=4, axis_angle=4, scale=3, shear=3
+        )
         given |= self.typed("order", "convention")
         if self.world_matrix is not None:
             matrix = sources.affine(self.world_matrix, exact=read is fractions)

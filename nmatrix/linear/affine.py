@@ -26,6 +26,7 @@ from nmatrix.linear.rounding import integers, inverse_root, quotient
 from nmatrix.report import Number
 
 AXES = "XYZ"
+CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
 
 
 def rotation_about(axis: str, turn: Angle | float) -> RationalMatrix:
@@ -187,10 +188,28 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
     s, c = angle.sine * inverse_root(square), angle.cosine
     x, y, z = a
     crossed = ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
-    return tuple(
-        tuple(c * (i == j) + (1 - c) / square * a[i] * a[j] + s * crossed[i][j] for j in range(3))
-        for i in range(3)
+    along = (1 - c) / square
+    return _known(
+        tuple(
+            tuple(
+                sum_of_rounded(c * (i == j), along * a[i] * a[j], s * crossed[i][j])
+                for j in range(3)
+            )
+            for i in range(3)
+        )
     )
+
+
+def sum_of_rounded(*terms: Fraction) -> Fraction:
+    """Add terms known to 130 bits; where nothing is left but their rounding, that is 0.
+
+    Examples
+    --------
+    >>> sum_of_rounded(Fraction(1), Fraction(-1) + Fraction(1, 1 << 129))
+    Fraction(0, 1)
+    """
+    total = sum(terms, ZERO)
+    return total if abs(total) > CANCELLED * max(map(abs, terms)) else ZERO
 
 
 def shear_matrix(shear: RationalVector) -> RationalMatrix:

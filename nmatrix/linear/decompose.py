@@ -12,7 +12,7 @@ from math import isqrt
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.affine import AXES, compose, rotation_by
+from nmatrix.linear.affine import AXES, compose, rotation_by, sum_of_rounded
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import (
     ZERO,
@@ -29,7 +29,6 @@ from nmatrix.linear.rational import (
 from nmatrix.linear.rounding import integers, inverse_root, nearest, root, short_text, unit
 from nmatrix.report import Vector
 
-CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
 LOCKED = Fraction(1, 1 << 104)  # cos² of the middle angle; float64 can miss a quarter turn by it
 DECIMALS, DIGITS = 12, 13  # decimals of angles and shears, and digits of scales, without noise
 HALF_TURN = 180
@@ -174,8 +173,8 @@ def quaternion_of(R: RationalMatrix) -> RationalVector:
         1 - R[0][0] - R[1][1] + R[2][2],
         1 + R[0][0] + R[1][1] + R[2][2],
     ]
-    xy, xz, yz = (_sum(R[i][j], R[j][i]) for i, j in ((0, 1), (0, 2), (1, 2)))
-    xw, yw, zw = (_sum(R[i][j], -R[j][i]) for i, j in ((2, 1), (0, 2), (1, 0)))
+    xy, xz, yz = (sum_of_rounded(R[i][j], R[j][i]) for i, j in ((0, 1), (0, 2), (1, 2)))
+    xw, yw, zw = (sum_of_rounded(R[i][j], -R[j][i]) for i, j in ((2, 1), (0, 2), (1, 0)))
     products = (
         (squares[0], xy, xz, xw),
         (xy, squares[1], yz, yw),
@@ -262,12 +261,6 @@ def _unit(axis: RationalVector) -> RationalVector:
 
 def _root(square: Fraction) -> Fraction:
     return square * inverse_root(square) if square else ZERO
-
-
-def _sum(a: Fraction, b: Fraction) -> Fraction:
-    """Add two known to 130 bits; where nothing is left but their rounding, that is 0."""
-    total = a + b
-    return total if abs(total) > CANCELLED * max(abs(a), abs(b)) else ZERO
 
 
 def _degrees(sine: Fraction, cosine: Fraction) -> Fraction:

@@ -26,13 +26,14 @@ from nmatrix.version import __version__
 
 Entry = tuple[str, int | str, int | str, Value]
 HEADER = ("key", "row", "column", "value")
+RUN = ("=", "+", "-", "@", "\t", "\r")  # how a cell begins that a spreadsheet runs
 
 
 def write(report: Report, options: OutputOptions) -> str:
     """Write the report as comma-separated values with a header.
 
     Scalars have neither row nor column, vectors a row; absent things have an empty value. An
-    answer that is a list of rows is written as that.
+    answer that is a list of rows is written as that; no text in it is run by a spreadsheet.
 
     Examples
     --------
@@ -40,7 +41,7 @@ def write(report: Report, options: OutputOptions) -> str:
     value,1,,2.5
     """
     if report.records is not None:
-        return _lines(report.records.columns, report.records.rows)
+        return _lines(report.records.columns, ([*map(_inert, row)] for row in report.records.rows))
     outside = [
         outside_remark(key, significant(value, options.digits))
         for key, _, _, value in _entries(report.data, options.layout)
@@ -76,6 +77,11 @@ def _entries(data: Mapping[str, Value], layout: Layout) -> Iterator[Entry]:
             yield from ((leaf.key, row, "", entry) for row, entry in enumerate(value))
         else:
             yield leaf.key, "", "", value
+
+
+def _inert(value: object) -> object:
+    """Put an apostrophe before a text that a spreadsheet would take for a formula and run."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(RUN) else value
 
 
 def _cell(value: object) -> str:

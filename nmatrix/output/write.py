@@ -84,7 +84,7 @@ def write(report: Report, options: OutputOptions) -> str:
     return _writer(options.format)(report.spelled(str), options)
 
 
-def _writer(chosen: Format) -> Writer:  # noqa: C901  # one branch for each format
+def _writer(chosen: Format) -> Writer:  # noqa: C901, PLR0912  # one branch for each format
     match chosen:
         case Format.TEXT:
             from nmatrix.output.text import write as found
@@ -106,6 +106,10 @@ def _writer(chosen: Format) -> Writer:  # noqa: C901  # one branch for each form
             from nmatrix.output.js import write as found
         case Format.NUMPY:
             from nmatrix.output.numpytext import write as found
+        case Format.SARIF:
+            from nmatrix.output.sarif import write as found
+        case Format.GITHUB:
+            from nmatrix.output.github import write as found
         case _:
             assert_never(chosen)
     return found

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import MissingPackageError, NoAnswerError, printable
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation_about, translation_matrix
 from nmatrix.linear.angle import Angle
@@ -25,17 +25,20 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vec
 from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
-from nmatrix.scene.fitting import DAYLIGHT, Ball, enclosing, fitted
+from nmatrix.scene.fitting import Ball, Facets, daylight, enclosing, fitted, octant
+from nmatrix.scene.geometry import DamagedPartError, left_out
+from nmatrix.scene.images import has_alpha, with_readable_images
 from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
 from nmatrix.scene.material import WHITE, Colour, Material
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
-from nmatrix.scene.words import LightKind
+from nmatrix.scene.words import LightKind, Sides
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
 from nmatrix.spaces.transform import Transform
 
 Array = NDArray[Any]
 
+MOST_FACETS, MOST_ASKED = 512, 64  # triangles of a body, and bodies, that place a fitted camera
 FARTHEST = 1e100  # squares of longer lengths leave float64
 
 
@@ -124,6 +127,29 @@ class Body:
         spread = np.linalg.eigvalsh(A @ self.mesh.spread @ A.T)
         return float(np.sqrt(spread[0])) if spread[0] > 1e-16 * spread[2] else 0.0
 
+    @cached_property
+    def facets(self) -> Facets:
+        """Some of the triangles in the world, from all over the mesh."""
+        few = self.mesh.triangles[:: 1 + len(self.mesh.triangles) // MOST_FACETS]
+        A = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        a, b, c = (A @ self.mesh.positions.take(corner, 0).T for corner in few.T)
+        areas = np.cross(b - a, c - a, axis=0) * (self.linear_map.determinant_sign or 1)
+        return Facets(areas / 2, self.material.sides is Sides.FRONT)
+
+    @cached_property
+    def texture_has_alpha(self) -> bool:
+        """True if the texture brings an opacity that counts, and the mesh coordinates for it."""
+        found = self.material.texture
+        counts = self.material.has_alpha and found is not None and self.mesh.uv is not None
+        return counts and found is not None and has_alpha(found)
+
+    @property
+    def vertices_have_alpha(self) -> bool:
+        """True if the vertices' colours bring an opacity that counts."""
+        material, colours = self.material, self.mesh.colours
+        counts = material.has_alpha and material.vertex_colours
+        return counts and colours is not None and colours.shape[1] == 4
+
     @property
     def ball(self) -> Ball:
         """Return the centre and the radius of a ball that holds the body."""
@@ -132,7 +158,7 @@ class Body:
 
 @dataclass(frozen=True, eq=False)
 class LoadedScene:
-    """Bodies, lights, one camera and the canvas."""
+    """Bodies, lights, one camera, which was fitted if the scene has none, and the canvas."""
 
     bodies: tuple[Body, ...]
     lights: tuple[PlacedLight, ...]
@@ -142,6 +168,7 @@ class LoadedScene:
     clip: ClipSpace
     settings: Settings
     remarks: tuple[str, ...] = ()
+    is_fitted: bool = False
 
     @property
     def canvas(self) -> Canvas:
@@ -209,17 +236,18 @@ def loaded(scene: Scene) -> LoadedScene:
     """
     if scene.refusal is not None:
         raise scene.refusal
-    meshes: dict[object, Mesh] = {}
-    bodies = tuple(_body(one, meshes) for one in scene.objects)
+    bodies, faults, told = _bodies(scene)
     balls = [body.ball for body in bodies]
     made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
-    remarks = (*scene.remarks, *made)
-    if not scene.has_camera:
-        scene = fitted(scene, balls)
+    remarks = (*scene.remarks, *left_out(faults), *made, *told)
+    is_fitted, chosen = not scene.has_camera, daylight(scene)
+    if is_fitted:
+        signs = octant(scene, [one.facets for one in _largest(bodies)])
+        scene, chosen = fitted(scene, balls, signs), daylight(scene, signs)
         remarks = (*remarks, "No camera was given: it was fitted to what is drawn.")
     if not scene.lights:
-        scene = replace(scene, lights=(DAYLIGHT,))
-        remarks = (*remarks, f"No light was given: daylight was chosen, along {_typed(DAYLIGHT)}.")
+        scene = replace(scene, lights=(chosen,))
+        remarks = (*remarks, f"No light was given: daylight was chosen, along {_typed(chosen)}.")
     camera = scene.view.placed()
     turn = _turn(scene.settings.turn_degrees, balls)
     camera_from_world = Transform(
@@ -239,7 +267,13 @@ def loaded(scene: Scene) -> LoadedScene:
         scene.lens.clip,
         scene.settings,
         (*remarks, *camera.remarks),
+        is_fitted,
     )
+
+
+def _largest(bodies: Sequence[Body]) -> list[Body]:
+    """Return the largest of many bodies: they decide where the eye stands."""
+    return sorted(bodies, key=lambda one: -one.radius)[:MOST_ASKED]
 
 
 def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
@@ -252,13 +286,53 @@ def _turn(degrees: float, balls: Sequence[Ball]) -> RationalMatrix:
     return rational.product(translation_matrix(middle.tolist()), turned, back)
 
 
-def _body(one: SceneObject, meshes: dict[object, Mesh]) -> Body:
-    """Return an object with its triangles; instances share one mesh."""
-    key = id(one.geometry)
-    if key not in meshes:
-        meshes[key] = one.geometry.mesh()
+def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError], list[str]]:
+    """Load the objects, instances with one mesh; those that cannot be drawn are faults.
+
+    What their materials could not bring along is told.
+
+    Raises
+    ------
+    DamagedPartError
+        If there are objects, and none of them can be drawn.
+    MissingPackageError
+        If a package would help.
+    """
+    meshes: dict[int, Mesh | DamagedPartError] = {}
+    bodies, told = [], []
+    for one in scene.objects:
+        key = id(one.geometry)
+        if key not in meshes:
+            try:
+                meshes[key] = one.geometry.mesh()
+            except DamagedPartError as error:
+                meshes[key] = error
+        mesh = meshes[key]
+        if isinstance(mesh, Mesh):
+            body, remarks = _body(one, mesh)
+            bodies.append(body)
+            told += remarks
+    faults = [one for one in meshes.values() if isinstance(one, DamagedPartError)]
+    if faults and not bodies:
+        packages = [one.cause for one in faults if isinstance(one.cause, MissingPackageError)]
+        raise packages[0] if packages else faults[0]
+    return tuple(bodies), faults, [*dict.fromkeys(told)]
+
+
+def _body(one: SceneObject, mesh: Mesh) -> tuple[Body, list[str]]:
+    """Put an object in its place, with as much of its material as can be drawn."""
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
-    return Body(one.name, meshes[key], place, one.material)
+    material, told = with_readable_images(one.material)
+    if material.emission_texture is not None and mesh.uv is None:
+        material = replace(material, emission_texture=None)
+        told.append(
+            f"emission_texture of material {printable(material.name)} changes nothing on "
+            f"{printable(one.name)}: the mesh has no texture coordinates."
+        )
+    found = Body(one.name, mesh, place, material)
+    if material.has_alpha and not (found.texture_has_alpha or found.vertices_have_alpha):
+        found = replace(found, material=replace(material, has_alpha=False))
+    return found, told
 
 
 def _typed(light: SceneLight) -> str:

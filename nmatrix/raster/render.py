@@ -10,17 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.enums import Effect
-from nmatrix.errors import printable
+from nmatrix.errors import printable, shortlist
 from nmatrix.raster.loaded_scene import LoadedScene
 from nmatrix.raster.planning.effects import per_sample, per_vertex
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.shading.lighting import Lighting, ShadingLight, colour
+from nmatrix.raster.shading.opacity import clear, opacity_inputs, solid
 from nmatrix.raster.shading.outline import OF_HULLS, hull
 from nmatrix.raster.shading.shadow import Occluded, ShadowMap, shadow_map
 from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.shading.surface import PictureStyle, Surface
-from nmatrix.raster.shading.texture import to_srgb
+from nmatrix.raster.shading.texture import from_srgb, to_srgb
 from nmatrix.raster.triangles.fragments import Fragments
 from nmatrix.raster.triangles.picture import DepthMap, Drawable, Drawing, Picture
 from nmatrix.raster.triangles.vertices import project
@@ -29,7 +30,9 @@ from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 BLACK = 0.5 / 255 / 12.92  # no level of sRGB is reached by less light
-MOST_REASONS = 2  # that a remark names
+MOST_REASONS, MOST_NAMED = 2, 4  # that a remark names
+EVERY = 8  # of the points that are asked whether they are like the background
+APART = 20 / 255  # of two levels that are told apart in a lit room
 
 Change = Callable[[Surface], Surface]
 
@@ -50,9 +53,10 @@ class Work:
 class Rendered:
     """An image (height, width, 1 or 3) of levels in [0, 1], and the work that it took.
 
-    `shaded` are the samples of each body that was drawn, of outlines last. `remarks` tell of
-    bodies that came out black although light was meant for them; `depth` is there where it was
-    asked for.
+    `shaded` are the samples of each body that was drawn, of outlines last, and stand for `seen`
+    samples of it. `remarks` tell of bodies that came out black although light was meant for them;
+    `depth` is there where it was asked for. `faint` is the part of what was coloured that can
+    hardly be told from the background, where that was to be chosen.
     """
 
     image: Array
@@ -60,6 +64,8 @@ class Rendered:
     shaded: tuple[int, ...] = ()
     remarks: tuple[str, ...] = ()
     depth: DepthMap | None = None
+    seen: tuple[int, ...] = ()
+    faint: float = 0.0
 
     @property
     def rgb(self) -> Array:
@@ -105,37 +111,87 @@ def render(
         for body, one, samples in zip(plan.drawn, drawables, picture.shaded, strict=False)
         if samples and isinstance(one.fragment, _Watched) and one.fragment.is_black
     ]
-    remarks = tuple(_why_black(one) for one in dark)
+    remarks = _told_of_black(loaded, dark)
     work = _work(drawn, picture, passes)
-    return Rendered(picture.image, work, picture.shaded, remarks, picture.depth)
+    seen, faint = picture.seen, _faint(drawables, sum(picture.shaded))
+    return Rendered(picture.image, work, picture.shaded, remarks, picture.depth, seen, faint)
+
+
+def _faint(drawables: Sequence[Drawable], shaded: int) -> float:
+    """Return the part of all coloured points that is like the background."""
+    watched = (one.fragment for one in drawables)
+    return sum(one.faint for one in watched if isinstance(one, _Watched)) / max(shaded, 1)
 
 
 class _Watched:
-    """A fragment shader, and whether it has made nothing but black so far."""
+    """A fragment shader, and what it has made so far: nothing but black, and how much is faint.
 
-    def __init__(self, fragment: Callable[[Fragments], Array]) -> None:
-        self.fragment, self.is_black = fragment, True
+    `like` holds the least and the largest light (channels, 1) that looks like the background.
+    """
+
+    def __init__(
+        self, fragment: Callable[[Fragments], Array], like: tuple[Array, Array] | None
+    ) -> None:
+        self.fragment, self.like = fragment, like
+        self.is_black, self.faint = True, 0
 
     def __call__(self, fragments: Fragments) -> Array:
         found = self.fragment(fragments)
         if self.is_black and len(fragments):
             self.is_black = float(found.max()) < BLACK
+        if self.like is not None:
+            low, high = self.like
+            few = found[:, ::EVERY]
+            like = ((few > low) & (few < high)).all(axis=0)
+            self.faint += EVERY * int(np.count_nonzero(like))
         return found
 
 
-def _why_black(body: BodyPlan) -> str:
-    """Say why a body is black."""
+def _like_background(plan: Plan, opacity: float) -> tuple[Array, Array] | None:
+    """Return the least and the largest light that is less than `APART` from the background.
+
+    It is found for scenes that leave the background open. Of glass the background is a part.
+    """
+    settings = plan.loaded.settings
+    if settings.other_background is None:
+        return None
+    own = colour(settings.background, plan.channels)
+    level = to_srgb(own) if settings.gamma else own
+    ends = (level - APART, level + APART)
+    if settings.gamma:
+        ends = (from_srgb(ends[0]), from_srgb(ends[1]))
+    low, high = (own + (one - own) / max(opacity, BLACK) for one in ends)
+    return low, high
+
+
+def _told_of_black(loaded: LoadedScene, dark: Sequence[BodyPlan]) -> tuple[str, ...]:
+    """Name the bodies that are black, those together that are so for the same reasons."""
+    alike: dict[str, list[str]] = {}
+    for one in dark:
+        alike.setdefault(_why_black(loaded, one), []).append(printable(one.body.name))
+    return tuple(
+        f"{shortlist(names, MOST_NAMED)} {'is' if len(names) == 1 else 'are'} black: {why}."
+        for why, names in alike.items()
+    )
+
+
+def _why_black(loaded: LoadedScene, body: BodyPlan) -> str:
+    """Find the reasons why a body is black: of lamps, and of the light from everywhere."""
     lamps = [f"{one.placed.light.name} {one.because}" for one in body.light_decisions if not one.on]
     if body.lights:
         lamps.append(f"what {body.lights[0].light.name} sends falls on no side that is seen")
+        if body.effects & {Effect.TEXTURE, Effect.VERTEX_COLOURS}:
+            lamps[-1] += ", or its texture or its colours are black there"
     material = body.body.material
-    if not any((*material.diffuse, *material.specular)):
+    if not any(material.diffuse) and not material.shines:
         lamps = ["its material sends no light of lamps back"]
     reasons = [*lamps[:MOST_REASONS], *([] if lamps else ["the scene has no lamp"])]
-    ambient = "its material sends no ambient light back"
-    if any(material.ambient):
+    ambient = "what it sends back of ambient light makes no level"
+    if not any(material.ambient):
+        ambient = "its material sends no ambient light back"
+    elif not any(loaded.ambient_light):
         ambient = "the ambient light is black"
-    return f"{printable(body.body.name)} is black: {'; '.join(reasons)}; {ambient}."
+    return f"{'; '.join(reasons)}; {ambient}"
 
 
 def _shadow_maps(plan: Plan) -> dict[str, list[ShadowMap]]:
@@ -164,9 +220,14 @@ def _drawable(
     surface, even = change(right), None
     if body.rate is not None and surface is right:
         even = body.rate.even_triangles(loaded, body.body, projected)
-    opacity = body.body.material.opacity
     outputs = surface.vertex(projected)
-    return Drawable(projected, outputs, _Watched(surface.fragment), opacity, even)
+    if body.body.material.is_clear:
+        inputs = opacity_inputs(body.body, projected)
+        outputs = replace(outputs, points={**outputs.points, **inputs})
+    seen_through, kept = clear(body.body), solid(body.body, projected)
+    like = _like_background(plan, body.body.material.opacity if seen_through else 1.0)
+    watched = _Watched(surface.fragment, like)
+    return Drawable(projected, outputs, watched, seen_through, kept, even)
 
 
 def surface_of(plan: Plan, body: BodyPlan, maps: dict[str, list[ShadowMap]], front: int) -> Surface:

@@ -28,7 +28,8 @@ from nmatrix.scene.world import World
 
 Given = Mapping[str, Any]
 
-PARTS = ("translate", "rotate", "quaternion", "scale", "shear")
+WHOLE_TURNS = ("quaternion", "axis_angle")  # a rotation without an order
+PARTS = ("translate", "rotate", *WHOLE_TURNS, "scale", "shear")
 ANGLES = ("elevation", "angle", "roll")
 SHAPE = ("fov", "aspect", "near", "far", "ortho", "frustum")
 LIGHT = ("light_direction", "light_angles", "light_position")
@@ -52,8 +53,10 @@ def world_of(given: Given, base: World | None = None) -> World:
     """
     found = _known(given, (*PARTS, "order", "convention", "world_matrix"), "world")
     refuse_together("world_matrix", PARTS, found, WHOLE)
-    refuse_together("quaternion", ("rotate",), found, "both are the rotation")
-    refuse_together("quaternion", ("order",), found, "an order is for angles, it has none")
+    refuse_together("quaternion", ("rotate", "axis_angle"), found, "both are the rotation")
+    refuse_together("axis_angle", ("rotate",), found, "both are the rotation")
+    for whole in WHOLE_TURNS:
+        refuse_together(whole, ("order",), found, "an order is for angles, it has none")
     convention = chosen(Convention, found.get("convention", Convention.STANDARD), "convention")
     if convention is not Convention.STANDARD and "order" in found:
         course = f"{quantity('convention')} {convention}"
@@ -67,12 +70,12 @@ def world_of(given: Given, base: World | None = None) -> World:
             return replace(base, **found)
         base = World()
     if "rotate" in found:
-        found |= {"rotate_degrees": found.pop("rotate"), "quaternion": None}
-    elif "quaternion" in found:
+        found |= {"rotate_degrees": found.pop("rotate"), **dict.fromkeys(WHOLE_TURNS)}
+    elif found.keys() & set(WHOLE_TURNS):
         angles = {"rotate_degrees": (0, 0, 0), "convention": Convention.STANDARD}
-        found = angles | found | {"order": "XYZ"}
-    elif base.quaternion is not None and "order" in found:
-        beside = f"{quantity('order')} with the scene's quaternion"
+        found = {**dict.fromkeys(WHOLE_TURNS), **angles, **found, "order": "XYZ"}
+    elif "order" in found and (base.quaternion or base.axis_angle):
+        beside = f"{quantity('order')} with the scene's rotation as a whole"
         raise IllegalValueError(beside, "an order is for angles", "keep one of them")
     return replace(base, **found)
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from nmatrix.enums import Reflection
 from nmatrix.linear.angle import Angle
-from nmatrix.scene.words import Pattern, Sides, Wrap
+from nmatrix.scene.words import Filter, Pattern, Sides, Wrap
 
 Colour = tuple[float, float, float]
 
@@ -35,7 +35,8 @@ class Texture:
     """An image, and where coordinates (u, v) of a mesh fall on it, v upwards.
 
     Coordinates are scaled, turned counter-clockwise about 0 0, and moved, in this order. What then
-    lies outside of the unit square is wrapped, along u and along v.
+    lies outside of the unit square is wrapped, along u and along v. An optional image that cannot
+    be read is left out with a remark; any other stops the picture.
     """
 
     image: ImageSource | Pattern
@@ -43,6 +44,8 @@ class Texture:
     scale: Two = (1.0, 1.0)
     rotation_degrees: float = 0.0
     offset: Two = (0.0, 0.0)
+    filter: Filter = Filter.LINEAR
+    is_optional: bool = False
 
     @property
     def uv_map(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -78,7 +81,7 @@ def grey(level: float) -> Colour:
     return (level, level, level)
 
 
-WHITE = grey(1.0)
+WHITE, BLACK = grey(1.0), grey(0.0)
 
 
 def colour(value: float | list[float]) -> Colour:
@@ -107,10 +110,20 @@ class Material:
         The exponent of the highlight, not negative.
     reflection
         Lambert has no highlight; toon has bands in its place.
+    unlit
+        A colour that is shown as it is, whatever light falls on it; None where light is asked.
+    emission
+        Light that the surface sends out itself; it lights nothing else.
     opacity
         1 hides what is behind, 0 is glass.
+    has_alpha
+        Whether the alpha of the texture and of the vertices multiplies the opacity.
+    alpha_cutoff
+        What has less opacity is a hole, and the rest hides what is behind; None cuts no holes.
     texture
-        An image, or `CHECKER`; it multiplies ambient and diffuse.
+        An image, or `CHECKER`; it multiplies ambient, diffuse and unlit.
+    emission_texture
+        An image that multiplies the emission.
     normal_map
         An image of normals in tangent space.
     toon_steps
@@ -119,7 +132,7 @@ class Material:
         A black line around the body, as thick as the rim of a ball of its size where the cosine of
         normal and eye is below this; 0 draws none.
     vertex_colours
-        Whether the mesh's own colours multiply ambient and diffuse.
+        Whether the mesh's own colours multiply ambient, diffuse and unlit.
     sides
         Which sides are drawn; as needed: both where the mesh is open or the eye inside.
     """
@@ -130,8 +143,13 @@ class Material:
     specular: Colour = (0.45, 0.45, 0.45)
     shininess: float = 32.0
     reflection: Reflection = Reflection.LAMBERT
+    unlit: Colour | None = None
+    emission: Colour = BLACK
     opacity: float = 1.0
+    has_alpha: bool = False
+    alpha_cutoff: float | None = None
     texture: Texture | None = None
+    emission_texture: Texture | None = None
     normal_map: Texture | None = None
     toon_steps: int = 3
     outline: float = 0.0
@@ -142,7 +160,32 @@ class Material:
     def shines(self) -> bool:
         """True if there is a highlight at all."""
         models = (Reflection.PHONG, Reflection.BLINN_PHONG)
-        return self.reflection in models and any(self.specular)
+        return self.unlit is None and self.reflection in models and any(self.specular)
+
+    @property
+    def is_clear(self) -> bool:
+        """True if what is behind shows through."""
+        return self.alpha_cutoff is None and (self.opacity < 1.0 or self.has_alpha)
+
+    @property
+    def textures(self) -> dict[str, Texture]:
+        """The images and patterns that it has, by the names of their fields."""
+        named = {
+            "texture": self.texture,
+            "normal_map": self.normal_map,
+            "emission_texture": self.emission_texture,
+        }
+        return {name: one for name, one in named.items() if one is not None}
+
+    def without_light(self) -> Material:
+        """Show the diffuse colour as it is, and send no light back.
+
+        Examples
+        --------
+        >>> Material(diffuse=WHITE).without_light().unlit
+        (1.0, 1.0, 1.0)
+        """
+        return replace(self, unlit=self.diffuse, ambient=BLACK, diffuse=BLACK)
 
 
 DEFAULT_MATERIAL = Material()

@@ -6,8 +6,9 @@ from pathlib import Path
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
-from nmatrix.scene.geometry import FileGeometry
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject
+from nmatrix.scene.geometry import LoadedGeometry
+from nmatrix.scene.material import DEFAULT_MATERIAL
+from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
 
@@ -15,7 +16,7 @@ SUFFIXES = (".toml", *GLTF_SUFFIXES, *MESH_SUFFIXES)
 
 
 def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
-    """Read a scene from a .toml, .gltf or .glb file; a mesh is one object that stands still.
+    """Read a scene from a .toml, .gltf or .glb file; a mesh stands still.
 
     What the file names lies in its folder, unless more is allowed.
 
@@ -39,6 +40,30 @@ def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
         )
     if not path.is_file():
         raise IllegalValueError(f"{path}", "there is no such file", "check the name")
-    still = SceneObject(path.stem, FileGeometry(path), identity(4), place=World())
-    node = SceneNode(path.stem, identity(4), World())
-    return Scene((still,), has_camera=False, path=path, nodes=(node,))
+    return _mesh_scene(path, allow_outside=allow_outside)
+
+
+def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
+    """Make a scene of a mesh file: an object for each material, all in the place of the file."""
+    from nmatrix.scene.meshes.file import read_mesh_file
+
+    file = read_mesh_file(path, allow_outside=allow_outside)
+    still = identity(4)
+    names = [
+        path.stem if len(file.parts) == 1 else f"{path.stem}/{part.name or DEFAULT_MATERIAL.name}"
+        for part in file.parts
+    ]
+    objects = tuple(
+        SceneObject(
+            name, LoadedGeometry(part.mesh), still, part.material or DEFAULT_MATERIAL, World()
+        )
+        for name, part in zip(names, file.parts, strict=True)
+    )
+    return Scene(
+        objects,
+        settings=settings_of_file(gamma=False),
+        has_camera=False,
+        path=path,
+        remarks=file.remarks,
+        nodes=(SceneNode(path.stem, still, World()),),
+    )

@@ -15,7 +15,7 @@ from nmatrix.scene.geometry import Geometry
 from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
-from nmatrix.scene.material import DEFAULT_MATERIAL, Colour, Material
+from nmatrix.scene.material import DEFAULT_MATERIAL, WHITE, Colour, Material, grey
 from nmatrix.scene.words import DepthBuffer
 from nmatrix.scene.world import World
 
@@ -63,6 +63,7 @@ class Fog:
 
 SAMPLES = (1, 4, 16, 64)  # of a pixel
 LARGEST = 8192  # pixels on a side
+DARK_LEVEL = 0.1  # of a background on which white stands out, its shaded side too
 MOST_SAMPLES = 1 << 28
 
 
@@ -71,6 +72,7 @@ class Settings:
     """How a scene is drawn.
 
     `samples` are those of one pixel: 1, 4, 16 or 64. `gamma` writes sRGB instead of linear levels.
+    `other_background` takes the place of `background` if what is drawn stands out better from it.
     `turn_degrees` walks the camera around the middle of what is drawn, about the world's y axis.
     `normals` is the rule that carries them; every one but the first is a mistake worth seeing.
     """
@@ -81,6 +83,7 @@ class Settings:
     size: tuple[int, int] = (512, 512)
     samples: int = 4
     background: Colour = (0.93, 0.93, 0.93)
+    other_background: Colour | None = None
     fog: Fog | None = None
     gamma: bool = False
     depth: DepthBuffer = DepthBuffer.FULL
@@ -98,6 +101,13 @@ class Settings:
                 f"a picture has {MOST_SAMPLES} samples at the most",
                 "take fewer of either",
             )
+
+
+def settings_of_file(*, gamma: bool, size: tuple[int, int] = Settings.size) -> Settings:
+    """Return the settings of a file that says nothing of its background: white, or else dark."""
+    dark = (DARK_LEVEL + 0.055) / 1.055 if gamma else DARK_LEVEL
+    other = grey(dark**2.4 if gamma else dark)
+    return Settings(size=size, gamma=gamma, background=WHITE, other_background=other)
 
 
 def _read_size(size: object, name: str) -> tuple[int, int]:

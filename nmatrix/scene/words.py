@@ -8,6 +8,15 @@ GLTF_SUFFIXES = (".gltf", ".glb")
 MESH_SUFFIXES = (".obj", ".ply", ".stl")
 
 
+class NormalsFrom(StrEnum):
+    """Where the normals of a mesh come from; packed ones were not read."""
+
+    FILE = "file"
+    COMPUTED = "computed"
+    PACKED = "packed"
+    NONE = "none"
+
+
 class LightKind(StrEnum):
     """The kinds of light in a scene."""
 
@@ -47,6 +56,13 @@ class Wrap(StrEnum):
     REPEAT = "repeat"
     CLAMP = "clamp"
     MIRROR = "mirror"
+
+
+class Filter(StrEnum):
+    """How an image is read between its texels: the mean of four around a place, or the nearest."""
+
+    LINEAR = "linear"
+    NEAREST = "nearest"
 
 
 class DepthBuffer(StrEnum):

@@ -9,7 +9,7 @@ from functools import cached_property, partial
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
-from nmatrix.linear.angle import Angle, turns
+from nmatrix.linear.angle import Angle, turn, turns
 from nmatrix.linear.decompose import Parts, parts, parts_given
 from nmatrix.linear.rank_keeping import rounded_keeping_rank
 from nmatrix.linear.rational import (
@@ -20,7 +20,8 @@ from nmatrix.linear.rational import (
     rational_vector,
     rounded_for_display,
 )
-from nmatrix.linear.values import named, read_fields, refuse_beside, vector
+from nmatrix.linear.rounding import integers, nearest, unit
+from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
@@ -39,7 +40,7 @@ _EXACT_REMARK = (
     "are another map, of another rank, another side or another direction that vanishes."
 )
 
-_PARTS = ("translate", "quaternion", "scale", "shear", "rotate_degrees")
+_PARTS = ("translate", "quaternion", "axis_angle", "scale", "shear", "rotate_degrees")
 _NAMES = {"matrix": "world_matrix", "rotate_degrees": "rotate"}
 
 
@@ -55,6 +56,8 @@ class World:
         About x, y, z, or the course's three angles under its conventions; numbers or `Angle`.
     quaternion
         x, y, z, w instead of the three angles; any length but zero.
+    axis_angle
+        x, y, z and the angle about that axis instead, by the right-hand rule; any length but zero.
     matrix
         A 4×4 matrix instead of the parts above; any array-like, 3×3 is its linear part.
     order, convention
@@ -75,6 +78,7 @@ class World:
     order: str = "XYZ"
     convention: Convention = Convention.STANDARD
     matrix: RationalMatrix | None = None
+    axis_angle: Vector | None = None
 
     def __post_init__(self) -> None:
         read_fields(
@@ -82,6 +86,7 @@ class World:
             translate=vector,
             rotate_degrees=named("rotate", turns),
             quaternion=partial(vector, size=4),
+            axis_angle=_read_axis_angle,
             scale=_read_scale,
             shear=vector,
             convention=partial(chosen, Convention),
@@ -90,7 +95,9 @@ class World:
         affine.checked_order(self.order)
         refuse_beside(self, "matrix", _PARTS, names=_NAMES)
         turned = ("rotate_degrees", "order")
-        refuse_beside(self, "quaternion", turned, "it is the rotation", names=_NAMES)
+        for whole in ("quaternion", "axis_angle"):
+            refuse_beside(self, whole, turned, "it is the rotation", names=_NAMES)
+        refuse_beside(self, "quaternion", ("axis_angle",), "both are the rotation", names=_NAMES)
         if self.convention is not Convention.STANDARD:
             if self.order != "XYZ":
                 raise IllegalValueError(
@@ -99,12 +106,13 @@ class World:
                     "the course's library fixes the order",
                     "leave one of them out",
                 )
-            if self.quaternion is not None:
-                raise IllegalValueError(
-                    f"{quantity('quaternion')} with {quantity('convention')} {self.convention}",
-                    "the course's library knows angles only",
-                    "leave one of them out",
-                )
+            for whole in ("quaternion", "axis_angle"):
+                if getattr(self, whole) is not None:
+                    raise IllegalValueError(
+                        f"{quantity(whole)} with {quantity('convention')} {self.convention}",
+                        "the course's library knows angles only",
+                        "leave one of them out",
+                    )
 
     def exact_by(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         """Return the matrix with every angle in degrees turned into sine and cosine by `turn`."""
@@ -115,6 +123,9 @@ class World:
     def _rotation(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         if self.quaternion is not None:
             return affine.rotation_from_quaternion(self.quaternion)
+        if self.axis_angle is not None:
+            *axis, angle = self.axis_angle
+            return affine.rotation_about_axis(axis, turn(angle))
         return affine.rotation_by(self.rotate_degrees, self.order, self.convention, turn)
 
     @property
@@ -171,8 +182,12 @@ class World:
         if self.matrix is not None:
             return parts(self.world_from_object, self.order, self.convention)
         quaternion = None if self.quaternion is None else rational_vector(self.quaternion)
-        angles = None if quaternion else rational_vector(self.rotate_degrees)
+        is_whole = quaternion is not None or self.axis_angle is not None
+        angles = None if is_whole else rational_vector(self.rotate_degrees)
         found = parts_given(self._rotation(Angle.degrees), angles, self.order, self.convention)
+        if self.axis_angle is not None:
+            *axis, angle = rational_vector(self.axis_angle)
+            found = replace(found, axis=unit(integers(axis)[0]), angle_deg=nearest(angle))
         return replace(
             found,
             translate=rational_vector(self.translate),
@@ -187,6 +202,11 @@ class World:
         block = linear_part(self.world_from_object)
         kept = (_EXACT_REMARK,) if rounded_for_display(block) != block else ()
         return (*_CONVENTIONS.get(self.convention, ()), *kept)
+
+
+def _read_axis_angle(value: object, name: str) -> Vector:
+    *axis, angle = listed(value, name, (4,))
+    return (*vector(axis, name), turn(angle, f"{name}[3]"))
 
 
 def _read_scale(scale: object, name: str) -> Vector:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from nmatrix.enums import Effect, Reflection
 from nmatrix.report import Matrix, Number, Value, Vector
 from nmatrix.scene.light import PlacedLight
-from nmatrix.scene.material import DARK, SQUARES, Texture
+from nmatrix.scene.material import BLACK, DARK, SQUARES, Texture
 from nmatrix.scene.words import LightKind, Pattern, Wrap
 from nmatrix.shaders.shaded import EDGE, LEAST_COSINE, Shaded
 
@@ -98,6 +98,12 @@ class Glsl:
 
 
 NOTHING = Glsl()
+
+
+def unlit(shaded: Shaded) -> Glsl:
+    """Add a colour that no light changes."""
+    color = Uniform("vec3", "unlit_color", shaded.material.unlit or BLACK)
+    return Glsl((color,), base=("matte += unlit_color;",))
 
 
 def ambient(shaded: Shaded) -> Glsl:
@@ -343,7 +349,7 @@ def _image(name: str, found: Texture, *, is_srgb: bool) -> Sampler:
         "image": str(found.image),
         "format": "SRGB8_ALPHA8" if is_srgb else "RGBA8",
         "rows": "the last row first",
-        "filter": "linear",
+        "filter": found.filter.value,
         "wrap": [WRAPS[one] for one in found.wrap],
     }
     return Sampler(name, bind)
@@ -380,10 +386,41 @@ def normal_map(shaded: Shaded) -> Glsl:
 VERTEX_COLOURS = Glsl(matte=("matte *= fragment_colour;",))
 
 
+def emission(shaded: Shaded) -> Glsl:
+    """Add light of the surface's own."""
+    material, found = shaded.material, shaded.material.emission_texture
+    color = Uniform("vec3", "emission_color", material.emission)
+    if found is None:
+        return Glsl((color,), matte=("matte += emission_color;",))
+    uv, uniforms = _placed("emission_texture", found)
+    image = _image("emission_texture", found, is_srgb=shaded.is_linear)
+    texel = f"texture(emission_texture, {uv}).rgb"
+    return Glsl((color, *uniforms), (image,), matte=(f"matte += emission_color * {texel};",))
+
+
+def _opacity(shaded: Shaded) -> tuple[str, Uniform]:
+    """Find the opacity of a fragment: an expression, and the uniform that it begins with."""
+    own = Uniform("float", "opacity", float(shaded.material.opacity))
+    factors = [own.name]
+    if shaded.texture_has_alpha and shaded.material.texture is not None:
+        uv, _ = _placed("surface_texture", shaded.material.texture)
+        factors.append(f"texture(surface_texture, {uv}).a")
+    if shaded.vertices_have_alpha:
+        factors.append("fragment_alpha")
+    return " * ".join(factors), own
+
+
+def alpha_mask(shaded: Shaded) -> Glsl:
+    """Leave out fragments whose opacity is below the cutoff."""
+    opacity, own = _opacity(shaded)
+    cutoff = Uniform("float", "alpha_cutoff", float(shaded.material.alpha_cutoff or 0.0))
+    return Glsl((own, cutoff), last=(f"if ({opacity} < alpha_cutoff) discard;",))
+
+
 def transparency(shaded: Shaded) -> Glsl:
     """Let through what is behind."""
-    opacity = Uniform("float", "opacity", float(shaded.material.opacity))
-    return Glsl((opacity,), last=("fragment_color.a = opacity;",))
+    opacity, own = _opacity(shaded)
+    return Glsl((own,), last=(f"fragment_color.a = {opacity};",))
 
 
 GAMMA = Glsl(

@@ -36,6 +36,7 @@ ATTRIBUTES = {
     "hull_normal": "vec3",
     "vertex_uv": "vec2",
     "vertex_colour": "vec3",
+    "vertex_alpha": "float",
     "vertex_tangent": "vec4",
 }
 SUMS = ("matte", "gloss")  # light that takes a texture's colour, and light that does not
@@ -404,6 +405,7 @@ class _Assembly:
             "fragment_position": ("vec3", at_vertex),
             "fragment_uv": ("vec2", "vertex_uv"),
             "fragment_colour": ("vec3", "vertex_colour"),
+            "fragment_alpha": ("float", "vertex_alpha"),
             "fragment_tangent": (
                 "vec4",
                 f"vec4({of_tangent}vertex_tangent.xyz, vertex_tangent.w)",

@@ -76,6 +76,8 @@ class Shaded:
         The format of the framebuffer.
     clip
         The clip space that `maps.clip_from_camera` leads to.
+    texture_has_alpha, vertices_have_alpha
+        True if the opacity differs with them.
     swollen_by
         How far the vertices move outwards in the world, for a hull that is seen from inside.
     """
@@ -95,6 +97,8 @@ class Shaded:
     has_zero_normals: bool = False
     target: str = PLAIN_TARGET
     clip: ClipSpace = DEFAULT_CLIP_SPACE
+    texture_has_alpha: bool = False
+    vertices_have_alpha: bool = False
     swollen_by: float = 0.0
 
     @property

@@ -10,10 +10,12 @@ import random
 from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
+from tempfile import mkdtemp
 
 import numpy as np
 import pytest
 from browser import webgl
+from PIL import Image
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, TOON, single
 
 from nmatrix.enums import Api, DepthRange, NormalRule, Reflection, Shading, Space
@@ -30,7 +32,7 @@ from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import CHECKER, Texture
 from nmatrix.scene.open import scene_of
 from nmatrix.scene.scene import Fog, Scene, SceneObject
-from nmatrix.scene.words import LightKind, Shape, Sides, Wrap
+from nmatrix.scene.words import Filter, LightKind, Shape, Sides, Wrap
 from nmatrix.scene.world import World
 
 ENOUGH = 0.999
@@ -170,6 +172,27 @@ def wrapped(plain: Texture, i: int) -> Texture:
     return replace(plain, **MOVED, wrap=WRAPS[i])
 
 
+def saved(name: str, texels: np.ndarray) -> Texture:
+    """A texture of its own file, as a program that draws it would load it."""
+    path = Path(mkdtemp()) / name
+    Image.fromarray(texels).save(path)
+    return Texture(path)
+
+
+def spotted() -> Texture:
+    """Rings of alpha over colours."""
+    y, x = np.mgrid[0:32, 0:32] / 31
+    alpha = 0.5 + 0.5 * np.cos(9 * np.hypot(x - 0.5, y - 0.5))
+    return saved("spotted.png", (255 * np.stack([x, y, 1 - x, alpha], -1)).astype(np.uint8))
+
+
+def half_clear() -> LoadedGeometry:
+    mesh = SHEET.mesh()
+    colours = np.random.default_rng(2).uniform(0.3, 1, (len(mesh.positions), 4))
+    return LoadedGeometry(replace(mesh, colours=colours))
+
+
+SPOTTED = spotted()
 HAZE = Fog((0.7, 0.8, 0.9), 2.5, 5.5)
 SEEN_FROM_BEHIND = World(rotate_degrees=(-70, 10, 5), scale=(1.4, 1, 1))
 GLASS = replace(BLINN, opacity=0.4)
@@ -195,6 +218,31 @@ FEATURES: dict[str, dict[str, object]] = {
     "colours of vertices": {
         "material": replace(BLINN, vertex_colours=True),
         "shape": coloured(),
+    },
+    "unlit": {"material": replace(BLINN, texture=TILES).without_light()},
+    "unlit, in sRGB and fog": {"material": LAMBERT.without_light(), "gamma": True, "fog": HAZE},
+    "emission": {"material": replace(BLINN, emission=(0.3, 0.1, 0.5)), "gamma": True},
+    "emission by an image": {
+        "material": replace(BLINN, emission=(0.5, 0.9, 0.4), emission_texture=wrapped(TILES, 1))
+    },
+    "holes": {
+        "material": replace(BLINN, texture=SPOTTED, has_alpha=True, alpha_cutoff=0.4),
+        "shape": SHEET,
+        "world": SEEN_FROM_BEHIND,
+        "size": (320, 240),
+    },
+    "glass by an image and by vertices": {
+        "material": replace(
+            GLASS, texture=SPOTTED, has_alpha=True, vertex_colours=True, opacity=0.9
+        ),
+        "shape": half_clear(),
+        "world": SEEN_FROM_BEHIND,
+    },
+    "the nearest texel": {
+        "material": replace(BLINN, texture=replace(SPOTTED, filter=Filter.NEAREST)),
+        "shape": SHEET,
+        "world": SEEN_FROM_BEHIND,
+        "size": (320, 240),
     },
     "fog": {"fog": HAZE},
     "fog in sRGB": {"fog": HAZE, "gamma": True},
@@ -307,7 +355,7 @@ SCENES = sorted(IMAGES.glob("*.toml"))
 def test_the_example_scenes_agree(blank, path: Path) -> None:
     scene = scene_of(path).sized(200, 150)
     scene = replace(scene, settings=replace(scene.settings, samples=1))
-    opaque = tuple(one for one in scene.objects if one.material.opacity == 1.0)
+    opaque = tuple(one for one in scene.objects if not one.material.is_clear)
     must_agree(blank, replace(scene, objects=opaque), what=path.name)
 
 

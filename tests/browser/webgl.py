@@ -71,7 +71,8 @@ def attributes(plan: Plan, body: BodyPlan) -> dict[str, np.ndarray]:
     if mesh.uv is not None:
         found["vertex_uv"] = mesh.uv[corners]
     if mesh.colours is not None:
-        found["vertex_colour"] = mesh.colours[corners]
+        found["vertex_colour"] = mesh.colours[corners, :3]
+        found["vertex_alpha"] = mesh.colours[corners, 3:]
     if mesh.tangents is not None:
         found["vertex_tangent"] = np.hstack([tangents, mesh.tangents[:, 3:]])[corners]
     return found
@@ -137,7 +138,7 @@ def drawn(page, plan: Plan) -> np.ndarray:
                     for name, one in attributes(plan, body).items()
                 },
                 "corners": body.body.mesh.triangles.size,
-                "is_clear": body.body.material.opacity < 1.0,
+                "is_clear": body.body.material.is_clear,
             }
             for printed in (found, found["outline"])
             if printed is not None

@@ -1,4 +1,4 @@
-"""TAB: every command, option, word and name, in the protocol of each shell and in the shell itself."""
+"""TAB: every command, option, word and name, in each shell's protocol and in the shell."""
 
 from __future__ import annotations
 
@@ -208,7 +208,8 @@ ASK = {
     "bash": r"""source ~/.bashrc; COMP_LINE="nmatrix world --sc"; COMP_POINT=${#COMP_LINE}
 COMP_WORDS=(nmatrix world --sc); COMP_CWORD=2; _nmatrix_completion nmatrix
 printf '%s\n' "${COMPREPLY[@]}" """,
-    "zsh": r"""autoload -Uz compinit; fpath+=~/.zfunc; compinit -u; words=(nmatrix world --sc); CURRENT=3
+    "zsh": r"""autoload -Uz compinit; fpath+=~/.zfunc; compinit -u
+words=(nmatrix world --sc); CURRENT=3
 _arguments() { print -r -- "$@" }; autoload -Uz _nmatrix; _nmatrix""",
     "fish": "complete -C 'nmatrix world --sc'",
 }

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from nmatrix.cli.catalogue import COMMANDS
-from nmatrix.enums import Format
+from nmatrix.enums import FINDING_FORMATS, Format
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
@@ -22,6 +22,7 @@ KEYS = {
     "view": "camera_from_world rotation translation eye right up forward normal_matrix handed "
     "mirrored readings world_from_camera extrinsics",
     "identify '1 2 3; 4 5 6; 7 8 10'": "readings ambiguous",
+    "axes blender unity": "to_from mirrors unit_scale matrix parts winding_flips",
     "projection": "clip_from_camera handed clip_y depth_range near far left right bottom top "
     "fov_y_deg fov_x_deg aspect intrinsics readings depth_step depths",
     "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "
@@ -37,11 +38,12 @@ KEYS = {
     "trace": "object world camera clip ndc window reciprocal_w inside outside_planes pixel normal",
     "derive mirror": "cases",
     "check eye '0 0 5'": "verdict mistake also explanation max_difference wrong_entries",
-    f"inspect {DOCS / 'samples' / 'gate.gltf'}": "nodes summary",
+    f"inspect {DOCS / 'samples' / 'gate.gltf'}": "files nodes summary",
     f"plan {DOCS / 'scenes' / 'mirror.toml'}": "effects attributes passes objects",
     "stress --case N1": "cases passed failed",
 }
 WITHOUT_FORMATS = {"derive", "check", "inspect", "plan", "stress"}  # sentences, not quantities
+LOOK_FOR_FAULTS = {"inspect"}
 PARTS = (
     "translate quaternion rotate scale shear order convention axis angle_deg gimbal_lock unique "
     "given"
@@ -62,13 +64,24 @@ def test_json_has_exactly_the_keys_of_the_contract(nmatrix, line: str) -> None:
     assert set(found.data) - wanted <= {"used"}
 
 
+@pytest.mark.parametrize("line", KEYS)
+@pytest.mark.parametrize("format_", FINDING_FORMATS)
+def test_findings_are_a_format_of_what_looks_for_faults(nmatrix, line: str, format_: str) -> None:
+    found = nmatrix(f"{line} -f {format_}")
+    if line.split()[0] in LOOK_FOR_FAULTS:
+        assert (found.code, found.err) == (0, "")
+    else:
+        assert (found.code, found.out) == (2, "")
+        assert found.err.endswith("use --format json\n")
+
+
 def test_the_parts_of_a_world_have_the_keys_of_the_contract(nmatrix) -> None:
     for line in ("world --scale 1 0 1", "world --world-matrix '0 -1 0; 2 0 0; 0 0 -1'"):
         assert list(nmatrix(f"{line} -f json").data["parts"]) == PARTS.split()
 
 
 @pytest.mark.parametrize("line", [line for line in KEYS if line.split()[0] not in WITHOUT_FORMATS])
-@pytest.mark.parametrize("format_", Format)
+@pytest.mark.parametrize("format_", [one for one in Format if one not in FINDING_FORMATS])
 def test_every_format_of_every_command(nmatrix, line: str, format_: Format) -> None:
     found = nmatrix(f"{line} -f {format_}")
     assert found.code == 0, found.err
@@ -325,7 +338,7 @@ def test_fail_on_ends_in_one(nmatrix, tmp_path: Path) -> None:
     found = nmatrix(f"inspect {file} --fail-on mirrored -f json")
     assert found.code == 1
     assert found.data["summary"]["mirrored"] == 1
-    assert found.err.startswith("error: --fail-on mirrored: 1 of 1 nodes")
+    assert found.err.startswith("error: --fail-on mirrored: 1 of 1 node is mirrored (m)")
     assert nmatrix(f"inspect {file} --fail-on shear").code == 0
 
 
@@ -401,6 +414,9 @@ def test_a_text_report_in_the_pipe_gets_a_hint(
 
 def test_inspect_says_that_a_file_does_not_exist_and_what_it_reads(nmatrix, tmp_path: Path) -> None:
     assert nmatrix("inspect nofile").err == (
-        "error: file (nofile): it does not exist; give a .gltf, .glb, .obj, .ply or .stl file\n"
+        "error: file (nofile): it does not exist; give a .gltf, .glb, .obj, .ply or .stl file, "
+        "a folder, or - for standard input\n"
     )
-    assert "it is a folder" in nmatrix(f"inspect {tmp_path}").err
+    empty = nmatrix(f"inspect {tmp_path}")
+    assert empty.code == 2
+    assert "it holds no .gltf, .glb, .obj, .ply or .stl file" in empty.err

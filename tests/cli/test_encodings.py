@@ -58,7 +58,7 @@ def said(monkeypatch):
 
 
 def bare(text: str) -> str:
-    """Drop the question marks that are meant: sentences that ask, and those of GLSL and formulas."""
+    """Drop the question marks that are meant: of sentences that ask, of GLSL and formulas."""
     return re.sub(r"(?<=[\w)”\"])\?|\? .* :", "", text)
 
 

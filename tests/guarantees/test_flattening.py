@@ -12,10 +12,10 @@ from random import Random
 import pytest
 
 import nmatrix as package
-from nmatrix.answers.inspect import inspect_file
+from nmatrix.answers.inspect.file import inspect_file
 from nmatrix.answers.normal import NormalRequest, normal
 from nmatrix.answers.world import world as world_answer
-from nmatrix.enums import Convention, Kind, NormalStatus, Space
+from nmatrix.enums import Convention, Flaw, Kind, NormalStatus, Space
 from nmatrix.linear.classify import Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rank_keeping import LONGEST, rounded_keeping_rank
@@ -106,9 +106,9 @@ def test_two_hundred_turned_children_of_flattened_nodes_are_singular(tmp_path: P
             {"rotation": quaternion(drawn), "translation": [1, 2, 3]},
         ]
         above, flat, part = inspect_file(gltf(tmp_path, nodes)).nodes
-        assert above.classification.mirrored
-        assert is_flat(flat.classification, 2)
-        assert is_flat(part.classification, 2)
+        assert Flaw.MIRRORED in above.flaws
+        assert is_flat(flat.maps.each[0], 2)
+        assert is_flat(part.maps.each[0], 2)
 
 
 @pytest.mark.parametrize("seed", range(16))

@@ -10,10 +10,14 @@ from math import inf, nextafter
 
 import mpmath
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from nmatrix.enums import Kind
 from nmatrix.linear.affine import rotation_from_quaternion
-from nmatrix.linear.classify import condition, worst_angle_deg
+from nmatrix.linear.classify import classify, condition, near_worst_angle_deg, worst_angle_deg
 from nmatrix.linear.exact import LinearMap
+from nmatrix.linear.rational import determinant
 
 DIGITS = 1500
 
@@ -53,6 +57,51 @@ def test_condition_and_worst_angle_are_right_to_1e_12(rows: list[list[float]]) -
         found = Fraction(condition(LinearMap.of(rows)))
         assert abs(exact(found) / kappa - 1) < 1e-25
         assert abs(exact(Fraction(worst_angle_deg(LinearMap.of(rows)))) / degrees - 1) < 3e-16
+
+
+entries = st.one_of(
+    st.floats(-4, 4), st.sampled_from([0.0, 1.0, -1.0, 1 + 1e-7, 1 - 1e-6, 1e-5, 1e3, 1e160])
+)
+maps = st.lists(st.lists(entries, min_size=3, max_size=3), min_size=3, max_size=3)
+diagonals = st.lists(entries, min_size=3, max_size=3).map(
+    lambda d: [[d[i] if i == j else 0.0 for j in range(3)] for i in range(3)]
+)
+tolerances = st.one_of(st.sampled_from([0.0, 1e-12, 1e-6, 0.5]), st.floats(0, 0.9))
+
+
+@given(st.one_of(maps, diagonals))
+@settings(max_examples=300, deadline=None)
+def test_the_fast_angle_is_right_to_a_millionth_of_a_degree(rows: list[list[float]]) -> None:
+    linear_map = LinearMap.of(rows)
+    right = worst_angle_deg(linear_map)
+    assert near_worst_angle_deg(linear_map) == pytest.approx(
+        90.0 if right is None else right, abs=1e-6
+    )
+
+
+def kind_by_definition(rows: list[list[float]], tau: Fraction) -> Kind:
+    """The contract's own words, in fractions: the squares of lengths and cosines of columns."""
+    columns = [[Fraction(rows[i][j]) for i in range(3)] for j in range(3)]
+    dots = [[sum(x * y for x, y in zip(p, q, strict=True)) for q in columns] for p in columns]
+    squares = [dots[i][i] for i in range(3)]
+    if determinant(columns) == 0:
+        return Kind.SINGULAR
+    if any(dots[i][j] ** 2 / squares[i] / squares[j] > tau**2 for i, j in ((0, 1), (0, 2), (1, 2))):
+        return Kind.SHEAR
+    if max(squares) / min(squares) > (1 + tau) ** 2:
+        return Kind.NON_UNIFORM_SCALE
+    if max(squares) > (1 + tau) ** 2 or 1 / min(squares) > (1 + tau) ** 2:
+        return Kind.SIMILARITY
+    still = all(abs(columns[j][i] - (i == j)) <= tau for i in range(3) for j in range(3))
+    return Kind.IDENTITY if still else Kind.ROTATION
+
+
+@given(st.one_of(maps, diagonals), tolerances)
+@settings(max_examples=300, deadline=None)
+def test_kinds_are_those_of_their_definition(rows: list[list[float]], tolerance: float) -> None:
+    found = classify(rows, tolerance)
+    assert found.kind is kind_by_definition(rows, Fraction(tolerance))
+    assert found.kind_exact == (found.kind is kind_by_definition(rows, Fraction(0)))
 
 
 @pytest.mark.parametrize("w", range(6, 150, 12))

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 
 from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
@@ -43,7 +45,29 @@ def bumpy_and_coloured() -> Scene:
     return single(TINY_SHEAR, material, shape=LoadedGeometry(painted))
 
 
+def leafy() -> Scene:
+    """A sphere that shines by itself, with holes where its image is clear."""
+    texels = np.full((4, 4, 4), (200, 120, 40, 255), np.uint8)
+    texels[::2, ::2, 3] = 0
+    file = BytesIO()
+    Image.fromarray(texels).save(file, "PNG")
+    leaf = Texture(EmbeddedImage("leaf", file.getvalue()))
+    material = Material(
+        "leaf",
+        texture=leaf,
+        emission=(0.1, 0.2, 0.0),
+        emission_texture=leaf,
+        has_alpha=True,
+        alpha_cutoff=0.5,
+    )
+    return single(material=material)
+
+
 SCENES = {
+    "leafy": leafy(),
+    "unlit": single(TINY_SHEAR, LAMBERT.without_light()),
+    "unlit, by everything": single(TINY_SHEAR, PHONG.without_light(), (SUN, BULB), gamma=True),
+    "glowing": single(TINY_SHEAR, replace(LAMBERT, emission=grey(0.4)), shape=FINE, samples=4),
     "matt": single(World(rotate_degrees=(20, 30, 0))),
     "scaled": single(World(scale=(1, 2, 1))),
     "almost rigid": single(TINY_SHEAR),

@@ -201,6 +201,8 @@ IN_VAIN = {
     "specular": (single(material=Material(specular=(1, 1, 1))), "highlight"),
     "outline": (single(material=replace(TOON, opacity=0.5)), "glass"),
     "normal_map": (single(material=Material(normal_map=CHECKER), shading=Shading.FLAT), "flat"),
+    "emission_texture": (single(material=Material(emission_texture=CHECKER)), "no light"),
+    "alpha_cutoff": (single(material=Material(alpha_cutoff=0.5)), "the same everywhere"),
 }
 
 
@@ -217,7 +219,8 @@ def test_a_setting_in_vain_is_a_remark_of_every_plan(setting: str) -> None:
 
 
 def test_every_field_of_a_material_is_always_read_or_belongs_to_an_effect() -> None:
-    always = {"name", "ambient", "diffuse", "reflection", "opacity", "sides"}
+    lit = {"ambient", "diffuse", "unlit", "emission"}
+    always = lit | {"name", "reflection", "opacity", "has_alpha", "sides"}
     owned = [one for recipe in RECIPES.values() for one in recipe.settings]
     assert sorted(owned) == sorted({one.name for one in fields(Material)} - always)
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from math import cos, floor, radians, sin
 from pathlib import Path
+from struct import pack
+from zlib import crc32
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.raster.shading import texture as texture_module
-from nmatrix.raster.shading.texture import from_srgb, read_image, sample
+from nmatrix.raster.shading.texture import from_srgb, sample, sample_alpha
+from nmatrix.scene.images import read_image
 from nmatrix.scene.material import EmbeddedImage, Texture
-from nmatrix.scene.words import Pattern, Wrap
+from nmatrix.scene.words import Filter, Pattern, Wrap
 
 LEVELS = np.random.default_rng(5).integers(0, 256, (3, 5, 3), np.uint8)  # rows, columns, channels
 UV = np.random.default_rng(6).uniform(-3, 3, (2, 400))
@@ -91,14 +93,56 @@ def test_levels_are_made_linear_before_they_are_mixed(image: Path) -> None:
     assert (found[:, 0] == from_srgb(LEVELS[-1, 0] / 255.0)).all()
 
 
-@pytest.mark.parametrize("most", [4, 10])
-def test_an_image_that_is_too_large_is_refused_in_one_line(
-    most: int, image: Path, monkeypatch: pytest.MonkeyPatch
+def header_of_png(width: int, height: int) -> bytes:
+    """The first bytes of a PNG that claims a size, and nothing of its pixels."""
+    header = b"IHDR" + pack(">2I5B", width, height, 8, 2, 0, 0, 0)
+    chunk = pack(">I", 13) + header + pack(">I", crc32(header))
+    end = pack(">I", 0) + b"IEND" + pack(">I", crc32(b"IEND"))
+    return b"\x89PNG\r\n\x1a\n" + chunk + pack(">I", 0) + b"IDAT" + pack(">I", crc32(b"IDAT")) + end
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("sides", [(8193, 8192), (30000, 30000), (2_000_000_000, 2)])
+def test_an_image_that_is_too_large_is_refused_by_its_header(sides: tuple[int, int]) -> None:
+    """Whether our own limit would meet it first, or that of the library that reads it."""
+    bomb = EmbeddedImage("bomb", header_of_png(*sides))
+    with pytest.raises(IllegalValueError) as caught:
+        read_image(bomb)
+    size = " × ".join(map(str, sides))
+    more = "more than 8192 × 8192 are not read"
+    assert str(caught.value) == f"bomb: it has {size} pixels, {more}; save it smaller"
+    assert Image.MAX_IMAGE_PIXELS, "the library's own limit stays as it was"
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (b"\xabKTX 20\xbb\r\n\x1a\n" + bytes(80), "it is KTX2, which is not read"),
+        (b"DDS " + bytes(124), "it is DDS, which is not read"),
+        (b"no image at all", "it is no image"),
+        (b"", "it is no image"),
+        (header_of_png(4, 4), "its pixels are damaged or cut short"),
+    ],
+)
+def test_what_cannot_be_read_says_why_in_one_line(content: bytes, why: str) -> None:
+    with pytest.raises(IllegalValueError, match=f"^a: {why}; [^\n]+$"):
+        read_image(EmbeddedImage("a", content))
+
+
+def test_the_nearest_texel_is_read_where_a_sampler_asks_for_it(image: Path) -> None:
+    found = sample(Texture(image, filter=Filter.NEAREST), UV, linear=False)
+    rows = LEVELS[::-1] / 255
+    for (u, v), colour in zip(UV.T, found.T, strict=True):
+        assert (colour == rows[floor(v * 3) % 3, floor(u * 5) % 5]).all()
+
+
+def test_an_image_without_alpha_is_opaque_and_one_with_it_is_as_it_says(
+    image: Path, tmp_path: Path
 ) -> None:
-    """Whether our own limit meets it first or that of the library that reads it."""
-    monkeypatch.setattr(texture_module, "MOST_PIXELS", most)
-    monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 14 - most)
-    content = EmbeddedImage(f"too large {most}", image.read_bytes())
-    with pytest.raises(IllegalValueError, match=f"{most} pixels at the most; save it") as caught:
-        read_image(content)
-    assert "\n" not in str(caught.value)
+    clear = np.random.default_rng(7).integers(0, 256, (3, 5, 4), np.uint8)
+    Image.fromarray(clear).save(tmp_path / "clear.png")
+    middles = np.stack(np.meshgrid((np.arange(5) + 0.5) / 5, (np.arange(3) + 0.5) / 3))
+    uv = middles.reshape(2, -1)
+    assert (sample_alpha(Texture(image), uv) == 1.0).all()
+    found = sample_alpha(Texture(tmp_path / "clear.png"), uv)
+    assert np.abs(found * 255 - clear[::-1, :, 3].ravel()).max() < 1e-9

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -35,7 +36,11 @@ def drawable(projected: Projected, opacity: float = 1.0) -> Drawable:
     """Return triangles with a colour at each corner that is the corner's own."""
     colours = np.random.default_rng(len(projected.x)).uniform(0, 1, (3, len(projected.x)))
     read = VertexOutputs(points={"colour": colours})
-    return Drawable(projected, read, lambda found: found["colour"], opacity)
+    return Drawable(projected, read, lambda found: found["colour"], letting_through(opacity))
+
+
+def letting_through(opacity: float) -> Callable[[Fragments], np.ndarray] | None:
+    return None if opacity == 1.0 else lambda found: np.full(len(found), opacity)
 
 
 def drawn(*drawables: Drawable, canvas: Canvas = CANVAS, depth: str = "full") -> Picture:
@@ -184,7 +189,9 @@ def test_tiles_stripes_and_chunks_change_nothing(
     assert (whole.fragments, whole.shaded) == (cut.fragments, cut.shaded)
 
 
-def blended(parts: list[Drawable], background: np.ndarray) -> np.ndarray:
+def blended(
+    parts: list[Drawable], opacities: tuple[float, ...], background: np.ndarray
+) -> np.ndarray:
     """Return the colour of each sample, sorted one sample at a time; colours are flat."""
     depths = [exact_depths(one.projected) for one in parts]
     image = np.empty((SIZE, SIZE, 3))
@@ -195,7 +202,7 @@ def blended(parts: list[Drawable], background: np.ndarray) -> np.ndarray:
             colour = background
             for _, i in sorted(layers, reverse=True):
                 own = np.array(COLOURS[i])
-                colour = parts[i].opacity * own + (1 - parts[i].opacity) * colour
+                colour = opacities[i] * own + (1 - opacities[i]) * colour
             image[row, column] = colour
     return image
 
@@ -207,7 +214,7 @@ def flat(i: int, projected: Projected, opacity: float) -> Drawable:
     def colours(found: Fragments) -> np.ndarray:
         return np.repeat(np.array(COLOURS[i])[:, None], len(found), axis=1)
 
-    return Drawable(projected, VertexOutputs(), colours, opacity)
+    return Drawable(projected, VertexOutputs(), colours, letting_through(opacity))
 
 
 def pane(left: float, right: float) -> Projected:
@@ -226,14 +233,17 @@ def test_crossing_panes_are_sorted_at_every_sample(opaque: float, looks: int) ->
         flat(2, pane(opaque, opaque), 1.0),
     ]
     found = drawn(*parts)
-    assert np.abs(found.image - blended(parts, np.array([0.1, 0.2, 0.3]))).max() < 1e-15
+    assert (
+        np.abs(found.image - blended(parts, (0.3, 0.6, 1.0), np.array([0.1, 0.2, 0.3]))).max()
+        < 1e-15
+    )
     assert (drawn(*parts[::-1]).image == found.image).all()
     assert len(np.unique(found.image.reshape(-1, 3), axis=0)) == looks
 
 
 def test_many_layers_of_glass_are_sorted_at_every_sample() -> None:
     parts = [flat(0, off_samples(12, 14), 0.3), flat(1, off_samples(12, 15), 0.5)]
-    expected = blended(parts, np.array([0.1, 0.2, 0.3]))
+    expected = blended(parts, (0.3, 0.5), np.array([0.1, 0.2, 0.3]))
     assert np.abs(drawn(*parts).image - expected).max() < 1e-14
 
 

@@ -13,11 +13,11 @@ import pytest
 from PIL import Image
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf.accessors import primitive_mesh
 from nmatrix.scene.gltf.file import read_gltf
+from nmatrix.scene.gltf.meshes import primitive_mesh
 from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.material import EmbeddedImage, Texture
-from nmatrix.scene.words import Wrap
+from nmatrix.scene.words import Filter, Wrap
 
 TRIANGLE = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 JSON_CHUNK, BINARY_CHUNK = b"JSON", b"BIN\0"
@@ -156,7 +156,7 @@ def test_an_image_lies_in_the_container_in_the_text_or_beside(tmp_path: Path, wh
     chunk = json_chunk(**textured(image, bufferViews=views))
     whole = container(chunk, (BINARY_CHUNK, TRIANGLE + content + b"after"))
     found = gltf_scene(saved(tmp_path, "a.glb", whole)).objects[0].material.texture
-    assert found == Texture(found.image)
+    assert found == Texture(found.image, is_optional=True)
     texture = found.image
     if where == "beside":
         assert texture == tmp_path / "a b.png"
@@ -177,11 +177,25 @@ def test_an_image_lies_in_the_container_in_the_text_or_beside(tmp_path: Path, wh
             "an image reaches beyond its buffer",
         ),
         (textured({"uri": "data:image/png;base64,!"}), "an image is embedded and is not base64"),
+    ],
+)
+def test_an_image_that_is_damaged_costs_only_itself(
+    tmp_path: Path, changes: dict[str, object], words: str
+) -> None:
+    whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
+    scene = gltf_scene(saved(tmp_path, "a.glb", whole))
+    assert f"An image is not drawn: image 0: {words}." in scene.remarks
+    assert scene.objects[0].material.texture is None
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
         (textured({}, images=[]), "image 0 does not exist"),
         (textured({}, textures=[]), "texture 0 does not exist"),
     ],
 )
-def test_an_image_that_is_damaged_is_refused(
+def test_an_image_that_is_not_named_is_refused(
     tmp_path: Path, changes: dict[str, object], words: str
 ) -> None:
     whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
@@ -210,12 +224,18 @@ def test_an_image_that_is_missing_is_a_remark(tmp_path: Path, uri: str, named: s
 @pytest.mark.parametrize(
     ("material", "left_out"),
     [
-        ({"occlusionTexture": {"index": 0}}, "metallic and roughness, occlusion"),
-        ({"emissiveTexture": {"index": 0}}, "emission, metallic and roughness"),
-        ({"alphaMode": "MASK"}, "alpha cut-outs, metallic and roughness"),
+        ({"occlusionTexture": {"index": 0}}, "metallic and roughness (1), occlusion (1)"),
+        ({"pbrMetallicRoughness": {"metallicFactor": 0}, "alphaMode": "ADD"}, "alpha mode ADD (1)"),
         (
-            {"normalTexture": {"index": 0, "texCoord": 1}},
-            "metallic and roughness, textures by a second set of coordinates",
+            {
+                "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                "normalTexture": {"index": 0, "texCoord": 1},
+            },
+            "metallic and roughness (1), textures by another set of coordinates (1)",
+        ),
+        (
+            {"extensions": {"KHR_materials_pbrSpecularGlossiness": {}}},
+            "specular and glossiness (1)",
         ),
     ],
 )
@@ -225,7 +245,7 @@ def test_what_is_not_drawn_of_a_material_is_a_remark(
     changes = textured({"uri": data_uri(picture(0))}, materials=[material])
     whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
     scene = gltf_scene(saved(tmp_path, "a.glb", whole))
-    assert f"Not drawn of the materials: {left_out}." in scene.remarks
+    assert f"Not drawn of the materials (and of how many): {left_out}." in scene.remarks
     assert scene.objects[0].material.normal_map is None
 
 
@@ -245,7 +265,7 @@ def test_samplers_and_the_transform_of_a_texture_are_read(tmp_path: Path) -> Non
     found = scene.objects[0].material.texture
     assert found.wrap == (Wrap.CLAMP, Wrap.MIRROR)
     assert not any("Extensions" in one for one in scene.remarks)
-    assert any("filters that take the nearest texel" in one for one in scene.remarks)
+    assert found.filter is Filter.NEAREST
     c, s = np.cos(0.7), np.sin(0.7)
     for u, v in [(0, 0), (0.2, 0.9), (-1, 3)]:
         across, down = 2 * u, -1.5 * v
@@ -259,8 +279,8 @@ def test_a_transform_may_name_other_coordinates(tmp_path: Path) -> None:
     changes = textured({"uri": data_uri(picture(0))}, materials=[{"normalTexture": reference}])
     whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
     scene = gltf_scene(saved(tmp_path, "a.glb", whole))
-    assert scene.objects[0].material.normal_map is None
-    assert any("second set of coordinates" in one for one in scene.remarks)
+    assert scene.objects[0].material.normal_map is not None
+    assert scene.objects[0].geometry.plain.coordinates == 1
 
 
 def test_a_texture_without_an_image_is_none(tmp_path: Path) -> None:

@@ -10,14 +10,16 @@ from struct import pack
 import numpy as np
 import pytest
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.scene.gltf.accessors import mesh_parts, primitive_mesh
+from nmatrix.scene.geometry import DamagedPartError
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
+from nmatrix.scene.gltf.meshes import mesh_normals, primitive_mesh
 from nmatrix.scene.gltf.records import FAN, STRIP
+from nmatrix.scene.words import NormalsFrom
 
 BYTE, SHORT, UNSIGNED_SHORT, FLOAT = 5120, 5122, 5123, 5126
 # Five points on the edge of a convex shape, counter-clockwise.
 POINTS = [(0, 0, 0), (2, 0, 0), (3, 1, 0), (2, 2, 0), (0, 2, 0)]
+UP = [(0, 0, 1)] * 5
 
 
 def written(
@@ -75,15 +77,19 @@ def turned_like(normal: tuple[float, float, float], corners: np.ndarray) -> bool
 def test_a_strip_shares_edges_and_turns_every_triangle_the_same_way(tmp_path: Path) -> None:
     """Corners go zigzag, so that as they stand every second triangle would be turned around."""
     zigzag = [POINTS[i] for i in (0, 1, 4, 2, 3)]
-    file = written(tmp_path, {"POSITION": floats(zigzag)}, mode=STRIP)
+    file = written(tmp_path, {"POSITION": floats(zigzag), "NORMAL": floats(UP)}, mode=STRIP)
     mesh = primitive_mesh(file, 0, 0)
     assert [set(one) for one in mesh.triangles.tolist()] == [{0, 1, 2}, {1, 2, 3}, {2, 3, 4}]
     assert all(turned_like((0, 0, 1), mesh.positions[one]) for one in mesh.triangles)
 
 
 def test_a_fan_shares_its_first_corner(tmp_path: Path) -> None:
-    order = shorts([4, 0, 1, 2, 3])
-    file = written(tmp_path, {"POSITION": floats(POINTS), "i": order}, mode=FAN, indices="i")
+    stored = {
+        "POSITION": floats(POINTS),
+        "NORMAL": floats(UP),
+        "i": shorts([4, 0, 1, 2, 3]),
+    }
+    file = written(tmp_path, stored, mode=FAN, indices="i")
     mesh = primitive_mesh(file, 0, 0)
     assert mesh.triangles.tolist() == [[4, 0, 1], [4, 1, 2], [4, 2, 3]]
     assert all(turned_like((0, 0, 1), mesh.positions[one]) for one in mesh.triangles)
@@ -99,17 +105,9 @@ def test_a_list_leaves_corners_beyond_its_last_triangle_out(tmp_path: Path) -> N
 def test_fewer_than_three_corners_are_no_triangle(tmp_path: Path, mode: int, count: int) -> None:
     stored = {"POSITION": floats(POINTS), "i": shorts([0] * count)}
     file = written(tmp_path, stored, mode=mode, indices="i")
-    assert mesh_parts(file, 0) == []
-    with pytest.raises(IllegalValueError, match="primitive 0 of mesh 0 has no triangles"):
+    assert mesh_normals(file, 0).origin is NormalsFrom.NONE
+    with pytest.raises(DamagedPartError, match=r"\(mesh 0, primitive 0\): it has no triangles"):
         primitive_mesh(file, 0, 0)
-
-
-def test_a_whole_mesh_is_read_primitive_by_primitive_without_lines(tmp_path: Path) -> None:
-    triangle = {"attributes": {"POSITION": 0}}
-    primitives = [triangle, {**triangle, "mode": 1}, {"attributes": {}}, {**triangle, "mode": 6}]
-    file = written(tmp_path, {"POSITION": floats(POINTS)}, meshes=[{"primitives": primitives}, {}])
-    assert [len(part.triangles) for part in mesh_parts(file, 0)] == [1, 3]
-    assert mesh_parts(file, 1) == []
 
 
 @pytest.mark.parametrize(
@@ -189,66 +187,137 @@ def test_a_buffer_is_read_once_for_all_accessors(
 
 
 GOOD = {"bufferView": 0, "componentType": FLOAT, "count": 3, "type": "VEC3"}
+SPARSE = {
+    "count": 1,
+    "indices": {"bufferView": 0, "componentType": 5121},
+    "values": {"bufferView": 0},
+}
+
+
+def sparse(**changes: object) -> dict[str, object]:
+    return {"accessors": [{**GOOD, "sparse": {**SPARSE, **changes}}]}
+
+
+def view(**changes: object) -> dict[str, object]:
+    return {"bufferViews": [{"buffer": 0, "byteLength": 36, **changes}]}
 
 
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
         ({"accessors": []}, "accessor 0 does not exist"),
-        ({"accessors": [{**GOOD, "componentType": 5124}]}, "accessor 0 has an unknown type or"),
-        ({"accessors": [{**GOOD, "type": "MAT9"}]}, "accessor 0 has an unknown type or size"),
-        ({"accessors": [{**GOOD, "count": -1}]}, "accessor 0 has an unknown type or size"),
-        ({"accessors": [{**GOOD, "count": 1 << 40}]}, "accessor 0 has an unknown type or size"),
-        ({"accessors": [{**GOOD, "sparse": {"count": 1}}]}, "accessor 0 is sparse"),
-        ({"accessors": [{**GOOD, "type": "VEC2"}]}, "accessor 0 has 2 components and needs 3"),
-        ({"accessors": [{**GOOD, "bufferView": 7}]}, "buffer view 7 does not exist"),
-        ({"accessors": [{**GOOD, "count": 4}]}, "an accessor reaches beyond its buffer"),
-        ({"accessors": [{**GOOD, "byteOffset": -4}]}, "an accessor reaches beyond its buffer"),
         (
-            {"bufferViews": [{"buffer": 0, "byteLength": 36, "byteStride": 8}]},
-            "an accessor reaches beyond its buffer",
+            {"accessors": [{**GOOD, "componentType": 5124}]},
+            "accessor 0 has the component type 5124, and it has to be of 5120, 5121, 5122,",
         ),
-        ({"bufferViews": [{"buffer": 2, "byteLength": 36}]}, "buffer 2 does not exist"),
+        (
+            {"accessors": [{**GOOD, "type": "MAT9"}]},
+            "POSITION (accessor 0) is of type MAT9 and has to be VEC3",
+        ),
+        ({"accessors": [{**GOOD, "type": "VEC2"}]}, "is of type VEC2 and has to be VEC3"),
+        ({"accessors": [{**GOOD, "count": -1}]}, "accessor 0 has the count -1"),
+        (
+            {"accessors": [{**GOOD, "count": 1 << 40}]},
+            "accessor 0 ends at byte 13194139533312 of buffer view 0, which has 36",
+        ),
+        (
+            {"accessors": [{**GOOD, "bufferView": None, "count": 1 << 30}]},
+            "accessor 0 claims 1073741824 elements without bytes, and of zeros 4194304 at most",
+        ),
+        ({"accessors": [{**GOOD, "bufferView": 7}]}, "buffer view 7 does not exist"),
+        ({"accessors": [{**GOOD, "bufferView": -1}]}, "buffer view -1 does not exist"),
+        (
+            {"accessors": [{**GOOD, "count": 4}]},
+            "accessor 0 ends at byte 48 of buffer view 0, which has 36",
+        ),
+        (
+            {"accessors": [{**GOOD, "byteOffset": -4}]},
+            "accessor 0 begins at byte -4 of buffer view 0",
+        ),
+        (
+            view(byteStride=8),
+            "buffer view 0 has the stride 8, and an element of accessor 0 has 12 bytes",
+        ),
+        (view(byteStride=-12), "buffer view 0 has the stride -12"),
+        (view(byteOffset=-4), "buffer view 0 has a negative offset or length"),
+        (view(byteLength=40), "buffer view 0 ends at byte 40, and buffer 0 has 36"),
+        (view(buffer=2), "buffer 2 does not exist"),
+        (sparse(count=4), "accessor 0 is sparse and changes more than its 3 elements"),
+        (
+            sparse(indices={"bufferView": 0, "componentType": 5126}),
+            "accessor 0, in its sparse indices, has the component type 5126",
+        ),
+        (
+            sparse(indices={"bufferView": 0, "componentType": 5121, "byteOffset": 15}),
+            "accessor 0 changes its element 64 and has 3",
+        ),
+        (view(byteLength=10**300), "buffer view 0 ends at byte about 10^300, and buffer 0"),
+        (
+            sparse(values={"bufferView": 0, "byteOffset": 28}),
+            "accessor 0, in its sparse values, ends at byte 40 of buffer view 0",
+        ),
         ({"buffers": [{"byteLength": 99, "uri": "data:,AAAA"}]}, "3 bytes and needs 99; copy"),
         (
             {"buffers": [{"byteLength": 3, "uri": "data:,A?A"}]},
             "buffer 0 is embedded and is not base64",
         ),
-        ({"buffers": [{"byteLength": 3, "uri": "none.bin"}]}, "(buffer 0, none.bin): no such file"),
-        ({"buffers": [{"byteLength": 36}]}, "it has 0 bytes and needs 36"),
+        ({"buffers": [{"byteLength": 3, "uri": "none.bin"}]}, "buffer 0, none.bin: no such file"),
+        ({"buffers": [{"byteLength": 36}]}, "buffer 0: it has 0 bytes and needs 36"),
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_every_damage_of_the_numbers_has_one_line(
+def test_every_damage_of_the_numbers_costs_its_primitive_and_has_one_line(
     tmp_path: Path, changes: dict[str, object], words: str
 ) -> None:
     file = written(tmp_path, {"POSITION": floats(POINTS[:3])}, **changes)
-    for read in (lambda: primitive_mesh(file, 0, 0), lambda: mesh_parts(file, 0)):
-        with pytest.raises(IllegalValueError) as caught:
-            read()
-        message = str(caught.value)
-        assert words in message
-        assert message.startswith(str(tmp_path))
-        assert "\n" not in message
+    with pytest.raises(DamagedPartError) as caught:
+        primitive_mesh(file, 0, 0)
+    message = str(caught.value)
+    assert words in message
+    assert message.startswith(f"{tmp_path / 'made.gltf'} (mesh 0, primitive 0): ")
+    assert "\n" not in message
+    found = mesh_normals(file, 0)
+    assert (found.origin, found.degenerate) == (NormalsFrom.NONE, 0)
+    assert str(found.faults[0]) == message
 
 
 @pytest.mark.parametrize(
     ("stored", "words"),
     [
-        ({"POSITION": floats([(0, 0, 0), (1, float("nan"), 0), (0, 1, 0)])}, "row 1 of accessor 0"),
-        ({"POSITION": floats(POINTS), "NORMAL": floats(POINTS[:3])}, "5 positions and 3 normals"),
-        ({"POSITION": floats(POINTS), "TEXCOORD_0": floats([(0, 0)])}, "1 attributes stand beside"),
-        ({"POSITION": floats(POINTS), "TEXCOORD_0": floats(POINTS)}, "TEXCOORD_0 has 3 compo"),
+        (
+            {"POSITION": floats([(0, 0, 0), (1, float("nan"), 0), (0, 1, 0)])},
+            r"element 1 of accessor 0 \(1 nan 0\) is not finite",
+        ),
+        (
+            {"POSITION": floats(POINTS), "NORMAL": floats(UP[:3])},
+            "NORMAL has 3 elements for 5 vertices",
+        ),
+        (
+            {"POSITION": floats(POINTS), "TEXCOORD_0": floats([(0, 0)])},
+            "TEXCOORD_0 has 1 elements for 5 vertices",
+        ),
+        (
+            {"POSITION": floats(POINTS), "TEXCOORD_0": floats(POINTS)},
+            r"TEXCOORD_0 \(accessor 1\) is of type VEC3 and has to be VEC2",
+        ),
     ],
 )
 def test_attributes_that_do_not_fit_are_refused(
     tmp_path: Path, stored: dict[str, tuple[bytes, dict[str, object]]], words: str
 ) -> None:
-    with pytest.raises(IllegalValueError, match=words):
+    with pytest.raises(DamagedPartError, match=words):
         primitive_mesh(written(tmp_path, stored), 0, 0)
 
 
 def test_an_index_beyond_the_vertices_is_refused(tmp_path: Path) -> None:
     stored = {"POSITION": floats(POINTS[:3]), "i": shorts([0, 1, 3])}
-    with pytest.raises(IllegalValueError, match="index 3 is beyond 3 vertices"):
+    with pytest.raises(DamagedPartError, match="its index 3 is beyond 3 vertices"):
         primitive_mesh(written(tmp_path, stored, indices="i"), 0, 0)
+
+
+@pytest.mark.parametrize("component", [BYTE, SHORT, FLOAT])
+def test_indices_are_unsigned_integers(tmp_path: Path, component: int) -> None:
+    indices = (bytes(12), {"componentType": component, "count": 3, "type": "SCALAR"})
+    file = written(tmp_path, {"POSITION": floats(POINTS), "i": indices}, indices="i")
+    with pytest.raises(DamagedPartError, match=r"its indices .* have to be of uint8, uint16 or"):
+        primitive_mesh(file, 0, 0)

@@ -19,7 +19,6 @@ from nmatrix.raster.planning.plan import planned
 from nmatrix.raster.render import render
 from nmatrix.scene.camera import View
 from nmatrix.scene.chosen import setup_of
-from nmatrix.scene.geometry import FileGeometry
 from nmatrix.scene.gltf.scene import gltf_scene
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.material import Texture
@@ -94,7 +93,7 @@ def test_every_odd_file_is_a_scene_or_is_refused_in_one_line(data: Path) -> None
     assert refused >= 4
 
 
-def test_objects_stand_where_three_js_puts_their_nodes(data: Path) -> None:
+def test_nodes_stand_where_three_js_puts_them(data: Path) -> None:
     compared = 0
     scenes: dict[str, dict[str, object]] = {}
     for record in json.loads((data / "golden_gltf_nodes.json").read_text()):
@@ -102,8 +101,9 @@ def test_objects_stand_where_three_js_puts_their_nodes(data: Path) -> None:
         if not args["name"] or args["mesh"] is None:
             continue
         if name not in scenes:
-            found = gltf_scene(data / "gltf" / name).objects
-            scenes[name] = {one.name: one.world_from_object for one in found}
+            found = gltf_scene(data / "gltf" / name)
+            worlds = (one.world_from_object for one in found.nodes)
+            scenes[name] = dict(zip(found.hierarchy.addresses, worlds, strict=True))
         if args["name"] in scenes[name]:
             ours = np.array(to_floats(scenes[name][args["name"]]))  # type: ignore[arg-type]
             theirs = np.array(record["result"]["W"])
@@ -209,11 +209,14 @@ def test_materials(tmp_path: Path) -> None:
     )
     found = scene.objects[0].material
     assert (found.name, found.opacity, found.sides) == ("glass", 0.25, Sides.BOTH)
-    assert found.diffuse == (1, 0.5, 0)
-    assert found.ambient == (0.15, 0.075, 0)
-    assert (found.texture, found.normal_map) == (Texture(tmp_path / "a b.png"), None)
+    sent_back = [sum(parts) for parts in zip(found.ambient, found.diffuse, strict=True)]
+    assert sent_back == pytest.approx([1, 0.5, 0], abs=1e-15)
+    assert found.emission == (1, 0, 0)
+    image = Texture(tmp_path / "a b.png", is_optional=True)
+    assert (found.texture, found.normal_map) == (image, None)
     assert "Images are missing: none.png." in scene.remarks
-    assert "Not drawn of the materials: emission, metallic and roughness." in scene.remarks
+    lacking = "Not drawn of the materials (and of how many): metallic and roughness (1)."
+    assert lacking in scene.remarks
 
 
 def test_colours_coordinates_and_tangents_of_vertices(tmp_path: Path) -> None:
@@ -230,6 +233,7 @@ def test_colours_coordinates_and_tangents_of_vertices(tmp_path: Path) -> None:
                     {
                         "attributes": {
                             "POSITION": 0,
+                            "NORMAL": 0,
                             "COLOR_0": 1,
                             "TEXCOORD_0": 2,
                             "TANGENT": 3,
@@ -266,7 +270,7 @@ def test_colours_coordinates_and_tangents_of_vertices(tmp_path: Path) -> None:
     assert mesh.colours is not None
     assert mesh.uv is not None
     assert mesh.tangents is not None
-    assert mesh.colours.tolist() == [[1, 0, 0], [0, 128 / 255, 0], [0, 0, 1]]
+    assert mesh.colours.tolist() == [[1, 0, 0, 1], [0, 128 / 255, 0, 1], [0, 0, 1, 1]]
     assert mesh.uv.tolist() == [[0, 1], [1, 1], [0, 0]]  # v upwards
     assert mesh.tangents[:, 3].tolist() == [-1, -1, -1]
     assert scene.objects[0].material.vertex_colours
@@ -291,7 +295,7 @@ def test_each_primitive_is_an_object_and_instances_share_it(tmp_path: Path) -> N
     )
     assert [one.name for one in scene.objects] == ["a", "a 2", "a/a", "a/a 2"]
     assert scene.objects[0].geometry is scene.objects[2].geometry
-    assert "Points and lines are not drawn: 1." in scene.remarks
+    assert "Primitives that are not drawn: 1 of lines." in scene.remarks
     assert "Nodes outside of the scene are not drawn: 1." in scene.remarks
 
 
@@ -377,7 +381,8 @@ def test_a_mesh_is_one_object_that_stands_still(tmp_path: Path) -> None:
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     scene = scene_of(path)
     (one,) = scene.objects
-    assert (one.name, one.geometry, one.world_from_object) == ("a", FileGeometry(path), identity(4))
+    assert (one.name, one.world_from_object) == ("a", identity(4))
+    assert one.geometry.mesh().triangles.tolist() == [[0, 1, 2]]
     assert not scene.has_camera
     for wrong in ("b.obj", "b.txt", "b.toml", "b.glb"):
         with pytest.raises(IllegalValueError):

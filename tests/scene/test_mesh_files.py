@@ -88,15 +88,28 @@ def test_a_part_without_normals_gets_area_weighted_ones(tmp_path: Path) -> None:
     "text",
     [
         SQUARE + "f 1 2 3\n",
-        SQUARE + NORMALS + "f 1//1 2//1 3//9\n",  # there is no ninth
+        SQUARE + NORMALS + "f 1//9 2//0 3//-9\n",  # there is no ninth
         SQUARE + "vn nan 0 0\nf 1//1 2//1 3//1\n",
-        SQUARE + NORMALS + "f 1//1 2//1 3//1\nf 1 3 4\n",
     ],
-    ids=["none", "beyond the last", "not finite", "not on every face"],
+    ids=["none", "beyond the last", "not finite"],
 )
 def test_normals_that_are_not_all_there_are_made(tmp_path: Path, text: str) -> None:
     mesh = mesh_of(tmp_path, "a.obj", text)
     assert at_corners(mesh, mesh.normals) == [BACK] * 3 * len(mesh.triangles)
+    assert mesh.remarks[-1:] == MADE
+
+
+def test_a_normal_that_is_not_there_is_told_with_its_line(tmp_path: Path) -> None:
+    mesh = mesh_of(tmp_path, "a.obj", SQUARE + NORMALS + "f 1//1 2//1 3//9\n")
+    told = "a.obj, line 7 is the first to name a normal that is not there: 1 corner goes without."
+    assert told in mesh.remarks
+    assert at_corners(mesh, mesh.normals) == [UP, UP, BACK]
+
+
+def test_a_face_without_normals_beside_one_with_them_gets_its_own(tmp_path: Path) -> None:
+    faces = "f 1//1 2//1 3//1\nf 1 3 4\n"
+    mesh = mesh_of(tmp_path, "a.obj", SQUARE + NORMALS + faces)
+    assert at_corners(mesh, mesh.normals) == [UP] * 3 + [BACK] * 3
     assert mesh.remarks == MADE
 
 
@@ -149,12 +162,14 @@ def test_a_ply_with_coordinates_of_faces_keeps_its_normals(tmp_path: Path) -> No
     assert at_corners(mesh, mesh.positions)[3:] == [[0, 1, 0], [1, 0, 0], [1, 1, 0]]
 
 
-def test_colours_of_faces_do_not_stop_a_ply(tmp_path: Path) -> None:
+def test_colours_of_faces_are_drawn_on_their_corners(tmp_path: Path) -> None:
     channels = "".join(f"property uchar {one}\n" for one in ("red", "green", "blue"))
     rows = "".join(" ".join(map(str, row)) + "\n" for row in ROWS)
-    mesh = mesh_of(tmp_path, "a.ply", header(PLACES, LIST + channels) + rows + "3 0 1 2 255 0 0\n")
-    assert mesh.colours is None
-    assert at_corners(mesh, mesh.normals) == [UP, RIGHT, UP]
+    faces = "3 0 1 2 255 0 0\n3 2 1 0 0 51 0\n"
+    text = header(PLACES, LIST + channels, faces=2) + rows + faces
+    mesh = mesh_of(tmp_path, "a.ply", text)
+    assert at_corners(mesh, mesh.colours) == [[1, 0, 0]] * 3 + [[0, 0.2, 0]] * 3
+    assert at_corners(mesh, mesh.normals) == [UP, RIGHT, UP] * 2
 
 
 def test_colours_of_the_vertices_of_a_ply_are_parts_of_255(tmp_path: Path) -> None:
@@ -211,12 +226,22 @@ def test_a_mesh_has_a_normal_for_each_position_and_no_index_beyond() -> None:
     [
         ("a.obj", b"", "it is empty"),
         ("a.obj", b" \n", "it is empty"),
-        ("a.obj", b"v 0 0 0\nv 1 0 0\n", "it holds no triangles"),
-        ("a.obj", SQUARE.encode() + b"f 1 2 9\n", "it cannot be read"),
-        ("a.obj", b"v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "it is not a finite number"),
-        ("a.ply", b"no ply at all", "it cannot be read"),
-        ("a.ply", header(PLACES, LIST, faces=0).encode() + b"0 0 0 0 0 1\n" * 3, "no triangles"),
-        ("a.stl", b"solid\nendsolid\n", "it"),
+        ("a.obj", b"v 0 0 0\nv 1 0 0\n", "it holds 2 points and no faces"),
+        ("a.obj", b"# nothing\n", "it holds no triangles"),
+        ("a.obj", SQUARE.encode() + b"f 1 2 9\n", "line 5 (9): the file has 4 lines v"),
+        ("a.obj", SQUARE.encode() + b"f 1 2 0\n", "line 5 (0): indices of v count from 1"),
+        ("a.obj", SQUARE.encode() + b"f 1 2 -5\n", "line 5 (-5): only 4 lines v stand before"),
+        ("a.obj", SQUARE.encode() + b"f 1 2 3/\\\n x\n", "line 5 (x): x stands where a whole"),
+        ("a.obj", SQUARE.encode() + b"f 1 2 3/1/1/1\n", "line 5 (3/1/1/1): a corner has three"),
+        ("a.obj", SQUARE.encode() + b"f 1 2 /1\n", "line 5 (/1): indices of v count from 1"),
+        ("a.obj", b"v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1 (nan): a coordinate is a"),
+        ("a.obj", b"\nv 1 0\nf 1 1 1\n", "line 2 (1 0): a vertex has 3 numbers and this one 2"),
+        ("a.obj", b"v 1 0 1,5\n", "line 1 (1,5): 1,5 stands where a number is meant"),
+        ("a.ply", b"no ply at all", "a PLY file begins with the line ply"),
+        ("a.ply", header(PLACES, LIST, faces=0).encode() + b"0 0 0 0 0 1\n" * 3, "3 points and"),
+        ("a.stl", b"solid\nendsolid\n", "it holds no triangles"),
+        ("a.stl", b"\0" * 84, "it holds no triangles"),
+        ("a.stl", b"\0" * 83, "it has 83 bytes"),
         ("a.txt", b"v 0 0 0", "meshes are .obj, .ply or .stl"),
     ],
 )
@@ -232,5 +257,5 @@ def test_what_is_no_mesh_is_refused_in_one_line(
 
 
 def test_a_mesh_file_that_is_missing_is_named(tmp_path: Path) -> None:
-    with pytest.raises(IllegalValueError, match=r"none\.obj: No such file"):
+    with pytest.raises(IllegalValueError, match=r"none\.obj: no such file"):
         read_mesh(tmp_path / "none.obj")

@@ -29,7 +29,7 @@ from nmatrix.raster.planning.seen_body import SeenBody
 from nmatrix.raster.planning.shading_rate import sample_shading
 from nmatrix.raster.shading.space import column
 from nmatrix.scene.light import PlacedLight
-from nmatrix.scene.material import Texture
+from nmatrix.scene.material import BLACK, Texture
 from nmatrix.scene.words import LightKind, Pattern, Sides
 from nmatrix.shaders import glsl
 
@@ -45,6 +45,13 @@ BANDS = replace(
     jumps=True,
     because="bands have edges that lengths would move",
 )
+
+
+def unlit(facts: Facts) -> Decision:
+    """Decide on a colour that is shown as it is."""
+    if facts.material.unlit is None:
+        return not_asked("the material shows what light makes of it")
+    return called_for("the material is unlit")
 
 
 def ambient(facts: Facts) -> Decision:
@@ -107,7 +114,9 @@ def outline(facts: Facts) -> Decision:
     """Decide on the black hull around a body."""
     if not facts.material.outline:
         return not_asked("the material has no outline")
-    if facts.material.opacity < 1.0:
+    if facts.material.alpha_cutoff is not None:
+        return impossible("the hull of an outline would show through holes")
+    if facts.material.is_clear:
         return impossible("the hull of an outline would show through glass")
     if facts.body.linear_map.rank < 3:
         return impossible("a flattened body has no hull")
@@ -191,12 +200,38 @@ def vertex_colours(facts: Facts) -> Decision:
     return called_for("the mesh has colours")
 
 
+def emission(facts: Facts) -> Decision:
+    """Decide on light of the surface's own."""
+    if not any(facts.material.emission):
+        return not_asked("the material sends out no light of its own")
+    return called_for("the material sends out light of its own")
+
+
+def glow(facts: Facts) -> Influence:
+    """Bound light that no lamp moves: only its image changes from place to place."""
+    found = facts.material.emission_texture
+    if found is None:
+        return STEADY
+    return replace(STEADY, per_unit=inf, brings_colour=not _is_grey(found))
+
+
+def alpha_mask(facts: Facts) -> Decision:
+    """Decide on holes."""
+    cutoff = facts.material.alpha_cutoff
+    if cutoff is None:
+        return not_asked("the material cuts no holes")
+    if not (facts.body.texture_has_alpha or facts.body.vertices_have_alpha):
+        return adds_nothing("its opacity is the same everywhere")
+    return called_for(f"what has an opacity below {cutoff:g} is a hole")
+
+
 def transparency(facts: Facts) -> Decision:
     """Decide on what lets light through."""
-    opacity = facts.material.opacity
-    if opacity == 1.0:
+    if not facts.material.is_clear:
         return not_asked("everything is opaque")
-    return called_for(f"opacity {opacity:g}")
+    if facts.body.texture_has_alpha or facts.body.vertices_have_alpha:
+        return called_for("its opacity differs from place to place")
+    return called_for(f"opacity {facts.material.opacity:g}")
 
 
 def fog(facts: Facts) -> Decision:
@@ -220,7 +255,7 @@ def tinted(loaded: LoadedScene, bodies: Sequence[Facts]) -> Decision:
     """Decide on three channels: one is enough where everything is grey."""
     colours = [loaded.settings.background, *(light.light.color for light in loaded.lights)]
     for one in (facts.material for facts in bodies):
-        colours += [one.ambient, one.diffuse, one.specular]
+        colours += [one.unlit or BLACK, one.ambient, one.diffuse, one.specular, one.emission]
     if loaded.settings.fog:
         colours.append(loaded.settings.fog.color)
     if any(len(set(colour)) > 1 for colour in colours) or any(one.brings_colour for one in bodies):
@@ -246,6 +281,12 @@ def _is_grey(texture: Texture | None) -> bool:
 
 
 RECIPES: dict[Effect, Recipe] = {
+    Effect.UNLIT: Recipe(
+        "a colour that is shown as it is, whatever light falls on it",
+        unlit,
+        influence=STEADY,
+        glsl=glsl.unlit,
+    ),
     Effect.AMBIENT: Recipe(
         "light from everywhere",
         ambient,
@@ -420,6 +461,24 @@ RECIPES: dict[Effect, Recipe] = {
         attributes=("colour",),
         per_sample=12,
         glsl=glsl.VERTEX_COLOURS,
+    ),
+    Effect.EMISSION: Recipe(
+        "light that a surface sends out itself",
+        emission,
+        settings=("emission_texture",),
+        influence=glow,
+        attributes=("uv",),
+        per_sample=8 + 18,
+        glsl=glsl.emission,
+    ),
+    Effect.ALPHA_MASK: Recipe(
+        "holes where the opacity is below a cutoff",
+        alpha_mask,
+        settings=("alpha_cutoff",),
+        influence=STEADY,
+        attributes=("uv",),
+        per_sample=8 + 18,
+        glsl=glsl.alpha_mask,
     ),
     Effect.TRANSPARENCY: Recipe(
         "what is behind shows through, sorted at each sample",

@@ -59,6 +59,8 @@ def shaded_of(plan: Plan, body: BodyPlan) -> Shaded:
         has_zero_normals=body.body.mesh.degenerate_normals > 0,
         target=target,
         clip=loaded.clip,
+        texture_has_alpha=body.body.texture_has_alpha,
+        vertices_have_alpha=body.body.vertices_have_alpha,
     )
 
 

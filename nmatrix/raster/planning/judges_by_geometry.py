@@ -165,7 +165,7 @@ def back_faces(facts: Facts) -> Decision:
     material = facts.body.material
     if material.sides is Sides.FRONT:
         return not_asked("the material has a front alone")
-    if facts.body.linear_map.rank < 3 and material.opacity == 1.0:
+    if facts.body.linear_map.rank < 3 and not material.is_clear:
         return adds_nothing("a flattened body turns its normals to the eye at its vertices")
     why = _why_backs_show(facts)
     if why is None:
@@ -176,8 +176,10 @@ def back_faces(facts: Facts) -> Decision:
 def _why_backs_show(facts: Facts) -> str | None:
     """Find the reason why a back may be in front somewhere, or None if it never is."""
     shell = facts.body.mesh.shell
-    if facts.material.opacity < 1.0:
+    if facts.material.is_clear:
         return "the back is seen through the front"
+    if facts.material.alpha_cutoff is not None:
+        return "the back is seen through holes"
     if shell is not Shell.SOLID:
         return BACKS[shell]
     if not facts.seen.is_whole or not facts.seen.eye_is_outside:

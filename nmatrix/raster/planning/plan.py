@@ -148,8 +148,8 @@ class Plan:
             found += shadow_remarks(self.loaded, placed, [one.body for one in lit], views)
         found += self._said_in_vain()
         if not self.drawn:
-            reasons = "; ".join(f"{one.body.name} {one.why_unseen}" for one in self.bodies[:3])
-            found.append(f"Nothing can be seen: {reasons}.")
+            reasons = [(one.body.name, one.why_unseen or "") for one in self.bodies[:3]]
+            found.append(nothing_seen(reasons))
         return tuple(dict.fromkeys(found))
 
     def _said_in_vain(self) -> list[str]:
@@ -164,6 +164,12 @@ class Plan:
             f"{shortlist(dict.fromkeys(map(printable, names)), MOST_NAMED)}: {because}."
             for (setting, material, because), names in bodies.items()
         ]
+
+
+def nothing_seen(reasons: Sequence[tuple[str, str]]) -> str:
+    """Say that a picture is empty, and why, object by object."""
+    told = (f"{printable(name)} {why}" for name, why in reasons)
+    return f"Nothing can be seen: {'; '.join(told)}."
 
 
 def plan_for(loaded: LoadedScene) -> Plan:

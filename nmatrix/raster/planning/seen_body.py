@@ -102,7 +102,10 @@ class SeenBody:
         """
         if self.body.material.outline:
             return None
-        if not self.body.material.opacity:
+        material = self.body.material
+        if material.alpha_cutoff is not None and material.opacity < material.alpha_cutoff:
+            return "is a hole: its opacity is below its cutoff"
+        if material.is_clear and not material.opacity:
             return "lets all light through"
         if not self.body.linear_map.rank:
             return "is shrunk to a point by its matrix"
@@ -222,7 +225,7 @@ class SeenBody:
         """Find the opaque bodies that can keep a lamp's light off what is seen, once."""
         if placed not in self._casters:
             found = occluders(self.loaded, placed, self.body)
-            self._casters[placed] = [one for one in found if one.material.opacity == 1.0]
+            self._casters[placed] = [one for one in found if not one.material.is_clear]
         return self._casters[placed]
 
     @cached_property

@@ -39,7 +39,7 @@ from nmatrix.raster.shading.space import column, dot, length, quotient, world_no
 from nmatrix.raster.triangles.spans import SUBPIXELS
 from nmatrix.raster.triangles.vertices import Projected, signed_area
 from nmatrix.scene.light import PlacedLight
-from nmatrix.scene.material import Material
+from nmatrix.scene.material import BLACK, Material
 from nmatrix.scene.words import LightKind
 from nmatrix.shaders.shaded import EDGE
 
@@ -87,7 +87,9 @@ def shading_rate(facts: Facts) -> ShadingRate | str:
         column(loaded.eye),
         drift,
         facts.gain,
-        ambience=_ambience(loaded) * max(material.ambient),
+        ambience=_ambience(loaded) * max(material.ambient)
+        + max(material.unlit or BLACK)
+        + max(material.emission),
         limit=LIMIT if lamps or drift else 0.0,
     )
 
@@ -103,7 +105,7 @@ def _why_samples_may_differ(facts: Facts) -> str | None:
         "light at vertices costs little at samples": shading is Shading.GOURAUD,
         "normals may have any length": loaded.settings.normals is not NormalRule.EXACT,
         "normals of a flattened body can cancel": facts.body.linear_map.rank < 3,
-        "layers of glass meet at each sample": material.opacity < 1.0,
+        "layers of glass meet at each sample": material.is_clear,
         "most pixels show an edge of its triangles": len(facts.body.mesh.triangles) * FEWEST
         > width * height,
         "a highlight this wide has an edge": is_wide,

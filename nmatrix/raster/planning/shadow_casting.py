@@ -108,6 +108,7 @@ def _can_shade_itself(loaded: LoadedScene, body: Body) -> bool:
         and body.linear_map.rank == 3
         and body.material.sides is not Sides.BOTH
         and body.material.normal_map is None
+        and body.material.alpha_cutoff is None
         and _is_seen_from_outside(loaded, body)
     )
 
@@ -272,5 +273,5 @@ def shadow_remarks(
         )
     for body in receivers:
         for one in occluders(loaded, placed, body):
-            if one.material.opacity < 1.0 and one is not body:
+            if one.material.is_clear and one is not body:
                 yield f"The shadow of {one.name} is not cast: its opacity is below 1."

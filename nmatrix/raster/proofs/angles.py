@@ -15,6 +15,7 @@ from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
+from nmatrix.raster.shading.opacity import clear, opacity_inputs, solid
 from nmatrix.raster.shading.space import as_array, quotient
 from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing
@@ -96,10 +97,10 @@ def _compared(
         of_samples.append(angles[both])
         return np.stack([angles * both, both.astype(float), np.ones(len(both))])
 
-    outputs = VertexOutputs(
-        points={"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
-    )
-    return Drawable(projected, outputs, colours, plan.body.material.opacity)
+    points = {"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}
+    outputs = VertexOutputs(points | opacity_inputs(plan.body, projected))
+    seen_through, kept = clear(plan.body), solid(plan.body, projected)
+    return Drawable(projected, outputs, colours, seen_through, kept)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
 from nmatrix.enums import Shown, Theme
+from nmatrix.raster.drawn_scene import drawn_scene
 from nmatrix.raster.proofs.catalogue import catalogued
 from nmatrix.raster.proofs.plain import picture
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
@@ -40,6 +41,14 @@ class PictureFrame:
         settings = replace(self.scene.settings, turn_degrees=degrees)
         return replace(self, scene=replace(self.scene, settings=settings))
 
+    def before_one_background(self) -> PictureFrame:
+        """Choose the background of a scene that leaves it open, for this and all frames to come."""
+        if self.scene is None or self.scene.settings.other_background is None:
+            return self
+        chosen = drawn_scene(self.scene).loaded.settings.background
+        settings = replace(self.scene.settings, background=chosen, other_background=None)
+        return replace(self, scene=replace(self.scene, settings=settings))
+
     def draw(self) -> Proof:
         """Draw the proof, or the scene."""
         if self.scene is not None:
@@ -47,6 +56,14 @@ class PictureFrame:
         found = catalogued(self.name)
         assert found is not None and self.settings is not None  # a proof has settings
         return found.load()(self.settings)
+
+
+def around(frame: PictureFrame, count: int) -> list[PictureFrame]:
+    """Return the frames of a full turn, all before one background."""
+    if count == 1:
+        return [frame]
+    still = frame.before_one_background()
+    return [still.turned(angle) for angle in turns(count)]
 
 
 def turns(frames: int) -> list[float]:

@@ -11,6 +11,7 @@ from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene, level_difference
 from nmatrix.raster.overlay.shown import marked
 from nmatrix.raster.proofs.angles import INVISIBLE_DEG, rule_error
 from nmatrix.raster.proofs.proof import Proof
+from nmatrix.raster.sight import sight_remarks
 from nmatrix.scene.scene import Scene
 
 
@@ -34,6 +35,8 @@ def picture(
     measured |= rule_error(drawn.plan, wrong).errors
     verdict = _verdict(drawn, measured.get("max_angle_error_deg"), rule)
     found = Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
+    told = (*found.remarks, *sight_remarks(drawn.plan, drawn.rendered))
+    found = replace(found, remarks=told)
     if not shown:
         return found
     canvas, remarks = marked(drawn, shown, theme)
@@ -41,8 +44,8 @@ def picture(
 
 
 def _verdict(drawn: DrawnScene, worst: float | None, rule: NormalRule) -> str:
-    if not drawn.rendered.work.fragments:
-        return "Nothing covers a sample: move the camera or make the picture larger."
+    if not any(drawn.rendered.seen):
+        return "Nothing covers a sample."
     if rule is not NormalRule.EXACT:
         return _of_rule(worst, rule)
     if worst is None:

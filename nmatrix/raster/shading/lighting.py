@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nmatrix.enums import Effect, Reflection
 from nmatrix.raster.shading.space import Measure, dot, quotient
-from nmatrix.scene.material import Material
+from nmatrix.scene.material import BLACK, Material
 from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
@@ -71,6 +71,8 @@ class Lighting:
         if Effect.EYE in self.effects and positions is not None:
             to_eye = self.to_eye(positions)
         matte = np.zeros((channels, normals.shape[1]))
+        if Effect.UNLIT in self.effects:
+            matte += colour(self.material.unlit or BLACK, channels)
         if Effect.AMBIENT in self.effects:
             matte += self.ambient * colour(self.material.ambient, channels)
         gloss = np.zeros_like(matte) if Effect.SPECULAR in self.effects else None

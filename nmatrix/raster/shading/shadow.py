@@ -20,6 +20,7 @@ from nmatrix.linear import rational
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.raster.loaded_scene import Body
+from nmatrix.raster.shading.opacity import solid
 from nmatrix.raster.shading.space import ShadingSpace, as_array
 from nmatrix.raster.triangles.products import multiply
 from nmatrix.raster.triangles.spans import Canvas
@@ -138,7 +139,8 @@ def shadow_map(view: LightView, size: int) -> ShadowMap:
     canvas = Canvas(size, size)
     tile = Tile.empty((0, size), size, DepthBuffer.FULL)
     for one in view.casters:
-        tile.add(project(one.mesh, view.clip_from(one.world_from_object.exact), canvas, CLIP), 0)
+        projected = project(one.mesh, view.clip_from(one.world_from_object.exact), canvas, CLIP)
+        tile.add(projected, 0, solid(one, projected))
     keys = tile.keys.reshape(size, size)
     depth = (keys >> TRIANGLE_BITS) / STEPS[DepthBuffer.FULL]
     return ShadowMap(view, np.where(keys == EMPTY, np.inf, view.distances(depth)))

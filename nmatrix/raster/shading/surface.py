@@ -20,6 +20,7 @@ from nmatrix.raster.triangles.vertices import Projected
 from nmatrix.scene.scene import Fog
 
 Array = NDArray[Any]
+READ_UV = frozenset({Effect.TEXTURE, Effect.NORMAL_MAP, Effect.EMISSION})
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +57,7 @@ class Surface:
         mesh = self.space.body.mesh
         if self._reads_position:
             points["position"] = projected.per_vertex(self._positions)
-        if Effect.TEXTURE in self.effects or Effect.NORMAL_MAP in self.effects:
+        if self.effects & READ_UV:
             uv = np.zeros((2, len(mesh.positions))) if mesh.uv is None else mesh.uv.T
             points["uv"] = projected.per_vertex(uv)
         if Effect.VERTEX_COLOURS in self.effects and mesh.colours is not None:
@@ -78,9 +79,20 @@ class Surface:
             matte = matte * texels[: self.style.channels]
         if "colour" in fragments.values:
             matte = matte * fragments["colour"]
+        if Effect.EMISSION in self.effects:
+            matte = matte + self._emission(fragments)
         found = matte if gloss is None else matte + gloss
         found = np.minimum(found, 1.0)
         return self._in_fog(found, fragments) if Effect.FOG in self.effects else found
+
+    def _emission(self, fragments: Fragments) -> Array:
+        """Return the light (channels, m or 1) that the surface sends out itself."""
+        material, channels = self.space.body.material, self.style.channels
+        own = colour(material.emission, channels)
+        if material.emission_texture is None:
+            return own
+        texels = sample(material.emission_texture, fragments["uv"], linear=self.style.linear_light)
+        return np.asarray(own * texels[:channels])
 
     @property
     def _is_sided(self) -> bool:

@@ -1,24 +1,20 @@
-"""Textures: colours by u and v, which are moved and wrapped first."""
+"""Textures: colours and opacity by u and v, which are moved and wrapped first."""
 
 from __future__ import annotations
 
-import io
-import warnings
-from functools import cache, lru_cache
-from pathlib import Path
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.scene.material import DARK, SQUARES, ImageSource, Texture
-from nmatrix.scene.words import Pattern, Wrap
+from nmatrix.scene.images import read_image
+from nmatrix.scene.material import DARK, SQUARES, Texture
+from nmatrix.scene.words import Filter, Pattern, Wrap
 from nmatrix.shaders.shaded import EDGE
 
 Array = NDArray[Any]
 
-MOST_PIXELS = 8192 * 8192
 FARTHEST = 2.0**36  # of u and v: times the pixels of an image, whole numbers still hold it
 
 
@@ -29,55 +25,27 @@ def sample(texture: Texture, uv: Array, *, linear: bool) -> Array:
 
     Examples
     --------
-    >>> from nmatrix.scene.material import CHECKER
+    >>> from nmatrix.scene.images import read_image
+    from nmatrix.scene.material import CHECKER
     >>> sample(CHECKER, np.array([[0.01, 0.13], [0.01, 0.01]]), linear=False).tolist()
     [[1.0, 0.35]]
     """
-    uv = np.clip(_placed(texture, uv), -FARTHEST, FARTHEST)
+    uv = _placed(texture, uv)
     if isinstance(texture.image, Pattern):
         column, row = (
             _wrapped(np.floor(one * SQUARES + EDGE), SQUARES, how)
             for one, how in zip(uv, texture.wrap, strict=True)
         )
         return np.asarray(np.where((column + row) % 2 == 0, 1.0, DARK)[None])
-    return _between(read_image(texture.image), _levels(linear=linear), uv, texture.wrap)
+    return _read(read_image(texture.image).colours, _levels(linear=linear), uv, texture)
 
 
-@lru_cache(maxsize=16)
-def read_image(source: ImageSource) -> Array:
-    """Return an image as (height, width, 3) bytes, its last row first.
-
-    Raises
-    ------
-    IllegalValueError
-        For a file that is missing, is no image, or is too large.
-    """
-    from PIL import Image
-
-    file = source if isinstance(source, Path) else io.BytesIO(source.content)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            opened = Image.open(file)
-        with opened:
-            if opened.width * opened.height > MOST_PIXELS:
-                raise _too_large(f"{source} ({opened.width}×{opened.height})")
-            levels = np.asarray(opened.convert("RGB"))
-    except IllegalValueError:
-        raise
-    except Image.DecompressionBombError:
-        raise _too_large(f"{source}") from None
-    except (OSError, ValueError):
-        raise IllegalValueError(f"{source}", "it is no image", "check it") from None
-    return np.ascontiguousarray(levels[::-1])
-
-
-def _too_large(what: str) -> IllegalValueError:
-    return IllegalValueError(
-        what,
-        f"a texture has {MOST_PIXELS} pixels at the most",
-        "save it at 8192×8192 or smaller",
-    )
+def sample_alpha(texture: Texture, uv: Array) -> Array:
+    """Read the texture's opacity (m,) at coordinates (2, m): 1 where an image has none."""
+    alpha = None if isinstance(texture.image, Pattern) else read_image(texture.image).alpha
+    if alpha is None:
+        return np.ones(uv.shape[1])
+    return np.asarray(_read(alpha, _levels(linear=False), _placed(texture, uv), texture)[0])
 
 
 @cache
@@ -107,11 +75,11 @@ def to_srgb(light: Array) -> Array:
 def _placed(texture: Texture, uv: Array) -> Array:
     """Return the coordinates on the image; without a scale, a turn and a move they stay."""
     rows = texture.uv_map
-    if rows == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
-        return uv
-    u, v = uv
-    with np.errstate(over="ignore", invalid="ignore"):
-        return np.asarray(np.nan_to_num(np.stack([a * u + b * v + c for a, b, c in rows])))
+    if rows != ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
+        u, v = uv
+        with np.errstate(over="ignore", invalid="ignore"):
+            uv = np.nan_to_num(np.stack([a * u + b * v + c for a, b, c in rows]))
+    return np.asarray(np.clip(uv, -FARTHEST, FARTHEST))
 
 
 def _wrapped(index: Array, size: int, wrap: Wrap) -> Array:
@@ -131,20 +99,22 @@ def _wrapped(index: Array, size: int, wrap: Wrap) -> Array:
     return np.asarray(found % size)
 
 
-def _between(image: Array, levels: Array, uv: Array, wrap: tuple[Wrap, Wrap]) -> Array:
-    """Return the mean (3, m) of the four texels around each place, by nearness."""
-    height, width, _ = image.shape
-    texels = image.reshape(-1, 3)
+def _read(image: Array, levels: Array, uv: Array, texture: Texture) -> Array:
+    """Read what an image (height, width, k) holds at each place: levels (k, m)."""
+    height, width, depth = image.shape
+    texels = image.reshape(-1, depth)
+
+    def at(row: Array, column: Array) -> Array:
+        across = _wrapped(column, width, texture.wrap[0])
+        place = _wrapped(row, height, texture.wrap[1]) * width + across
+        return np.asarray(levels.take(texels.take(place, axis=0).T))
+
+    if texture.filter is Filter.NEAREST:
+        return at(np.floor(uv[1] * height), np.floor(uv[0] * width))
     x, y = uv[0] * width - 0.5, uv[1] * height - 0.5
     left, low = np.floor(x), np.floor(y)
     right_part, high_part = x - left, y - low
-    columns = [_wrapped(left + i, width, wrap[0]) for i in (0, 1)]
-    rows = [_wrapped(low + j, height, wrap[1]) * width for j in (0, 1)]
-
-    def at(row: Array, column: Array) -> Array:
-        return levels.take(texels.take(row + column, axis=0).T)
-
     lower, upper = (
-        at(row, columns[0]) * (1 - right_part) + at(row, columns[1]) * right_part for row in rows
+        at(row, left) * (1 - right_part) + at(row, left + 1) * right_part for row in (low, low + 1)
     )
     return np.asarray(lower * (1 - high_part) + upper * high_part)

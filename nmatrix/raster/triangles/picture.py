@@ -27,6 +27,7 @@ from nmatrix.raster.triangles.visibility import (
     STEPS,
     TRIANGLE_BITS,
     TRIANGLE_MASK,
+    Kept,
     Runs,
     Tile,
     runs_of,
@@ -46,14 +47,16 @@ LARGEST_KEPT = 12 << 20  # bytes: the keys of a picture of 1024 × 1024
 class Drawable:
     """Projected triangles, the outputs of their vertices, and their fragment shader.
 
-    Opaque ones hide what is behind; others let 1 − `opacity` of it through. `even` is a mask (F,)
-    of triangles whose colour at a pixel's middle may stand for that of all its samples.
+    Opaque ones hide what is behind, but for samples that are not `kept`; those with an `opacity`
+    let 1 − it through. `even` is a mask (F,) of triangles whose colour at a pixel's middle may
+    stand for that of all its samples.
     """
 
     projected: Projected
     outputs: VertexOutputs
     fragment: Callable[[Fragments], Array]
-    opacity: float = 1.0
+    opacity: Callable[[Fragments], Array] | None = None
+    kept: Kept | None = None
     even: Array | None = None
 
 
@@ -93,12 +96,13 @@ class Picture:
     """The image (height, width, channels) as `finish` kept it, and the work of drawing it.
 
     `fragments` were covered by triangles, hidden ones included; `shaded` were coloured, for each
-    drawable. `depth` is there where the drawing keeps it.
+    drawable, and stand for `seen` samples of it. `depth` is there where the drawing keeps it.
     """
 
     image: Array
     fragments: int
     shaded: tuple[int, ...]
+    seen: tuple[int, ...]
     depth: DepthMap | None = None
 
 
@@ -138,13 +142,13 @@ class Drawing:
             *(image[top:bottom, :left], image[top:bottom, right:]),
         ):
             empty[:] = blank
-        fragments, shaded = 0, np.zeros(len(self.drawables), np.int64)
+        fragments, shaded = 0, np.zeros((2, len(self.drawables)), np.int64)
         depth = DepthMap.empty(self.canvas) if self.keeps_depth else None
         for some in _steps(rows, TILE_SAMPLES, self.canvas):
             tile = Tile.empty(some, self.canvas.columns, self.depth)
             for one, first in zip(self.drawables, self._first, strict=False):
-                if one.opacity == 1.0:
-                    fragments += tile.add(one.projected, first)
+                if one.opacity is None:
+                    fragments += tile.add(one.projected, first, one.kept)
             if depth is not None:
                 depth.take(tile, self.canvas)
             for few in _steps(some, self._stripe_samples, self.canvas):
@@ -152,7 +156,9 @@ class Drawing:
                 shaded += counts
                 top, bottom = (row // self.canvas.per_side for row in few)
                 image[top:bottom, left:right] = finish(pixels)
-        return Picture(image, fragments, tuple(shaded.tolist()), depth)
+        each, once = shaded
+        seen = each + self.canvas.per_side**2 * once
+        return Picture(image, fragments, tuple((each + once).tolist()), tuple(seen.tolist()), depth)
 
     @property
     def _stripe_samples(self) -> int:
@@ -190,7 +196,7 @@ class Drawing:
     @cached_property
     def _glass(self) -> list[int]:
         """The drawables that let light through."""
-        return [i for i, one in enumerate(self.drawables) if one.opacity < 1.0]
+        return [i for i, one in enumerate(self.drawables) if one.opacity is not None]
 
     @cached_property
     def _even(self) -> Array | None:
@@ -198,7 +204,7 @@ class Drawing:
         if self.canvas.per_side == 1 or all(one.even is None for one in self.drawables):
             return None
         parts = [
-            np.zeros(last - first, bool) if one.even is None or one.opacity < 1.0 else one.even
+            np.zeros(last - first, bool) if one.even is None or one.opacity else one.even
             for one, first, last in zip(self.drawables, self._first, self._first[1:], strict=False)
         ]
         return np.append(np.concatenate(parts), False)
@@ -206,25 +212,25 @@ class Drawing:
     def _stripe(self, tile: Tile, window: Window) -> tuple[Array, Array]:
         """Return the pixels (rows, width, channels) of a window, and the samples coloured.
 
-        The samples are counted for each drawable.
+        They are counted for each drawable: samples, and pixels that are coloured once (2, n).
         """
         k, (top, bottom), (left, right) = self.canvas.per_side, *window
         grid = Grid(right - left, top, left)
         samples = np.empty((len(self.background), (bottom - top) * grid.columns))
         samples[:] = self.background[:, None]
-        counts = np.zeros(len(self.drawables), np.int64)
+        counts = np.zeros((2, len(self.drawables)), np.int64)
         names = tile.names(*window)
         whole = self._taken_whole(names, window)
-        self._colour_all(samples, runs_of(names, top, left), grid, counts)
+        self._colour_all(samples, runs_of(names, top, left), grid, counts[0])
         even, uneven = self._parted(whole)
-        self._colour_all(samples, uneven.finer(k), grid, counts)
+        self._colour_all(samples, uneven.finer(k), grid, counts[0])
         triangles = [(self.drawables[i].projected, self._first[i]) for i in self._glass]
         for some in layers(triangles, tile, window.rows):
-            counts[self._glass] += np.diff(some.first)
+            counts[0, self._glass] += np.diff(some.first)
             self._blend(samples, some, grid)
         pixels = self._resolved(samples, grid.columns)
         middles = Grid(grid.columns // k, top // k, left // k, spacing=k)
-        self._colour_all(pixels.reshape(len(pixels), -1), even, middles, counts)
+        self._colour_all(pixels.reshape(len(pixels), -1), even, middles, counts[1])
         return pixels.transpose(1, 2, 0), counts
 
     def _parted(self, whole: Runs) -> tuple[Runs, Runs]:
@@ -276,12 +282,14 @@ class Drawing:
         own, through = np.empty((len(samples), len(row))), np.empty(len(row))
         for i, (begin, end) in zip(self._glass, pairwise(some.first), strict=True):
             one = self.drawables[i]
-            through[begin:end] = 1.0 - one.opacity
+            assert one.opacity is not None  # it is glass
             for first in range(begin, end, MOST_SHADED):
                 part = slice(first, min(first + MOST_SHADED, end))
                 mine = Runs(*(one[part] for one in runs)).of(self._first[i], self._first[i + 1])
                 found = interpolate(one.projected, mine, grid, one.outputs)
-                own[:, part] = one.opacity * one.fragment(found)
+                opacity = one.opacity(found)
+                through[part] = 1.0 - opacity
+                own[:, part] = opacity * one.fragment(found)
         for which in some.levels:
             place = places[which]
             samples[:, place] = own[:, which] + through[which] * samples[:, place]

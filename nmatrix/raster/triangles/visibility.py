@@ -6,7 +6,7 @@ lie at the very same depth, the one that was named first is seen.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -19,6 +19,7 @@ from nmatrix.raster.triangles.vertices import Corners, Projected
 from nmatrix.scene.words import DepthBuffer
 
 Array = NDArray[Any]
+Kept = Callable[[Array, Array, Array], Array]  # of triangles, rows and columns; False for holes
 
 TRIANGLE_BITS = 24
 TRIANGLES = 1 << TRIANGLE_BITS
@@ -63,10 +64,16 @@ class Tile:
         names &= TRIANGLE_MASK
         return names
 
-    def add(self, projected: Projected, first: int) -> int:
+    def add(self, projected: Projected, first: int, kept: Kept | None = None) -> int:
         """Draw triangles, numbered from `first` on, and return how many samples they cover."""
         covered = 0
-        for index, key in self.fragments(projected, first):
+        for place, keys in self.fragments(projected, first):
+            index, key = place, keys
+            if kept is not None:
+                row, column = np.divmod(place, self.columns)
+                names = (keys & TRIANGLE_MASK).astype(np.intp) - first
+                solid = kept(names, row + self.rows[0], column)
+                index, key = place[solid], keys[solid]
             np.minimum.at(self.keys, index, key)
             covered += len(index)
         return covered

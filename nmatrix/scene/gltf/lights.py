@@ -24,7 +24,8 @@ from nmatrix.linear.view import looking_along
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
 from nmatrix.scene.gltf.extensions import LIGHTS
-from nmatrix.scene.gltf.file import GltfFile, Node
+from nmatrix.scene.gltf.file import GltfFile
+from nmatrix.scene.gltf.nodes import Node
 from nmatrix.scene.gltf.records import (
     CameraRecord,
     PunctualLight,

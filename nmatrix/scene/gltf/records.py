@@ -5,6 +5,7 @@ from __future__ import annotations
 import msgspec
 
 TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
+POINTS, LINES, LINE_LOOP, LINE_STRIP = 0, 1, 2, 3
 
 
 class NodeRecord(msgspec.Struct):
@@ -19,6 +20,7 @@ class NodeRecord(msgspec.Struct):
     rotation: list[float] | None = None
     scale: list[float] | None = None
     skin: int | None = None
+    weights: list[float] | None = None
     extensions: dict[str, object] = {}
 
 
@@ -30,6 +32,7 @@ class Primitive(msgspec.Struct):
     mode: int = TRIANGLES
     material: int | None = None
     targets: list[dict[str, int]] = []
+    extensions: dict[str, object] = {}
 
     @property
     def has_triangles(self) -> bool:
@@ -38,10 +41,27 @@ class Primitive(msgspec.Struct):
 
 
 class MeshRecord(msgspec.Struct):
-    """A mesh: its primitives."""
+    """A mesh: its primitives, and how far each morph target is blended in."""
 
     primitives: list[Primitive] = []
     name: str | None = None
+    weights: list[float] = []
+
+
+class SparsePlace(msgspec.Struct, rename="camel"):
+    """Where the numbers of a sparse accessor begin; indices have a component type of their own."""
+
+    buffer_view: int
+    byte_offset: int = 0
+    component_type: int | None = None
+
+
+class Sparse(msgspec.Struct):
+    """The elements of an accessor that differ from the rest: how many, which, and what they are."""
+
+    count: int
+    indices: SparsePlace
+    values: SparsePlace
 
 
 class Accessor(msgspec.Struct, rename="camel"):
@@ -53,7 +73,7 @@ class Accessor(msgspec.Struct, rename="camel"):
     buffer_view: int | None = None
     byte_offset: int = 0
     normalized: bool = False
-    sparse: dict[str, object] | None = None
+    sparse: Sparse | None = None
     min: list[float] | None = None
     max: list[float] | None = None
 
@@ -65,6 +85,7 @@ class BufferView(msgspec.Struct, rename="camel"):
     byte_length: int
     byte_offset: int = 0
     byte_stride: int | None = None
+    extensions: dict[str, object] = {}
 
 
 class Buffer(msgspec.Struct, rename="camel"):
@@ -72,6 +93,57 @@ class Buffer(msgspec.Struct, rename="camel"):
 
     byte_length: int
     uri: str | None = None
+    extensions: dict[str, object] = {}
+
+
+class DracoRecord(msgspec.Struct, rename="camel"):
+    """What of a primitive Draco packed: its bytes, and the number of each attribute in them."""
+
+    buffer_view: int
+    attributes: dict[str, int] = {}
+
+
+class Instancing(msgspec.Struct):
+    """The places of a mesh's instances, as accessors."""
+
+    attributes: dict[str, int] = {}
+
+
+class Skin(msgspec.Struct, rename="camel"):
+    """The joints that carry a mesh, and the accessor of their inverse bind matrices."""
+
+    joints: list[int]
+    inverse_bind_matrices: int | None = None
+    name: str | None = None
+
+
+class AnimationSampler(msgspec.Struct):
+    """The values of a channel over time, as accessors."""
+
+    input: int
+    output: int
+    interpolation: str = "LINEAR"
+
+
+class AnimationTarget(msgspec.Struct):
+    """The node that an animation moves, and what of it."""
+
+    path: str
+    node: int | None = None
+
+
+class AnimationChannel(msgspec.Struct):
+    """What moves a node."""
+
+    sampler: int
+    target: AnimationTarget
+
+
+class AnimationRecord(msgspec.Struct):
+    """An animation: what moves what."""
+
+    channels: list[AnimationChannel] = []
+    samplers: list[AnimationSampler] = []
 
 
 class Perspective(msgspec.Struct, rename="camel"):
@@ -132,10 +204,43 @@ class TextureReference(msgspec.Struct, rename="camel"):
 
 
 class MetallicRoughness(msgspec.Struct, rename="camel"):
-    """The base colour of a material."""
+    """The base colour of a material, and how it reflects."""
 
     base_color_factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
     base_color_texture: TextureReference | None = None
+    metallic_factor: float = 1.0
+    roughness_factor: float = 1.0
+    metallic_roughness_texture: TextureReference | None = None
+
+    @property
+    def reflects(self) -> bool:
+        """True if it does anything but scatter light evenly."""
+        return self.metallic_factor > 0 or self.roughness_factor < 1
+
+
+class SpecularGlossiness(msgspec.Struct, rename="camel"):
+    """The diffuse part of a material by KHR_materials_pbrSpecularGlossiness."""
+
+    diffuse_factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
+    diffuse_texture: TextureReference | None = None
+
+
+class EmissiveStrength(msgspec.Struct, rename="camel"):
+    """How many times a material's emission is as strong."""
+
+    emissive_strength: float = 1.0
+
+
+class MaterialExtensions(msgspec.Struct):
+    """The extensions of materials that are read."""
+
+    unlit: object = msgspec.field(default=None, name="KHR_materials_unlit")
+    emissive: EmissiveStrength = msgspec.field(
+        default_factory=EmissiveStrength, name="KHR_materials_emissive_strength"
+    )
+    specular_glossiness: SpecularGlossiness | None = msgspec.field(
+        default=None, name="KHR_materials_pbrSpecularGlossiness"
+    )
 
 
 class MaterialRecord(msgspec.Struct, rename="camel"):
@@ -148,7 +253,23 @@ class MaterialRecord(msgspec.Struct, rename="camel"):
     emissive_texture: TextureReference | None = None
     emissive_factor: tuple[float, float, float] = (0.0, 0.0, 0.0)
     alpha_mode: str = "OPAQUE"
+    alpha_cutoff: float = 0.5
     double_sided: bool = False
+    extensions: MaterialExtensions = msgspec.field(default_factory=MaterialExtensions)
+
+
+class OtherImage(msgspec.Struct):
+    """The image of a texture in a format that the specification itself does not know."""
+
+    source: int | None = None
+
+
+class OtherImages(msgspec.Struct):
+    """The images that a texture has in other formats."""
+
+    basisu: OtherImage = msgspec.field(default_factory=OtherImage, name="KHR_texture_basisu")
+    webp: OtherImage = msgspec.field(default_factory=OtherImage, name="EXT_texture_webp")
+    avif: OtherImage = msgspec.field(default_factory=OtherImage, name="EXT_texture_avif")
 
 
 class TextureRecord(msgspec.Struct):
@@ -156,6 +277,14 @@ class TextureRecord(msgspec.Struct):
 
     source: int | None = None
     sampler: int | None = None
+    extensions: OtherImages = msgspec.field(default_factory=OtherImages)
+
+    @property
+    def image(self) -> int | None:
+        """The image in a format that every reader knows, else in another one."""
+        other = self.extensions
+        sources = (self.source, other.webp.source, other.avif.source, other.basisu.source)
+        return next((one for one in sources if one is not None), None)
 
 
 class Sampler(msgspec.Struct, rename="camel"):
@@ -232,7 +361,8 @@ class Document(msgspec.Struct, rename="camel"):
     textures: list[TextureRecord] = []
     samplers: list[Sampler] = []
     images: list[ImageRecord] = []
-    animations: list[msgspec.Raw] = []
+    skins: list[Skin] = []
+    animations: list[AnimationRecord] = []
     extensions: dict[str, object] = {}
     extensions_used: list[str] = []
     extensions_required: list[str] = []

@@ -1,139 +1,107 @@
-"""OBJ, PLY and STL files as meshes; trimesh reads them, and every array is checked after it."""
+"""OBJ, PLY and STL files as meshes, with the materials that they name."""
 
 from __future__ import annotations
 
-import io
-import warnings
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-
-from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, joined, normals_made, unit
+from nmatrix.errors import IllegalValueError, printable
+from nmatrix.scene.beside import asset_bytes, beside, check_content
+from nmatrix.scene.material import Texture
+from nmatrix.scene.meshes.mesh import Mesh, joined
+from nmatrix.scene.meshes.mtl import Materials, coloured
+from nmatrix.scene.meshes.obj import read_obj
+from nmatrix.scene.meshes.parts import MeshFile, MeshPart
+from nmatrix.scene.meshes.ply import read_ply
+from nmatrix.scene.meshes.stl import read_stl
 from nmatrix.scene.words import MESH_SUFFIXES
+
+READERS: dict[str, Callable[[Path, bytes], MeshFile]] = dict(
+    zip(MESH_SUFFIXES, (read_obj, read_ply, read_stl), strict=True)
+)
 
 
 def read_mesh(path: Path) -> Mesh:
-    """Read the triangles of a mesh file, with its own normals of vertices or area-weighted ones.
+    """Read the triangles of a mesh file as one mesh, without its materials.
 
-    A part of the file (an OBJ has one for each material) that lacks a normal for some vertex gets
-    area-weighted ones, and a remark says so. Texture coordinates and colours of vertices come along
-    where the file has them.
+    Normals are the file's, or made where it has none, and a remark says so; triangles of STL files
+    are flat. Texture coordinates and colours come along where every material has them.
 
     Raises
     ------
     IllegalValueError
         For a file that cannot be read, holds no triangles, or has numbers that are not finite.
     """
-    parts = _parts(path, _content(path))
-    if not parts:
-        raise _unreadable(path, "it holds no triangles")
-    try:
-        return joined([_mesh(part, path.name) for part in parts])
-    except IllegalValueError as error:
-        raise _unreadable(path, str(error)) from None
+    found = read_surface(path)
+    mesh = joined([part.mesh for part in found.parts])
+    return replace(mesh, remarks=found.remarks)
 
 
-@dataclass(frozen=True)
-class _Part:
-    """A part of a file as trimesh holds it, and the normals that the file has, if any.
+def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
+    """Read a mesh file, one part for each material, with what that material is.
 
-    A trimesh makes normals where it has none and does not tell; the arguments of its constructor,
-    which a reader returns, do.
+    Raises
+    ------
+    IllegalValueError
+        As `read_mesh`, and for a material or an image that lies outside the file's folder, unless
+        that is allowed.
     """
-
-    trimesh: Any
-    file_normals: np.ndarray | None
-
-
-def _parts(path: Path, content: bytes) -> list[_Part]:
-    """Return the parts of a file that have triangles."""
-    import trimesh
-    from trimesh.exchange.load import mesh_loaders
-
-    read: Callable[..., dict[str, Any]] = mesh_loaders[path.suffix[1:].lower()]
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            found = read(file_obj=io.BytesIO(content), skip_materials=True)
-            if "vertex_normals" in found and "visual" in found:  # a PLY with texture coordinates
-                merged = read(file_obj=io.BytesIO(content), skip_materials=True, fix_texture=False)
-                found["vertex_normals"] = _split_alike(found, merged["faces"])
-            parts = found["geometry"].values() if "geometry" in found else (found,)
-            for part in parts:
-                part.pop("face_colors", None)  # vertices have the colours that are drawn
-            return [
-                _Part(trimesh.Trimesh(**part, process=False), part.get("vertex_normals"))
-                for part in parts
-                if np.size(part.get("faces", ()))
-            ]
-        except Exception as error:  # trimesh's readers raise whatever they meet
-            raise _unreadable(path, f"it cannot be read ({type(error).__name__})") from None
+    found = read_surface(path)
+    materials = Materials(path, allow_outside)
+    if path.suffix.lower() == ".ply":
+        return _with_image(path, found, allow_outside=allow_outside)
+    materials.read(found.named)
+    parts = [
+        replace(
+            part,
+            material=materials.material(part.name, vertex_colours=part.mesh.colours is not None),
+        )
+        for part in found.parts
+    ]
+    return replace(found, parts=tuple(parts), remarks=(*found.remarks, *materials.remarks))
 
 
-def _split_alike(found: Mapping[str, Any], merged_faces: np.ndarray) -> np.ndarray:
-    """Return the normals of vertices that were split where texture coordinates differ."""
-    origin = np.arange(len(found["vertices"]))
-    origin[np.ravel(found["faces"])] = np.ravel(merged_faces)
-    return np.asarray(found["vertex_normals"])[origin]
+def read_surface(path: Path, content: bytes | None = None) -> MeshFile:
+    """Read a mesh file, one part for each material, whatever these are.
+
+    `content` is the file's, if it was read already.
+
+    Raises
+    ------
+    IllegalValueError
+        As `read_mesh`.
+    """
+    read = READERS.get(path.suffix.lower())
+    if read is None:
+        listed = ", ".join(MESH_SUFFIXES[:-1])
+        why = f"meshes are {listed} or {MESH_SUFFIXES[-1]}, scenes .gltf or .glb"
+        raise IllegalValueError(f"{path}", why, "check the name")
+    if content is None:
+        return read(path, asset_bytes(path))
+    check_content(path, content)
+    return read(path, content)
 
 
-def _mesh(part: _Part, source: str) -> Mesh:
-    positions = np.asarray(part.trimesh.vertices, np.float64)
-    triangles = np.asarray(part.trimesh.faces, np.intp)
-    normals = _of_vertices(part.file_normals, positions.shape)
-    return Mesh(
-        positions,
-        area_weighted_normals(positions, triangles) if normals is None else unit(normals),
-        triangles,
-        uv=_of_vertices(getattr(part.trimesh.visual, "uv", None), (len(positions), 2)),
-        colours=_colours(part.trimesh.visual, len(positions)),
-        remarks=(normals_made(source),) if normals is None else (),
+def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile:
+    """Give the one part of a PLY file its colours, and its image if it has one and a place on it."""
+    (part,) = found.parts
+    files = [beside(path, name, allow_outside=allow_outside) for name in found.named]
+    missing = [
+        f"Files are missing: {printable(file.name)}." for file in files if not file.is_file()
+    ]
+    material = coloured() if part.mesh.colours is not None else None
+    if len(files) == 1 and not missing and part.mesh.uv is not None:
+        material = replace(
+            material or coloured(),
+            texture=Texture(files[0]),
+            vertex_colours=part.mesh.colours is not None,
+        )
+    elif files and not missing:
+        why = "images, which several faces choose from" if len(files) > 1 else "an image"
+        missing = [f"Not drawn of {path.name}: {why}."]
+    return replace(
+        found,
+        parts=(MeshPart(part.name, part.mesh, material),),
+        remarks=(*found.remarks, *missing),
     )
-
-
-def _colours(visual: Any, count: int) -> np.ndarray | None:  # noqa: ANN401  # of a library without types
-    """Return the colours of the vertices in [0, 1], if the file has any."""
-    if getattr(visual, "kind", None) != "vertex":
-        return None
-    found = _of_vertices(visual.vertex_colors, (count, 4))
-    return None if found is None else found[:, :3] / 255.0
-
-
-def _of_vertices(values: Any, shape: tuple[int, ...]) -> np.ndarray | None:  # noqa: ANN401  # as above
-    """Return the values of the vertices, or None where one is missing or not finite."""
-    if values is None or np.shape(values) != shape:
-        return None
-    found = np.asarray(values, np.float64)
-    return found if np.isfinite(found).all() else None
-
-
-def _content(path: Path) -> bytes:
-    if path.suffix.lower() not in MESH_SUFFIXES:
-        raise _unreadable(path, "meshes are .obj, .ply or .stl, scenes .gltf or .glb")
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise _unreadable(path, f"{error.strerror}") from None
-    if not content.strip():
-        raise _unreadable(path, "it is empty")
-    return _as_utf8(content) if path.suffix.lower() == ".obj" else content
-
-
-def _as_utf8(content: bytes) -> bytes:
-    """Return text as UTF-8; other encodings are recognised."""
-    try:
-        content.decode("utf-8")
-    except UnicodeDecodeError:
-        from charset_normalizer import from_bytes
-
-        best = from_bytes(content).best()
-        return content if best is None else str(best).encode()
-    return content.replace(b"\x00", b"")
-
-
-def _unreadable(path: Path, why: str) -> IllegalValueError:
-    return IllegalValueError(f"{path}", why, "check the file")

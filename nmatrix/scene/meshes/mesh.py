@@ -31,7 +31,7 @@ class Mesh:
     uv
         (V, 2) texture coordinates, v upwards, if the mesh has them.
     colours
-        (V, 3) linear colours in [0, 1], if it has them.
+        (V, 3) linear colours in [0, 1], or (V, 4) with an opacity, if it has them.
     tangents
         (V, 4) tangent vectors and the sign of the bitangent, if it has them.
     built_as
@@ -146,7 +146,7 @@ class Mesh:
 
         A triangle without area has none of its own: it takes the mean of its vertices'.
         """
-        own = unit(_cross_products(self.positions, self.triangles))
+        own = unit(cross_products(self.positions, self.triangles))
         without = np.flatnonzero(~own.any(axis=1))
         if len(without):
             given = np.nan_to_num(self.normals[self.triangles[without]], posinf=0.0, neginf=0.0)
@@ -155,9 +155,14 @@ class Mesh:
 
     @property
     def degenerate_normals(self) -> int:
-        """The number of normals that are no direction: zero, or not finite."""
+        """The number of normals that are no direction, zero or not finite, of vertices in use."""
         size = np.abs(self.normals).max(axis=1)
-        return int(np.count_nonzero(~(np.isfinite(size) & (size > 0))))
+        bad = ~(np.isfinite(size) & (size > 0))
+        if not bad.any():
+            return 0
+        used = np.zeros(len(bad), bool)
+        used[self.triangles] = True
+        return int(np.count_nonzero(bad & used))
 
 
 def least_cosine(normals: NDArray[Any], triangles: NDArray[Any]) -> float:
@@ -227,9 +232,9 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
     a, b, c = (positions[triangles[:, i]] for i in range(3))
     with np.errstate(all="ignore"):
         faces = np.cross(b - a, c - a)
-        total = np.zeros((len(positions), 3))
-        for i in range(3):
-            np.add.at(total, triangles[:, i], faces)
+        at = triangles.T.ravel()
+        sums = (np.bincount(at, np.tile(one, 3), len(positions)) for one in faces.T)
+        total = np.stack(list(sums), axis=1)
         length = np.sqrt((total * total).sum(axis=1, keepdims=True))
         unit = total / length
     return np.where(np.isfinite(unit), unit, 0.0)
@@ -267,8 +272,8 @@ def welded_normals(
     return unit(total)[place]
 
 
-def _cross_products(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:
-    """Return the cross products (F, 3) of triangles' edges, scaled so that nothing overflows."""
+def cross_products(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:
+    """Multiply the edges of triangles (F, 3) crosswise, scaled so that nothing overflows."""
     corners = positions[triangles]
     edges = corners[:, 1:] - corners[:, :1]
     _, exponents = np.frexp(np.abs(edges).max(axis=(1, 2), keepdims=True))

@@ -23,6 +23,7 @@ from nmatrix.scene.toml.records import CameraRecord, FogRecord, MaterialRecord, 
 from nmatrix.scene.toml.table import SceneTable
 from nmatrix.scene.words import DepthBuffer, Pattern, Sides, Wrap
 
+IMAGES = ("texture", "emission_texture", "normal_map")
 PLACING = ("wrap", "uv_scale", "uv_rotation", "uv_offset")
 SIDES = {None: Sides.AS_NEEDED, True: Sides.BOTH, False: Sides.FRONT}
 
@@ -101,21 +102,29 @@ def material(table: SceneTable, name: str) -> Material:
     """
     record = table.checked(MaterialRecord)
     placing = [key for key in PLACING if key in table.raw]
-    if placing and record.texture is None and record.normal_map is None:
+    images = [key for key in IMAGES if getattr(record, key) is not None]
+    if placing and not images:
         raise table.fault(placing[0], "there is no image to place", "add texture or normal_map")
+    if record.emission_texture is not None and "emission" not in table.raw:
+        raise table.fault(
+            "emission_texture", "it multiplies emission, which is 0", "add emission = 1"
+        )
     own = Material(
         name=name,
         shininess=record.shininess,
         reflection=record.reflection,
+        emission=colour(record.emission),
         opacity=record.opacity,
-        texture=None if record.texture is None else _texture(table, record, "texture"),
-        normal_map=None if record.normal_map is None else _texture(table, record, "normal_map"),
+        has_alpha=record.alpha_cutoff is not None,
+        alpha_cutoff=record.alpha_cutoff,
         toon_steps=record.toon_steps,
         outline=record.outline,
         vertex_colours=record.vertex_colours,
         sides=SIDES[record.two_sided],
     )
-    return replace(own, **_colours(record))
+    drawn: dict[str, Any] = {key: _texture(table, record, key) for key in images}
+    coloured = replace(own, **drawn, **_colours(record))
+    return coloured.without_light() if record.unlit else coloured
 
 
 def _texture(table: SceneTable, record: MaterialRecord, key: str) -> Texture:

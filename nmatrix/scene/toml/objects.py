@@ -18,7 +18,16 @@ from nmatrix.scene.words import MESH_SUFFIXES, Shape
 from nmatrix.scene.world import World
 
 FEWEST = {Shape.SPHERE: 3, Shape.TORUS: 3, Shape.CONE: 3, Shape.PLANE: 1, Shape.BOX: 1}
-_PARTS = ("translate", "rotate", "order", "quaternion", "scale", "shear", "convention")
+_PARTS = (
+    "translate",
+    "rotate",
+    "order",
+    "quaternion",
+    "axis_angle",
+    "scale",
+    "shear",
+    "convention",
+)
 
 
 @dataclass(frozen=True)
@@ -129,16 +138,21 @@ def _own_place(named: NamedObject) -> World:
     if record.matrix is not None:
         table.refuse_beside("matrix", _PARTS, "the matrix is the whole answer")
         return World(matrix=table.affine_matrix("matrix", record.matrix))
-    if record.quaternion is not None:
-        table.refuse_beside("quaternion", ("rotate", "order"), "both are the rotation")
-        if not any(record.quaternion):
-            raise table.fault("quaternion", "it has no direction", "no rotation is 0 0 0 1")
+    for whole in ("quaternion", "axis_angle"):
+        if getattr(record, whole) is not None:
+            others = {"rotate", "order", "quaternion", "axis_angle"} - {whole}
+            table.refuse_beside(whole, sorted(others), "both are the rotation")
+    if record.quaternion is not None and not any(record.quaternion):
+        raise table.fault("quaternion", "it has no direction", "no rotation is 0 0 0 1")
+    if record.axis_angle is not None and not any(record.axis_angle[:3]):
+        raise table.fault("axis_angle", "its axis has no direction", "try 0 1 0 and degrees")
     scale = (record.scale,) * 3 if isinstance(record.scale, float) else record.scale
     try:
         return World(
             translate=record.translate or (0, 0, 0),
             rotate_degrees=record.rotate or (0, 0, 0),
             quaternion=record.quaternion,
+            axis_angle=record.axis_angle,
             scale=scale or (1, 1, 1),
             shear=record.shear or (0, 0, 0),
             order=record.order or "XYZ",

@@ -135,6 +135,9 @@ class ObjectRecord(Record, frozen=True):
         str | None, Meta(description="A permutation of XYZ (intrinsic) or xyz (extrinsic).")
     ] = None
     quaternion: Annotated[Four | None, Meta(description="x, y, z, w instead of angles.")] = None
+    axis_angle: Annotated[
+        Four | None, Meta(description="x, y, z of an axis and degrees instead of angles.")
+    ] = None
     scale: Annotated[
         float | Three | None, Meta(description="Stretch, by three numbers or one for all.")
     ] = None
@@ -162,9 +165,20 @@ class MaterialRecord(Record, frozen=True):
     reflection: Annotated[Reflection, Meta(description="The model of reflection.")] = (
         Reflection.LAMBERT
     )
+    unlit: Annotated[
+        bool, Meta(description="Whether diffuse is shown as it is, whatever light falls on it.")
+    ] = False
+    emission: Annotated[ColourValue, Meta(description="Light of its own, grey or r, g, b.")] = 0.0
     opacity: Annotated[Level, Meta(description="1 hides what is behind, 0 is glass.")] = 1.0
+    alpha_cutoff: Annotated[
+        Level | None,
+        Meta(description="Holes where opacity, times the texture's and vertices' own, is below."),
+    ] = None
     texture: Annotated[
         str | None, Meta(description='"checker", or an image file relative to the scene file.')
+    ] = None
+    emission_texture: Annotated[
+        str | None, Meta(description="An image that multiplies the emission.")
     ] = None
     normal_map: Annotated[str | None, Meta(description="An image of normals.")] = None
     wrap: Annotated[

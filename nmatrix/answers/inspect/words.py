@@ -1,0 +1,67 @@
+"""Counts and lists of names in a sentence, right for none, one, and thousands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from nmatrix.scene.hierarchy import SEPARATOR
+
+NAMED = 5  # of a list
+ROOM = 48  # characters of a path; its end tells it apart
+
+
+def counted(count: int, what: str) -> str:
+    """Count things of a regular plural.
+
+    Examples
+    --------
+    >>> counted(1, "node"), counted(0, "node")
+    ('1 node', '0 nodes')
+    """
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
+def of_all(count: int, total: int, one: str, many: str, what: str = "node") -> str:
+    """Begin a sentence about some of all things, with its verb for one and for many.
+
+    Examples
+    --------
+    >>> of_all(0, 7, "needs", "need"), of_all(1, 7, "needs", "need"), of_all(7, 7, "needs", "need")
+    ('None of 7 nodes needs', '1 of 7 nodes needs', '7 of 7 nodes need')
+    >>> of_all(0, 1, "needs", "need"), of_all(1, 1, "needs", "need")
+    ('0 of 1 node needs', '1 of 1 node needs')
+    """
+    if count == 0 and total != 1:
+        return f"None of {counted(total, what)} {one}"
+    return f"{count} of {counted(total, what)} {one if count == 1 or total == 1 else many}"
+
+
+def elided(text: str, room: int = ROOM) -> str:
+    r"""Keep the end of a long path, whose beginning tells it less well from others.
+
+    It is cut between two names where it can be: what is left means the same. Characters that would
+    change the line are spelled out.
+
+    Examples
+    --------
+    >>> elided("root/arm/hand", 11), elided("roothand", 6), elided("a\n")
+    ('…/arm/hand', '…thand', 'a\\n')
+    """
+    plain = text if text.isprintable() else repr(text[-room:])[1:-1]
+    if len(plain) <= room:
+        return plain
+    end = plain[1 - room :]
+    return f"…{end[end.find(SEPARATOR) :]}" if SEPARATOR in end else f"…{end}"
+
+
+def named(texts: Iterable[str]) -> str:
+    """List the first names and count the others.
+
+    Examples
+    --------
+    >>> named("abcdefg")
+    'a, b, c, d, e and 2 more'
+    """
+    listed = [elided(one) if one.strip() else repr(one) for one in texts]
+    more = len(listed) - NAMED
+    return ", ".join(listed[:NAMED]) + (f" and {more} more" if more > 0 else "")

@@ -1,0 +1,229 @@
+"""MTL files: the materials that an OBJ file names, as far as they are drawn."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from nmatrix.enums import Reflection
+from nmatrix.errors import printable, shortlist
+from nmatrix.reading.files import existing_file
+from nmatrix.scene.beside import beside
+from nmatrix.scene.material import AMBIENT_SHARE, BLACK, Colour, Material, Texture, grey
+from nmatrix.scene.meshes.text import FIGURE, lines_of, readable
+from nmatrix.scene.words import Wrap
+
+MOST_NAMED = 4
+UNLIT, MATT = "0", "1"  # of illum: the colour alone; no highlight
+OPTIONS = {
+    **dict.fromkeys(("-blendu", "-blendv", "-cc", "-clamp", "-imfchan", "-type"), 1),
+    **dict.fromkeys(("-texres", "-bm", "-boost"), 1),
+    "-mm": 2,
+}
+PLACES = ("-o", "-s", "-t")  # one to three numbers follow
+NOT_DRAWN = {
+    "map_ka": "images of ambient light",
+    "map_ks": "images of highlights",
+    "map_ns": "images of shininess",
+    "map_d": "images of opacity",
+    "map_bump": "bumps",
+    "bump": "bumps",
+    "norm": "images of normals",
+    "disp": "displacement",
+    "decal": "decals",
+    "refl": "reflections",
+    "tf": "transmission filters",
+    "pr": "roughness",
+    "pm": "metals",
+}
+
+
+@dataclass
+class Materials:
+    """The materials of an OBJ file by name; it collects what they could not bring along."""
+
+    path: Path
+    allow_outside: bool = False
+    found: dict[str, Material] = field(default_factory=dict)
+    missing: list[str] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)
+    left_out: Counter[str] = field(default_factory=Counter)
+    remarks_on_lines: list[str] = field(default_factory=list)
+
+    def read(self, libraries: Iterable[str]) -> None:
+        """Read the libraries that are there; one line may name several.
+
+        Raises
+        ------
+        IllegalValueError
+            For a name that leads out of the folder, unless that is allowed.
+        """
+        for named in libraries:
+            words = [named] if self._path(named) else named.split()
+            for name in words:
+                file = self._path(name)
+                if file is None:
+                    self.missing.append(name)
+                    continue
+                try:
+                    content = file.read_bytes()
+                except OSError:
+                    self.missing.append(name)
+                    continue
+                self._read(file, content)
+
+    def material(self, name: str, *, vertex_colours: bool) -> Material | None:
+        """Find a material by its name; faces without one are white where vertices have colours."""
+        found = self.found.get(name)
+        if found is None:
+            if name:
+                self.unknown.append(name)
+            return coloured() if vertex_colours else None
+        return replace(found, vertex_colours=vertex_colours)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """A sentence for each kind of thing that is missing or not drawn."""
+        told = [*self.remarks_on_lines]
+        if self.left_out:
+            told.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
+        if self.missing:
+            told.append(f"Files are missing: {_listed(self.missing)}.")
+        if self.unknown:
+            told.append(f"Materials are missing: {_listed(self.unknown)}.")
+        return tuple(told)
+
+    def _path(self, name: str) -> Path | None:
+        named = beside(self.path, name.replace("\\", "/"), allow_outside=self.allow_outside)
+        return existing_file(str(named))
+
+    def _read(self, file: Path, content: bytes) -> None:
+        name: str | None = None
+        values: dict[str, str] = {}
+        for number, line in lines_of(content):
+            word, _, rest = readable(line).strip().partition(" ")
+            rest = rest.strip()
+            if word.lower() == "newmtl":
+                self._add(file, name, values)
+                name, values = rest, {}
+            elif word and not word.startswith("#"):
+                values[word.lower()] = rest
+                values[f"line of {word.lower()}"] = str(number)
+        self._add(file, name, values)
+
+    def _add(self, file: Path, name: str | None, values: dict[str, str]) -> None:
+        if name is None or name in self.found:
+            return
+        read = _Values(file, values, self.remarks_on_lines)
+        illumination = values.get("illum", "2").split("#")[0].strip()
+        diffuse = read.colour("kd", grey(0.8))
+        ambient = read.colour("ka", diffuse)
+        specular = read.colour("ks", BLACK)
+        opacity = read.number("d", 1.0 - read.number("tr", 0.0))
+        shines = any(specular) and illumination not in (UNLIT, MATT)
+        red, green, blue = ambient
+        self.found[name] = Material(
+            name=name,
+            ambient=(AMBIENT_SHARE * red, AMBIENT_SHARE * green, AMBIENT_SHARE * blue),
+            diffuse=diffuse,
+            specular=specular,
+            shininess=max(read.number("ns", Material.shininess), 0.0),
+            reflection=Reflection.BLINN_PHONG if shines else Reflection.LAMBERT,
+            unlit=diffuse if illumination == UNLIT else None,
+            emission=read.colour("ke", BLACK),
+            opacity=min(max(opacity, 0.0), 1.0),
+            texture=self._texture(values.get("map_kd")),
+            emission_texture=self._texture(values.get("map_ke")),
+        )
+        for word, what in NOT_DRAWN.items():
+            self.left_out.update([what] if word in values else [])
+
+    def _texture(self, text: str | None) -> Texture | None:
+        """Read an image with its options: `-s 2 2 -clamp on brick wall.png`."""
+        if not text:
+            return None
+        words, wrap = text.split(), Wrap.REPEAT
+        placed: dict[str, list[float]] = {}
+        at = 0
+        while at < len(words) - 1:
+            option = words[at].lower()
+            if option in PLACES:
+                end = at + 1
+                while end < min(len(words) - 1, at + 4) and _is_number(words[end]):
+                    end += 1
+                placed[option] = [float(word) for word in words[at + 1 : end]]
+                at = end
+            elif option in OPTIONS:
+                if option == "-clamp" and words[at + 1].lower() == "on":
+                    wrap = Wrap.CLAMP
+                at += 1 + OPTIONS[option]
+            else:
+                break
+        name = " ".join(words[at:])
+        if at == 0:
+            name = text
+        file = self._path(name) if name else None
+        if file is None:
+            self.missing.append(name)
+            return None
+        return Texture(
+            file, (wrap, wrap), _two(placed.get("-s"), 1.0), offset=_two(placed.get("-o"), 0.0)
+        )
+
+
+@dataclass(frozen=True)
+class _Values:
+    """The values of one material, word by word; what is no number is told and left as usual."""
+
+    file: Path
+    values: dict[str, str]
+    remarks: list[str]
+
+    def colour(self, word: str, usual: Colour) -> Colour:
+        """Read three levels, or one for all, in [0, 1]."""
+        if word not in self.values:
+            return usual
+        words = self.values[word].split("#")[0].split()
+        if len(words) in (1, 2):
+            words = words[:1] * 3
+        if len(words) < 3 or not all(map(_is_number, words[:3])):
+            self._tell(word)
+            return usual
+        red, green, blue = (min(max(float(one), 0.0), 1.0) for one in words[:3])
+        return red, green, blue
+
+    def number(self, word: str, usual: float) -> float:
+        """Read one number, the last: `d -halo 0.5` has a word before it."""
+        if word not in self.values:
+            return usual
+        words = self.values[word].split("#")[0].split()
+        if words and _is_number(words[-1]):
+            return float(words[-1])
+        self._tell(word)
+        return usual
+
+    def _tell(self, word: str) -> None:
+        line = self.values[f"line of {word}"]
+        shown = printable(f"{word} {self.values[word]}"[:40])
+        self.remarks.append(f"{self.file.name}, line {line} ({shown}): it was not understood.")
+
+
+def coloured(name: str = "default") -> Material:
+    """Make the material of a mesh that brings its own colours, or an image: white beneath them."""
+    return Material(name, ambient=grey(AMBIENT_SHARE), diffuse=grey(1.0), vertex_colours=True)
+
+
+def _is_number(word: str) -> bool:
+    return FIGURE.fullmatch(word.encode()) is not None
+
+
+def _two(values: list[float] | None, usual: float) -> tuple[float, float]:
+    """Take u and v of one to three numbers; v is usual where it is not given."""
+    u, v = [*(values or []), usual, usual][:2] if values else (usual, usual)
+    return u, v
+
+
+def _listed(names: Iterable[str]) -> str:
+    return shortlist((printable(one) for one in dict.fromkeys(names)), MOST_NAMED)
