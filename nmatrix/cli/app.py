@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 import typer
 from typer.exceptions import TyperException
 
-from nmatrix.cli import help as pages
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.command import (
     HELP_OPTIONS,
@@ -84,6 +83,8 @@ def run(arguments: Sequence[str]) -> int:
 def _run(words: list[str], when: ColorWhen) -> int:
     """Answer what stands before a command, or run the command."""
     if not words:
+        from nmatrix.cli import help as pages
+
         show_page(pages.overview(), when)
         return ILLEGAL
     first, *others = words
@@ -94,6 +95,8 @@ def _run(words: list[str], when: ColorWhen) -> int:
     else:
         command = load(_known(first))
         if asks_for(HELP_OPTIONS, others):
+            from nmatrix.cli import help as pages
+
             show_page(pages.of_command(command, full=asks_for(("--full",), others)), when)
             return 0
         code = command.main(others, prog_name=f"nmatrix {first}", standalone_mode=False)
@@ -114,6 +117,8 @@ def _known(name: str) -> str:
 
 def _page_of_help(words: list[str]) -> list[Line]:
     """Choose the page that `nmatrix help` is asked for."""
+    from nmatrix.cli import help as pages
+
     if "--docs" in words:
         return pages.of_documentation()
     names = [word for word in words if not word.startswith("-")]
