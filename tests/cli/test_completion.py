@@ -138,6 +138,11 @@ def test_nothing_is_offered_twice_or_where_it_cannot_stand(offered) -> None:
     assert offered("nmatrix world --scene no-such.toml --object ") == []
 
 
+def test_no_word_twice_within_commas(offered) -> None:
+    assert "axes,axes" not in offered("nmatrix render --show axes,")
+    assert "rule,rule" not in offered("nmatrix handout --topics rule,")
+
+
 def test_a_joined_value_is_completed_as_the_shell_holds_it(monkeypatch) -> None:
     for name, value in bash("nmatrix world --format=j").items():
         monkeypatch.setenv(name, value)

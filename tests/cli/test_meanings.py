@@ -42,7 +42,7 @@ WANTED = {
     # with a command
     "world --rotation": "--rotate", "world --translation": "--translate",
     "world --size3": "--scale", "world --stretch": "--scale", "world --skew": "--shear",
-    "world --quat": "--quaternion", "world --axis-angle": "--axis-angle|--quaternion",
+    "world --quat": "--quaternion", "view --axis-angle": "world --axis-angle",
     "world --euler-order": "--order", "world --model": "--world-matrix",
     "world --matrix": "--world-matrix", "world --fov": "projection",
     "world --lens": "projection --fov", "world --pitch": "--rotate",
@@ -73,7 +73,7 @@ WANTED = {
 }  # fmt: skip
 NO_GUESS = [
     "render --titlecase", "world --zzz", "world --quux", "render --pen", "world --shout",
-    "view --banana", "calc M --foo", "normal --abc", "xyzzy", "frobnicate", "plugh", "render --hop",
+    "view --banana", "calc M --quz", "normal --abc", "xyzzy", "frobnicate", "plugh", "render --hop",
 ]  # fmt: skip
 SLIPS = {
     "wrold": "world", "veiw": "view", "projecton": "projection", "nromal": "normal",
