@@ -34,6 +34,8 @@ Exit 0 if it is right, 1 if not.""",
 }
 
 EXERCISE = "exercise"
+IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
+USUAL_ANSWERS = {"normal": "1 0 0; 0 1 0; 0 0 1", "light": "0 0 1", "eye": "0 0 5"}
 EXERCISE_COLUMNS = ("student", "exercise", "answer")
 
 
@@ -125,10 +127,11 @@ def _check_scene(
 ) -> None:
     """Check one answer to a question about a scene, or a class's."""
     if (answer is None) is (batch is None):
+        example = USUAL_ANSWERS.get(question.subject, IDENTITY)
         raise IllegalValueError(
             f"check {question.subject}",
             "it takes an ANSWER or --batch FILE, one of them",
-            f'try nmatrix check {question.subject} "1 0 0; 0 1 0; 0 0 1"',
+            f'try nmatrix check {question.subject} "{example}"',
         )
     if batch is not None:
         from nmatrix.answers.grades import NEEDED, answers_to

@@ -18,6 +18,7 @@ from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.completion import TABLE
 from nmatrix.errors import did_you_mean, shortlist
 
+USUAL_COMMAND = "world"  # it answers without any argument
 WORDS = Path(__file__).with_name("meanings.txt")
 
 
@@ -88,15 +89,11 @@ def option_for(word: str, command: str, known: Iterable[str]) -> str:
 def program_option_for(word: str) -> str:
     """Say what was meant by an option that stands before a command."""
     takers = [name for name in COMMANDS if word in names_of(name)]
-    if takers:
-        return f"try nmatrix {takers[0]} {_example(word, takers[0])}"
-    found = meant_by(word)
-    return did_you_mean(word, names_of(""), f"did you mean {found}?" if found else "see --help")
-
-
-def _example(option: str, command: str) -> str:
-    """Spell an option with a value that it takes."""
-    one = next(one for one in _table()[command]["options"] if option in one["names"])
-    words = one["words"]
-    value = "json" if "json" in words else words[0] if words else " ".join(["1"] * one["takes"])
-    return f"{option} {value}".rstrip()
+    if not takers:
+        found = meant_by(word)
+        return f"did you mean {found}?" if found else did_you_mean(word, names_of(""), "see --help")
+    one = next(one for one in _table()[takers[0]]["options"] if word in one["names"])
+    if takers[0] != USUAL_COMMAND or not (one["words"] or one["takes"] == 0):
+        return f"put it behind a command that takes it, such as nmatrix {takers[0]}"
+    value = "json" if "json" in one["words"] else next(iter(one["words"]), "")
+    return f"try nmatrix {takers[0]} {word} {value}".rstrip()

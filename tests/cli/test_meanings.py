@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shlex
 
 import pytest
@@ -12,6 +13,7 @@ from nmatrix.cli.app import load
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.meanings import meanings, meant_by, names_of
 from nmatrix.errors import did_you_mean
+from nmatrix.lessons.check.question import Subject
 
 # What is typed, and what the hint must name; alternatives where the better one may not exist yet.
 WANTED = {
@@ -140,6 +142,26 @@ def test_every_hint_of_a_whole_command_runs(nmatrix, tmp_path, monkeypatch) -> N
         found = nmatrix(line)
         needs_a_value = "takes" in found.err and "got none at the end" in found.err
         assert found.code in (0, 1) or needs_a_value, (hint, found.err)
+
+
+NEXT_STEP = re.compile(r"(?:try|see) nmatrix (.+)")
+REFUSED = [*COMMANDS, *(f"check {one}" for one in (*Subject, "exercise")), "derive x", "render x"]
+
+
+def test_every_next_step_that_is_a_command_runs(nmatrix, tmp_path, monkeypatch) -> None:
+    before = {name for command in COMMANDS for name in names_of(command)}
+    ran = 0
+    for place, line in enumerate([*REFUSED, *sorted(before)]):
+        (tmp_path / f"next{place}").mkdir()
+        monkeypatch.chdir(tmp_path / f"next{place}")
+        if line in ("cost", "stress", "handout", "--help", "-h"):
+            continue
+        told = NEXT_STEP.search(nmatrix(line).err)
+        if told is not None:
+            found = nmatrix(told[1].strip())
+            assert found.code in (0, 1), (line, told[0], found.err)
+            ran += 1
+    assert ran > 20
 
 
 def test_a_hint_of_what_does_not_exist_is_passed_over(monkeypatch) -> None:
