@@ -71,6 +71,7 @@ _SPELLINGS = {
     "«": '"',
     "»": '"',
     "ß": "ss",
+    "§": "section ",
     "ı": "i",
     "λ": "lambda",
     "Λ": "Lambda",
