@@ -65,8 +65,8 @@ def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
             near.append((slips(typed, name), one))
         if len(typed) >= 2 and name.startswith(typed):
             begun.append(one)
-    slipped, best = min(near, default=(len(typed), ""), key=lambda one: one[0])
-    if slipped <= (len(typed) + 1) // PER_SLIP:
+    slipped, best = min(near, default=(0, ""), key=lambda one: one[0])
+    if best and slipped <= (len(typed) + 1) // PER_SLIP:
         return f"did you mean {printable(best)}?"
     return f"did you mean {printable(begun[0])}?" if len(begun) == 1 else otherwise
 

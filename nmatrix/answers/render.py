@@ -140,6 +140,7 @@ def render(proof: Proof, image: str | None = None, milliseconds: float | None = 
         "milliseconds": milliseconds,
         "effects": list(proof.effects),
         "numbers": dict(proof.numbers),
+        "file_features": [asdict(one) for one in proof.features],
     }
     alternative = f"a picture of {proof.subject}"
     about: tuple[Block, ...] = (

@@ -194,9 +194,12 @@ def _scene(
 
 def _drawn(groups: OptionGroups) -> SceneObject:
     """Find the object that was named, or the first, if it has triangles."""
-    one = groups.scene.chosen
+    one, scene = groups.scene.chosen, groups.scene.scene
     if isinstance(one, SceneObject):
         return one
+    for other in scene.objects if scene is not None else ():
+        if other.node is not None and scene is not None and scene.nodes[other.node] is one:
+            return other
     raise IllegalValueError(
         f"--object ({'' if one is None else printable(one.name)})",
         "it has no triangles of its own",

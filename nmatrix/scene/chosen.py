@@ -65,12 +65,14 @@ def chosen_node(scene: Scene, name: str | None) -> Placed:
             raise IllegalValueError(f"{scene.path}", "it has no nodes", "export it again")
         return scene.objects[0] if scene.objects else scene.nodes[0]
     name = text(name, "object")
-    for one in scene.objects:
-        if one.name == name:
-            return one
+    named = next((one for one in scene.objects if one.name == name), None)
     meant = scene.hierarchy.meant(name)
-    if len(meant) == 1:
-        return scene.nodes[meant[0]]
+    if len(meant) == 1:  # joints and instances place a node's triangles elsewhere
+        node = scene.nodes[meant[0]]
+        is_there = named is not None and named.world_from_object == node.world_from_object
+        return named if named is not None and is_there else node
+    if named is not None:
+        return named
     addresses = scene.hierarchy.addresses
     if meant:
         raise IllegalValueError(

@@ -98,6 +98,18 @@ def colour(value: float | list[float]) -> Colour:
     return grey(value)
 
 
+def times(of: Colour, factor: float) -> Colour:
+    """Make a colour brighter or darker.
+
+    Examples
+    --------
+    >>> times((1.0, 0.5, 0.0), 0.5)
+    (0.5, 0.25, 0.0)
+    """
+    red, green, blue = of
+    return factor * red, factor * green, factor * blue
+
+
 @dataclass(frozen=True)
 class Material:
     """How much of each kind of light a surface sends back, channel by channel, in [0, 1].

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rational import identity
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.material import DEFAULT_MATERIAL
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
+from nmatrix.scene.scene import FileFeature, Scene, SceneNode, SceneObject, settings_of_file
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 from nmatrix.scene.world import World
 
@@ -43,9 +44,22 @@ def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
     return _mesh_scene(path, allow_outside=allow_outside)
 
 
+def _features(objects: Sequence[SceneObject]) -> Iterator[FileFeature]:
+    """Count the materials of a mesh file and what they have."""
+    materials = [one.material for one in objects if one.material is not DEFAULT_MATERIAL]
+    counted = {
+        "material": len(materials),
+        "image": sum(one.texture is not None for one in materials),
+        "colours of vertices": sum(one.vertex_colours for one in materials),
+    }
+    for feature, count in counted.items():
+        if count:
+            yield FileFeature(feature, count, "drawn")
+
+
 def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
     """Make a scene of a mesh file: an object for each material, all in the place of the file."""
-    from nmatrix.scene.meshes.file import read_mesh_file
+    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_mesh_file
 
     file = read_mesh_file(path, allow_outside=allow_outside)
     still = identity(4)
@@ -55,7 +69,12 @@ def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
     ]
     objects = tuple(
         SceneObject(
-            name, LoadedGeometry(part.mesh), still, part.material or DEFAULT_MATERIAL, World()
+            name,
+            LoadedGeometry(part.mesh),
+            still,
+            part.material or DEFAULT_MATERIAL,
+            World(),
+            node=0,
         )
         for name, part in zip(names, file.parts, strict=True)
     )
@@ -65,5 +84,7 @@ def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
         has_camera=False,
         path=path,
         remarks=file.remarks,
+        features=tuple(_features(objects)),
         nodes=(SceneNode(path.stem, still, World()),),
+        refusal=None if objects else IllegalValueError(f"{path}", *NO_TRIANGLES),
     )

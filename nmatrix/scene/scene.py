@@ -53,6 +53,15 @@ class SceneObject:
 
 
 @dataclass(frozen=True)
+class FileFeature:
+    """Something that a file has, how much of it, and what a picture makes of it."""
+
+    feature: str
+    count: int
+    made_of_it: str
+
+
+@dataclass(frozen=True)
 class Fog:
     """Fog that grows linearly with the distance to the eye: none at `start`, all at `end`."""
 
@@ -136,7 +145,8 @@ class Scene:
     Without lights it is drawn in daylight. `has_camera` tells whether the file chose the view; if
     not, it is fitted to what is drawn.
     `has_aspect` tells whether it chose the lens's width over height; if not, the picture's is used.
-    `nodes` are all places that have a name; `refusal` is why nothing of it can be drawn, if so.
+    `features` count what an asset's file has. `nodes` are all places that have a name; `refusal` is
+    why nothing of it can be drawn, if so.
     """
 
     objects: tuple[SceneObject, ...]
@@ -149,6 +159,7 @@ class Scene:
     path: Path | None = None
     remarks: tuple[str, ...] = ()
     nodes: tuple[SceneNode, ...] = ()
+    features: tuple[FileFeature, ...] = ()
     refusal: NMatrixError | None = None
 
     @cached_property

@@ -112,6 +112,12 @@ def test_a_slip_is_understood(nmatrix, line: str) -> None:
     assert f"did you mean {SLIPS[line]}?" in found.err
 
 
+@pytest.mark.parametrize("known", [(), ("",), ("world", "")])
+def test_nothing_is_meant_by_nothing(known: tuple[str, ...]) -> None:
+    assert did_you_mean("", known, "see the list") == "see the list"
+    assert did_you_mean("--", known, "see the list") == "see the list"
+
+
 def hints(command: str) -> set[str]:
     return {found for word in meanings() if (found := meant_by(f"--{word}", command))}
 

@@ -285,6 +285,39 @@ def test_the_diffuse_part_of_the_older_model_is_the_base_colour(tmp_path: Path) 
     assert covered(shown(gltf(tmp_path, quad(0, 1), material)))[0].tolist() == [188, 0, 0]
 
 
+def obj(folder: Path, material: str) -> Scene:
+    """A square as an .obj file whose material is this text of an .mtl file."""
+    (folder / "a.mtl").write_text(f"newmtl m\n{material}\n")
+    (folder / "a.obj").write_text(
+        "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 1\n"
+        "vn 0.27 0.8 0.53\nusemtl m\nf 1/1/1 2/2/1 3/2/1 4/1/1\n"
+    )
+    return scene_of(folder / "a.obj")
+
+
+def test_materials_of_obj_files_shine_are_unlit_and_are_not_burnt_out(tmp_path: Path) -> None:
+    assert covered(shown(obj(tmp_path, "Kd 0.6 0.2 1\nillum 0"))).max(axis=0).tolist() == [
+        153,
+        51,
+        255,
+    ]
+    white = covered(shown(obj(tmp_path, "Kd 1 1 1\nillum 1")))
+    assert 250 <= white.max() <= 255, "daylight falls on it straight"
+    light = shown(obj(tmp_path, "Kd 1 1 1\nillum 1")).rendered.image[60, 60]
+    assert 0.98 < light.max() <= 1.0
+    dark, glowing = (
+        covered(shown(obj(tmp_path, f"Kd 0.1 0.1 0.1\nillum 1\nKe {level} 0 0")))[0, 0]
+        for level in (0, 0.5)
+    )
+    assert abs(int(glowing) - int(dark) - 127.5) <= 1
+
+
+def test_an_image_of_an_obj_file_that_is_not_read_costs_only_itself(tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(b"no image")
+    told = remarks(obj(tmp_path, "Kd 1 1 1\nmap_Kd a.png"))
+    assert "An image is not drawn: a.png: it is no image." in told
+
+
 # --- images that are not read
 
 

@@ -218,6 +218,11 @@ def test_a_setting_in_vain_is_a_remark_of_every_plan(setting: str) -> None:
     assert not [one for one in planned(loaded(plain)).remarks if one.startswith(setting)]
 
 
+def test_a_highlight_of_no_light_asks_for_nothing() -> None:
+    plan = planned(loaded(single(material=Material(specular=(0, 0, 0)))))
+    assert not [one for one in plan.remarks if one.startswith("specular")]
+
+
 def test_every_field_of_a_material_is_always_read_or_belongs_to_an_effect() -> None:
     lit = {"ambient", "diffuse", "unlit", "emission"}
     always = lit | {"name", "reflection", "opacity", "has_alpha", "sides"}

@@ -18,7 +18,7 @@ from nmatrix.raster.loaded_scene import loaded
 from nmatrix.scene.geometry import DamagedPartError
 from nmatrix.scene.gltf.animations import Animated, animated_channels, animated_scales
 from nmatrix.scene.gltf.extensions import INSTANCING
-from nmatrix.scene.gltf.instances import instance_matrices
+from nmatrix.scene.gltf.instances import MOST, instance_matrices
 from nmatrix.scene.gltf.meshes import mesh_normals, primitive_mesh
 from nmatrix.scene.gltf.primitives import SPARE_CORNERS, Pose
 from nmatrix.scene.gltf.scene import gltf_scene
@@ -384,7 +384,7 @@ def test_instances_stand_under_their_node_exactly(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("attributes", "words"),
     [
-        ({}, "its instances are none; they are alike in number, 65536 at most"),
+        ({}, "its instances are none; they are alike in number"),
         ({"TRANSLATION": 0, "SCALE": 1}, "its instances are 2 of TRANSLATION, 1 of SCALE; they"),
         ({"TRANSLATION": 2}, "TRANSLATION of instances (accessor 2) is of type VEC4 and has to"),
         ({"TRANSLATION": 77}, "accessor 77 does not exist"),
@@ -407,6 +407,20 @@ def test_instances_that_cannot_be_read_cost_their_node(
     scene = loaded(gltf_scene(file.path))
     assert [body.name for body in scene.bodies] == ["tree"]
     assert any(f"node 1 (forest) is not drawn: {words}" in text for text in scene.remarks)
+
+
+def test_instances_are_counted_over_the_whole_file(tmp_path: Path) -> None:
+    """Nodes may share the places of their instances, which take bytes only once."""
+    made = Made()
+    made.accessors.append({"componentType": 5126, "count": MOST - 1, "type": "VEC3"})
+    two = made.add([[0.0, 0, 0]] * 2)
+    parts = instanced(made, TRANSLATION=two)
+    parts["nodes"] += [{"mesh": 0, "extensions": {INSTANCING: {"attributes": {"TRANSLATION": 0}}}}]
+    file = made.file(tmp_path, **parts)
+    for _ in range(2):
+        assert len(instance_matrices(file, 1)) == 2
+        with pytest.raises(IllegalValueError, match=f"{MOST - 1} instances the file has more"):
+            instance_matrices(file, 2)
 
 
 def test_a_scene_of_too_many_objects_is_refused_before_they_are_made(tmp_path: Path) -> None:

@@ -428,3 +428,49 @@ def test_the_negative_scale_sample_passes_its_own_test(data: Path) -> None:
     red, green = image[:, :, 0] - image[:, :, 1], image[:, :, 1] - image[:, :, 0]
     assert (green > 0.4).sum() > 300
     assert (red > 0.4).sum() == 0
+
+
+def test_a_named_node_is_the_node_wherever_its_triangles_are_drawn(tmp_path: Path) -> None:
+    """Joints and instances carry triangles elsewhere; the matrices asked for are the node's."""
+    instancing = {"attributes": {"TRANSLATION": 0}}
+    scene = made(
+        tmp_path,
+        nodes=[
+            {"name": "body", "mesh": 0, "skin": 0, "scale": [1, 2, 1]},
+            {"name": "bone"},
+            {
+                "name": "forest",
+                "mesh": 0,
+                "translation": [0, 7, 0],
+                "extensions": {"EXT_mesh_gpu_instancing": instancing},
+            },
+        ],
+        scenes=[{"nodes": [0, 1, 2]}],
+        skins=[{"joints": [1]}],
+        extensionsUsed=["EXT_mesh_gpu_instancing"],
+    )
+    assert setup_of(scene, "body").world.world_from_object[1][1] == 2
+    assert setup_of(scene, "forest").world.world_from_object[1][3] == 7
+    counted = {one.feature: one.count for one in scene.features}
+    assert (counted["skinned node"], counted["instanced node"]) == (1, 1)
+
+
+def test_features_of_a_file_are_counted_and_what_is_made_of_them(tmp_path: Path) -> None:
+    triangle = {"attributes": {"POSITION": 0}, "material": 0}
+    scene = made(
+        tmp_path,
+        nodes=[{"mesh": 0}, {"mesh": 0}],
+        scenes=[{"nodes": [0]}],
+        meshes=[{"primitives": [triangle, {**triangle, "mode": 1}, {**triangle, "mode": 0}]}],
+        materials=[{"occlusionTexture": {"index": 0}}],
+        textures=[{}],
+        animations=[{"channels": [], "samplers": []}],
+        extensionsUsed=["KHR_materials_sheen"],
+    )
+    found = {one.feature: (one.count, one.made_of_it) for one in scene.features}
+    assert found["animation"] == (1, "not played")
+    assert found["node outside of the scene"] == (1, "not drawn")
+    assert found["primitive of lines"] == (1, "not drawn")
+    assert found["primitive of points"] == (1, "not drawn")
+    assert found["material with occlusion"] == (1, "occlusion not drawn")
+    assert found["extension KHR_materials_sheen"] == (1, "left out")

@@ -9,6 +9,7 @@ import shlex
 import sys
 from itertools import pairwise
 from pathlib import Path
+from struct import pack
 
 import pytest
 
@@ -30,6 +31,7 @@ PLY = (
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
 )
+CORNERS = (0, 0, 0, 1, 0, 0, 0, 1, 0)
 ODD_NAMES = [
     "Cube",
     "Cube",
@@ -52,6 +54,12 @@ ODD_NAMES = [
 
 def gltf(*nodes: dict[str, object]) -> str:
     return json.dumps({"asset": {"version": "2.0"}, "nodes": list(nodes)})
+
+
+def glb(*nodes: dict[str, object]) -> bytes:
+    text = gltf(*nodes).encode()
+    text += b" " * (-len(text) % 4)
+    return b"glTF" + pack("<5I", 2, 20 + len(text), len(text), 0x4E4F534A, 0)[:16] + text
 
 
 def lined(names: list[str], **more: object) -> list[dict[str, object]]:
@@ -156,11 +164,20 @@ def test_what_was_not_read_was_not_checked_and_that_is_said(assets: Path, nmatri
     ("content", "node"),
     [
         (gltf({"name": "m"}), "m"),
-        ("﻿" + gltf({"name": "m"}), "m"),
+        ("\ufeff" + gltf({"name": "m"}), "m"),
+        (glb({"name": "m"}), "m"),
+        (TRIANGLE, "standard-input"),
+        ("# by hand\n" + TRIANGLE, "standard-input"),
+        (PLY, "standard-input"),
+        (ASCII_STL, "standard-input"),
+        (bytes(80) + b"\1\0\0\0" + pack("<12f", *[0, 0, 1, *CORNERS]) + bytes(2), "standard-input"),
     ],
 )
-def test_standard_input_is_known_by_its_content(nmatrix, monkeypatch, content, node) -> None:
-    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(content.encode())))
+def test_standard_input_is_known_by_its_content(
+    nmatrix, monkeypatch, content: str | bytes, node: str
+) -> None:
+    given = content if isinstance(content, bytes) else content.encode()
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(given)))
     found = nmatrix("inspect - -f json")
     assert found.code == 0, found.err
     assert found.data["files"] == [{"file": "-", "error": None}]

@@ -145,6 +145,22 @@ def test_instances_with_different_flaws_are_counted_apart(tmp_path: Path) -> Non
     assert node.maps.worst_angle_deg == 90
 
 
+def test_the_worst_angle_is_found_behind_a_bound_that_is_not_reached(tmp_path: Path) -> None:
+    """The discs around a shear's rows reach far beyond it: the stretched instance is the worst."""
+    made = Made()
+    turned = (0, 0, 0.19509032201612825, 0.9807852804032304)
+    places = {
+        "ROTATION": made.rows([turned, (0, 0, 0, 1)], "VEC4"),
+        "SCALE": made.rows([(1, 1, 1), (1, 1, 2.5)]),
+    }
+    extensions = {INSTANCING: {"attributes": places}}
+    made.node(name="trees", mesh=made.mesh(), extensions=extensions, scale=[1, 2, 1])
+    (trees,) = inspect_file(made.written(tmp_path)).nodes
+    alone = [one.worst_angle_deg for one in trees.maps.each]
+    assert alone[0] == pytest.approx(BY_TWO, abs=1e-6)
+    assert trees.maps.worst_angle_deg == max(alone) == alone[1]
+
+
 @pytest.mark.parametrize(
     ("keys", "more", "words"),
     [

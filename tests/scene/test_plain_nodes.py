@@ -161,8 +161,8 @@ def test_kinds_and_angles_agree_with_an_oracle_of_their_own(
         looser, tighter = Fraction(1.0001e-6), Fraction(0.9999e-6)
         if is_plain(upright, tighter) == is_plain(upright, looser):
             assert node.maps.needs_inverse_transpose != is_plain(upright, looser)
-        entries = [abs(entry) for row in exact for entry in row if entry]
-        if max(entries) > 10**50 * min(entries):
+        largest = max(abs(entry) for row in exact for entry in row)
+        if abs(det) < largest**3 / 10**50:
             continue  # beyond the digits of the other side
         with mpmath.workdps(120):
             singular = mpmath.svd_r(
@@ -180,6 +180,16 @@ def test_kinds_and_angles_agree_with_an_oracle_of_their_own(
 def test_chains_that_leave_the_range_of_squares_are_looked_at(scale: float) -> None:
     nodes = [NodeRecord(scale=[scale] * 3, children=[1]), NodeRecord(scale=[scale] * 3)]
     assert 1 in suspects(placed(Path(), nodes, 0), 1e-6)
+
+
+@pytest.mark.parametrize(("i", "j"), [(0, 1), (0, 2), (1, 2)])
+def test_a_matrix_that_leans_by_one_pair_of_columns_is_looked_at(i: int, j: int) -> None:
+    """All columns have the length one, and the two others are perpendicular to each other."""
+    columns = [[float(row == column) for row in range(3)] for column in range(3)]
+    columns[j][i], columns[j][j] = 0.28, 0.96
+    entries = [entry for column in columns for entry in (*column, 0.0)]
+    node = NodeRecord(matrix=[*entries, 0.0, 0.0, 0.0, 1.0])
+    assert suspects(placed(Path(), [node], 0), 1e-6) == [0]
 
 
 def test_deviations_add_up_down_a_chain(tmp_path: Path) -> None:

@@ -103,8 +103,11 @@ def inspect_file(
 
 def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile:
     from nmatrix.scene.meshes.file import read_surface
+    from nmatrix.scene.meshes.mesh import normals_made
 
     file = read_surface(path, content)
+    computed = file.normals_from is NormalsFrom.COMPUTED
+    remarks = tuple(one for one in file.remarks if one != normals_made(path.name))
     degenerate = sum(part.mesh.degenerate_normals for part in file.parts)
     still = identity(4)
     node = InspectedNode(
@@ -116,7 +119,8 @@ def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile
         FoundNormals(file.normals_from, degenerate),
         mesh=0,
     )
-    return InspectedFile(name, 1, lambda _: node, (0,), {}, file.remarks)
+    special = {Special.COMPUTED_NORMALS: int(computed)}
+    return InspectedFile(name, 1, lambda _: node, (0,), special, remarks)
 
 
 @dataclass(frozen=True, eq=False)

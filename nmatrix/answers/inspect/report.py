@@ -13,7 +13,7 @@ from functools import cached_property
 from math import inf
 from pathlib import Path
 
-from nmatrix.answers.inspect.file import InspectedFile, Special
+from nmatrix.answers.inspect.file import STANDARD_INPUT, InspectedFile, Special
 from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
 from nmatrix.answers.inspect.node import InspectedNode
 from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unread, node_data
@@ -154,7 +154,8 @@ class _Reporting:
         if self._has_several:
             yield Heading(f"{len(self.files)} files" + (self._folder and f" of {self._folder}"))
         else:
-            yield Heading(Path(self.files[0].file).name)
+            file = self.files[0].file
+            yield Heading("standard input" if file == STANDARD_INPUT else Path(file).name)
         yield Verdict(self._sentence())
         rows = self._rows_for_people()
         shown = rows if self.chosen.show_all else rows[:SHOWN]

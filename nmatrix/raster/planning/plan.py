@@ -24,7 +24,7 @@ from nmatrix.raster.planning.shading_rate import ShadingRate, shading_rate
 from nmatrix.raster.planning.shadow_casting import light_views, shadow_remarks
 from nmatrix.raster.shading.shadow import LightView
 from nmatrix.scene.light import PlacedLight
-from nmatrix.scene.material import DEFAULT_MATERIAL
+from nmatrix.scene.material import BLACK, DEFAULT_MATERIAL
 from nmatrix.scene.meshes.shell import Shell
 from nmatrix.scene.words import Sides
 
@@ -209,12 +209,16 @@ def _full_body(facts: Facts, lights: tuple[LightDecision, ...]) -> BodyPlan:
 
 
 def _ineffective(facts: Facts) -> dict[str, str]:
-    """Find the settings of a material, other than the default, that no effect on here reads."""
+    """Find the settings of a material, other than the default, that no effect on here reads.
+
+    Black asks for nothing.
+    """
     return {
         setting: one.because
         for effect, one in facts.decisions.items()
         for setting in RECIPES[effect].settings
-        if not one.on and getattr(facts.material, setting) != getattr(DEFAULT_MATERIAL, setting)
+        if not one.on
+        and getattr(facts.material, setting) not in (getattr(DEFAULT_MATERIAL, setting), BLACK)
     }
 
 

@@ -36,7 +36,7 @@ def picture(
     verdict = _verdict(drawn, measured.get("max_angle_error_deg"), rule)
     found = Proof.of(subject, drawn.levels, verdict, [drawn], **measured)
     told = (*found.remarks, *sight_remarks(drawn.plan, drawn.rendered))
-    found = replace(found, remarks=told)
+    found = replace(found, remarks=told, features=scene.features)
     if not shown:
         return found
     canvas, remarks = marked(drawn, shown, theme)

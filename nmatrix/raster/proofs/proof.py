@@ -34,7 +34,7 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import Material, grey
 from nmatrix.scene.meshes.mesh import Mesh
-from nmatrix.scene.scene import Scene, SceneObject, Settings
+from nmatrix.scene.scene import FileFeature, Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 
@@ -161,6 +161,7 @@ class Proof:
     mean_angle_error_deg: float | None = None
     max_level_difference: int = 0
     remarks: tuple[str, ...] = ()
+    features: tuple[FileFeature, ...] = ()
 
     @classmethod
     def of(

@@ -86,6 +86,8 @@ def check_version(path: Path, asset: Asset) -> None:
         With the version, and how to go on.
     """
     needed = asset.min_version or asset.version
+    if not needed.strip():
+        raise _no_gltf(path, "its asset names no version")
     major, _, minor = needed.partition(".")
     if major == "2" and (asset.min_version is None or minor == "0"):
         return

@@ -19,7 +19,7 @@ UNMOVED: dict[str, tuple[Fraction, ...]] = {
     "ROTATION": (*(Fraction(0),) * 3, Fraction(1)),
     "SCALE": (Fraction(1),) * 3,
 }
-MOST = 1 << 16  # instances of a node
+MOST = 1 << 17  # instances of all nodes of a file
 
 
 def is_instanced(file: GltfFile, node_index: int) -> bool:
@@ -56,8 +56,8 @@ def instance_matrices(file: GltfFile, node_index: int) -> tuple[RationalMatrix, 
     Raises
     ------
     IllegalValueError
-        For places that cannot be read, differ in number, are more than 65,536 or have a quaternion
-        of zeros.
+        For places that cannot be read, differ in number, have a quaternion of zeros, or are, with
+        those of the nodes before, more than 131,072.
     """
     world = file.nodes[node_index].world_from_object
     if not is_instanced(file, node_index):
@@ -71,9 +71,13 @@ def instance_matrices(file: GltfFile, node_index: int) -> tuple[RationalMatrix, 
         if name in given.attributes
     }
     counts = {len(one) for one in found.values()}
-    if len(counts) != 1 or max(counts) > MOST:
+    if len(counts) != 1:
         listed = ", ".join(f"{len(one)} of {name}" for name, one in found.items()) or "none"
-        raise file.fault(f"its instances are {listed}; they are alike in number, {MOST} at most")
+        raise file.fault(f"its instances are {listed}; they are alike in number")
+    before = file.kept.instances
+    if node_index not in before and before.total() + max(counts) > MOST:
+        raise file.fault(f"with its {max(counts)} instances the file has more than {MOST}")
+    before[node_index] = max(counts)
     columns = {
         name: found[name].exact() if name in found else [unmoved] * max(counts)
         for name, unmoved in UNMOVED.items()

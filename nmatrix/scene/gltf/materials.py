@@ -11,7 +11,15 @@ from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, Sampler, TextureReference
-from nmatrix.scene.material import BLACK, Colour, EmbeddedImage, ImageSource, Material, Texture
+from nmatrix.scene.material import (
+    BLACK,
+    Colour,
+    EmbeddedImage,
+    ImageSource,
+    Material,
+    Texture,
+    times,
+)
 from nmatrix.scene.words import Filter, Sides, Wrap
 
 MOST_NAMED = 4  # files that a remark names
@@ -50,8 +58,8 @@ class Materials:
         emission_is_lost = record.emissive_texture is not None and emission_texture is None
         found = Material(
             name=record.name or ("default" if index is None else f"material {index}"),
-            ambient=_times(base, AMBIENT_PART),
-            diffuse=_times(base, 1.0 - AMBIENT_PART),
+            ambient=times(base, AMBIENT_PART),
+            diffuse=times(base, 1.0 - AMBIENT_PART),
             emission=BLACK if emission_is_lost else _emission(record),
             opacity=1.0 if record.alpha_mode == "OPAQUE" else alpha,
             has_alpha=record.alpha_mode != "OPAQUE",
@@ -176,9 +184,4 @@ def _references(record: MaterialRecord) -> list[TextureReference]:
 def _emission(record: MaterialRecord) -> Colour:
     strength = max(record.extensions.emissive.emissive_strength, 0.0)
     red, green, blue = (max(one, 0.0) for one in record.emissive_factor)
-    return _times((red, green, blue), strength)
-
-
-def _times(of: Colour, factor: float) -> Colour:
-    red, green, blue = of
-    return factor * red, factor * green, factor * blue
+    return times((red, green, blue), strength)

@@ -18,7 +18,7 @@ from nmatrix.scene.gltf.materials import Materials
 from nmatrix.scene.gltf.primitives import Content, Pose, content_of, corners_of
 from nmatrix.scene.gltf.records import LINE_LOOP, LINE_STRIP, LINES, POINTS, Primitive
 from nmatrix.scene.material import Material
-from nmatrix.scene.scene import SceneObject
+from nmatrix.scene.scene import SceneNode, SceneObject
 from nmatrix.scene.world import World
 
 if TYPE_CHECKING:
@@ -71,6 +71,21 @@ class Objects:
                     found.append(self._object(index, name, i, primitive, world))
                     name = unique(addresses[index], names)
         return tuple(found)
+
+    def node(self, index: int) -> SceneNode:
+        """Return a node under its parent, whether it draws anything or not."""
+        if index not in self._nodes:
+            node, nodes = self.file.nodes[index], self.file.nodes
+            above = None if node.parent is None else nodes[node.parent].world_from_object
+            place = _own_place(self.file, index)
+            self._nodes[index] = SceneNode(
+                node.name, node.world_from_object, place, above, node.parent
+            )
+        return self._nodes[index]
+
+    @cached_property
+    def _nodes(self) -> dict[int, SceneNode]:
+        return {}
 
     @cached_property
     def places(self) -> dict[int, tuple[RationalMatrix, ...]]:
@@ -126,7 +141,7 @@ class Objects:
         """Tell what is not drawn, and of which nodes the own transform does not count."""
         yield from left_out(self.faults)
         if self.others:
-            yield f"Primitives that are not drawn: {self.others}."
+            yield f"Primitives that are not drawn: {self.told_of_others}."
         by_joints = [
             printable(self.file.nodes[index].name)
             for index in self.places
@@ -137,15 +152,19 @@ class Objects:
             yield f"Joints carry the meshes of nodes whose own transforms do not count: {told}."
 
     @cached_property
-    def others(self) -> str:
+    def others(self) -> Counter[str]:
         """What the file's primitives without triangles are made of, counted."""
-        found = Counter(
+        return Counter(
             _kind(one)
             for mesh in self.file.document.meshes
             for one in mesh.primitives
             if not one.has_triangles
         )
-        return ", ".join(f"{count} {what}" for what, count in found.items())
+
+    @property
+    def told_of_others(self) -> str:
+        """The same in words."""
+        return ", ".join(f"{count} {what}" for what, count in self.others.items())
 
     def _is_skinned(self, index: int) -> bool:
         return self.file.document.nodes[index].skin is not None
@@ -175,12 +194,11 @@ class Objects:
     ) -> SceneObject:
         geometry = self._geometry(index, number, primitive)
         material = self._material(primitive)
-        node = self.file.nodes[index]
         if self._is_skinned(index) or is_instanced(self.file, index):
             return SceneObject(name, geometry, world, material, node=index)
-        above = None if node.parent is None else self.file.nodes[node.parent].world_from_object
+        node = self.node(index)
         return SceneObject(
-            name, geometry, world, material, own_place(self.file, index), above, index
+            name, geometry, world, material, node.place, node.world_from_parent, index
         )
 
     def _geometry(self, index: int, number: int, primitive: Primitive) -> Geometry:
@@ -210,7 +228,7 @@ def _kind(primitive: Primitive) -> str:
     return f"of {WORDS.get(primitive.mode, 'an unknown mode')}"
 
 
-def own_place(file: GltfFile, index: int) -> World:
+def _own_place(file: GltfFile, index: int) -> World:
     """Return a node's place under its parent, in parts where the file has parts."""
     record = file.document.nodes[index]
     if record.matrix is not None:

@@ -7,6 +7,7 @@ corners beyond the file's bytes tell of accessors that lie over one another.
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -61,6 +62,7 @@ class Kept:
     accessors: dict[int, Values] = field(default_factory=dict)
     joints: dict[int, tuple[RationalMatrix, ...]] = field(default_factory=dict)
     normals: dict[Content, MeshNormals] = field(default_factory=dict)
+    instances: Counter[int] = field(default_factory=Counter)  # how many, by node
 
 
 def content_of(primitive: Primitive) -> Content:

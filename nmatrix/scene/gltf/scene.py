@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -10,11 +11,12 @@ from nmatrix.errors import NMatrixError, printable, shortlist
 from nmatrix.scene.camera import View
 from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
+from nmatrix.scene.gltf.instances import is_instanced
 from nmatrix.scene.gltf.lights import camera, carried_lights, radius_of, read_lights
 from nmatrix.scene.gltf.materials import Materials
-from nmatrix.scene.gltf.objects import Objects, own_place
+from nmatrix.scene.gltf.objects import Objects
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.scene import Scene, SceneNode, SceneObject, settings_of_file
+from nmatrix.scene.scene import FileFeature, Scene, SceneObject, settings_of_file
 
 SIDE = 512  # pixels, the longer one
 MOST_NAMED = 5  # extensions that a refusal names
@@ -65,9 +67,44 @@ class _Reading:
             has_camera=has_camera,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
-            nodes=tuple(map(self._node, range(len(self.file.nodes)))),
+            nodes=tuple(map(self.objects.node, range(len(self.file.nodes)))),
             refusal=self._refusal(objects),
+            features=tuple(self._features(len(carried))),
         )
+
+    def _features(self, lights: int) -> Iterator[FileFeature]:
+        """Count what the file has, drawn or not."""
+        document, shown = self.file.document, self.file.in_scene
+        nodes = [document.nodes[i] for i in shown]
+        primitives = [one for mesh in document.meshes for one in mesh.primitives]
+        counted = {
+            "camera": (len(self._cameras), "the first is used"),
+            "light": (lights, "drawn, relative to the brightest"),
+            "material": (len(document.materials), "drawn but for what is named here"),
+            "skinned node": (
+                sum(node.skin is not None for node in nodes),
+                "carried by its joints, at rest",
+            ),
+            "primitive with morph targets": (
+                sum(bool(one.targets) for one in primitives),
+                "at the weights of rest",
+            ),
+            "instanced node": (
+                sum(is_instanced(self.file, i) for i in shown),
+                "each instance is drawn",
+            ),
+            "animation": (len(document.animations), "not played"),
+            "node outside of the scene": (len(document.nodes) - len(shown), "not drawn"),
+        }
+        for feature, (count, made_of_it) in counted.items():
+            if count:
+                yield FileFeature(feature, count, made_of_it)
+        for what, count in self.objects.others.items():
+            yield FileFeature(f"primitive {what}", count, "not drawn")
+        for what, materials in sorted(self.materials.left_out.items()):
+            yield FileFeature(f"material with {what}", len(materials), f"{what} not drawn")
+        for one in treated(document.extensions_used, Treatment.LEFT_OUT, Treatment.UNKNOWN):
+            yield FileFeature(f"extension {printable(one)}", 1, "left out")
 
     def _refusal(self, objects: tuple[SceneObject, ...]) -> NMatrixError | None:
         """Say why nothing of the file can be drawn, if so."""
@@ -80,17 +117,11 @@ class _Reading:
         if not objects and self.objects.faults:
             return self.objects.faults[0]
         if not objects:
-            others = self.objects.others
+            others = self.objects.told_of_others
             beside = f" (other primitives: {others})" if others else ""
             why = f"it draws nothing: there are no triangles in its scene{beside}"
             return self.file.fault(why)
         return None
-
-    def _node(self, index: int) -> SceneNode:
-        node = self.file.nodes[index]
-        above = None if node.parent is None else self.file.nodes[node.parent].world_from_object
-        own = own_place(self.file, index)
-        return SceneNode(node.name, node.world_from_object, own, above, node.parent)
 
     @cached_property
     def _cameras(self) -> tuple[int, ...]:

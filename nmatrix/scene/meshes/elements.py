@@ -1,7 +1,7 @@
 """The elements of a PLY file: a header declares their properties, the body holds them row by row.
 
-Rows of one size are read at once. Where lists differ in length one walk finds where each begins, and
-lists of one length are then read together.
+Rows of one size are read at once. Where lists differ in length one walk finds where each begins,
+and lists of one length are then read together.
 """
 
 from __future__ import annotations
@@ -102,10 +102,7 @@ def read_header(path: Path, content: bytes) -> Header:
         and b"\r" in content[:LONGEST_HEADER]
     ):
         end = b"\r"
-    order: str | None = ""
-    elements: list[Element] = []
-    textures: list[str] = []
-    unknown: list[str] = []
+    declared = _Declared()
     place = number = 0
     while True:
         stop = content.find(end, place, place + LONGEST_HEADER)
@@ -120,35 +117,71 @@ def read_header(path: Path, content: bytes) -> Header:
         place = stop + len(end)
         shown = printable(" ".join(words)[:60])
         try:
-            match words:
-                case ["format", form, *_]:
-                    order = ORDERS[form]
-                case ["comment" | "obj_info", *rest]:
-                    if rest and rest[0].lower() == TEXTURE:
-                        textures.append(" ".join(rest[1:]))
-                case ["element", name, count]:
-                    elements.append(Element(name, int(count)))
-                    if elements[-1].count < 0:
-                        raise ValueError(count)
-                case ["property", "list", count, kind, name]:
-                    elements[-1].properties.append(Property(name, KINDS[kind], KINDS[count]))
-                case ["property", kind, name]:
-                    elements[-1].properties.append(Property(name, KINDS[kind]))
-                case [] | ["ply"]:
-                    pass
-                case ["format" | "element" | "property", *_]:
-                    raise ValueError(shown)
-                case _:
-                    unknown.append(f"Line {number} of {path.name} was not understood: {shown}.")
+            if not declared.understands(words):
+                told = f"Line {number} of {path.name} was not understood: {shown}."
+                declared.remarks.append(told)
         except (KeyError, ValueError, IndexError):
             raise IllegalValueError(
                 f"{path}, line {number} ({shown})",
                 "the header of a PLY file has no such line",
-                did_you_mean(words[1] if len(words) > 1 else "", (*ORDERS, *KINDS), "mend it"),
+                _hint(words),
             ) from None
-    if order == "":
+    if declared.form is None:
         raise IllegalValueError(f"{path}", "its header has no line format", "export it again")
-    return Header(order, tuple(elements), place, number, tuple(textures), tuple(unknown))
+    return Header(
+        ORDERS[declared.form],
+        tuple(declared.elements),
+        place,
+        number,
+        tuple(declared.textures),
+        tuple(declared.remarks),
+    )
+
+
+def _hint(words: list[str]) -> str:
+    """Look for a form or a kind that is misspelled."""
+    known = (*ORDERS, *KINDS)
+    odd = [word for word in words[1:-1] if word not in (*known, "list")]
+    return did_you_mean(odd[0] if odd else "", known, "export it again")
+
+
+@dataclass
+class _Declared:
+    """What the lines of a header declare so far."""
+
+    form: str | None = None
+    elements: list[Element] = field(default_factory=list)
+    textures: list[str] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
+
+    def understands(self, words: list[str]) -> bool:
+        """Take in a line, if its first word is one of a header.
+
+        Raises
+        ------
+        KeyError, ValueError, IndexError
+            If the rest of it makes no sense.
+        """
+        match words:
+            case [] | ["ply"]:
+                pass
+            case ["format", form, *_]:
+                _ = ORDERS[form]
+                self.form = form
+            case ["comment" | "obj_info", *rest]:
+                if rest and rest[0].lower() == TEXTURE:
+                    self.textures.append(" ".join(rest[1:]))
+            case ["element", name, count] if count.isdecimal():
+                self.elements.append(Element(name, int(count)))
+            case ["property", "list", count, kind, name]:
+                self.elements[-1].properties.append(Property(name, KINDS[kind], KINDS[count]))
+            case ["property", kind, name]:
+                self.elements[-1].properties.append(Property(name, KINDS[kind]))
+            case ["format" | "element" | "property", *_]:
+                raise ValueError(words)
+            case _:
+                return False
+        return True
 
 
 def read_elements(path: Path, header: Header, content: bytes) -> dict[str, Columns]:
@@ -314,12 +347,12 @@ class Body:
         return found
 
     def _walk(self, element: Element) -> tuple[list[list[int]], list[list[int]], int]:
-        plan = []
+        plan: list[tuple[Any, int, int]] = []
         for one in element.properties:
-            lead, kind = self._kind(one.count or one.kind), self._kind(one.kind)
-            order = ">" if lead.str[0] == ">" else "<"
-            count = None if one.count is None else Struct(order + lead.char).unpack_from
-            plan.append((count, lead.itemsize, kind.itemsize))
+            first, kind = self._kind(one.count or one.kind), self._kind(one.kind)
+            order = ">" if first.str[0] == ">" else "<"
+            count = None if one.count is None else Struct(order + first.char).unpack_from
+            plan.append((count, first.itemsize, kind.itemsize))
         starts: list[list[int]] = [[] for _ in plan]
         lengths: list[list[int]] = [[] for _ in plan]
         columns = list(zip(plan, starts, lengths, strict=True))

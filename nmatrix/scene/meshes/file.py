@@ -17,6 +17,7 @@ from nmatrix.scene.meshes.ply import read_ply
 from nmatrix.scene.meshes.stl import read_stl
 from nmatrix.scene.words import MESH_SUFFIXES
 
+NO_TRIANGLES = ("it holds no triangles", "export it again")
 READERS: dict[str, Callable[[Path, bytes], MeshFile]] = dict(
     zip(MESH_SUFFIXES, (read_obj, read_ply, read_stl), strict=True)
 )
@@ -34,6 +35,8 @@ def read_mesh(path: Path) -> Mesh:
         For a file that cannot be read, holds no triangles, or has numbers that are not finite.
     """
     found = read_surface(path)
+    if not found.parts:
+        raise IllegalValueError(f"{path}", *NO_TRIANGLES)
     mesh = joined([part.mesh for part in found.parts])
     return replace(mesh, remarks=found.remarks)
 
@@ -84,7 +87,7 @@ def read_surface(path: Path, content: bytes | None = None) -> MeshFile:
 
 
 def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile:
-    """Give the one part of a PLY file its colours, and its image if it has one and a place on it."""
+    """Give the one part of a PLY file its colours, and its image if it has places on it."""
     (part,) = found.parts
     files = [beside(path, name, allow_outside=allow_outside) for name in found.named]
     missing = [
@@ -94,7 +97,7 @@ def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile
     if len(files) == 1 and not missing and part.mesh.uv is not None:
         material = replace(
             material or coloured(),
-            texture=Texture(files[0]),
+            texture=Texture(files[0], is_optional=True),
             vertex_colours=part.mesh.colours is not None,
         )
     elif files and not missing:

@@ -11,7 +11,7 @@ from nmatrix.enums import Reflection
 from nmatrix.errors import printable, shortlist
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
-from nmatrix.scene.material import AMBIENT_SHARE, BLACK, Colour, Material, Texture, grey
+from nmatrix.scene.material import AMBIENT_SHARE, BLACK, Colour, Material, Texture, grey, times
 from nmatrix.scene.meshes.text import FIGURE, lines_of, readable
 from nmatrix.scene.words import Wrap
 
@@ -122,21 +122,23 @@ class Materials:
         ambient = read.colour("ka", diffuse)
         specular = read.colour("ks", BLACK)
         opacity = read.number("d", 1.0 - read.number("tr", 0.0))
+        shininess = max(read.number("ns", Material.shininess), 0.0)
         shines = any(specular) and illumination not in (UNLIT, MATT)
-        red, green, blue = ambient
-        self.found[name] = Material(
+        found = Material(
             name=name,
-            ambient=(AMBIENT_SHARE * red, AMBIENT_SHARE * green, AMBIENT_SHARE * blue),
+            ambient=times(ambient, AMBIENT_SHARE),
             diffuse=diffuse,
-            specular=specular,
-            shininess=max(read.number("ns", Material.shininess), 0.0),
+            specular=specular if shines else Material.specular,
+            shininess=shininess if shines else Material.shininess,
             reflection=Reflection.BLINN_PHONG if shines else Reflection.LAMBERT,
-            unlit=diffuse if illumination == UNLIT else None,
             emission=read.colour("ke", BLACK),
             opacity=min(max(opacity, 0.0), 1.0),
             texture=self._texture(values.get("map_kd")),
             emission_texture=self._texture(values.get("map_ke")),
         )
+        is_lit = illumination != UNLIT
+        matt = replace(found, diffuse=times(diffuse, 1.0 - AMBIENT_SHARE))
+        self.found[name] = matt if is_lit else found.without_light()
         for word, what in NOT_DRAWN.items():
             self.left_out.update([what] if word in values else [])
 
@@ -169,7 +171,11 @@ class Materials:
             self.missing.append(name)
             return None
         return Texture(
-            file, (wrap, wrap), _two(placed.get("-s"), 1.0), offset=_two(placed.get("-o"), 0.0)
+            file,
+            (wrap, wrap),
+            _two(placed.get("-s"), 1.0),
+            offset=_two(placed.get("-o"), 0.0),
+            is_optional=True,
         )
 
 
@@ -212,7 +218,8 @@ class _Values:
 
 def coloured(name: str = "default") -> Material:
     """Make the material of a mesh that brings its own colours, or an image: white beneath them."""
-    return Material(name, ambient=grey(AMBIENT_SHARE), diffuse=grey(1.0), vertex_colours=True)
+    ambient, diffuse = grey(AMBIENT_SHARE), grey(1.0 - AMBIENT_SHARE)
+    return Material(name, ambient=ambient, diffuse=diffuse, vertex_colours=True)
 
 
 def _is_number(word: str) -> bool:

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +29,7 @@ from nmatrix.scene.meshes.text import (
 )
 
 Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
+Indices = NDArray[np.integer[Any]]
 
 TOGETHER = 1 << 15  # lines whose numbers are read at once
 NOT_DRAWN = {
@@ -169,16 +171,63 @@ class _Faces(_Lines):
         self.done()
 
 
-@dataclass
 class _Sorted:
     """The lines of a file by what they are for; changes hold for the faces after them."""
 
-    values: tuple[_Values, _Values, _Values]
-    faces: _Faces
-    materials: list[tuple[int, bytes]] = field(default_factory=list)
-    smoothing: list[tuple[int, bytes]] = field(default_factory=list)
-    libraries: list[str] = field(default_factory=list)
-    left_out: Counter[str] = field(default_factory=Counter)
+    def __init__(self, path: Path) -> None:
+        self.values = (
+            _Values(path),
+            _Values(path, what="texture coordinate", fewest=1, most=2),
+            _Values(path, what="normal"),
+        )
+        self.faces = _Faces(path)
+        self.tables: dict[bytes, _Values | _Faces] = dict(
+            zip((b"v", b"vt", b"vn", b"f"), (*self.values, self.faces), strict=True)
+        )
+        self.materials: list[tuple[int, bytes]] = []
+        self.smoothing: list[tuple[int, bytes]] = []
+        self.libraries: list[str] = []
+        self.left_out: Counter[str] = Counter()
+
+    def read(self, content: bytes) -> None:
+        """Sort all lines; blocks of one kind are not walked."""
+        for numbers, block in blocks_of(content):
+            word = block.partition(b" ")[0]
+            table = self.tables.get(word)
+            if table is None or not _is_alike(word, block, len(numbers)):
+                self._walk(numbers, block)
+                continue
+            table.lines += block[len(word) + 1 :].split(b"\n" + word + b" ")
+            table.numbers += numbers
+            table.read()
+        for table in self.tables.values():
+            table.read()
+
+    def _walk(self, numbers: Sequence[int], block: bytes) -> None:
+        faces, (v, vt, vn) = self.faces, self.values
+        for number, line in zip(numbers, block.split(b"\n"), strict=True):
+            word, _, rest = (line if line[:1] != b" " else line.lstrip()).partition(b" ")
+            table = self.tables.get(word)
+            if table is None:
+                self._note(word, rest.strip())
+                continue
+            if table is faces and b"-" in rest:
+                faces.before[len(faces.lines)] = (len(v), len(vt), len(vn))
+            table.lines.append(rest)
+            table.numbers.append(number)
+            if len(table.lines) == TOGETHER:
+                table.read()
+
+    def _note(self, word: bytes, rest: bytes) -> None:
+        """Keep a line that is no numbers."""
+        if word == b"usemtl":
+            self.materials.append((len(self.faces), rest))
+        elif word == b"mtllib":
+            self.libraries.append(readable(rest))
+        elif word == b"s":
+            self.smoothing.append((len(self.faces), rest.split(b"#")[0].strip().lower()))
+        elif word in _LEFT_OUT:
+            self.left_out[_LEFT_OUT[word]] += 1
 
 
 def read_obj(path: Path, content: bytes) -> MeshFile:
@@ -189,7 +238,8 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     IllegalValueError
         For a number that is none, a vertex that is not there, or no faces; with the line.
     """
-    found = _sorted(path, content)
+    found = _Sorted(path)
+    found.read(content)
     v, vt, vn = found.values
     remarks = _left_out(path, found)
     sizes = np.concatenate([np.empty(0, np.intp), *found.faces.sizes])
@@ -217,44 +267,6 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     parts, made, origin = polygons.parts([readable(one) for one in names], material[long])
     libraries = tuple(dict.fromkeys(found.libraries))
     return MeshFile(parts, (*remarks, *told, *made), origin, libraries)
-
-
-def _sorted(path: Path, content: bytes) -> _Sorted:
-    v = _Values(path)
-    vt = _Values(path, what="texture coordinate", fewest=1, most=2)
-    vn = _Values(path, what="normal")
-    f = _Faces(path)
-    found = _Sorted((v, vt, vn), f)
-    tables: dict[bytes, _Values | _Faces] = {b"v": v, b"vt": vt, b"vn": vn, b"f": f}
-    for numbers, block in blocks_of(content):
-        word = block.partition(b" ")[0]
-        table = tables.get(word)
-        if table is not None and _is_alike(word, block, len(numbers)) and len(numbers) > 1:
-            table.lines += block[len(word) + 1 :].split(b"\n" + word + b" ")
-            table.numbers += numbers
-            table.read()
-            continue
-        for number, line in zip(numbers, block.split(b"\n"), strict=True):
-            word, _, rest = (line if line[:1] != b" " else line.lstrip()).partition(b" ")
-            table = tables.get(word)
-            if table is not None:
-                if table is f and b"-" in rest:
-                    f.before[len(f.lines)] = (len(v), len(vt), len(vn))
-                table.lines.append(rest)
-                table.numbers.append(number)
-                if len(table.lines) == TOGETHER:
-                    table.read()
-            elif word == b"usemtl":
-                found.materials.append((len(f), rest.strip()))
-            elif word == b"mtllib":
-                found.libraries.append(readable(rest.strip()))
-            elif word == b"s":
-                found.smoothing.append((len(f), rest.split(b"#")[0].strip().lower()))
-            elif word in _LEFT_OUT:
-                found.left_out[_LEFT_OUT[word]] += 1
-    for table in tables.values():
-        table.read()
-    return found
 
 
 def _is_alike(word: bytes, block: bytes, lines: int) -> bool:
@@ -311,7 +323,7 @@ def _attribute(values: Array, at: Indices) -> Attribute | None:
     """Pair values with the corners that point to them; what is not finite is missing."""
     if not len(values):
         return None
-    bad = ~np.isfinite(values).all(axis=1)
+    bad = np.logical_not(np.isfinite(values).all(axis=-1))
     if bad.any():
         at = np.where((at != NONE) & bad[at], NONE, at)
     return Attribute(values, at) if (at != NONE).any() else None
@@ -321,15 +333,14 @@ def _spans(changes: Sequence[tuple[int, bytes]], faces: int) -> tuple[list[bytes
     """List the names that hold for some face, and which one holds for each."""
     names: dict[bytes, int] = {}
     found = np.zeros(faces, np.intp)
-    spans = [(0, b""), *changes, (faces, b"")]
-    for (first, name), (after, _) in zip(spans, spans[1:], strict=False):
+    for (first, name), (after, _) in pairwise([(0, b""), *changes, (faces, b"")]):
         if first < after:
             found[first:after] = names.setdefault(name, len(names))
     return list(names), found
 
 
 def _smoothing(changes: Sequence[tuple[int, bytes]], kept: NDArray[np.bool_]) -> Indices | None:
-    """Number the smoothing groups of faces; before the first such line all is smooth."""
+    """Give each face the number of its smoothing group; before the first word all is smooth."""
     if not changes:
         return None
     names, at = _spans(changes, len(kept))

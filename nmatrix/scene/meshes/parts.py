@@ -19,7 +19,7 @@ from nmatrix.scene.meshes.polygons import Cut, cut
 from nmatrix.scene.words import NormalsFrom
 
 Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
+Indices = NDArray[np.integer[Any]]
 
 NONE = -1  # the index of a corner that has no such value
 FLAT = 0  # the smoothing group that smooths nothing
@@ -166,7 +166,7 @@ class Polygons:
         mesh = Mesh(
             self.positions[self.corners[kept]],
             normals.values[normals.at[kept]],
-            vertex.reshape(-1, 3),
+            vertex.reshape(-1, 3).astype(np.intp, copy=False),
             uv=uv,
             colours=None if self.colours is None else self.colours.values[self.colours.at[kept]],
         )

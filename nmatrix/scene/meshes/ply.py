@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements,
 from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons
 
 Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
+Indices = NDArray[np.integer[Any]]
 
 VERTEX, FACE, STRIPS = "vertex", "face", "tristrips"
 AXES, NORMALS = ("x", "y", "z"), ("nx", "ny", "nz")
@@ -58,16 +59,15 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
             why = f"it holds {len(positions):,} points and no faces"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     kept = slice(None) if long.all() else np.repeat(long, sizes)
-    colours, uv = _colours(header, found, corners, sizes), _uv(found, corners, sizes)
-    normals = _of_vertices(vertices, (NORMALS,), corners)
-    polygons = Polygons(
-        path.name,
-        positions,
-        corners[kept],
-        sizes[long],
-        *(None if one is None else Attribute(one.values, one.at[kept]) for one in (normals, uv)),
-        None if colours is None else Attribute(colours.values, colours.at[kept]),
+    normals, uv, colours = (
+        None if one is None else Attribute(one.values, one.at[kept])
+        for one in (
+            _of_vertices(vertices, (NORMALS,), corners),
+            _uv(found, corners, sizes),
+            _colours(header, found, corners, sizes),
+        )
     )
+    polygons = Polygons(path.name, positions, corners[kept], sizes[long], normals, uv, colours)
     parts, told, origin = polygons.parts()
     return MeshFile(parts, (*remarks, *told), origin, header.textures)
 
@@ -94,7 +94,8 @@ def _corners(
     """Read the vertex of each corner, and the number of corners of each face."""
     faces = next((one for name in LISTS if (one := found.get(FACE, {}).get(name))), None)
     strips = next((one for name in LISTS if (one := found.get(STRIPS, {}).get(name))), None)
-    corners, sizes = np.empty(0, np.intp), np.empty(0, np.intp)
+    corners: Indices = np.empty(0, np.intp)
+    sizes: Indices = np.empty(0, np.intp)
     if isinstance(faces, Lists):
         corners, sizes = _indices(path, FACE, faces, range(count)), faces.lengths
     if isinstance(strips, Lists):
@@ -141,7 +142,7 @@ def _of_strips(strips: Indices, lengths: Indices) -> Indices:
     a, b, c = strips[:-2], strips[1:-1], strips[2:]
     kept = (since[2:] >= 2) & (c != NONE) & (a != b) & (b != c) & (c != a)
     odd = since[2:] % 2 == 1
-    return np.stack([np.where(odd, b, a), np.where(odd, a, b), c], axis=1)[kept]
+    return np.asarray(np.stack([np.where(odd, b, a), np.where(odd, a, b), c], axis=1)[kept])
 
 
 def _named(columns: Columns, choices: Sequence[Sequence[str]]) -> Sequence[str] | None:
@@ -160,7 +161,7 @@ def _of_vertices(
     if names is None:
         return None
     values = _together(vertices, names)
-    bad = ~np.isfinite(values).all(axis=1)
+    bad = np.logical_not(np.isfinite(values).all(axis=-1))
     at = np.where(bad[corners], NONE, corners) if bad.any() else corners
     return Attribute(values, at)
 
@@ -178,7 +179,8 @@ def _uv(found: Mapping[str, Columns], corners: Indices, sizes: Indices) -> Attri
     values = np.asarray(own.values[whole], np.float64).reshape(-1, 2)
     if not len(values):
         return None
-    return Attribute(values, np.where((at != NONE) & np.isfinite(values).all(axis=1)[at], at, NONE))
+    finite = np.asarray(np.isfinite(values).all(axis=1))
+    return Attribute(values, np.where((at != NONE) & finite[at], at, NONE))
 
 
 def _colours(

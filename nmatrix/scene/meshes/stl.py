@@ -34,11 +34,11 @@ def read_stl(path: Path, content: bytes) -> MeshFile:
     Raises
     ------
     IllegalValueError
-        For a file that breaks off, holds no triangles, or a coordinate that is no finite number.
+        For a file that breaks off, or a coordinate that is no finite number.
     """
     positions, remarks = _from_text(path, content) if _is_text(content) else _binary(path, content)
     if not len(positions):
-        raise IllegalValueError(f"{path}", "it holds no triangles", "export it again")
+        return MeshFile((), (*remarks, f"{path.name} holds no triangles."), NormalsFrom.NONE)
     bad = ~np.isfinite(positions).all(axis=1)
     if bad.any():
         corner = int(np.argmax(bad))
