@@ -12,6 +12,7 @@ The tree::
 
 from __future__ import annotations
 
+import errno
 import re
 from collections.abc import Callable, Iterable
 from typing import ClassVar
@@ -37,18 +38,82 @@ def spelled(text: str, spell: Callable[[str], str]) -> str:
     return _NAME.sub(lambda one: spell(one[1]), text)
 
 
+LONGEST_TYPED = 40  # characters of a word that are compared
+PER_SLIP = 4  # letters of a word to one slip
+
+
 def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
-    """Ask for the nearest known word, or name another next step.
+    """Ask for the known word that was probably meant, or name another next step.
+
+    A slip is a letter too many, too few or another, or two exchanged; a word of three letters has
+    one, a longer one more for each further four, and it may be cut short where only one word begins
+    so. Others are no guesses.
 
     Examples
     --------
     >>> did_you_mean("wrold", ["view", "world"], "see the list")
     'did you mean world?'
+    >>> did_you_mean("--open", ["--space", "--object"], "see the list")
+    'see the list'
     """
-    from difflib import get_close_matches
+    typed = word[:LONGEST_TYPED].lstrip("-").casefold()
+    near: list[tuple[int, str]] = []
+    begun: list[str] = []
+    for one in known:
+        name = one.lstrip("-").casefold()
+        if abs(len(name) - len(typed)) <= (len(typed) + 1) // PER_SLIP:
+            near.append((slips(typed, name), one))
+        if len(typed) >= 2 and name.startswith(typed):
+            begun.append(one)
+    slipped, best = min(near, default=(0, ""), key=lambda one: one[0])
+    if best and slipped <= (len(typed) + 1) // PER_SLIP:
+        return f"did you mean {printable(best)}?"
+    return f"did you mean {printable(begun[0])}?" if len(begun) == 1 else otherwise
 
-    near = get_close_matches(word[:40], list(known), n=1, cutoff=0.6)
-    return f"did you mean {printable(near[0])}?" if near else otherwise
+
+def slips(typed: str, meant: str) -> int:
+    """Count the slips that make one word of another.
+
+    Examples
+    --------
+    >>> slips("sacle", "scale"), slips("colour", "color"), slips("dark", "dask")
+    (1, 1, 1)
+    """
+    before: list[int] = []
+    row = list(range(len(meant) + 1))
+    for i, letter in enumerate(typed, 1):
+        earlier, before, row = before, row, [i]
+        for j, other in enumerate(meant, 1):
+            least = min(before[j] + 1, row[-1] + 1, before[j - 1] + (letter != other))
+            if i > 1 and j > 1 and letter == meant[j - 2] and typed[i - 2] == other:
+                least = min(least, earlier[j - 2] + 1)
+            row.append(least)
+    return row[-1]
+
+
+_REFUSALS = {
+    errno.ENOENT: "there is no such file or folder",
+    errno.EISDIR: "it is a folder",
+    errno.ENOTDIR: "a part of its path is a file and not a folder",
+    errno.ENAMETOOLONG: "its name is too long",
+    errno.EACCES: "its permissions do not allow it",
+    errno.EPERM: "its permissions do not allow it",
+    errno.EROFS: "it is on a disk that can only be read",
+    errno.ENOSPC: "no space is left there",
+    errno.EFBIG: "no file may be so large there",
+}
+
+
+def refusal(error: OSError) -> str:
+    """Tell in a sentence why the file system refused.
+
+    Examples
+    --------
+    >>> refusal(IsADirectoryError(errno.EISDIR, "Is a directory"))
+    'it is a folder'
+    """
+    told = _REFUSALS.get(error.errno or 0)
+    return told or f"the system refuses it ({error.strerror or type(error).__name__})"
 
 
 def shortlist(names: Iterable[str], most: int = 8) -> str:

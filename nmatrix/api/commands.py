@@ -11,6 +11,7 @@ from nmatrix.api.setup import Part, Setup, setup_values, world_part
 from nmatrix.enums import Space
 from nmatrix.linear.values import flag, named_file, number, refused, text, vector, whole
 from nmatrix.reading.arrays import read_affine, read_matrix
+from nmatrix.samples import file_or_sample
 from nmatrix.spaces.shading_spaces import space_named
 
 NO_SETUP = Setup()
@@ -219,7 +220,9 @@ def plan(scene: str | Path, *, allow_outside: bool = False) -> Report:
     """List the effects that a scene file calls for, why, and how safely the others are left out."""
     from nmatrix.answers.plan import plan_of_file
 
-    return Report(plan_of_file(named_file(scene, "scene"), allow_outside=allow_outside))
+    return Report(
+        plan_of_file(file_or_sample(named_file(scene, "scene")), allow_outside=allow_outside)
+    )
 
 
 def inspect(file: str | Path) -> Report:
@@ -227,7 +230,7 @@ def inspect(file: str | Path) -> Report:
     from nmatrix.answers.inspect.file import inspect_file
     from nmatrix.answers.inspect.report import report
 
-    return Report(report((inspect_file(named_file(file, "file")),)))
+    return Report(report((inspect_file(file_or_sample(named_file(file, "file"))),)))
 
 
 def _mapping(value: object, name: str) -> Mapping[str, object]:

@@ -19,6 +19,7 @@ from nmatrix.enums import (
     chosen_words,
 )
 from nmatrix.linear.values import named_file, number, vector
+from nmatrix.samples import file_or_sample
 from nmatrix.scene.camera import View
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
@@ -85,7 +86,7 @@ def render(
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.open import scene_of
 
-    name = str(named_file(subject, "subject"))
+    name = str(file_or_sample(named_file(subject, "subject")))
     choices = PictureChoices(
         None if size is None else vector(size, "size", size=2),
         None if shading is None else chosen(Shading, shading, "shading"),
@@ -99,7 +100,7 @@ def render(
     )
     if is_proof(name, setup=setup, mesh=mesh):
         values = setup_values(Setup() if setup is None else setup)
-        of_mesh = None if mesh is None else named_file(mesh, "mesh")
+        of_mesh = None if mesh is None else file_or_sample(named_file(mesh, "mesh"))
         own = ProofSettings(
             name if of_mesh is None else of_mesh.stem,
             None if of_mesh is None else read_mesh(of_mesh),

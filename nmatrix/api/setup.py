@@ -18,6 +18,7 @@ from nmatrix.enums import (
     chosen,
 )
 from nmatrix.linear.values import named_file, number, plain_value, real, refused, vector
+from nmatrix.samples import file_or_sample
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
 from nmatrix.scene.given import hand_of, lens_of, light_of, view_of, world_of
@@ -114,7 +115,7 @@ class Setup:
         from nmatrix.scene.open import scene_of
 
         found = cls.__new__(cls)
-        scene = scene_of(named_file(file, "file"), allow_outside=allow_outside)
+        scene = scene_of(file_or_sample(named_file(file, "file")), allow_outside=allow_outside)
         values = setup_of(scene, object, light)
         found.__dict__["values"] = values
         return found

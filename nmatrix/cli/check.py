@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.shared_options import CommonOptions, among
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.sources import table
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, did_you_mean
 from nmatrix.reading.numbers import fraction, numbers
+from nmatrix.samples import file_or_sample, samples
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,12 +28,14 @@ HELP = {
 
 nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
 
-nmatrix check world --batch answers.csv --rotate 0 30 0 -f csv
+nmatrix check normal --batch answers --scale 1 2 1
 
 Exit 0 if it is right, 1 if not.""",
 }
 
 EXERCISE = "exercise"
+IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
+USUAL_ANSWERS = {"normal": "1 0 0; 0 1 0; 0 0 1", "light": "0 0 1", "eye": "0 0 5"}
 EXERCISE_COLUMNS = ("student", "exercise", "answer")
 
 
@@ -56,6 +59,18 @@ class CheckOptions:
         return None if self.tolerance is None else fraction(self.tolerance, "--tolerance")
 
 
+def _subjects() -> list[str]:
+    from nmatrix.lessons.check.question import Subject
+
+    return [*Subject, EXERCISE]
+
+
+def _exercises() -> list[str]:
+    from nmatrix.cli.handout import USUAL_EXERCISES
+
+    return [str(number) for number in range(1, USUAL_EXERCISES + 1)]
+
+
 def check(
     *,
     groups: OptionGroups,
@@ -63,7 +78,11 @@ def check(
     common: CommonOptions,
     what: Annotated[
         str,
-        Argument(metavar="WHAT", help="world, view, projection, normal, light, eye or exercise."),
+        Argument(
+            metavar="WHAT",
+            help="world, view, projection, normal, light, eye or exercise.",
+            autocompletion=among(_subjects),
+        ),
     ],
     answer: Annotated[
         str | None,
@@ -71,6 +90,7 @@ def check(
             metavar="ANSWER",
             help="Like MATRIX, or 3 or 4 numbers; the number N of an exercise.",
             show_default=False,
+            autocompletion=among(_exercises),
         ),
     ] = None,
     exercise_answer: Annotated[
@@ -80,7 +100,11 @@ def check(
     sheet: SheetOptions,
     batch: Annotated[
         str | None,
-        Option(metavar="FILE", help="A .csv with the columns student, answer (and exercise)."),
+        Option(
+            metavar="FILE",
+            help="A .csv with the columns student, answer (and exercise).",
+            autocompletion=among(samples, ".csv"),
+        ),
     ] = None,
 ) -> None:
     """Check an answer."""
@@ -103,10 +127,11 @@ def _check_scene(
 ) -> None:
     """Check one answer to a question about a scene, or a class's."""
     if (answer is None) is (batch is None):
+        example = USUAL_ANSWERS.get(question.subject, IDENTITY)
         raise IllegalValueError(
             f"check {question.subject}",
             "it takes an ANSWER or --batch FILE, one of them",
-            f'try nmatrix check {question.subject} "1 0 0; 0 1 0; 0 0 1"',
+            f'try nmatrix check {question.subject} "{example}"',
         )
     if batch is not None:
         from nmatrix.answers.grades import NEEDED, answers_to
@@ -153,7 +178,7 @@ def _show_grades(
 ) -> None:
     from nmatrix.answers.grades import grades
 
-    rows = table(batch, columns)
+    rows = table(str(file_or_sample(batch)), columns)
     show(grades(progress(rows, len(rows), "grading answers"), judge), common)
 
 
@@ -181,7 +206,9 @@ def _question(
 
     if what not in list(Subject):
         raise IllegalValueError(
-            f"WHAT ({what[:20]})", f"it is one of {', '.join(Subject)}, {EXERCISE}", "try normal"
+            f"WHAT ({what[:20]})",
+            f"it is one of {', '.join(_subjects())}",
+            did_you_mean(what, _subjects(), "try normal"),
         )
     subject = Subject(what)
     if options.normal is not None and subject is not Subject.NORMAL:

@@ -20,12 +20,10 @@ from typing import TYPE_CHECKING, Any, get_type_hints
 
 from typer.core import TyperArgument, TyperCommand, TyperOption
 
-from nmatrix.cli.show import put
 from nmatrix.errors import IllegalValueError, did_you_mean
-from nmatrix.output.style import BLUE, GREY, ORANGE
 
 if TYPE_CHECKING:
-    from typer._click import Context, HelpFormatter
+    from typer._click import Context
 
 Group = Any  # a frozen dataclass type; its fields are Typer's options, or groups again
 
@@ -48,17 +46,7 @@ _SEPARATOR = re.compile(r"[\s,]")
 EXPRESSION = "EXPRESSION"  # the metavar of an argument that may begin with any minus
 # Two minus signs before a word of small letters are an option with a slip, not an expression.
 _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(?:=.*)?\Z", re.DOTALL)
-# Typer's own colours of help cannot be read on white.
-HELP_STYLES = {
-    "STYLE_OPTION": f"bold color({BLUE})",
-    "STYLE_SWITCH": f"bold color({BLUE})",
-    "STYLE_TYPES": f"color({GREY})",
-    "STYLE_USAGE": "bold",
-    "STYLE_HELPTEXT": "",
-    "STYLE_OPTION_DEFAULT": f"color({GREY})",
-    "STYLE_REQUIRED_SHORT": f"color({ORANGE})",
-    "STYLE_REQUIRED_LONG": f"color({ORANGE})",
-}
+HELP_OPTIONS = ("--help", "-h")
 
 
 def with_flat_options(command: Callable[..., None]) -> Callable[..., None]:
@@ -122,15 +110,11 @@ class GatheringCommand(TyperCommand):
     examples: tuple[str, ...] = ()
 
     def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
-        """Gather the words first; while completing, leave them as they are."""
-        if ctx.resilient_parsing:
-            return super().parse_args(ctx, args)
-        if _ask_for_help(args):
-            return super().parse_args(ctx, ["--help"])
+        """Gather the words first."""
         parameters = self.get_params(ctx)
         options = [one for one in parameters if isinstance(one, TyperOption)]
         reads_expression = any(one.metavar == EXPRESSION for one in parameters)
-        words = gather(args, options, reads_expression=reads_expression)
+        words = gather(args, options, command=self.name or "", reads_expression=reads_expression)
         end = words.index("--") if "--" in words else len(words)
         places = [one for one in parameters if isinstance(one, TyperArgument)]
         values = _with_matrix(words[end + 1 :], places)
@@ -156,15 +140,6 @@ class GatheringCommand(TyperCommand):
             name = required[len(values)].metavar or required[len(values)].name
             example = self.examples[0] if self.examples else f"nmatrix {self.name} --help"
             raise IllegalValueError(f"{name}", "it is missing", f"try {example}")
-
-    def format_help(self, ctx: Context, formatter: HelpFormatter) -> None:
-        """Write the examples, then the usage, the sentence and the options."""
-        from typer import rich_utils
-
-        put("".join(f"  {example}\n" for example in self.examples))
-        for name, style in HELP_STYLES.items():
-            setattr(rich_utils, name, style)
-        super().format_help(ctx, formatter)
 
 
 def _with_matrix(values: list[str], places: list[TyperArgument]) -> list[str]:
@@ -221,8 +196,10 @@ def examples_and_notes(text: str) -> tuple[tuple[str, ...], str]:
     return tuple(one.replace("\\[", "[") for one in examples), notes
 
 
-def _ask_for_help(words: list[str]) -> bool:
-    return "--help" in (words[: words.index("--")] if "--" in words else words)
+def asks_for(names: Iterable[str], words: Sequence[str]) -> bool:
+    """Whether one of these options stands among the words, before any `--`."""
+    before = words[: words.index("--")] if "--" in words else words
+    return any(name in before for name in names)
 
 
 @dataclass
@@ -287,7 +264,11 @@ def is_value(word: str) -> bool:
 
 
 def gather(
-    words: Sequence[str], known: Iterable[TyperOption], *, reads_expression: bool = False
+    words: Sequence[str],
+    known: Iterable[TyperOption],
+    *,
+    command: str = "",
+    reads_expression: bool = False,
 ) -> list[str]:
     """Join every option and its values into one token.
 
@@ -320,7 +301,7 @@ def gather(
         if is_value(word) or (may_be_expression and not _is_option(word, by_name)):
             values.append(word)
         else:
-            options.append(_option(word, by_name, reader))
+            options.append(_option(word, by_name, reader, command))
     return [*options, "--", *values] if values else options
 
 
@@ -332,14 +313,21 @@ def _is_option(word: str, by_name: dict[str, TyperOption]) -> bool:
     return short is not None and word[2:] in getattr(short.type, "choices", ())
 
 
-def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
+def takes(option: TyperOption) -> int:
+    """Count the values that an option takes."""
+    return len((option.metavar or "VALUE").split())
+
+
+def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader, command: str) -> str:
     name, joined = _split(word)
     option = by_name.get(name)
     if option is None:
+        from nmatrix.cli.meanings import option_for
+
         raise IllegalValueError(
             f"option ({name[:40]})",
             "this command does not know it",
-            did_you_mean(name, by_name, "see --help"),
+            option_for(name, command, list(by_name)),
         )
     full = max(option.opts, key=len)
     if full in reader.given and not option.multiple:
@@ -355,7 +343,7 @@ def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader) -> str:
     elif metavar.endswith(AND_MORE):
         value = reader.all_values(full)
     else:
-        value = reader.values(full, len(metavar.split()), or_one=metavar.startswith(ONE_OR))
+        value = reader.values(full, takes(option), or_one=metavar.startswith(ONE_OR))
     choices = [str(one) for one in getattr(option.type, "choices", ())]
     if choices and value not in choices:
         raise IllegalValueError(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Option
 
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import CommonOptions, whole_number
+from nmatrix.cli.shared_options import CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
@@ -20,6 +20,7 @@ from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
 from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
+from nmatrix.samples import file_or_sample, samples
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -32,9 +33,9 @@ if TYPE_CHECKING:
 HELP = {
     "handout": """nmatrix handout --scale 1 2 1
 
-nmatrix handout --topics rule,exercises --exercises 10 --student Ada --key --to pdf
+nmatrix handout --topics rule,exercises --exercises 10 --student Ada --key
 
-nmatrix handout --roster class.csv --seed 7 --to pdf --key -o sheets
+nmatrix handout --roster class --seed 7 --key -o sheets
 
 With a roster everybody in a class gets a sheet of their own, and a rerun completes the folder.""",
 }
@@ -42,6 +43,12 @@ With a roster everybody in a class gets a sheet of their own, and a rerun comple
 USUAL_EXERCISES = 10
 MOST_POINTS = 100
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
+
+
+def _topics() -> list[str]:
+    from nmatrix.classroom.topics import Topic
+
+    return list(Topic)
 
 
 @dataclass(frozen=True)
@@ -53,13 +60,22 @@ class HandoutOptions:
     ] = None
     topics: Annotated[
         str | None,
-        Option(metavar="WORDS", help="rule, spaces, exercises, worked, proofs, pitfalls, cost."),
+        Option(
+            metavar="WORDS",
+            help="rule, spaces, exercises, worked, proofs, pitfalls, cost.",
+            autocompletion=among(_topics),
+        ),
     ] = None
     exercises: Annotated[
         str | None, Option(metavar="N", help="So many exercises (10 with that topic).")
     ] = None
     roster: Annotated[
-        str | None, Option(metavar="FILE", help="A .csv with a column student: one sheet each.")
+        str | None,
+        Option(
+            metavar="FILE",
+            help="A .csv with a column student: one sheet each.",
+            autocompletion=among(samples, ".csv"),
+        ),
     ] = None
     title: Annotated[
         str | None,
@@ -204,7 +220,7 @@ def _write_class(
     from nmatrix.classroom.run import Job, finished
 
     seed, salt = sheet.of_a_class("--roster")
-    everyone = students(records(roster, (COLUMN,)), roster)
+    everyone = students(records(str(file_or_sample(roster)), (COLUMN,)), roster)
     wanted = manifest(plan, seed, salt, everyone)
     jobs = [Job(plan, one, seed, salt) for one in everyone]
     folder = Path(options.output or USUAL_FOLDER)

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.scene_options import ToleranceOption
-from nmatrix.cli.shared_options import OUTSIDE, CommonOptions, completed_from, option_name
+from nmatrix.cli.shared_options import OUTSIDE, CommonOptions, among, option_name
 from nmatrix.cli.show import progress, show
 from nmatrix.enums import Flaw, NodeOrder, chosen_words
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import FROM_FILE
+from nmatrix.samples import file_or_sample, samples
 
 if TYPE_CHECKING:
     from nmatrix.answers.inspect.file import InspectedFile
@@ -22,11 +23,11 @@ if TYPE_CHECKING:
 WORDS = ", ".join(Flaw)
 
 HELP = {
-    "inspect": """nmatrix inspect scene.glb
+    "inspect": """nmatrix inspect teapot
 
-nmatrix inspect assets --only shear,mirrored -f csv
+nmatrix inspect teapot --only degenerate,mirrored -f csv
 
-nmatrix inspect assets --fail-on mirrored,shear -f github
+nmatrix inspect teapot --fail-on mirrored,shear -f github
 
 The nodes whose map is not plain, and why: their normals need more than the world matrix. A folder
 is searched to its depths, - is standard input.""",
@@ -39,14 +40,18 @@ def inspect(
     common: CommonOptions,
     files: Annotated[
         list[str],
-        Argument(metavar="FILE...", help=".gltf .glb .obj .ply .stl files, folders of them, or -."),
+        Argument(
+            metavar="FILE...",
+            help=".gltf .glb .obj .ply .stl files, folders of them, or -.",
+            autocompletion=among(samples, ".obj"),
+        ),
     ],
     only: Annotated[
         str | None,
         Option(
             metavar="WORDS",
             help=f"Nodes with one of these alone, with commas: {WORDS}.",
-            autocompletion=completed_from(Flaw),
+            autocompletion=among(Flaw),
         ),
     ] = None,
     sort: Annotated[
@@ -60,7 +65,7 @@ def inspect(
         Option(
             metavar="WORDS",
             help="Exit 1 for a node with one of these; the words of --only.",
-            autocompletion=completed_from(Flaw),
+            autocompletion=among(Flaw),
         ),
     ] = None,
     allow_outside: Annotated[bool, Option("--allow-outside", help=OUTSIDE)] = False,
@@ -78,7 +83,7 @@ def inspect(
     )
     if files.count(STANDARD_INPUT) > 1:
         raise IllegalValueError("- (standard input)", "it can be read only once", "give it once")
-    paths = files_of(files)
+    paths = files_of([str(file_or_sample(one)) for one in files])
     content = sys.stdin.buffer.read() if STANDARD_INPUT in files else b""
     limit = tolerance.value(FROM_FILE)
     found = []

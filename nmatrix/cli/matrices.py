@@ -9,7 +9,7 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions, ToleranceOption
-from nmatrix.cli.shared_options import CommonOptions, option_name
+from nmatrix.cli.shared_options import CommonOptions, among, option_name
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import OrderOption, WorldOptions
 from nmatrix.enums import NORMAL_METHODS, AxisName, NormalRule, chosen
@@ -21,7 +21,7 @@ HELP = {
 
 nmatrix world --translate -3 0 -1.5 --rotate 0 30 0 --order ZYX
 
-nmatrix world --scene arm.toml --object hand -f json""",
+nmatrix world --scene sample --object hand -f json""",
     "view": """nmatrix view --eye 3 3 2.5 --target 0 0 0
 
 nmatrix view --eye 3 3 2.5 --elevation -45 --angle -40 --convention polimi""",
@@ -119,7 +119,7 @@ def normal(
         Option(
             "--method",
             metavar=f"<{'|'.join(NORMAL_METHODS)}>",
-            autocompletion=lambda: list(NORMAL_METHODS),
+            autocompletion=among(NORMAL_METHODS),
             help="Right, or one of three to compare with.",
         ),
     ] = NORMAL_METHODS[0].value,

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
-from nmatrix.cli.shared_options import completed_from, whole_number
+from nmatrix.cli.environment import usual
+from nmatrix.cli.shared_options import among, whole_number
 from nmatrix.cli.workers import WorkerOptions
 from nmatrix.enums import (
     Effort,
@@ -46,8 +47,9 @@ class PictureOptions:
         str | None, in_picture(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
     ] = None
     theme: Annotated[
-        Theme, in_picture(help="Colours of proofs and marks: a page, a dark slide, grey paper.")
-    ] = Theme.LIGHT
+        Theme | None,
+        in_picture(help="Colours of proofs and marks: a page (light), a dark slide, grey paper."),
+    ] = None
     effects: Annotated[Effort, in_picture(help="What the scene calls for, or everything.")] = (
         Effort.PLANNED
     )
@@ -57,7 +59,7 @@ class PictureOptions:
         in_picture(
             metavar="WORDS",
             help=f"Marks over a scene or mesh, with commas: {', '.join(Shown)}.",
-            autocompletion=completed_from(Shown),
+            autocompletion=among(Shown),
         ),
     ] = None
 
@@ -73,7 +75,7 @@ class PictureOptions:
             space=space,
             samples=None if self.samples is None else number(self.samples, "--samples"),
             effort=self.effects,
-            theme=self.theme,
+            theme=self.theme or usual("NMATRIX_THEME", Theme) or Theme.LIGHT,
             shown=frozenset(() if self.show is None else chosen_words(Shown, self.show, "show")),
         )
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.shared_options import OUTSIDE, CommonOptions
+from nmatrix.cli.shared_options import OUTSIDE, CommonOptions, among
 from nmatrix.cli.show import put, show
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.derive import lesson
 from nmatrix.reading.numbers import fractions
+from nmatrix.samples import file_or_sample, samples
 from nmatrix.scene.world import World
 
 HELP = {
@@ -23,9 +23,9 @@ nmatrix derive mirror -f latex
 nmatrix derive nonuniform --scale 1 2 1 --rotate 0 0 30
 
 Cases: {", ".join(lesson.LESSONS)}, all.""",
-    "plan": """nmatrix plan scene.toml
+    "plan": """nmatrix plan sample
 
-nmatrix plan scene.glb -f json
+nmatrix plan teapot -f json
 
 nmatrix plan --schema > scene.schema.json
 
@@ -33,16 +33,17 @@ What each of them needs, and how safely the others are left out.""",
 }
 
 
-def _complete_case(incomplete: str) -> list[str]:
-    return [name for name in (*lesson.LESSONS, lesson.ALL) if name.startswith(incomplete)]
-
-
 def derive(
     *,
     world: WorldOptions,
     common: CommonOptions,
     case: Annotated[
-        str, Argument(metavar="CASE", help="Which lesson.", autocompletion=_complete_case)
+        str,
+        Argument(
+            metavar="CASE",
+            help="Which lesson.",
+            autocompletion=among((*lesson.LESSONS, lesson.ALL)),
+        ),
     ] = "rule",
 ) -> None:
     """Show a derivation."""
@@ -57,7 +58,10 @@ def plan(
     scene: Annotated[
         str | None,
         Argument(
-            metavar="SCENE", help="A .toml, .gltf or .glb scene, or a mesh.", show_default=False
+            metavar="SCENE",
+            help="A .toml, .gltf or .glb scene, or a mesh.",
+            show_default=False,
+            autocompletion=among(samples, ".toml", ".obj"),
         ),
     ] = None,
     schema: Annotated[
@@ -72,7 +76,7 @@ def plan(
         put(scene_schema())
         return
     if scene is None:
-        raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan scene.toml")
+        raise IllegalValueError("plan", "it needs a scene file", "try nmatrix plan sample")
     from nmatrix.answers.plan import plan_of_file
 
-    show(plan_of_file(Path(scene), allow_outside=allow_outside), common)
+    show(plan_of_file(file_or_sample(scene), allow_outside=allow_outside), common)

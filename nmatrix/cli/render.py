@@ -11,12 +11,13 @@ from typer import Argument, Option
 
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import CommonOptions
+from nmatrix.cli.shared_options import CommonOptions, among
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.enums import Format, PixelFormat
 from nmatrix.errors import IllegalValueError, printable
 from nmatrix.output.files import PICTURES, SLIDES, kind_of, refuse_existing, write_file
-from nmatrix.raster.proofs.catalogue import PROOFS
+from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
+from nmatrix.samples import file_or_sample, samples
 from nmatrix.scene.scene import SceneObject
 
 if TYPE_CHECKING:
@@ -29,12 +30,16 @@ if TYPE_CHECKING:
 HELP = {
     "render": """nmatrix render normals --scale 1 2 1
 
-nmatrix render normals --mesh teapot.obj --shear 1 0 0 -o teapot.png
+nmatrix render normals --mesh teapot --shear 1 0 0 -o teapot.png
 
-nmatrix render scene.toml --frames 36 --turn -o scene.gif
+nmatrix render sample --frames 12 --turn --size 280 210 -o sample.gif
 
 Between wrong and right stands the number by which they differ.""",
 }
+
+
+def _subjects() -> list[str]:
+    return [*(one.name for one in PROOFS), *samples(".toml", ".obj")]
 
 
 def render(
@@ -45,19 +50,30 @@ def render(
     file: FileOptions,
     common: CommonOptions,
     subject: Annotated[
-        str, Argument(metavar="PROOF|SCENE|MESH", help="A proof (see --list), or a file.")
+        str,
+        Argument(
+            metavar="PROOF|SCENE|MESH",
+            help="A proof (see --list), or a file.",
+            autocompletion=among(_subjects),
+        ),
     ] = "normals",
-    mesh: Annotated[str | None, Option(metavar="FILE", help="Draw a proof of this mesh.")] = None,
+    mesh: Annotated[
+        str | None,
+        Option(
+            metavar="FILE",
+            help="Draw a proof of this mesh.",
+            autocompletion=among(samples, ".obj"),
+        ),
+    ] = None,
     list_: Annotated[bool, Option("--list", help="Show the proofs.")] = False,
 ) -> None:
     """Draw a proof image, a scene or a mesh."""
     if list_:
         put("".join(f"{one.name:14}{one.claim}\n" for one in PROOFS))
         return
+    subject = subject if catalogued(subject) else str(file_or_sample(subject))
     if picture.size is None and groups.lens.viewport is not None:
-        picture = replace(
-            picture, size=groups.lens.viewport
-        )  # pixels of a camera are its picture's
+        picture = replace(picture, size=groups.lens.viewport)  # a camera's pixels are its picture's
     _write(_frame(subject, mesh, groups, picture, common), frames, file, common)
 
 
@@ -68,6 +84,8 @@ def _write(
     usual = PixelFormat.GIF if frames.count > 1 else PixelFormat.PNG
     target = Path(file.output or f"{frame.name}.{usual}")
     is_stdout = str(target) == "-"
+    if file.preview and not common.format_is_typed:
+        common = common.as_text()
     if file.preview and (is_stdout or common.format is not Format.TEXT):
         raise IllegalValueError(
             "--preview",
@@ -122,7 +140,7 @@ def _proof(
 
     choices = picture.choices(groups.space.chosen())
     lent = groups.scene.scene
-    loaded = None if mesh is None else read_mesh(Path(mesh))
+    loaded = None if mesh is None else read_mesh(file_or_sample(mesh))
     if loaded is None and groups.scene.chosen is not None:
         loaded = _drawn(groups).geometry.mesh()
     setup = groups.setup(common, aspect=choices.aspect(SHEET_SETTINGS))

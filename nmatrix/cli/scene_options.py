@@ -9,19 +9,19 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property, partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
-from nmatrix.cli.shared_options import OUTSIDE, CommonOptions
+from nmatrix.cli.shared_options import OUTSIDE, CommonOptions, among
 from nmatrix.cli.sources import Sources
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
 from nmatrix.reading.numbers import fractions, number
+from nmatrix.samples import file_or_sample, samples
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
@@ -38,16 +38,12 @@ _NAMES = (*(space.value for space in Space), *SYNONYMS)
 _ANY_SPACE = f"{', '.join(list(Space)[:-1])} or {list(Space)[-1]}."
 
 
-def _complete_space(incomplete: str) -> list[str]:
-    return [name for name in _NAMES if name.startswith(incomplete)]
-
-
 SpaceArgument = Annotated[
     str | None,
     Argument(
         metavar="SPACE",
         help=_ANY_SPACE,
-        autocompletion=_complete_space,
+        autocompletion=among(_NAMES),
         show_default=False,
     ),
 ]
@@ -59,7 +55,7 @@ class SpaceOptions:
 
     space: Annotated[
         str | None,
-        in_space("--space", metavar="SPACE", autocompletion=_complete_space, help=_ANY_SPACE),
+        in_space("--space", metavar="SPACE", autocompletion=among(_NAMES), help=_ANY_SPACE),
     ] = None
     space_matrix: Annotated[
         str | None, in_space(metavar="MATRIX", help="Space from world, for custom.")
@@ -128,6 +124,7 @@ class SceneOptions:
         in_scene(
             "--scene",
             metavar="FILE",
+            autocompletion=among(samples, ".toml", ".obj"),
             help="Take what no option says from a .toml, .gltf or .glb scene.",
         ),
     ] = None
@@ -154,7 +151,7 @@ class SceneOptions:
             return None
         from nmatrix.scene.open import scene_of
 
-        return scene_of(Path(self.scene_file), allow_outside=self.allow_outside)
+        return scene_of(file_or_sample(self.scene_file), allow_outside=self.allow_outside)
 
     @cached_property
     def chosen(self) -> Placed | None:

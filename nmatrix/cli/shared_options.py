@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, fields
-from enum import StrEnum
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 from typing import Annotated, Any
 
 from typer import Option
 
+from nmatrix.cli.environment import usual, usual_number
 from nmatrix.cli.show import ColorWhen
 from nmatrix.cli.sources import Sources
 from nmatrix.enums import Convention, Format, Handedness, Layout
@@ -34,6 +34,7 @@ HandedOption = Annotated[
     in_conventions("--handed", help="The camera looks down −z (right, the default) or +z (left)."),
 ]
 SHARED = ("convention", "handed")
+USUAL_DIGITS = 6
 OUTSIDE = "Read files too that a file names outside of its own folder."
 
 
@@ -41,18 +42,48 @@ OUTSIDE = "Read files too that a file names outside of its own folder."
 class CommonOptions:
     """How to write the answer, and in which order matrices are read and written."""
 
-    format: Annotated[Format, in_output("--format", "-f", help="How to write the answer.")] = (
-        Format.TEXT
-    )
+    typed_format: Annotated[
+        Format | None, in_output("--format", "-f", help="How to write the answer (text).")
+    ] = None
+    json: Annotated[bool, in_output("--json", help="The same as --format json.")] = False
     digits: Annotated[
-        str, in_output(metavar="N", help="Significant digits for people, 1 to 17.")
-    ] = "6"
+        str | None, in_output(metavar="N", help="Significant digits for people, 1 to 17 (6).")
+    ] = None
     layout: Annotated[Layout, in_output(help="Order of written matrices.")] = Layout.ROW_MAJOR
     input_layout: Annotated[
         Layout | None, in_output(help="Order of matrices that are read (each notation's own).")
     ] = None
-    color: Annotated[ColorWhen, in_output(help="Colours in text.")] = ColorWhen.AUTO
+    color: Annotated[ColorWhen | None, in_output(help="Colours in text (auto).")] = None
     full: Annotated[bool, in_output("--full", help="Show all of the answer as text.")] = False
+
+    def __post_init__(self) -> None:
+        if self.json and self.typed_format not in (None, Format.JSON):
+            raise IllegalValueError(
+                f"--json with --format {self.typed_format}",
+                "they name two formats",
+                "keep one of them",
+            )
+
+    @property
+    def format_is_typed(self) -> bool:
+        """Whether the command line says the format, and not the environment."""
+        return self.json or self.typed_format is not None
+
+    @cached_property
+    def format(self) -> Format:
+        """The format of the answer: typed, of the environment, or text."""
+        if self.json:
+            return Format.JSON
+        return self.typed_format or usual("NMATRIX_FORMAT", Format) or Format.TEXT
+
+    def as_text(self) -> CommonOptions:
+        """Write text, where the format of the environment is of no use."""
+        return replace(self, typed_format=Format.TEXT)
+
+    @property
+    def colour_when(self) -> ColorWhen:
+        """When text has colours: typed, of the environment, or on a terminal."""
+        return self.color or usual("NMATRIX_COLOR", ColorWhen) or ColorWhen.AUTO
 
     @cached_property
     def sources(self) -> Sources:
@@ -62,8 +93,11 @@ class CommonOptions:
     @property
     def digits_checked(self) -> int:
         """The number of digits, which a float64 must have."""
+        among = range(1, MOST_DIGITS + 1)
+        if self.digits is None:
+            return usual_number("NMATRIX_DIGITS", among) or USUAL_DIGITS
         why = f"a float64 has 1 to {MOST_DIGITS} significant digits"
-        return whole_number(self.digits, "--digits", range(1, MOST_DIGITS + 1), 6, why)
+        return whole_number(self.digits, "--digits", among, USUAL_DIGITS, why)
 
 
 @dataclass(frozen=True)
@@ -112,6 +146,24 @@ class OptionGroup:
         }
 
 
+def among(
+    known: Iterable[str] | Callable[..., Iterable[str]], *arguments: str
+) -> Callable[[str], list[str]]:
+    """Complete a word by those that are known; a function that knows them is asked only then.
+
+    Examples
+    --------
+    >>> among(("world", "camera"))("w")
+    ['world']
+    """
+
+    def complete(incomplete: str) -> list[str]:
+        words = known if isinstance(known, Iterable) else known(*arguments)
+        return [word for word in words if word.startswith(incomplete)]
+
+    return complete
+
+
 def option_name(field: str) -> str:
     """Spell a field as its option.
 
@@ -121,22 +173,6 @@ def option_name(field: str) -> str:
     '--world-matrix'
     """
     return f"--{field.replace('_', '-')}"
-
-
-def completed_from(words: type[StrEnum]) -> Callable[[str], list[str]]:
-    """Make the completion of an option whose value is words with commas between them.
-
-    Examples
-    --------
-    >>> completed_from(Layout)("row-major,c")
-    ['row-major,column-major']
-    """
-
-    def complete(incomplete: str) -> list[str]:
-        before, comma, word = incomplete.rpartition(",")
-        return [f"{before}{comma}{one}" for one in words if one.startswith(word)]
-
-    return complete
 
 
 def whole_number(text: str, option: str, among: range, example: int, why: str = "") -> int:

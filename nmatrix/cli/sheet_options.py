@@ -10,7 +10,7 @@ from typer import Option
 
 from nmatrix.cli.shared_options import OptionGroup, option_name
 from nmatrix.errors import IllegalValueError
-from nmatrix.reading.files import existing_file, file_bytes
+from nmatrix.reading.files import existing_file, file_bytes, is_folder
 
 if TYPE_CHECKING:
     from nmatrix.lessons.exercises.scheme import Sheet
@@ -51,7 +51,9 @@ class SheetOptions(OptionGroup):
         path = existing_file(self.salt)
         if path is None:
             raise IllegalValueError(
-                f"--salt ({self.salt[:60]})", "there is no such file", "check the path"
+                f"--salt ({self.salt[:60]})",
+                "it is a folder" if is_folder(self.salt) else "there is no such file",
+                "check the path",
             )
         salt = file_bytes(path)
         if not salt:

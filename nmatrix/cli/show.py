@@ -11,11 +11,13 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, TextIO, TypeVar
 
 from nmatrix.enums import Format
+from nmatrix.errors import IllegalValueError, refusal
 from nmatrix.output.write import Charset, Colour, OutputOptions, write
 from nmatrix.report import Report
 
 if TYPE_CHECKING:
     from nmatrix.cli.shared_options import CommonOptions
+    from nmatrix.output.style import Line
     from nmatrix.output.terminal import Screen
     from nmatrix.raster.proofs.proof import Proof
 
@@ -49,19 +51,39 @@ def show(report: Report, common: CommonOptions) -> None:
         full=common.full,
     )
     told = replace(report, remarks=(*report.remarks, *common.sources.remarks))
-    put(write(told.spelled(option_name), options))
+    put(_written(told.spelled(option_name), options, common))
     if report.failure is not None:
         raise report.failure
 
 
-def put(text: str) -> None:
-    """Write text to stdout in one piece; a reader that has gone away is no error."""
-    encoding = sys.stdout.encoding or "utf-8"
+def _written(report: Report, options: OutputOptions, common: CommonOptions) -> str:
+    """Write a report; a format of the environment that can say nothing of it is passed over."""
     try:
-        sys.stdout.write(text.encode(encoding, "replace").decode(encoding))
+        return write(report, options)
+    except IllegalValueError:
+        if common.format_is_typed:
+            raise
+        return write(report, replace(options, format=Format.TEXT, colour=_colour(common.as_text())))
+
+
+def show_page(page: Iterable[Line], when: ColorWhen = ColorWhen.AUTO) -> None:
+    """Write a page of help."""
+    from nmatrix.output.style import render
+
+    colour = _colour_of(sys.stdout, when)
+    put("".join(f"{render(line, colour)}\n" for line in page))
+
+
+def put(text: str) -> None:
+    """Write text to stdout in one piece, in the characters that it has.
+
+    A reader that has gone away is no error.
+    """
+    try:
+        sys.stdout.write(_sayable(text, sys.stdout))
         sys.stdout.flush()
-    except BrokenPipeError:
-        _forget(sys.stdout.fileno())
+    except OSError as error:
+        _lose(error)
 
 
 def put_bytes(content: bytes) -> None:
@@ -69,8 +91,8 @@ def put_bytes(content: bytes) -> None:
     try:
         sys.stdout.buffer.write(content)
         sys.stdout.buffer.flush()
-    except BrokenPipeError:
-        _forget(sys.stdout.fileno())
+    except OSError as error:
+        _lose(error)
 
 
 def show_picture(proof: Proof, common: CommonOptions) -> None:
@@ -106,19 +128,38 @@ def fail(message: str, exit_code: int, when: ColorWhen = ColorWhen.AUTO) -> int:
     line = "".join(_printable(character) for character in message)
     if len(line) > LONGEST_LINE:
         line = f"{line[: LONGEST_LINE - 1]}…"
-    encoding = sys.stderr.encoding or "utf-8"
     try:
-        sys.stderr.write(f"{head} {line}\n".encode(encoding, "replace").decode(encoding))
+        sys.stderr.write(_sayable(f"{head} {line}\n", sys.stderr))
         sys.stderr.flush()
-    except BrokenPipeError:
+    except OSError:  # there is nobody to be told
         _forget(sys.stderr.fileno())
     return exit_code
+
+
+def _sayable(text: str, stream: TextIO) -> str:
+    """Spell what a stream's encoding lacks."""
+    if text.isascii():
+        return text
+    from nmatrix.output.spelling import sayable
+
+    return sayable(text, stream.encoding or "utf-8")
 
 
 def _printable(character: str) -> str:
     if character.isprintable():
         return character
     return " " if character in "\n\t" else f"\\x{ord(character):02x}"
+
+
+def _lose(error: OSError) -> None:
+    """Leave stdout; a reader that has gone away is no error, a full disk is one."""
+    _forget(sys.stdout.fileno())
+    if not isinstance(error, BrokenPipeError):
+        raise IllegalValueError(
+            "standard output (stdout)",
+            f"it takes no more: {refusal(error)}",
+            "give it another place",
+        ) from None
 
 
 def _forget(descriptor: int) -> None:
@@ -179,7 +220,7 @@ def _cell() -> tuple[int, int] | None:
 def _colour(common: CommonOptions) -> Colour:
     if common.format is not Format.TEXT:
         return Colour.PLAIN
-    return _colour_of(sys.stdout, common.color)
+    return _colour_of(sys.stdout, common.colour_when)
 
 
 def _colour_of(stream: TextIO, when: ColorWhen) -> Colour:

@@ -108,6 +108,8 @@ def _standard_input(next_step: str) -> bytes:
     IllegalValueError
         If it is longer than any file that is read.
     """
+    if sys.stdin is None:
+        raise IllegalValueError(STDIN, "it is closed", "pipe something in, or name a file")
     content = sys.stdin.buffer.read(LARGEST + 1)
     if len(content) > LARGEST:
         raise IllegalValueError(STDIN, f"it is longer than {LARGEST} bytes", next_step)

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
-from nmatrix.cli.shared_options import CommonOptions, whole_number
+from nmatrix.cli.environment import usual
+from nmatrix.cli.shared_options import CommonOptions, among, whole_number
 from nmatrix.cli.show import progress, show
 from nmatrix.enums import Theme
 from nmatrix.errors import IllegalValueError
@@ -105,7 +106,8 @@ def cost(
         from nmatrix.studies.summary import summary
 
         path, kind = drawing
-        look = Look(pixels, theme or Theme.LIGHT, everything=everything)
+        colours = theme or usual("NMATRIX_THEME", Theme) or Theme.LIGHT
+        look = Look(pixels, colours, everything=everything)
         write_file(path, chart_file(summary(study, rows, measured), look, kind), force=force)
     show(report(study, rows, test, target, everything=everything), common)
 
@@ -173,11 +175,22 @@ def _pixels(size: str) -> tuple[int, int]:
     return Settings(size=numbers(size, 2, "--size"), samples=1).size  # type: ignore[arg-type]  # it reads them
 
 
+def _cases() -> list[str]:
+    from nmatrix.studies.stress import CATALOGUE
+
+    return [one.id for one in CATALOGUE]
+
+
 def stress(
     *,
     common: CommonOptions,
     case: Annotated[
-        str | None, Option(metavar="ID", help="Explain one case: N9, or S3 of random ones.")
+        str | None,
+        Option(
+            metavar="ID",
+            help="Explain one case: N9, or S3 of random ones.",
+            autocompletion=among(_cases),
+        ),
     ] = None,
     random: Annotated[
         str | None, Option(metavar="N", help="So many directed random cases instead.")

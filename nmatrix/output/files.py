@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from nmatrix.enums import PixelFormat, VectorFormat
-from nmatrix.errors import IllegalValueError, printable, quantity
+from nmatrix.errors import IllegalValueError, printable, quantity, refusal
 
 Kind = TypeVar("Kind")
 
@@ -79,10 +79,11 @@ def _is_taken(path: Path) -> bool:
 
 
 def _exists(path: Path) -> IllegalValueError:
+    instead = "use " if path.is_dir() else f"use {quantity('force')}, or "
     return IllegalValueError(
         f"{path}",
-        "the file exists",
-        f"use {quantity('force')}, or {quantity('output')} with another name",
+        "it is a folder" if path.is_dir() else "the file exists",
+        f"{instead}{quantity('output')} with another name",
     )
 
 
@@ -114,6 +115,6 @@ def write_file(path: Path, content: bytes, *, force: bool = False) -> None:
     except OSError as error:
         raise IllegalValueError(
             f"{path}",
-            f"it cannot be written ({error.strerror})",
+            f"it cannot be written ({refusal(error)})",
             f"choose another folder with {quantity('output')}",
         ) from None

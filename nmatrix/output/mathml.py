@@ -9,7 +9,7 @@ from html import escape
 from nmatrix.output.documents import Cells, Dialect, compose
 from nmatrix.output.formulas.mathml import equation, mathml, matrix
 from nmatrix.output.formulas.spoken import matrix_in_words, spoken
-from nmatrix.output.style import RAISED
+from nmatrix.output.spelling import RAISED
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 

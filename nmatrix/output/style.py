@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass
 from enum import StrEnum
 
+from nmatrix.output.spelling import sayable
 from nmatrix.output.write import Charset, Colour
 
 RESET = "\x1b[0m"
@@ -30,65 +31,6 @@ class Style(StrEnum):
     WRONG = f"\x1b[1;38;5;{ORANGE}m"
 
 
-RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")  # a whole exponent
-_ON_THE_LINE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789-T")
-_ASCII = str.maketrans(
-    {
-        "−": "-",
-        "–": "-",
-        "—": "-",
-        "·": "*",
-        "×": "x",
-        "÷": "/",
-        "√": "sqrt",
-        "°": " deg",
-        "±": "+-",
-        "≤": "<=",
-        "≥": ">=",
-        "≠": "!=",
-        "≈": "~",
-        "→": "->",
-        "⇒": "=>",
-        "⇔": "<=>",
-        "∞": "inf",
-        "‖": "|",
-        "⊥": " perpendicular to ",
-        "∈": " in ",
-        "∉": " not in ",
-        "…": "...",
-        "’": "'",
-        "“": '"',
-        "”": '"',
-        "α": "alpha",
-        "β": "beta",
-        "γ": "gamma",
-        "δ": "delta",
-        "ε": "epsilon",
-        "θ": "theta",
-        "κ": "kappa",
-        "λ": "lambda",
-        "μ": "mu",
-        "µ": "u",
-        "π": "pi",
-        "σ": "sigma",
-        "τ": "tau",
-        "φ": "phi",
-        "⎡": "[",
-        "⎢": "[",
-        "⎣": "[",
-        "⎤": "]",
-        "⎥": "]",
-        "⎦": "]",
-        "│": "|",
-        "─": "-",
-        "•": "*",
-        "✓": "ok",
-        "✗": "(wrong)",
-        "₁": "1",
-        "₂": "2",
-        "₃": "3",
-    }
-)
 AXES = {"x": Style.X, "y": Style.Y, "z": Style.Z}
 MARKS = {"✓": Style.RIGHT, "✗": Style.WRONG}
 _MARK = re.compile(f"([{''.join(MARKS)}])")
@@ -170,8 +112,4 @@ def spelled(text: str, charset: Charset) -> str:
     >>> spelled("A⁻ᵀ is 90° − θ, to 10⁻¹⁴", Charset.ASCII)
     'A^-T is 90 deg - theta, to 10^-14'
     """
-    if charset is Charset.UNICODE or text.isascii():
-        return text
-    level = RAISED.sub(lambda found: "^" + found[0].translate(_ON_THE_LINE), text)
-    known = level.translate(_ASCII)
-    return known.encode("ascii", "backslashreplace").decode("ascii")
+    return text if charset is Charset.UNICODE else sayable(text, "ascii")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import codecs
 from pathlib import Path
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, quoted, refusal
 
 LARGEST = 16_000_000  # bytes
 
@@ -60,7 +60,7 @@ def file_bytes(path: Path) -> bytes:
         with path.open("rb") as stream:
             content = stream.read(LARGEST + 1)
     except OSError as error:
-        raise IllegalValueError(name, error.strerror or "unreadable", "check the path") from None
+        raise IllegalValueError(name, refusal(error), "check the path") from None
     if len(content) > LARGEST:
         raise IllegalValueError(name, f"it is larger than {LARGEST} bytes", "cut it down")
     return content

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import io
 import random
+import sys
 
 import pytest
 from typer.core import TyperOption
 
 from nmatrix.cli.app import load, run
 from nmatrix.cli.catalogue import COMMANDS
+from nmatrix.cli.completion import answer
+from nmatrix.cli.help import VARIABLES
+from nmatrix.cli.meanings import meanings
 
 DOCUMENTED = {0, 1, 2, 3, 4}
 ELABORATE = {"render", "cost", "stress", "handout", "explore"}  # they draw, measure or write files
@@ -41,8 +46,15 @@ VALUES = [
 ]  # fmt: skip
 
 
+PROGRAM = ["help", "-h", "--help", "-V", "--json", "--full", "--docs", "options", "-", "-x"]
+FOREIGN = sorted(meanings())
+ENCODINGS = ["ascii", "cp1252", "cp437", "latin-1", "shift_jis", "utf-16", "utf-8"]
+
+
 def line(rng: random.Random) -> list[str]:
     words = [rng.choice(SHORT)] if rng.random() < 0.97 else []
+    if rng.random() < 0.05:
+        words.insert(rng.randrange(len(words) + 1), rng.choice(PROGRAM))
     for _ in range(rng.randrange(6)):
         if rng.random() < 0.6:
             option = rng.choice(OPTIONS)
@@ -51,6 +63,8 @@ def line(rng: random.Random) -> list[str]:
                 continue
             words.append(option)
             words += [rng.choice(VALUES) for _ in range(rng.choice([0, 1, 2, 3, 3, 3, 4]))]
+        elif rng.random() < 0.1:
+            words.append(f"--{rng.choice(FOREIGN)}")
         else:
             words.append(rng.choice(VALUES))
     return words
@@ -58,9 +72,6 @@ def line(rng: random.Random) -> list[str]:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_random_command_lines(seed: int, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
-    import io
-    import sys
-
     rng = random.Random(seed)
     answered = 0
     for _ in range(520):
@@ -76,3 +87,41 @@ def test_random_command_lines(seed: int, capsys: pytest.CaptureFixture[str], mon
         assert "nan" not in captured.out.lower().replace(",", " ").split(), words
         answered += code == 0
     assert answered > 20
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+def test_random_lines_on_an_output_of_another_encoding(encoding: str, monkeypatch) -> None:
+    rng = random.Random(encoding)
+    for _ in range(60):
+        words = line(rng)
+        for name in VARIABLES:
+            monkeypatch.setenv(name, rng.choice(VALUES).replace("\x00", "").replace("\ud800", ""))
+        out, err = io.BytesIO(), io.BytesIO()
+        with monkeypatch.context() as patch:
+            patch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"1 0 0; 0 1 0; 0 0 1")))
+            patch.setattr(sys, "stdout", io.TextIOWrapper(out, encoding, errors="strict"))
+            patch.setattr(sys, "stderr", io.TextIOWrapper(err, encoding, errors="strict"))
+            code = run(words)
+            sys.stdout.flush()
+            sys.stderr.flush()
+            told = err.getvalue().decode(encoding)
+            out.getvalue().decode(encoding)
+        assert code in DOCUMENTED, (words, code, told)
+        if code and words:
+            assert told.startswith("error: "), (words, told)
+            assert told.count("\n") == 1, (words, told)
+
+
+def test_a_tab_anywhere_is_answered(monkeypatch, own_folder) -> None:
+    rng = random.Random("tab")
+    for _ in range(400):
+        words = [
+            one for one in ("nmatrix", *line(rng)) if "\x00" not in one and "\ud800" not in one
+        ]
+        typed = " ".join(words)
+        typed = typed[: rng.randrange(7, max(8, len(typed) + 1))]
+        monkeypatch.setenv("COMP_LINE", typed)
+        monkeypatch.setenv("COMP_POINT", str(rng.choice([len(typed), 9])))
+        monkeypatch.setenv("_TYPER_COMPLETE_ARGS", typed)
+        for shell in ("bash", "zsh", "fish", "powershell"):
+            assert isinstance(answer(f"complete_{shell}"), str)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from nmatrix.cli.catalogue import COMMANDS
@@ -76,8 +78,8 @@ def test_help_is_shown_whatever_stands_beside_it(nmatrix, line: str) -> None:
 def test_help_has_a_panel_for_each_group_that_the_command_takes(
     nmatrix, name: str, panels: set[str]
 ) -> None:
-    _, out, _ = nmatrix(f"{name} --help")
-    shown = {line.split()[1] for line in out.splitlines() if line.startswith("╭─")}
+    _, out, _ = nmatrix(f"{name} --help --full")
+    shown = {line for line in out.splitlines() if re.fullmatch("[A-Z][a-z]+", line)}
     assert shown - {"Scene"} == panels
 
 

@@ -379,12 +379,12 @@ def test_a_camera_inside_a_triangle_is_no_disaster(nmatrix, tmp_path: Path, eye:
 
 def test_a_full_disk_leaves_nothing_behind(nmatrix, monkeypatch) -> None:
     def full(*_: object, **__: object) -> None:
-        raise OSError(errno.ENOSPC, "No space left on device")
+        raise OSError(errno.ENOSPC, "no space is left on device")
 
     monkeypatch.setattr(files.os, "fdopen", full)
     found = nmatrix(f"render normals {SMALL}")
     assert found.code == 2
-    assert "No space left" in found.err
+    assert "no space is left" in found.err
     assert not list(Path().iterdir())
 
 

@@ -166,7 +166,7 @@ def test_a_flashlight_points_where_the_camera_looks(answer, scene: Path) -> None
         ("light --scene SCENE --light sky", "ambient light has neither a direction"),
         ("world --object egg", "it is a name in a scene; add --scene FILE"),
         ("light --light sun", "it is a name in a scene; add --scene FILE"),
-        ("world --scene none.toml", "No such file"),
+        ("world --scene none.toml", "there is no such file"),
         ("world --scene scene.txt", "scenes and meshes are"),
         ("world --scene SCENE --scale 1 2", "--scale takes 1 or 3 numbers, got 2 at the end"),
         ("world --scene SCENE --order ZYX --quaternion 0 0 0 1", "--quaternion with --order"),

@@ -9,7 +9,7 @@ from itertools import combinations
 import pytest
 
 from nmatrix.cli.app import load
-from nmatrix.cli.command import HELP_STYLES
+from nmatrix.cli.help import of_command
 from nmatrix.output import Charset, Colour, OutputOptions, write
 from nmatrix.output.style import AXES, MARKS, Style, plain, render
 from nmatrix.report import Report, Text, Tone, Verdict
@@ -118,22 +118,9 @@ def test_a_style_is_legible_on_the_background(style: Style, terminal: Terminal) 
     assert contrast(shown(style.value, terminal), rgb(terminal.paper)) >= LEGIBLE
 
 
-@NAMED
-def test_help_is_legible_on_the_background(terminal: Terminal) -> None:
-    numbers = {int(one) for style in HELP_STYLES.values() for one in re.findall(r"\d+", style)}
-    assert numbers
-    for number in numbers:
-        assert contrast(terminal.colour(number), rgb(terminal.paper)) >= LEGIBLE
-
-
-def test_help_is_printed_in_these_styles(monkeypatch) -> None:
-    from typer import rich_utils
-
-    usual = {name: getattr(rich_utils, name) for name in HELP_STYLES}  # Typer has each of them
-    for name, style in usual.items():
-        monkeypatch.setattr(rich_utils, name, style)
-    load("calc").main(["--help"], standalone_mode=False)
-    assert {name: getattr(rich_utils, name) for name in HELP_STYLES} == HELP_STYLES
+def test_help_is_printed_in_styles_that_are_legible() -> None:
+    page = of_command(load("render"), full=True)
+    assert {span.style for line in page for span in line} == {Style.PLAIN, Style.TITLE}
 
 
 def test_what_means_something_else_has_another_colour() -> None:

@@ -431,7 +431,7 @@ def test_what_is_no_scene_is_refused(tmp_path: Path, content: bytes, words: str)
 
 
 def test_a_file_that_is_missing_is_named(tmp_path: Path) -> None:
-    with pytest.raises(IllegalValueError, match="No such file"):
+    with pytest.raises(IllegalValueError, match="there is no such file"):
         read_scene(tmp_path / "none.toml")
 
 

@@ -20,7 +20,7 @@ from nmatrix.output.pages.document import (
     Paper,
     shares,
 )
-from nmatrix.output.style import RAISED
+from nmatrix.output.spelling import RAISED
 from nmatrix.output.typst import Typst, escaped
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Blank, Figure, Formula, Task

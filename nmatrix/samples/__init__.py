@@ -1,0 +1,37 @@
+"""Small files that come with the package, so that every example runs where nothing is yet."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+FOLDER = Path(__file__).parent
+
+
+def samples(*endings: str) -> dict[str, Path]:
+    """Name the samples whose files have one of these endings, without it.
+
+    Examples
+    --------
+    >>> list(samples(".obj"))
+    ['teapot']
+    """
+    return {one.stem: one for one in sorted(FOLDER.iterdir()) if one.suffix in endings}
+
+
+def file_or_sample(name: str | os.PathLike[str]) -> Path:
+    """Find the file of a name; where there is none, the sample that is called so.
+
+    Examples
+    --------
+    >>> file_or_sample("teapot").name, file_or_sample("no/such.obj").name
+    ('teapot.obj', 'such.obj')
+    """
+    path = Path(name)
+    known = {} if path.suffix or path.parent != Path() else samples(*ENDINGS)
+    if path.name not in known:
+        return path
+    return path if os.path.lexists(path) else known[path.name]
+
+
+ENDINGS = (".obj", ".toml", ".csv")
