@@ -83,6 +83,16 @@ class DepthTable:
             yield Table(columns, tuple(map(astuple, self.steps)), STEPS)
 
     @property
+    def brief(self) -> Iterator[Block]:
+        """The depths that were asked for, or the gaps at near, far and between."""
+        if self.pairs is not None:
+            yield Table(("distance", "depth"), self.pairs, "Window depth of a distance")
+        elif self.steps is not None:
+            columns = tuple(one.name for one in fields(DepthStep))
+            few = (self.steps[0], self.steps[len(self.steps) // 2], self.steps[-1])
+            yield Table(columns, tuple(map(astuple, few)), STEPS)
+
+    @property
     def glsl(self) -> str:
         """The line of a shader that turns a stored depth into a distance."""
         if self.axis is None:

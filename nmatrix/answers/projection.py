@@ -18,11 +18,26 @@ from nmatrix.linear.lens_readings import LARGEST
 from nmatrix.linear.measured_lens import intrinsics_of
 from nmatrix.linear.projection import Sides, sides_seen
 from nmatrix.linear.rational import scaled
-from nmatrix.report import Block, Heading, Number, Quantity, Report, Text, Value, Vector, Verdict
+from nmatrix.report import (
+    SCREEN,
+    Block,
+    Brief,
+    Heading,
+    Number,
+    Quantity,
+    Report,
+    Text,
+    Value,
+    Vector,
+    Verdict,
+)
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 
 NUMBERS = ("near", "far", "left", "right", "bottom", "top", "fov_y_deg", "fov_x_deg", "aspect")
+
+FEW = 5  # depths that find room on a screen
+GAPS = "the gaps at seven distances"
 
 _WHERE = {
     DepthRange.MINUS_ONE_TO_ONE: "depth −1 at near, 1 at far (OpenGL)",
@@ -58,15 +73,24 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
         "readings": None if readings is None else [reading_data(one) for one in readings],
         **table.data,
     }
+    shown = Quantity("clip_from_camera", P, "P")
+    told = (Verdict(_verdict(lens)),) if readings is None else tuple(_told(readings))
+    measured = tuple(_measured_blocks(lens, numbers, intrinsics))
     blocks = (
         Heading("Projection matrix: clip from camera"),
-        Quantity("clip_from_camera", P, "P"),
-        *((Verdict(_verdict(lens)),) if readings is None else _told(readings)),
-        *_measured_blocks(lens, numbers, intrinsics),
+        shown,
+        *told,
+        *measured,
         *table.blocks,
     )
     remarks = (*lens.remarks, *_remarks(lens), *table.remarks)
-    return Report("projection", data, blocks, remarks, glsl=table.glsl)
+    own = (shown,) if readings is None else ()
+    brief = Brief(
+        (*told, *own, *measured, *table.brief),
+        (*(() if own else ("the matrix",)), *((GAPS,) if table.steps is not None else ())),
+        SCREEN + max(len(table.pairs or ()) - FEW, 0),
+    )
+    return Report("projection", data, blocks, remarks, glsl=table.glsl, brief=brief)
 
 
 def _readings(lens: Lens) -> tuple[Reading, ...] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -14,7 +14,7 @@ from nmatrix.linear.rational import rational_vector
 from nmatrix.linear.rounding import short_text
 from nmatrix.linear.values import contradiction
 from nmatrix.linear.viewport import Viewport
-from nmatrix.report import Block, Heading, Number, Quantity, Report, Value, Vector, Verdict
+from nmatrix.report import Block, Brief, Heading, Number, Quantity, Report, Value, Vector, Verdict
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.exact_maps import ExactMaps
@@ -79,7 +79,13 @@ def trace(setup: Setup, point: Vector, normal: Vector | None, viewport: Viewport
         Verdict(_verdict(found)),
     )
     remarks = (*setup.remarks, *setup.lens.remarks, *_lens_remarks(setup.lens), *_remarks(found))
-    return Report("trace", data, blocks, remarks)
+    return Report("trace", data, blocks, remarks, brief=_brief(blocks))
+
+
+def _brief(blocks: Sequence[Block]) -> Brief:
+    """Put the verdict first; nothing is left out but the heading."""
+    _, *shown, conclusion = blocks
+    return Brief((conclusion, *shown))
 
 
 def pixel(setup: Setup, place: Vector, depth: Number | None, viewport: Viewport) -> Report:
@@ -130,7 +136,7 @@ def pixel(setup: Setup, place: Vector, depth: Number | None, viewport: Viewport)
         *_lens_remarks(setup.lens),
         *_ray_remarks(found),
     )
-    return Report("trace", data, tuple(blocks), remarks)
+    return Report("trace", data, tuple(blocks), remarks, brief=_brief(blocks))
 
 
 def _exact_maps(setup: Setup) -> ExactMaps:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from nmatrix.answers.identify import camera_numbers, reading_data
 from nmatrix.enums import Handedness
@@ -14,7 +15,18 @@ from nmatrix.linear.classify import RIGID_KINDS, Classification, classify
 from nmatrix.linear.identify import Reading, identify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.report import Block, Heading, Matrix, Quantity, Report, Text, Value, Vector, Verdict
+from nmatrix.report import (
+    Block,
+    Brief,
+    Heading,
+    Matrix,
+    Quantity,
+    Report,
+    Text,
+    Value,
+    Vector,
+    Verdict,
+)
 from nmatrix.scene.setup import Setup
 
 
@@ -68,7 +80,18 @@ def view(setup: Setup) -> Report:
     if undecided:
         remarks.append(_NO_HAND)
     told = shown | {key: matrix for key, matrix in elsewhere.items() if matrix is not None}
-    return Report("view", data, _blocks(told, found, readings), tuple(remarks))
+    blocks = _blocks(told, found, readings)
+    return Report("view", data, blocks, tuple(remarks), brief=_brief(blocks))
+
+
+def _brief(blocks: Sequence[Block]) -> Brief:
+    """Show the verdict, the matrix, and where the camera is and looks."""
+    by_key = {one.key: one for one in blocks if isinstance(one, Quantity)}
+    told = [one for one in blocks if isinstance(one, Verdict | Text)]
+    V = replace(by_key["camera_from_world"], title="V = R · T")
+    placed = (by_key[key] for key in ("eye", "right", "up", "forward"))
+    more = ("the factors R and T", "the normal matrix", "the pose and OpenCV's extrinsics")
+    return Brief((*told[:1], V, *placed, *told[1:]), more)
 
 
 _NO_HAND = (
