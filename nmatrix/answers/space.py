@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import asdict
 
 from nmatrix.enums import Space
@@ -9,6 +10,7 @@ from nmatrix.linear import rational
 from nmatrix.linear.projection import front_sign
 from nmatrix.report import (
     Block,
+    Brief,
     Code,
     Heading,
     Matrix,
@@ -25,7 +27,10 @@ from nmatrix.shaders.cost import Cost, cost
 from nmatrix.shaders.shaded import FrontFace
 from nmatrix.shaders.sheet import Request, program_of
 from nmatrix.spaces.light_and_eye import light_in
-from nmatrix.spaces.shading_spaces import PROFILES, Row
+from nmatrix.spaces.shading_spaces import PROFILES, Row, SpaceProfile
+
+SHEET = 60  # lines of the short sheet
+SHADERS = ("the other matrices", "the metric", "both shaders and their uniforms (-f glsl too)")
 
 
 def space(setup: Setup, request: Request) -> Report:
@@ -72,7 +77,21 @@ def space(setup: Setup, request: Request) -> Report:
         Code("glsl", shown.fragment_shader, "fragment shader"),
         Verdict(_verdict(chosen, rigid=maps.is_rigid(chosen))),
     )
-    return Report("space", data, blocks, (*setup.remarks, *_remarks(setup, chosen, front_face)))
+    remarks = (*setup.remarks, *_remarks(setup, chosen, front_face))
+    brief = Brief(tuple(_brief(blocks, profile)), SHADERS, SHEET)
+    return Report("space", data, blocks, remarks, brief=brief)
+
+
+def _brief(blocks: tuple[Block, ...], profile: SpaceProfile) -> Iterator[Block]:
+    """Show the verdict, what is transformed, by which matrices, and at what price."""
+    yield blocks[-1]
+    shown = ("normal_matrix", "clip_from_object", "light_direction", "light_position", "eye")
+    for one in blocks:
+        if isinstance(one, Table) or (isinstance(one, Quantity) and one.key in shown):
+            yield one
+    told = (*(f"+ {pro}" for pro in profile.pros), *(f"− {con}" for con in profile.cons))
+    yield Text("\n".join(told))
+    yield Text(f"Used in: {profile.used}.")
 
 
 def _quantities(setup: Setup, chosen: Space) -> dict[str, Vector | Matrix | None]:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
+from nmatrix.enums import Space
 from nmatrix.report import SCREEN
 
 EVERYDAY = ("world", "normal", "view", "projection", "light", "eye", "trace")
@@ -95,6 +96,15 @@ def test_each_further_normal_takes_one_line(nmatrix: Callable) -> None:
     one = nmatrix("normal --scale 1 2 1 --normal 1 1 0")
     three = nmatrix("normal --scale 1 2 1 --normal 1 1 0 --normal 0 1 0 --normal 1 2 3")
     assert len(lines_of(three.out)) == len(lines_of(one.out)) + 2
+
+
+@pytest.mark.parametrize("space", Space)
+def test_the_sheet_of_a_space_has_sixty_lines_at_most(nmatrix: Callable, space: Space) -> None:
+    matrix = "--space-matrix '0 1 0; 1 0 0; 0 0 2'" if space is Space.CUSTOM else ""
+    line = f"space {space} --scale 1 2 -1 --shear 1 0 0 --light-position 1 2 3 {matrix}"
+    assert len(lines_of(nmatrix(line).out)) <= 60
+    assert "#version" not in nmatrix(line).out
+    assert "#version" in nmatrix(f"{line} --full").out
 
 
 @pytest.mark.parametrize("format_", ["json", "markdown", "latex", "csv"])
