@@ -115,6 +115,17 @@ def test_unitys_angles_are_the_order_that_the_page_names(angles: tuple[int, ...]
     assert np.abs(np.array(rotation_by((x, y, z), "YXZ"), float) - expected).max() < 1e-14
 
 
+def test_a_pose_of_unity_is_the_one_that_unreal_shows() -> None:
+    """Against a pose that both editors showed: its place in both units, and both triples."""
+    R = rotation_by((47.486, 359.987, 281.519), "YXZ")
+    M = compose(R, translate=(-26.318, -12.544, 67.172))
+    told = axes("unity", "unreal", M, "ZYX").data["parts"]
+    roll, pitch, yaw = (float(angle) for angle in told["rotate"])  # type: ignore[index, call-overload]
+    assert (-roll, -pitch, yaw) == pytest.approx((78.481, -47.486, -0.013), abs=1e-9)
+    place = [float(one) for one in told["translate"]]  # type: ignore[index, call-overload]
+    assert place == pytest.approx([6717.2, -2631.8, -1254.4])
+
+
 @pytest.mark.parametrize("name", AxisName)
 def test_every_name_is_a_system(name: AxisName) -> None:
     assert abs(determinant(axis_system(name.upper()).basis)) == 1
