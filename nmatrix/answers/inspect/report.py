@@ -133,7 +133,7 @@ class _Reporting:
         told = f"{of_all(needing, self.total, 'needs', 'need')} the inverse transpose"
         if not self.total:
             told = "There are no nodes"
-        told = f"{told}: {by_kind}." if by_kind else f"{told}."
+        told = f"{told}. Found: {by_kind}." if by_kind else f"{told}."
         if not self.unread:
             return told
         was = of_all(len(self.unread), len(self.files), "was", "were", "file")
