@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from nmatrix.errors import IllegalValueError
@@ -44,8 +44,8 @@ def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
     return _mesh_scene(path, allow_outside=allow_outside)
 
 
-def _features(objects: Sequence[SceneObject]) -> Iterator[FileFeature]:
-    """Count the materials of a mesh file and what they have."""
+def _features(objects: Sequence[SceneObject], left_out: Mapping[str, int]) -> Iterator[FileFeature]:
+    """Count the materials of a mesh file and what they have, and what is not drawn."""
     materials = [one.material for one in objects if one.material is not DEFAULT_MATERIAL]
     counted = {
         "material": len(materials),
@@ -54,7 +54,11 @@ def _features(objects: Sequence[SceneObject]) -> Iterator[FileFeature]:
     }
     for feature, count in counted.items():
         if count:
-            yield FileFeature(feature, count, "drawn")
+            is_whole = feature != "material" or not any("material" in one for one in left_out)
+            made_of_it = "drawn" if is_whole else "drawn but for what is named here"
+            yield FileFeature(feature, count, made_of_it)
+    for feature, count in left_out.items():
+        yield FileFeature(feature, count, "not drawn")
 
 
 def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
@@ -84,7 +88,7 @@ def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
         has_camera=False,
         path=path,
         remarks=file.remarks,
-        features=tuple(_features(objects)),
+        features=tuple(_features(objects, file.left_out)),
         nodes=(SceneNode(path.stem, still, World()),),
         refusal=None if objects else IllegalValueError(f"{path}", *NO_TRIANGLES),
     )

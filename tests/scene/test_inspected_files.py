@@ -253,7 +253,10 @@ def test_of_thousands_the_worst_are_shown_and_the_others_counted(tmp_path: Path,
     found = nmatrix(f"inspect {file} --fail-on non-uniform")
     lines = found.out.splitlines()
     assert len(lines) <= 22
-    assert "29 of 3000 nodes need the inverse transpose. Found: 1 mirrored, 29 non-uniform." in found.out
+    assert (
+        "29 of 3000 nodes need the inverse transpose. Found: 1 mirrored, 29 non-uniform."
+        in found.out
+    )
     assert lines[7].split()[:3] == ["2999", "Cube", "mirrored"]
     assert f"{30 - SHOWN} more rows: --all shows them." in found.out
     assert (
@@ -337,7 +340,10 @@ def test_every_word_of_an_order_is_tried_above() -> None:
         ([{}, STRETCH], "1 of 2 nodes needs the inverse transpose. Found: 1 non-uniform."),
         ([STRETCH] * 2, "2 of 2 nodes need the inverse transpose. Found: 2 non-uniform."),
         ([MIRROR, {}], "None of 2 nodes needs the inverse transpose. Found: 1 mirrored."),
-        ([{"scale": [0, 1, 1]}, {}], "None of 2 nodes needs the inverse transpose. Found: 1 singular."),
+        (
+            [{"scale": [0, 1, 1]}, {}],
+            "None of 2 nodes needs the inverse transpose. Found: 1 singular.",
+        ),
     ],
 )
 def test_the_summary_is_a_right_sentence_for_every_count(

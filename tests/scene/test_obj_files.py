@@ -203,3 +203,33 @@ def test_every_beginning_of_a_file_is_read_or_refused_in_one_line(tmp_path: Path
             assert "Error" not in str(error)
             refused += 1
     assert 0 < refused < len(text)
+
+
+@pytest.mark.parametrize(
+    ("lines", "opacity"),
+    [("Tr 1", 1), ("Tr 1\nillum 9", 0), ("d 0", 0), ("Tr 0.25", 0.75), ("Tr 1\nd 0.5", 0.5)],
+)
+def test_a_material_that_would_let_all_through_is_opaque_as_some_programs_mean_it(
+    tmp_path: Path, lines: str, opacity: float
+) -> None:
+    file = file_of(tmp_path, TWO, f"newmtl red\nKd 1 0 0\n{lines}\nnewmtl green\nKd 0 1 0\n")
+    found = file.parts[0].material
+    assert found is not None
+    assert found.opacity == opacity
+    assert any("(Tr 1)" in one for one in file.remarks) is (lines == "Tr 1")
+
+
+def test_what_a_file_has_beside_faces_is_counted_and_named(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nl 1 2\nl 2 1\n")
+    with pytest.raises(IllegalValueError, match="it holds 2 lines and no faces"):
+        read_mesh(path)
+    mtl = "newmtl red\nKd 1 0 0\nmap_Disp a.png\nPs 1\nmap_Kd -colorspace sRGB none.png\n"
+    file_of(tmp_path, f"{TWO}l 1 2\n", mtl)
+    features = {one.feature: one for one in scene_of(path).features}
+    assert features["lines"].count == 1
+    assert features["material with displacement"].made_of_it == "not drawn"
+    assert features["material with sheen"].count == 1
+    assert features["missing file"].count == 1
+    assert features["material"].made_of_it == "drawn but for what is named here"
+    assert "Files are missing: none.png." in scene_of(path).remarks

@@ -62,7 +62,12 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
         )
         for part in found.parts
     ]
-    return replace(found, parts=tuple(parts), remarks=(*found.remarks, *materials.remarks))
+    return replace(
+        found,
+        parts=tuple(parts),
+        remarks=(*found.remarks, *materials.remarks),
+        left_out={**found.left_out, **materials.counts},
+    )
 
 
 def read_surface(path: Path, content: bytes | None = None) -> MeshFile:

@@ -19,7 +19,7 @@ MOST_NAMED = 4
 UNLIT, MATT = "0", "1"  # of illum: the colour alone; no highlight
 OPTIONS = {
     **dict.fromkeys(("-blendu", "-blendv", "-cc", "-clamp", "-imfchan", "-type"), 1),
-    **dict.fromkeys(("-texres", "-bm", "-boost"), 1),
+    **dict.fromkeys(("-texres", "-bm", "-boost", "-colorspace"), 1),
     "-mm": 2,
 }
 PLACES = ("-o", "-s", "-t")  # one to three numbers follow
@@ -32,12 +32,23 @@ NOT_DRAWN = {
     "bump": "bumps",
     "norm": "images of normals",
     "disp": "displacement",
+    "map_disp": "displacement",
     "decal": "decals",
     "refl": "reflections",
     "tf": "transmission filters",
+    "kt": "transmission filters",
     "pr": "roughness",
+    "map_pr": "roughness",
     "pm": "metals",
+    "map_pm": "metals",
+    "ps": "sheen",
+    "map_ps": "sheen",
+    "pc": "clear coats",
+    "pcr": "clear coats",
+    "aniso": "anisotropy",
+    "anisor": "anisotropy",
 }
+TRANSPARENT = ("4", "6", "7", "9")  # of illum: models of glass
 
 
 @dataclass
@@ -95,6 +106,16 @@ class Materials:
             told.append(f"Materials are missing: {_listed(self.unknown)}.")
         return tuple(told)
 
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many materials have what is not drawn, and how many files and materials miss."""
+        found = {f"material with {what}": count for what, count in sorted(self.left_out.items())}
+        missing = {
+            "missing file": len(set(self.missing)),
+            "missing material": len(set(self.unknown)),
+        }
+        return found | {what: count for what, count in missing.items() if count}
+
     def _path(self, name: str) -> Path | None:
         named = beside(self.path, name.replace("\\", "/"), allow_outside=self.allow_outside)
         return existing_file(str(named))
@@ -121,7 +142,7 @@ class Materials:
         diffuse = read.colour("kd", grey(0.8))
         ambient = read.colour("ka", diffuse)
         specular = read.colour("ks", BLACK)
-        opacity = read.number("d", 1.0 - read.number("tr", 0.0))
+        opacity = read.number("d", self._see_through(file, name, values, read))
         shininess = max(read.number("ns", Material.shininess), 0.0)
         shines = any(specular) and illumination not in (UNLIT, MATT)
         found = Material(
@@ -141,6 +162,17 @@ class Materials:
         self.found[name] = matt if is_lit else found.without_light()
         for word, what in NOT_DRAWN.items():
             self.left_out.update([what] if word in values else [])
+
+    def _see_through(self, file: Path, name: str, values: dict[str, str], read: _Values) -> float:
+        """Return the opacity that `Tr` leaves; some programs write 1 for what hides all."""
+        clear = read.number("tr", 0.0)
+        illumination = values.get("illum", "2").split("#")[0].strip()
+        if clear < 1.0 or "d" in values or illumination in TRANSPARENT:
+            return 1.0 - clear
+        line = values["line of tr"]
+        told = f"{file.name}, line {line} (Tr 1): material {printable(name)} would let all through"
+        self.remarks_on_lines.append(f"{told}, and is drawn as hiding all, which some write so.")
+        return 1.0
 
     def _texture(self, text: str | None) -> Texture | None:
         """Read an image with its options: `-s 2 2 -clamp on brick wall.png`."""

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, printable
-from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons
+from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons, told_left_out
 from nmatrix.scene.meshes.polygons import TRIANGLE
 from nmatrix.scene.meshes.text import (
     BadFigureError,
@@ -241,11 +241,14 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     found = _Sorted(path)
     found.read(content)
     v, vt, vn = found.values
-    remarks = _left_out(path, found)
+    left_out = _left_out(found)
+    remarks = told_left_out(path.name, left_out)
     sizes = np.concatenate([np.empty(0, np.intp), *found.faces.sizes])
     long = sizes >= TRIANGLE
     if not long.any():
-        why = f"it holds {len(v):,} points and no faces" if len(v) else "it holds no triangles"
+        held = left_out or ({"points": len(v)} if len(v) else {})
+        counted = " and ".join(f"{count:,} {what}" for what, count in held.items())
+        why = f"it holds {counted} and no faces" if held else "it holds no triangles"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()
@@ -266,7 +269,7 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     )
     parts, made, origin = polygons.parts([readable(one) for one in names], material[long])
     libraries = tuple(dict.fromkeys(found.libraries))
-    return MeshFile(parts, (*remarks, *told, *made), origin, libraries)
+    return MeshFile(parts, (*remarks, *told, *made), origin, libraries, left_out)
 
 
 def _is_alike(word: bytes, block: bytes, lines: int) -> bool:
@@ -348,11 +351,10 @@ def _smoothing(changes: Sequence[tuple[int, bytes]], kept: NDArray[np.bool_]) ->
     return np.array(numbers)[at][kept]
 
 
-def _left_out(path: Path, found: _Sorted) -> list[str]:
-    """Name what is not drawn."""
+def _left_out(found: _Sorted) -> dict[str, int]:
+    """Count what is not drawn."""
     counts = Counter(found.left_out)
     counts["faces with fewer than three corners"] = sum(
         int(np.count_nonzero(sizes < TRIANGLE)) for sizes in found.faces.sizes
     )
-    listed = ", ".join(f"{what} ({count:,})" for what, count in counts.items() if count)
-    return [f"Not drawn of {path.name}: {listed}."] if listed else []
+    return {what: count for what, count in counts.items() if count}

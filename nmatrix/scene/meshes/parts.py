@@ -6,8 +6,8 @@ that agree in all of them are one vertex.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -39,13 +39,27 @@ class MeshPart:
 class MeshFile:
     """A mesh file: its parts, what has to be said of it, and where its normals come from.
 
-    `named` are the files that it names: material libraries, or images.
+    `named` are the files that it names: material libraries, or images; `left_out` counts what of it
+    is not drawn.
     """
 
     parts: tuple[MeshPart, ...]
     remarks: tuple[str, ...]
     normals_from: NormalsFrom
     named: tuple[str, ...] = ()
+    left_out: Mapping[str, int] = field(default_factory=dict)
+
+
+def told_left_out(name: str, left_out: Mapping[str, int]) -> list[str]:
+    """Name what of a file is not drawn, and how much of it.
+
+    Examples
+    --------
+    >>> told_left_out("a.obj", {"lines": 1200, "points": 1})
+    ['Not drawn of a.obj: lines (1,200), points (1).']
+    """
+    listed = ", ".join(f"{what} ({count:,})" for what, count in left_out.items())
+    return [f"Not drawn of {name}: {listed}."] if listed else []
 
 
 @dataclass(frozen=True)

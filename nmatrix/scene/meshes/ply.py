@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
-from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons
+from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons, told_left_out
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -48,7 +48,8 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
     positions = _together(vertices, AXES)
     _check_finite(path, positions)
     corners, sizes = _corners(path, header, found, len(positions))
-    remarks = [*header.remarks, *_left_out(path, header)]
+    left_out = _left_out(header)
+    remarks = [*header.remarks, *told_left_out(path.name, left_out)]
     long = sizes > 2
     if not long.all():
         short = np.count_nonzero(~long)
@@ -69,7 +70,7 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
     )
     polygons = Polygons(path.name, positions, corners[kept], sizes[long], normals, uv, colours)
     parts, told, origin = polygons.parts()
-    return MeshFile(parts, (*remarks, *told), origin, header.textures)
+    return MeshFile(parts, (*remarks, *told), origin, header.textures, left_out)
 
 
 def _together(columns: Columns, names: Sequence[str]) -> Array:
@@ -206,12 +207,12 @@ def _colours(
     return None
 
 
-def _left_out(path: Path, header: Header) -> list[str]:
-    """Name what is not drawn."""
-    listed = []
+def _left_out(header: Header) -> dict[str, int]:
+    """Count what is not drawn."""
+    found = {}
     for element in header.elements:
         if element.name not in (VERTEX, FACE, STRIPS) and element.count:
-            listed.append(f"{element.count:,} rows of the element {element.shown}")
+            found[f"rows of the element {element.shown}"] = element.count
         elif any(one.name in ALPHA for one in element.properties):
-            listed.append(f"alpha of the element {element.shown}")
-    return [f"Not drawn of {path.name}: {', '.join(listed)}."] if listed else []
+            found[f"alpha of the element {element.shown}"] = element.count
+    return found
