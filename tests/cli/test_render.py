@@ -73,7 +73,11 @@ def test_a_mesh_is_drawn_and_measured(nmatrix, tmp_path: Path) -> None:
     assert found.data["triangles"] == 1
     assert found.data["max_angle_error_deg"] > 1
     assert (
-        sum("Normals were made, area-weighted: a.obj" in one for one in found.data["remarks"]) == 1
+        sum(
+            "Normals were made, smooth but for sharp edges: a.obj" in one
+            for one in found.data["remarks"]
+        )
+        == 1
     )
     (tmp_path / "b.obj").write_text(TRIANGLE.replace("f 1 2 3", "vn 0 1 1\nf 1//1 2//1 3//1"))
     assert not any(

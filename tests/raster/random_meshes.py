@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.scene.meshes import shapes
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, joined, unit
+from nmatrix.scene.meshes.creases import mean_normals
+from nmatrix.scene.meshes.mesh import Mesh, cross_products, joined, unit
 
 Array = NDArray[Any]
 Thing = TypeVar("Thing")
@@ -53,6 +54,12 @@ class Dice:
 
     def array(self, rows: int, reach: float) -> Array:
         return np.array([self.vector(reach) for _ in range(rows)])
+
+
+def area_weighted_normals(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Return a unit normal per vertex, by the areas of its triangles."""
+    areas = np.repeat(cross_products(positions, triangles), 3, axis=0)
+    return mean_normals(triangles.ravel(), areas)
 
 
 def closed(dice: Dice) -> Mesh:

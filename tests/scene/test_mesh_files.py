@@ -14,7 +14,7 @@ from nmatrix.scene.meshes.file import read_mesh
 from nmatrix.scene.meshes.mesh import Mesh, joined, unit
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"  # its geometric normal is (0, 0, 1)
-MADE = ("Normals were made, area-weighted: a.obj does not have one for every vertex.",)
+MADE = ("Normals were made, smooth but for sharp edges: a.obj lacks some or all.",)
 UP, RIGHT, BACK = [0, 1, 0], [1, 0, 0], [0, 0, 1]
 NORMALS = "vn 0 2 0\nvn 3 0 0\n"  # not of length one, and not those of the square
 PLY = (

@@ -54,7 +54,7 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
     materials = Materials(path, allow_outside)
     if path.suffix.lower() == ".ply":
         return _with_image(path, found, allow_outside=allow_outside)
-    materials.read(found.named)
+    materials.read(found.named or _beside(path, found))
     parts = [
         replace(
             part,
@@ -68,6 +68,13 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
         remarks=(*found.remarks, *materials.remarks),
         left_out={**found.left_out, **materials.counts},
     )
+
+
+def _beside(path: Path, found: MeshFile) -> tuple[str, ...]:
+    """Name the library that is called as the file, where it names none and uses materials."""
+    library = path.with_suffix(".mtl")
+    is_used = any(part.name for part in found.parts)
+    return (library.name,) if is_used and library.is_file() else ()
 
 
 def read_surface(path: Path, content: bytes | None = None) -> MeshFile:

@@ -223,26 +223,9 @@ def unit(vectors: NDArray[Any]) -> Array:
     return np.asarray(np.divide(scaled, length, out=np.zeros_like(scaled), where=length > 0))
 
 
-def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> Array:
-    """Return a unit normal per vertex: its triangles' cross products, added up.
-
-    A cross product is twice the area times the normal, so large triangles count more. A vertex
-    without any area gets the zero vector.
-    """
-    a, b, c = (positions[triangles[:, i]] for i in range(3))
-    with np.errstate(all="ignore"):
-        faces = np.cross(b - a, c - a)
-        at = triangles.T.ravel()
-        sums = (np.bincount(at, np.tile(one, 3), len(positions)) for one in faces.T)
-        total = np.stack(list(sums), axis=1)
-        length = np.sqrt((total * total).sum(axis=1, keepdims=True))
-        unit = total / length
-    return np.where(np.isfinite(unit), unit, 0.0)
-
-
 def normals_made(source: str) -> str:
-    """Tell that the normals are area-weighted ones, and not those of the file."""
-    return f"Normals were made, area-weighted: {source} does not have one for every vertex."
+    """Tell that the normals are not those of the file: smooth, but for creases."""
+    return f"Normals were made, smooth but for sharp edges: {source} lacks some or all."
 
 
 def welded_normals(

@@ -48,6 +48,7 @@ NOT_DRAWN = {
     "aniso": "anisotropy",
     "anisor": "anisotropy",
 }
+DULLEST = 1.0  # the least shininess; exporters write 0 where they know none
 TRANSPARENT = ("4", "6", "7", "9")  # of illum: models of glass
 
 
@@ -145,6 +146,9 @@ class Materials:
         opacity = read.number("d", self._see_through(file, name, values, read))
         shininess = max(read.number("ns", Material.shininess), 0.0)
         shines = any(specular) and illumination not in (UNLIT, MATT)
+        if shines and shininess < DULLEST:  # a highlight of the whole surface shows no shape
+            self.left_out.update(["highlights of a shininess (Ns) below 1"])
+            shines = False
         found = Material(
             name=name,
             ambient=times(ambient, AMBIENT_SHARE),

@@ -14,7 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.scene.material import Material
-from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, normals_made, unit
+from nmatrix.scene.meshes.creases import creased_normals, mean_normals
+from nmatrix.scene.meshes.mesh import (
+    Mesh,
+    cross_products,
+    normals_made,
+    unit,
+)
 from nmatrix.scene.meshes.polygons import Cut, cut
 from nmatrix.scene.words import NormalsFrom
 
@@ -134,22 +140,32 @@ class Polygons:
         lacking = np.ones(len(self.corners), bool) if given is None else given.at == NONE
         if given is not None and not lacking.any():
             return Attribute(unit(given.values), given.at), ()
-        triangles = found.triangles
+        polygon = np.repeat(np.arange(len(self.sizes)), self.sizes)
+        areas = self._areas(found)
+        counting = areas[polygon]
         if given is not None:
-            triangles = triangles[lacking[triangles].any(axis=1)]
-        positions, at = self.positions, self.corners
+            is_whole = np.ones(len(self.sizes), bool)
+            is_whole[polygon[lacking]] = False
+            counting[is_whole[polygon]] = 0.0
+        at = self.corners
         if self.smoothing is not None:
             group = np.repeat(self.smoothing, self.sizes)
-            alone = int(self.smoothing.max(initial=0)) + 1
-            own = alone + np.repeat(np.arange(len(self.sizes)), self.sizes)
-            first, at = _vertices([self.corners, np.where(group == FLAT, own, group)])
-            positions = positions[self.corners[first]]
-        made = area_weighted_normals(positions, at[triangles])
+            own = int(self.smoothing.max(initial=0)) + 1 + polygon
+            _, at = _vertices([self.corners, np.where(group == FLAT, own, group)])
+        made = mean_normals(at, counting)
+        if self.smoothing is None:  # else the file says itself what is smooth
+            made, at = creased_normals(made, at, polygon, areas)
         remarks = self._remarks_on_made(lacking)
         if given is None:
             return Attribute(made, at), remarks
         values = np.concatenate([unit(given.values), made])
         return Attribute(values, np.where(lacking, len(given.values) + at, given.at)), remarks
+
+    def _areas(self, found: Cut) -> Array:
+        """Add up the cross products of each polygon's triangles."""
+        cross = cross_products(self.positions, self.corners[found.triangles])
+        sums = (np.bincount(found.polygon, one, len(self.sizes)) for one in cross.T)
+        return np.stack(list(sums), axis=1)
 
     def _remarks_on_made(self, lacking: NDArray[np.bool_]) -> tuple[str, ...]:
         """Tell that normals were made, and whether they are smooth or flat."""
