@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 
 STDIN = "standard input"
 
-# What only a text report has: a ruled heading, or a bracket of several lines.
-_FOR_PEOPLE = re.compile(r"^(?:─{4,}|-{4,})$|[⎡⎢⎣]", re.MULTILINE)
+# What only a text report has: ruled lines, brackets of several lines, rows with a label.
+_FOR_PEOPLE = re.compile(
+    r"^(?=[─ -]*[─-]{3})[─ -]+$|[⎡⎢⎣]|^ +[xyzw] [\[|(/\\]|^--full adds ", re.MULTILINE
+)
 
 
 @dataclass

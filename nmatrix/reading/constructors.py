@@ -34,6 +34,7 @@ _OURS = re.compile(r"^// (?:nmatrix [^\n]*column-major|uniform )", re.MULTILINE)
 # NumPy 2 prints the numbers of a plain list as np.float64(1.0).
 _SCALAR = re.compile(r"\b(?:np|numpy)\.(?:float|int)[0-9]{2}\(([^()]{1,60})\)")
 _COMMENT = re.compile(r"^[ \t]*//", re.MULTILINE)
+LONGEST_PRINT = 10_000  # characters of one matrix in NumPy's scalars
 
 
 def bracketed(text: str, source: str) -> Contents:
@@ -49,7 +50,8 @@ def bracketed(text: str, source: str) -> Contents:
     >>> bracketed("mat2(vec2(1.0), vec2(2.0))", "x").quantities
     {'': [['1.0', '1.0'], ['2.0', '2.0']]}
     """
-    return Contents({"": laid_out(whole_text(_SCALAR.sub(r"\1", text), source), source)})
+    plain = _SCALAR.sub(r"\1", text) if len(text) <= LONGEST_PRINT else text
+    return Contents({"": laid_out(whole_text(plain, source), source)})
 
 
 def glsl_program(text: str, source: str) -> Contents:

@@ -75,8 +75,8 @@ def pixel_ray(
     >>> found = pixel_ray(seen, corner, Fraction(0), ClipSpace(), Viewport(64, 64))
     >>> found.world.direction
     (-0.5773502691896257, 0.5773502691896257, -0.5773502691896257)
-    >>> print(*found.point_object)
-    -1 1 4
+    >>> [round(float(x), 12) for x in found.point_object]
+    [-1.0, 1.0, 4.0]
     """
     camera_from_clip = _camera_from_clip(maps.clip_from_camera)
     x, y = viewport.ndc(pixel, clip)

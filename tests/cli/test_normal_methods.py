@@ -82,8 +82,8 @@ def test_a_method_tells_its_own_error_and_that_of_the_plain_matrix(
 
 
 def test_what_is_said_under_a_flipped_normal_is_about_it(nmatrix) -> None:
-    flipped = nmatrix("normal --scale -1 1 1 --normal 1 0 0 --method cofactor").out
+    flipped = nmatrix("normal --scale -1 1 1 --normal 1 0 0 --method cofactor --full").out
     assert "The unsigned cofactor is 180° off the right direction." in flipped
-    plain = nmatrix('normal "1 0.5 0;0 2 0;0 0 -3" --normal 1 1 1 --method none').out
+    plain = nmatrix('normal "1 0.5 0;0 2 0;0 0 -3" --normal 1 1 1 --method none --full').out
     assert "A itself is 44.836° off the right direction." in plain
     assert "it would be" not in plain

@@ -191,7 +191,10 @@ def test_gimbal_lock_is_told_with_angles_that_turn_alike(nmatrix) -> None:
 
 
 def test_the_table_of_parts_names_order_and_convention(nmatrix) -> None:
-    assert "rotate zyx (deg)" in nmatrix("world --rotate 10 20 30 --order zyx").out
-    assert "rotate polimi (deg)" in nmatrix("world --rotate 1 2 3 --convention polimi").out
-    assert "Parts, as given" in nmatrix("world --scale -1 -1 -1").out
-    assert "Parts, one choice of several" in nmatrix('world --world-matrix "0 1 0;1 0 0;0 0 1"').out
+    assert "rotate zyx (deg)" in nmatrix("world --rotate 10 20 30 --order zyx --full").out
+    assert "rotate polimi (deg)" in nmatrix("world --rotate 1 2 3 --convention polimi --full").out
+    assert "Parts, as given" in nmatrix("world --scale -1 -1 -1 --full").out
+    assert (
+        "Parts, one choice of several"
+        in nmatrix('world --world-matrix "0 1 0;1 0 0;0 0 1" --full').out
+    )
