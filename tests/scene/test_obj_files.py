@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from nmatrix.enums import Reflection
 from nmatrix.errors import IllegalValueError
@@ -144,7 +145,8 @@ def test_materials_are_those_of_the_library_and_name_the_objects(tmp_path: Path)
     ("line", "field", "value"),
     [
         ("Ka 1 1 1", "ambient", (0.15, 0.15, 0.15)),
-        ("Ka 0", "ambient", (0, 0, 0)),
+        ("Ka 0", "ambient", (0.15, 0, 0)),
+        ("Ka 0.5 0.5 0", "ambient", (0.075, 0.075, 0)),
         ("Tr 0.25", "opacity", 0.75),
         ("d -halo 0.25", "opacity", 0.25),
         ("illum 0", "unlit", (1, 0, 0)),
@@ -233,3 +235,20 @@ def test_what_a_file_has_beside_faces_is_counted_and_named(tmp_path: Path) -> No
     assert features["missing file"].count == 1
     assert features["material"].made_of_it == "drawn but for what is named here"
     assert "Files are missing: none.png." in scene_of(path).remarks
+
+
+def test_a_black_colour_over_an_image_does_not_black_it_out(tmp_path: Path) -> None:
+    Image.new("RGB", (1, 1), (255, 0, 0)).save(tmp_path / "a.png")
+    file = file_of(tmp_path, TWO, "newmtl red\nKd 0 0 0\nmap_Kd a.png\nnewmtl green\nKd 0 0 0\n")
+    red, green = (part.material for part in file.parts)
+    assert red is not None
+    assert green is not None
+    assert min(red.diffuse) > 0.8
+    assert green.diffuse == (0, 0, 0)
+    assert any("a black Kd over an image" in one for one in file.remarks)
+
+
+def test_a_library_that_nothing_uses_is_told(tmp_path: Path) -> None:
+    text = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    file = file_of(tmp_path, text, "newmtl red\nKd 1 0 0\n")
+    assert "a.obj names a.mtl and uses no material of it." in file.remarks

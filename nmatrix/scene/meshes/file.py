@@ -55,6 +55,7 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
     if path.suffix.lower() == ".ply":
         return _with_image(path, found, allow_outside=allow_outside)
     materials.read(found.named or _beside(path, found))
+    unused = _unused(path, found)
     parts = [
         replace(
             part,
@@ -65,9 +66,16 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
     return replace(
         found,
         parts=tuple(parts),
-        remarks=(*found.remarks, *materials.remarks),
+        remarks=(*found.remarks, *unused, *materials.remarks),
         left_out={**found.left_out, **materials.counts},
     )
+
+
+def _unused(path: Path, found: MeshFile) -> list[str]:
+    """Tell of libraries that are named, of which no face uses a material."""
+    if not found.named or any(part.name for part in found.parts):
+        return []
+    return [f"{path.name} names {printable(found.named[0])} and uses no material of it."]
 
 
 def _beside(path: Path, found: MeshFile) -> tuple[str, ...]:

@@ -140,8 +140,14 @@ class Materials:
             return
         read = _Values(file, values, self.remarks_on_lines)
         illumination = values.get("illum", "2").split("#")[0].strip()
+        texture = self._texture(values.get("map_kd"))
         diffuse = read.colour("kd", grey(0.8))
+        if texture is not None and not any(diffuse):  # it would black out the image
+            self.left_out.update(["a black Kd over an image, taken for white"])
+            diffuse = grey(1.0)
         ambient = read.colour("ka", diffuse)
+        if not any(ambient):  # exporters write 0 where they know none
+            ambient = diffuse
         specular = read.colour("ks", BLACK)
         opacity = read.number("d", self._see_through(file, name, values, read))
         shininess = max(read.number("ns", Material.shininess), 0.0)
@@ -158,7 +164,7 @@ class Materials:
             reflection=Reflection.BLINN_PHONG if shines else Reflection.LAMBERT,
             emission=read.colour("ke", BLACK),
             opacity=min(max(opacity, 0.0), 1.0),
-            texture=self._texture(values.get("map_kd")),
+            texture=texture,
             emission_texture=self._texture(values.get("map_ke")),
         )
         is_lit = illumination != UNLIT
