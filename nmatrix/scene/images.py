@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, printable
+from nmatrix.scene.beside import check_ends
 from nmatrix.scene.material import BLACK, EmbeddedImage, ImageSource, Material, Texture
 from nmatrix.scene.words import Pattern
 
@@ -30,7 +31,11 @@ UNREAD = {
     b"\xabKTX 11\xbb\r\n\x1a\n": "KTX",
     b"sB": "Basis Universal",
     b"DDS ": "DDS",
+    b"%!PS": "PostScript",
+    b"\xc5\xd0\xd3\xc6": "PostScript",
 }
+# What is decoded here and by nothing else: for PostScript, Pillow would run another program.
+KINDS = ("PNG", "JPEG", "WEBP", "TGA", "BMP", "GIF", "TIFF", "PPM", "PSD", "PCX", "SGI", "ICO")
 LONGEST_MAGIC = max(map(len, UNREAD))
 # What decoders raise over bytes that are none of their format.
 UNREADABLE = (OSError, ValueError, SyntaxError, EOFError, IndexError, KeyError, struct.error)
@@ -110,8 +115,8 @@ def _opened(source: ImageSource) -> PIL.Image.Image:
         PIL.Image.MAX_IMAGE_PIXELS = None
         with warnings.catch_warnings(action="ignore"):
             if isinstance(source, EmbeddedImage):
-                return PIL.Image.open(io.BytesIO(source.content))
-            return PIL.Image.open(source)
+                return PIL.Image.open(io.BytesIO(source.content), formats=KINDS)
+            return PIL.Image.open(source, formats=KINDS)
     except FileNotFoundError:
         raise IllegalValueError(f"{source}", "there is no such file", "check the name") from None
     except IllegalValueError:
@@ -125,5 +130,6 @@ def _opened(source: ImageSource) -> PIL.Image.Image:
 def _beginning(source: ImageSource) -> bytes:
     if isinstance(source, EmbeddedImage):
         return source.content[:LONGEST_MAGIC]
+    check_ends(source)
     with source.open("rb") as file:
         return file.read(LONGEST_MAGIC)
