@@ -188,16 +188,16 @@ def identify(matrix: object) -> Report:
     return Report(identify_matrix(read_matrix(matrix, "matrix").as_floats))
 
 
-def axes(source: str, target: str, matrix: object = None, *, order: str = "XYZ") -> Report:
+def axes(from_axes: str, to_axes: str, matrix: object = None, *, order: str = "XYZ") -> Report:
     """Tell points of one axis system in another, and a matrix of the one as one of the other.
 
     Parameters
     ----------
-    source, target
+    from_axes, to_axes
         `opengl`, `blender`, `unity`, `unreal`, …, or three signed axes that point right, up and
         forward.
     matrix
-        A map between two frames of the source: an affine 4×4, or its 3×3 linear part.
+        A map between two frames of `from_axes`: an affine 4×4, or its 3×3 linear part.
     order
         In which the angles of its parts are told.
 
@@ -211,7 +211,7 @@ def axes(source: str, target: str, matrix: object = None, *, order: str = "XYZ")
 
     given = None if matrix is None else read_affine(matrix, "matrix")
     return Report(
-        answer(text(source, "source"), text(target, "target"), given, checked_order(order))
+        answer(text(from_axes, "from_axes"), text(to_axes, "to_axes"), given, checked_order(order))
     )
 
 

@@ -41,7 +41,7 @@ CALLS: dict[str, dict[str, Any]] = {
     },
     "frustum": {"window": (-1, 1, -1, 1), "near": 1, "far": 10, "clip": "opengl"},
     "inspect": {"file": ROOT / "docs" / "samples" / "gate.gltf"},
-    "axes": {"source": "blender", "target": "unity"},
+    "axes": {"from_axes": "blender", "to_axes": "unity"},
     "identify": {"matrix": np.diag([2.0, 1, 1])},
     "look_at": {"eye": (0, 0, 5), "target": (0, 0, 0), "up": (0, 1, 0), "handed": "right"},
     "normal_matrix": {"A": IDENTITY, "kind": "oriented", "level": "exact", "out": None},

@@ -133,7 +133,7 @@ def test_materials_are_those_of_the_library_and_name_the_objects(tmp_path: Path)
     red, green = (part.material for part in file.parts)
     assert red is not None
     assert green is not None
-    assert (red.diffuse, green.diffuse) == ((1, 0, 0), (0, 1, 0))
+    assert (red.diffuse, green.diffuse) == ((0.85, 0, 0), (0, 0.85, 0))  # the rest is ambient
     assert (red.reflection, green.reflection) == (Reflection.LAMBERT, Reflection.BLINN_PHONG)
     assert (green.shininess, green.opacity) == (9, 0.5)
     assert [one.name for one in scene_of(tmp_path / "a.obj").objects] == ["a/red", "a/green"]

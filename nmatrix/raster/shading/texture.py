@@ -26,7 +26,7 @@ def sample(texture: Texture, uv: Array, *, linear: bool) -> Array:
     Examples
     --------
     >>> from nmatrix.scene.images import read_image
-    from nmatrix.scene.material import CHECKER
+    >>> from nmatrix.scene.material import CHECKER
     >>> sample(CHECKER, np.array([[0.01, 0.13], [0.01, 0.01]]), linear=False).tolist()
     [[1.0, 0.35]]
     """
