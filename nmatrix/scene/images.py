@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import struct
 import warnings
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 
 MOST_PIXELS = 8192 * 8192
+MOST_OF_SCENE = 4 * MOST_PIXELS
 AS_PNG = "save it as PNG"
 # How files begin whose texels are packed for graphics cards.
 UNREAD = {
@@ -46,8 +47,46 @@ def has_alpha(texture: Texture) -> bool:
     return not isinstance(texture.image, Pattern) and read_image(texture.image).alpha is not None
 
 
-def with_readable_images(material: Material) -> tuple[Material, list[str]]:
-    """Leave out optional images that cannot be read, and say why.
+@dataclass
+class Room:
+    """The pixels that the images of one scene may still have, and why images were not read.
+
+    Each image is tried once, however many materials name it.
+    """
+
+    left: int = MOST_OF_SCENE
+    tried: dict[ImageSource, IllegalValueError | None] = field(default_factory=dict)
+
+    def read(self, source: ImageSource) -> None:
+        """Read an image if there is room for it.
+
+        Raises
+        ------
+        IllegalValueError
+            If there is not, or it cannot be read.
+        """
+        if source not in self.tried:
+            self.tried[source] = self._error(source)
+        error = self.tried[source]
+        if error is not None:
+            raise error
+
+    def _error(self, source: ImageSource) -> IllegalValueError | None:
+        try:
+            with _opened(source) as opened:
+                pixels = opened.width * opened.height
+            if self.left < pixels <= MOST_PIXELS:  # what is larger is refused for itself
+                why = "with it the scene has more pixels of images than can be held"
+                raise IllegalValueError(f"{source}", why, "save them smaller")
+            read_image(source)
+        except IllegalValueError as error:
+            return error
+        self.left -= pixels
+        return None
+
+
+def with_readable_images(material: Material, room: Room) -> tuple[Material, list[str]]:
+    """Leave out optional images that cannot be read or have no room, and say why.
 
     Raises
     ------
@@ -55,14 +94,14 @@ def with_readable_images(material: Material) -> tuple[Material, list[str]]:
         For an image that is not optional.
     """
     told, lost = [], dict[str, Any]()
-    for field, found in material.textures.items():
+    for name, found in material.textures.items():
         if found.is_optional and not isinstance(found.image, Pattern):
             try:
-                read_image(found.image)
+                room.read(found.image)
             except IllegalValueError as error:
-                name = printable(Path(found.image.name).name)
-                told.append(f"An image is not drawn: {name}: {error.parts[1]}.")
-                lost[field] = None
+                shown = printable(Path(found.image.name).name)
+                told.append(f"An image is not drawn: {shown}: {error.parts[1]}.")
+                lost[name] = None
                 if found is material.emission_texture:
                     lost["emission"] = BLACK  # what of it would have shone is not known
     return replace(material, **lost) if lost else material, told

@@ -218,7 +218,7 @@ def test_more_scales_over_time_than_a_file_may_have_are_told_of_their_node(
         made.scaled_over_time(node, [(1, 1, 1), (1, 2, 1), (1, 3, 1)])
     a, b = inspect_file(made.written(tmp_path)).nodes
     assert (a.found, a.unread) == ("2 of 3 scales over time non-uniform", "")
-    assert b.found == "mesh not wholly read"
+    assert b.found == "not wholly read"
     assert b.unread == "uneven scales over time are more than 3, with its own"
 
 
@@ -339,3 +339,13 @@ def test_morph_targets_are_told(tmp_path: Path) -> None:
     told = report((inspect_file(made.written(tmp_path)),))
     assert told.data["summary"]["morphed"] == 1
     assert any("morph targets" in one for one in told.remarks)
+
+
+@pytest.mark.parametrize(("zeros", "words"), [(1, "1 normal is"), (2, "2 normals are")])
+def test_degenerate_normals_are_counted_in_a_right_sentence(
+    tmp_path: Path, zeros: int, words: str
+) -> None:
+    made = Made()
+    made.node(name="a", mesh=made.mesh([(0, 0, 0)] * zeros + UP[zeros:]))
+    (node,) = inspect_file(made.written(tmp_path)).nodes
+    assert node.told(Flaw.DEGENERATE) == f"a: {words} no direction."
