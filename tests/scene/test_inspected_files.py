@@ -132,7 +132,7 @@ def test_an_unreadable_file_is_a_row_in_every_format(assets: Path, nmatrix) -> N
         ("assets --fail-on mirrored", 1, "1 of 4 nodes is mirrored (assets/b.gltf: m)"),
         ("assets --fail-on non-uniform", 1, "1 of 4 nodes is non-uniform (assets/deep/deeper/a.GL"),
         ("assets/bad.gltf", 2, "assets/bad.gltf: it is not glTF"),
-        ("assets/bad.gltf --fail-on unreadable", 2, "assets/bad.gltf: it is not glTF"),
+        ("assets/bad.gltf --fail-on unreadable", 1, "1 of 1 file was not read (assets/bad.gltf)"),
         ("assets/bad.gltf assets/deep/empty.ply", 2, "2 files: none of them could be read"),
         ("assets/bad.gltf assets/deep/empty.ply --fail-on unreadable", 1, "2 of 2 files"),
         ("assets/nothing.gltf --fail-on unreadable", 0, ""),
@@ -379,3 +379,24 @@ def test_every_ending_that_is_read_is_searched_for(tmp_path: Path, nmatrix) -> N
     found = nmatrix(f"inspect {tmp_path} -f json")
     assert len(found.data["files"]) == len((*GLTF_SUFFIXES, *MESH_SUFFIXES))
     assert found.code == 2
+
+
+@pytest.mark.parametrize("form", ["text", "json", "csv", "sarif", "github"])
+def test_one_unreadable_file_that_was_checked_for_is_told_like_one_of_many(
+    tmp_path: Path, nmatrix, form: str
+) -> None:
+    (tmp_path / "bad.obj").write_text("v 0 0 0\nf 1 2 x\n")
+    found = nmatrix(f"inspect {shlex.quote(str(tmp_path))} --fail-on unreadable -f {form}")
+    assert found.code == 1
+    assert "1 of 1 file was not read" in found.err
+    reason = "line 2 (x): x stands where a whole number is meant"
+    before, told, _ = " ".join(found.out.split()).partition(reason)
+    assert told
+    assert not before.endswith(", ")
+
+
+def test_an_extension_that_a_file_requires_and_nobody_knows_is_told(tmp_path: Path) -> None:
+    scene = json.loads(gltf(MIRROR)) | {"extensionsRequired": ["ACME_teapot"]}
+    (tmp_path / "a.gltf").write_text(json.dumps(scene))
+    (told, *_) = report((inspect_file(tmp_path / "a.gltf"),)).remarks
+    assert told.startswith("The file requires ACME_teapot, unknown here")

@@ -19,11 +19,13 @@ from nmatrix.scene.gltf.animations import Animated, animated_channels, animated_
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.instances import instance_matrices, is_instanced
 from nmatrix.scene.gltf.nodes import Node
+from nmatrix.scene.gltf.records import NodeRecord
 from nmatrix.scene.gltf.skins import joint_matrices
 from nmatrix.scene.words import NormalsFrom
 
 Classify = Callable[[RationalMatrix], Classification]
 UNSCALED: Vector = (1, 1, 1)
+MOST_SCALES = 1 << 15  # uneven ones over time, of all nodes of a file
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +64,16 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
     if not file.document.animations:
         return Carried(maps, unread, {}, ())
     scales = animated_scales(file)
-    for index, keys in scales.keys.items():
-        over_time = None if index in maps else _over_time(file.nodes[index], keys, tolerance)
-        if over_time is not None:
-            distinct, uneven = over_time
-            each = map(classify, (file.nodes[index].world_from_object, *uneven))
-            maps[index] = replace(Maps.of(Carriers.SCALES, each), total=distinct)
+    moved = {index: keys for index, keys in scales.keys.items() if index not in maps}
+    left = MOST_SCALES
+    for index, (uneven, distinct) in _uneven(file, moved, tolerance).items():
+        left -= len(uneven)
+        if left < 0:
+            unread[index] = f"uneven scales over time are more than {MOST_SCALES:,}, with its own"
+            continue
+        node = file.nodes[index]
+        each = map(classify, (node.world_from_object, *_over_time(node, uneven)))
+        maps[index] = replace(Maps.of(Carriers.SCALES, each), total=distinct)
     changed = {
         index: tuple(one for one in Animated if one in found)
         for index, found in animated_channels(file).items()
@@ -75,21 +81,33 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
     return Carried(maps, unread, changed, scales.remarks)
 
 
-def _over_time(
-    node: Node, keys: tuple[Vector, ...], tolerance: float
-) -> tuple[int, tuple[RationalMatrix, ...]] | None:
-    """Count a node's scales, and place it by the uneven ones; None if there are none of these."""
-    record = node.record
-    if record.matrix is not None:  # nothing animates it
-        return None
-    uneven = [key for key in keys if not _is_even(key, tolerance)]
-    if not uneven:
-        return None
+def _uneven(
+    file: GltfFile, keys: Mapping[int, tuple[Vector, ...]], tolerance: float
+) -> dict[int, tuple[tuple[Vector, ...], int]]:
+    """Find the nodes with uneven scales among their keys, and count all, with the one at rest."""
+    looked: dict[int, tuple[Vector, ...]] = {}  # by the identity of keys, which nodes share
+    found = {}
+    for index, each in keys.items():
+        record = file.nodes[index].record
+        if record.matrix is not None:  # nothing animates it
+            continue
+        if id(each) not in looked:
+            looked[id(each)] = tuple(key for key in each if not _is_even(key, tolerance))
+        if looked[id(each)]:
+            found[index] = looked[id(each)], len(each) + (_at_rest(record) not in each)
+    return found
+
+
+def _at_rest(record: NodeRecord) -> Vector:
+    return tuple(record.scale or UNSCALED)
+
+
+def _over_time(node: Node, scales: tuple[Vector, ...]) -> tuple[RationalMatrix, ...]:
+    """Place a node by scales other than the one at rest."""
     above = identity(4) if node.parent is None else node.nodes.world(node.parent)
-    turned = rotation_from_quaternion(record.rotation or (0, 0, 0, 1))
-    at_rest = tuple(record.scale or UNSCALED)
-    placed = [product(above, compose(turned, key)) for key in uneven if key != at_rest]
-    return len({*keys, at_rest}), tuple(placed)
+    turned = rotation_from_quaternion(node.record.rotation or (0, 0, 0, 1))
+    others = (one for one in scales if one != _at_rest(node.record))
+    return tuple(product(above, compose(turned, one)) for one in others)
 
 
 def _is_even(scale: Vector, tolerance: float) -> bool:

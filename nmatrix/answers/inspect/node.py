@@ -193,7 +193,8 @@ class InspectedNode:
         parts = {
             self._maps_in_words(): True,
             "degenerate normals": self.normals.degenerate > 0,
-            "mesh not wholly read": bool(self.unread),
+            "mesh not wholly read": bool(self.normals.unread),
+            "not wholly read": bool(self.unplaced),
         }
         told = [part for part, applies in parts.items() if part and applies]
         told = told or [self._kind_in_words()]
@@ -202,7 +203,9 @@ class InspectedNode:
     def told(self, flaw: Flaw) -> str:
         """Tell one flaw of the node in a sentence."""
         if flaw is Flaw.DEGENERATE:
-            return f"{self.path}: {self.normals.degenerate} normals are no direction."
+            count = self.normals.degenerate
+            some = "1 normal is" if count == 1 else f"{count} normals are"
+            return f"{self.path}: {some} no direction."
         if flaw is Flaw.UNREADABLE:
             return f"{self.path}: not wholly read: {self.unread}."
         worst = self.maps.worst_angle_deg if self.maps.needs_inverse_transpose else None

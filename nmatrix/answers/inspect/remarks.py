@@ -61,5 +61,5 @@ _OF_SPECIAL = {
     "below it, at rest.",
     Special.MORPHED: "{} with morph targets: normals are judged at rest.",
     Special.OUTSIDE_SCENE: "{} outside the scene: judged all the same, and marked.",
-    Special.COMPUTED_NORMALS: "{} without normals in the file: they were computed.",
+    Special.COMPUTED_NORMALS: "{} whose mesh lacks normals in the file: those were computed.",
 }

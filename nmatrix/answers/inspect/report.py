@@ -59,9 +59,10 @@ def report(files: Sequence[InspectedFile], chosen: Chosen = EVERYTHING) -> Repor
     Raises
     ------
     NMatrixError
-        If there is one file only, and it could not be read.
+        If there is one file only, it could not be read, and this is not what was checked for.
     """
-    if len(files) == 1 and files[0].error is not None:
+    is_checked = Flaw.UNREADABLE in chosen.fail_on
+    if len(files) == 1 and files[0].error is not None and not is_checked:
         raise files[0].error
     return _Reporting(tuple(files), chosen).report()
 
