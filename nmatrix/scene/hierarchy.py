@@ -43,6 +43,18 @@ class Hierarchy:
         top = self._ancestor(index, len(names))
         return (ABOVE if top is not None else "") + SEPARATOR.join(reversed(names))
 
+    def called(self, index: int) -> str:
+        """Name a node by its path, with its address where others have the same one.
+
+        Examples
+        --------
+        >>> tree = Hierarchy(("root", "wheel", "wheel"), (None, 0, 0))
+        >>> tree.called(0), tree.called(2)
+        ('root', 'root/wheel (#2)')
+        """
+        address = self.addresses[index]
+        return f"{self.path(index)} ({address})" if address.startswith("#") else self.path(index)
+
     def meant(self, text: str) -> tuple[int, ...]:
         """Find the nodes that a text means: one, none, or several that it cannot tell apart."""
         text = text.removeprefix(ABOVE)

@@ -17,6 +17,14 @@ class NormalsFrom(StrEnum):
     NONE = "none"
 
 
+class Mover(StrEnum):
+    """What carries the mesh of a node, or the node itself, beside the node's own matrix."""
+
+    JOINTS = "joints"
+    INSTANCES = "instances"
+    ANIMATION = "animation"
+
+
 class LightKind(StrEnum):
     """The kinds of light in a scene."""
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from nmatrix.answers.inspect.node import Carriers, FoundNormals, Maps
 from nmatrix.answers.inspect.plain import SHARE
@@ -52,11 +53,14 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
             if record.skin is not None:
                 if record.skin not in skins:
                     joints = joint_matrices(file, record.skin)
-                    skins[record.skin] = Maps.of(Carriers.JOINTS, map(classify, joints))
+                    each = map(classify, joints)
+                    skins[record.skin] = Maps.of(
+                        Carriers.JOINTS, each, partial(_joint, file, record.skin)
+                    )
                 maps[index] = skins[record.skin]
             elif is_instanced(file, index):
                 places = instance_matrices(file, index)
-                maps[index] = Maps.of(Carriers.INSTANCES, map(classify, places))
+                maps[index] = Maps.of(Carriers.INSTANCES, map(classify, places), _instance)
         except IllegalValueError as error:
             unread[index] = _reason(file, error)
     if not file.document.animations:
@@ -65,9 +69,9 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
     for index, keys in scales.keys.items():
         over_time = None if index in maps else _over_time(file.nodes[index], keys, tolerance)
         if over_time is not None:
-            distinct, uneven = over_time
-            each = map(classify, (file.nodes[index].world_from_object, *uneven))
-            maps[index] = replace(Maps.of(Carriers.SCALES, each), total=distinct)
+            each = map(classify, (file.nodes[index].world_from_object, *over_time.placed))
+            found = Maps.of(Carriers.SCALES, each, partial(_scale, over_time.uneven))
+            maps[index] = replace(found, total=over_time.distinct)
     changed = {
         index: tuple(one for one in Animated if one in found)
         for index, found in animated_channels(file).items()
@@ -75,9 +79,31 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
     return Carried(maps, unread, changed, scales.remarks)
 
 
-def _over_time(
-    node: Node, keys: tuple[Vector, ...], tolerance: float
-) -> tuple[int, tuple[RationalMatrix, ...]] | None:
+def _joint(file: GltfFile, skin: int, place: int) -> str:
+    index = file.document.skins[skin].joints[place]
+    return f"joint {file.nodes.hierarchy.addresses[index]}"
+
+
+def _instance(place: int) -> str:
+    return f"instance {place}"
+
+
+def _scale(uneven: tuple[Vector, ...], place: int) -> str:
+    if place == 0:
+        return "the scale at rest"
+    return f"scale {' '.join(f'{float(one):.6g}' for one in uneven[place - 1])}"
+
+
+@dataclass(frozen=True)
+class _OverTime:
+    """How many scales a node goes through, and the uneven ones with the maps that they make."""
+
+    distinct: int
+    uneven: tuple[Vector, ...]
+    placed: tuple[RationalMatrix, ...]
+
+
+def _over_time(node: Node, keys: tuple[Vector, ...], tolerance: float) -> _OverTime | None:
     """Count a node's scales, and place it by the uneven ones; None if there are none of these."""
     record = node.record
     if record.matrix is not None:  # nothing animates it
@@ -88,8 +114,9 @@ def _over_time(
     above = identity(4) if node.parent is None else node.nodes.world(node.parent)
     turned = rotation_from_quaternion(record.rotation or (0, 0, 0, 1))
     at_rest = tuple(record.scale or UNSCALED)
-    placed = [product(above, compose(turned, key)) for key in uneven if key != at_rest]
-    return len({*keys, at_rest}), tuple(placed)
+    others = tuple(key for key in uneven if key != at_rest)
+    placed = tuple(product(above, compose(turned, key)) for key in others)
+    return _OverTime(len({*keys, at_rest}), others, placed)
 
 
 def _is_even(scale: Vector, tolerance: float) -> bool:
@@ -109,7 +136,7 @@ def normals_of(file: GltfFile, mesh: int) -> FoundNormals:
 
     found = mesh_normals(file, mesh)
     unread = "; ".join(dict.fromkeys(fault.reason for fault in found.faults))
-    return FoundNormals(found.origin, found.degenerate, unread)
+    return FoundNormals(found.origin, found.degenerate, unread, found.at)
 
 
 def _reason(file: GltfFile, error: NMatrixError) -> str:

@@ -110,7 +110,8 @@ def mesh_normals(file: GltfFile, mesh_index: int) -> MeshNormals:
             own = "NORMAL" in primitive.attributes
             origin = NormalsFrom.FILE if own else NormalsFrom.COMPUTED
             count = read.degenerate_normals
-            file.kept.normals[content] = MeshNormals(origin, count, remarks=read.remarks)
+            at = read.degenerate_at
+            file.kept.normals[content] = MeshNormals(origin, count, remarks=read.remarks, at=at)
         found.append(file.kept.normals[content])
     furthest = (NormalsFrom.PACKED, NormalsFrom.COMPUTED, NormalsFrom.FILE, NormalsFrom.NONE)
     origins = {one.origin for one in found} or {NormalsFrom.NONE}
@@ -120,6 +121,7 @@ def mesh_normals(file: GltfFile, mesh_index: int) -> MeshNormals:
         next((one.packing for one in found if one.packing), ""),
         tuple(dict.fromkeys(text for one in found for text in one.remarks)),
         tuple(faults),
+        next((one.at for one in found if one.at is not None), None),
     )
 
 
