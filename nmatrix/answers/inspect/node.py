@@ -151,7 +151,10 @@ class FoundNormals:
         if self.degenerate == 1:
             told = "1 normal is no direction"
         if self.origin is NormalsFrom.COMPUTED:
-            told += ": the file lacks some or all, and triangles without area give none"
+            told += (
+                ": the file lacks some or all, and triangles without area, or that undo each "
+                "other, give none"
+            )
         if self.at is None:
             return told
         return f"{told}; the first at {' '.join(f'{float(one):.6g}' for one in self.at)}"
