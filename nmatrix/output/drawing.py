@@ -19,6 +19,7 @@ from nmatrix.report import Formula, Matrix, Vector
 
 GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
+_WORDS = re.compile(r"\s+|\S+")
 _NAMES = re.compile("/*[^/]+/*|/+")  # of a path, each with its separator
 NARROWEST = 8  # columns that a wrapped cell of a table keeps
 AXIS_NAMES = "xyzw"
@@ -270,12 +271,12 @@ class _CellWrapper(TextWrapper):
         return [word for word in self._split(text) if not word.isspace()]
 
     def _split(self, text: str) -> list[str]:
-        pieces = super()._split(text)
-        return [
-            part
-            for piece in pieces
-            for part in (_NAMES.findall(piece) if len(piece) > self.width else [piece])
-        ]
+        return [piece for word in _WORDS.findall(text) for piece in self._pieces(word)]
+
+    def _pieces(self, word: str) -> list[str]:
+        if "/" not in word:
+            return super()._split(word)
+        return _NAMES.findall(word) if len(word) > self.width else [word]
 
 
 def _wrapped(cells: Sequence[str], widths: list[int]) -> list[str]:
