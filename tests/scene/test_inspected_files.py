@@ -253,11 +253,11 @@ def test_of_thousands_the_worst_are_shown_and_the_others_counted(tmp_path: Path,
     found = nmatrix(f"inspect {file} --fail-on non-uniform")
     lines = found.out.splitlines()
     assert len(lines) <= 22
-    assert "29 of 3000 nodes need the inverse transpose: 1 mirrored, 29 non-uniform." in found.out
+    assert "29 of 3,000 nodes need the inverse transpose: 1 mirrored, 29 non-uniform." in found.out
     assert lines[7].split()[:3] == ["2999", "Cube", "mirrored"]
     assert f"{30 - SHOWN} more rows: --all shows them." in found.out
     assert (
-        "29 of 3000 nodes are non-uniform (Cube, Cube, Cube, Cube, Cube and 24 more)" in found.err
+        "29 of 3,000 nodes are non-uniform (Cube, Cube, Cube, Cube, Cube and 24 more)" in found.err
     )
     every = nmatrix(f"inspect {file} --all").out
     assert sum(line.split()[1:2] == ["Cube"] for line in every.splitlines()) == 3000

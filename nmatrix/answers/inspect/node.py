@@ -18,7 +18,7 @@ from nmatrix.enums import Flaw, Kind
 from nmatrix.linear.classify import Classification, most_excess, near_worst_angle_deg
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.hierarchy import Hierarchy
-from nmatrix.scene.words import NormalsFrom
+from nmatrix.scene.words import NormalsFrom, counted
 
 KINDS = list(Kind)
 # The flaws of one map.
@@ -204,8 +204,7 @@ class InspectedNode:
         """Tell one flaw of the node in a sentence."""
         if flaw is Flaw.DEGENERATE:
             count = self.normals.degenerate
-            some = "1 normal is" if count == 1 else f"{count} normals are"
-            return f"{self.path}: {some} no direction."
+            return f"{self.path}: {counted(count, 'normal is', 'normals are')} no direction."
         if flaw is Flaw.UNREADABLE:
             return f"{self.path}: not wholly read: {self.unread}."
         worst = self.maps.worst_angle_deg if self.maps.needs_inverse_transpose else None

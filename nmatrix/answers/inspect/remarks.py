@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from nmatrix.answers.inspect.file import Special
 from nmatrix.answers.inspect.node import Carriers, InspectedNode
-from nmatrix.answers.inspect.words import counted
 from nmatrix.enums import Flaw, Kind
+from nmatrix.scene.words import counted
 
 
 def remarks_about(

@@ -18,7 +18,7 @@ from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
 from nmatrix.answers.inspect.node import InspectedNode
 from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unread, node_data
 from nmatrix.answers.inspect.remarks import remarks_about
-from nmatrix.answers.inspect.words import counted, elided, named, of_all
+from nmatrix.answers.inspect.words import elided, named, of_all
 from nmatrix.enums import Flaw, NodeOrder, Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, quantity
 from nmatrix.report import (
@@ -35,6 +35,7 @@ from nmatrix.report import (
     Value,
     Verdict,
 )
+from nmatrix.scene.words import counted
 
 SHOWN = 10  # rows for people, so that all of it stays on one screen
 PATH_ROOM, FILE_ROOM, MESH_ROOM = 24, 20, 10  # characters in a table
