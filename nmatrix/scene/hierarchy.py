@@ -53,7 +53,13 @@ class Hierarchy:
 
     def meant(self, text: str) -> tuple[int, ...]:
         """Find the nodes that a text means: one, none, or several that it cannot tell apart."""
-        text = text.removeprefix(ABOVE)
+        found = self._ending(text)
+        if not found and text.startswith(ABOVE):  # a path that is cut, where nothing is called so
+            found = self._ending(text.removeprefix(ABOVE))
+        return found
+
+    def _ending(self, text: str) -> tuple[int, ...]:
+        """Find the nodes whose path a text is, or else ends in it, or else whose index it is."""
         last = self._by_last_name(text)
         ending = [index for index in last if self._ends_in(index, text)]
         whole = [index for index in ending if self._is_whole_path(index, text)]

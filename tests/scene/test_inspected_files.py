@@ -394,3 +394,14 @@ def test_an_extension_that_a_file_requires_and_nobody_knows_is_told(tmp_path: Pa
     (tmp_path / "a.gltf").write_text(json.dumps(scene))
     (told, *_) = report((inspect_file(tmp_path / "a.gltf"),)).remarks
     assert told.startswith("The file requires ACME_teapot, unknown here")
+
+
+@pytest.mark.parametrize("name", ["a.obj", "line\nend.obj", "\x1b[31m.obj", "a b: c, d.obj"])
+def test_a_reason_does_not_begin_with_the_name_of_its_file(
+    tmp_path: Path, nmatrix, monkeypatch, name: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("good.obj").write_text(TRIANGLE)
+    Path(name).write_text("v 0 0 0\nf 1 2 x\n")
+    errors = [one["error"] for one in nmatrix("inspect . -f json").data["files"]]
+    assert next(one for one in errors if one).startswith("line 2 (x): x stands")

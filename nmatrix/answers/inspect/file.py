@@ -64,7 +64,8 @@ class InspectedFile:
         """Why the file could not be read, without its name; empty where it was."""
         if self.error is None:
             return ""
-        return str(self.error).removeprefix(self.file).lstrip(":, ").rstrip()
+        as_spelled = str(NMatrixError(self.file))  # as the error itself spells the name
+        return str(self.error).removeprefix(as_spelled).lstrip(":, ").rstrip()
 
     @cached_property
     def nodes(self) -> tuple[InspectedNode, ...]:
