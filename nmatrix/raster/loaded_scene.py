@@ -27,7 +27,7 @@ from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
 from nmatrix.scene.fitting import Ball, Facets, daylight, enclosing, fitted, octant
 from nmatrix.scene.geometry import DamagedPartError, left_out
-from nmatrix.scene.images import has_alpha, with_readable_images
+from nmatrix.scene.images import Room, has_alpha, with_readable_images
 from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
 from nmatrix.scene.material import WHITE, Colour, Material
 from nmatrix.scene.meshes.mesh import Mesh
@@ -299,6 +299,8 @@ def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError], lis
         If a package would help.
     """
     meshes: dict[int, Mesh | DamagedPartError] = {}
+    materials: dict[int, tuple[Material, list[str]]] = {}  # an image that many share is read once
+    room = Room()
     bodies, told = [], []
     for one in scene.objects:
         key = id(one.geometry)
@@ -309,7 +311,9 @@ def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError], lis
                 meshes[key] = error
         mesh = meshes[key]
         if isinstance(mesh, Mesh):
-            body, remarks = _body(one, mesh)
+            if id(one.material) not in materials:
+                materials[id(one.material)] = with_readable_images(one.material, room)
+            body, remarks = _body(one, mesh, *materials[id(one.material)])
             bodies.append(body)
             told += remarks
     faults = [one for one in meshes.values() if isinstance(one, DamagedPartError)]
@@ -319,10 +323,12 @@ def _bodies(scene: Scene) -> tuple[tuple[Body, ...], list[DamagedPartError], lis
     return tuple(bodies), faults, [*dict.fromkeys(told)]
 
 
-def _body(one: SceneObject, mesh: Mesh) -> tuple[Body, list[str]]:
+def _body(
+    one: SceneObject, mesh: Mesh, material: Material, remarks: list[str]
+) -> tuple[Body, list[str]]:
     """Put an object in its place, with as much of its material as can be drawn."""
     place = Transform(Frame.WORLD, Frame.OBJECT, one.world_from_object)
-    material, told = with_readable_images(one.material)
+    told = [*remarks]
     if material.emission_texture is not None and mesh.uv is None:
         material = replace(material, emission_texture=None)
         told.append(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import stat
 from pathlib import Path, PureWindowsPath
 
 from nmatrix.errors import IllegalValueError, printable, quantity
@@ -22,12 +23,31 @@ def asset_bytes(path: Path) -> bytes:
         If there is no such file, it is empty, or it only points to where its content is.
     """
     try:
+        check_ends(path)
         content = path.read_bytes()
+    except IllegalValueError:
+        raise
     except (OSError, ValueError) as error:  # a name with a NUL is a ValueError
         reason = getattr(error, "strerror", None) or "no file has such a name"
         raise IllegalValueError(f"{path}", _in_words(reason), "check the name") from None
     check_content(path, content)
     return content
+
+
+def check_ends(path: Path) -> None:
+    """Refuse what may never end: an asset names a file, and neither a pipe nor a device.
+
+    Raises
+    ------
+    IllegalValueError
+        If it is one.
+    OSError, ValueError
+        If there is no such file.
+    """
+    kind = path.stat().st_mode
+    if not (stat.S_ISREG(kind) or stat.S_ISDIR(kind)):  # to read a folder is an error of its own
+        why = "it is a pipe or a device, and no file"
+        raise IllegalValueError(f"{path}", why, "save what comes from it as a file")
 
 
 def check_content(path: Path, content: bytes) -> None:

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
 SEPARATOR = "/"
 DEEPEST = 32  # names of a path that is shown, or that make a node's address
 LONGEST = 200  # characters of an address
+LONGEST_PATH = 1024  # of what stands above a node in a path that is shown
 ABOVE = "…/"
 _INDEX = re.compile(r"#+(\d+)")
 
@@ -39,9 +40,16 @@ class Hierarchy:
 
     def path(self, index: int) -> str:
         """Join the names from the root to a node; of a deep one only the last."""
-        names = list(self._upwards(index, DEEPEST))
-        top = self._ancestor(index, len(names))
-        return (ABOVE if top is not None else "") + SEPARATOR.join(reversed(names))
+        names: list[str] = []
+        length, at = 0, self.parents[index]
+        while at is not None and len(names) < DEEPEST - 1:
+            length += len(self.names[at]) + 1
+            if length > LONGEST_PATH:  # of a name that thousands of nodes are under
+                break
+            names.append(self.names[at])
+            at = self.parents[at]
+        whole = SEPARATOR.join((*reversed(names), self.names[index]))
+        return whole if at is None else ABOVE + whole
 
     def called(self, index: int) -> str:
         """Name a node by its path, with its address where others have the same one.
@@ -57,7 +65,13 @@ class Hierarchy:
 
     def meant(self, text: str) -> tuple[int, ...]:
         """Find the nodes that a text means: one, none, or several that it cannot tell apart."""
-        text = text.removeprefix(ABOVE)
+        found = self._ending(text)
+        if not found and text.startswith(ABOVE):  # a path that is cut, where nothing is called so
+            found = self._ending(text.removeprefix(ABOVE))
+        return found
+
+    def _ending(self, text: str) -> tuple[int, ...]:
+        """Find the nodes whose path a text is, or else ends in it, or else whose index it is."""
         last = self._by_last_name(text)
         ending = [index for index in last if self._ends_in(index, text)]
         whole = [index for index in ending if self._is_whole_path(index, text)]
@@ -94,7 +108,31 @@ class Hierarchy:
         )
 
     def _may_be_typed(self, text: str, index: int) -> bool:
-        return self._is_clean(text) and (not self._has_separators or self.meant(text) == (index,))
+        return self._is_clean(text) and (not self._has_separators or self._means(text, index))
+
+    def _means(self, text: str, index: int) -> bool:
+        """Tell whether a text in which a node's path ends means that node alone."""
+        is_whole = self._is_whole_path(index, text)
+        ending, whole = self._ending_in
+        return whole[hash(text)] == 1 if is_whole else ending[hash(text)] == 1
+
+    @cached_property
+    def _ending_in(self) -> tuple[Counter[int], Counter[int]]:
+        """Count the nodes whose path ends in a text, and those whose whole path it is, by hashes.
+
+        Names may hold separators, so that a text can be cut into names in several ways; to look for
+        all nodes of a text would take as long as there are nodes, for each of them.
+        """
+        ending, whole = Counter[int](), Counter[int]()
+        for index in range(len(self.names)):
+            text, above = self.names[index], self.parents[index]
+            while len(text) <= LONGEST:
+                ending[hash(text)] += 1
+                if above is None:
+                    whole[hash(text)] += 1
+                    break
+                text, above = f"{self.names[above]}{SEPARATOR}{text}", self.parents[above]
+        return ending, whole
 
     def _is_clean(self, text: str) -> bool:
         plain = bool(text.strip()) and text.isprintable() and len(text) <= LONGEST
@@ -150,11 +188,3 @@ class Hierarchy:
                 return None
             at = self.parents[at]
         return at
-
-    def _upwards(self, index: int, most: int) -> Iterator[str]:
-        at: int | None = index
-        for _ in range(most):
-            if at is None:
-                return
-            yield self.names[at]
-            at = self.parents[at]

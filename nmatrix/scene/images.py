@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import struct
 import warnings
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, printable
+from nmatrix.scene.beside import check_ends
 from nmatrix.scene.material import BLACK, EmbeddedImage, ImageSource, Material, Texture
 from nmatrix.scene.words import Pattern
 
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 
 MOST_PIXELS = 8192 * 8192
+MOST_OF_SCENE = 4 * MOST_PIXELS
 AS_PNG = "save it as PNG"
 # How files begin whose texels are packed for graphics cards.
 UNREAD = {
@@ -30,7 +32,11 @@ UNREAD = {
     b"\xabKTX 11\xbb\r\n\x1a\n": "KTX",
     b"sB": "Basis Universal",
     b"DDS ": "DDS",
+    b"%!PS": "PostScript",
+    b"\xc5\xd0\xd3\xc6": "PostScript",
 }
+# What is decoded here and by nothing else: for PostScript, Pillow would run another program.
+KINDS = ("PNG", "JPEG", "WEBP", "TGA", "BMP", "GIF", "TIFF", "PPM", "PSD", "PCX", "SGI", "ICO")
 LONGEST_MAGIC = max(map(len, UNREAD))
 # What decoders raise over bytes that are none of their format.
 UNREADABLE = (OSError, ValueError, SyntaxError, EOFError, IndexError, KeyError, struct.error)
@@ -41,8 +47,46 @@ def has_alpha(texture: Texture) -> bool:
     return not isinstance(texture.image, Pattern) and read_image(texture.image).alpha is not None
 
 
-def with_readable_images(material: Material) -> tuple[Material, list[str]]:
-    """Leave out optional images that cannot be read, and say why.
+@dataclass
+class Room:
+    """The pixels that the images of one scene may still have, and why images were not read.
+
+    Each image is tried once, however many materials name it.
+    """
+
+    left: int = MOST_OF_SCENE
+    tried: dict[ImageSource, IllegalValueError | None] = field(default_factory=dict)
+
+    def read(self, source: ImageSource) -> None:
+        """Read an image if there is room for it.
+
+        Raises
+        ------
+        IllegalValueError
+            If there is not, or it cannot be read.
+        """
+        if source not in self.tried:
+            self.tried[source] = self._error(source)
+        error = self.tried[source]
+        if error is not None:
+            raise error
+
+    def _error(self, source: ImageSource) -> IllegalValueError | None:
+        try:
+            with _opened(source) as opened:
+                pixels = opened.width * opened.height
+            if self.left < pixels <= MOST_PIXELS:  # what is larger is refused for itself
+                why = "with it the scene has more pixels of images than can be held"
+                raise IllegalValueError(f"{source}", why, "save them smaller")
+            read_image(source)
+        except IllegalValueError as error:
+            return error
+        self.left -= pixels
+        return None
+
+
+def with_readable_images(material: Material, room: Room) -> tuple[Material, list[str]]:
+    """Leave out optional images that cannot be read or have no room, and say why.
 
     Raises
     ------
@@ -50,14 +94,14 @@ def with_readable_images(material: Material) -> tuple[Material, list[str]]:
         For an image that is not optional.
     """
     told, lost = [], dict[str, Any]()
-    for field, found in material.textures.items():
+    for name, found in material.textures.items():
         if found.is_optional and not isinstance(found.image, Pattern):
             try:
-                read_image(found.image)
+                room.read(found.image)
             except IllegalValueError as error:
-                name = printable(Path(found.image.name).name)
-                told.append(f"An image is not drawn: {name}: {error.parts[1]}.")
-                lost[field] = None
+                shown = printable(Path(found.image.name).name)
+                told.append(f"An image is not drawn: {shown}: {error.parts[1]}.")
+                lost[name] = None
                 if found is material.emission_texture:
                     lost["emission"] = BLACK  # what of it would have shone is not known
     return replace(material, **lost) if lost else material, told
@@ -110,8 +154,8 @@ def _opened(source: ImageSource) -> PIL.Image.Image:
         PIL.Image.MAX_IMAGE_PIXELS = None
         with warnings.catch_warnings(action="ignore"):
             if isinstance(source, EmbeddedImage):
-                return PIL.Image.open(io.BytesIO(source.content))
-            return PIL.Image.open(source)
+                return PIL.Image.open(io.BytesIO(source.content), formats=KINDS)
+            return PIL.Image.open(source, formats=KINDS)
     except FileNotFoundError:
         raise IllegalValueError(f"{source}", "there is no such file", "check the name") from None
     except IllegalValueError:
@@ -125,5 +169,6 @@ def _opened(source: ImageSource) -> PIL.Image.Image:
 def _beginning(source: ImageSource) -> bytes:
     if isinstance(source, EmbeddedImage):
         return source.content[:LONGEST_MAGIC]
+    check_ends(source)
     with source.open("rb") as file:
         return file.read(LONGEST_MAGIC)

@@ -21,9 +21,11 @@ from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.proofs.frames import PictureFrame, around
 from nmatrix.raster.proofs.plain import picture
+from nmatrix.scene import images
 from nmatrix.scene.camera import View
 from nmatrix.scene.geometry import LoadedGeometry
 from nmatrix.scene.images import read_image
+from nmatrix.scene.material import Material, Texture
 from nmatrix.scene.meshes.mesh import Mesh
 from nmatrix.scene.meshes.shapes import box, sphere, torus
 from nmatrix.scene.open import scene_of
@@ -343,6 +345,28 @@ def test_an_image_that_is_not_read_is_named_and_the_rest_is_drawn(
     told = f"An image is not drawn: thing.gltf (image 0): {why}."
     assert told in report_of(proof).remarks
     assert proof.work.fragments > 0
+
+
+def test_images_of_a_scene_have_room_for_so_many_pixels_and_are_tried_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read = []
+    image = images.read_image
+    monkeypatch.setattr(images, "read_image", lambda source: read.append(source) or image(source))
+    materials = []
+    for name in ("a", "broken", "b", "c"):
+        file = tmp_path / f"{name}.png"
+        Image.new("RGB", (4, 4)).save(file)
+        if name == "broken":
+            file.write_bytes(file.read_bytes()[:45])
+        materials += [Material(name, texture=Texture(file, is_optional=True)) for _ in range(3)]
+    room = images.Room(left=40)
+    told = [images.with_readable_images(one, room)[1] for one in materials]
+    broken = "An image is not drawn: broken.png: its pixels are damaged or cut short."
+    assert told[:9] == [[]] * 3 + [[broken]] * 3 + [[]] * 3
+    full = "with it the scene has more pixels of images than can be held"
+    assert told[9:] == [[f"An image is not drawn: c.png: {full}."]] * 3
+    assert len(read) == 3
 
 
 def test_an_image_beside_a_scene_file_that_is_not_read_is_an_error(tmp_path: Path) -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
+from nmatrix.answers.inspect.file import inspect_file
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.beside import asset_bytes, beside
 from nmatrix.scene.gltf.file import read_gltf
+from nmatrix.scene.images import read_image
 from nmatrix.scene.open import scene_of
 
 OUTSIDE = [
@@ -93,3 +96,28 @@ def test_content_that_is_no_asset_is_named(tmp_path: Path, content: bytes, words
     path.write_bytes(content)
     with pytest.raises(IllegalValueError, match=words):
         asset_bytes(path)
+
+
+@pytest.mark.parametrize("name", ["pipe.obj", "pipe.ply", "pipe.stl", "pipe.gltf", "pipe.glb"])
+def test_a_pipe_in_place_of_a_file_is_refused_and_not_waited_for(tmp_path: Path, name: str) -> None:
+    pipe = tmp_path / name
+    os.mkfifo(pipe)
+    with pytest.raises(IllegalValueError, match="it is a pipe or a device, and no file"):
+        inspect_file(pipe)
+
+
+def test_a_pipe_that_an_asset_names_costs_what_it_was_for(tmp_path: Path) -> None:
+    for name in ("a.bin", "a.png", "a.mtl"):
+        os.mkfifo(tmp_path / name)
+    with pytest.raises(IllegalValueError, match="a pipe or a device"):
+        read_image(tmp_path / "a.png")
+    (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert (
+        "a.mtl is not read: it is a pipe or a device, and no file."
+        in scene_of(tmp_path / "a.obj").remarks
+    )
+    (tmp_path / "a.gltf").write_text(
+        '{"asset": {"version": "2.0"}, "buffers": [{"byteLength": 1, "uri": "a.bin"}]}'
+    )
+    with pytest.raises(IllegalValueError, match="a pipe or a device"):
+        read_gltf(tmp_path / "a.gltf").buffer(0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -54,7 +55,7 @@ def test_a_path_means_the_nodes_that_have_it(tree: Hierarchy) -> None:
     for index in range(len(tree.names)):
         path = "/".join(names_to(tree, index))
         assert tree.path(index) == path
-        assert tree.meant(path.removeprefix(ABOVE)) == expected(tree, path.removeprefix(ABOVE))
+        assert tree.meant(path) == expected(tree, path)
 
 
 @given(trees(), st.sampled_from(["a", "b", "a/b", "b/a", "a/a", "x", "/", "//", ""]))
@@ -78,3 +79,31 @@ def test_twins_are_told_apart_by_their_index() -> None:
     assert twins.meant("cube") == (0, 1)
     assert twins.meant("#2") == ()
     assert twins.meant("#" + "1" * 5000) == ()
+
+
+def test_a_path_is_short_however_long_the_name_above_many_nodes_is() -> None:
+    tree = Hierarchy(("R" * 10**6, *map(str, range(9))), (None, *(0,) * 9))
+    assert [tree.path(i) for i in range(1, 10)] == [f"…/{i}" for i in range(9)]
+    assert [tree.meant(tree.path(i)) for i in range(1, 10)] == [(i,) for i in range(1, 10)]
+    assert tree.path(0) == tree.names[0]
+
+
+def test_separators_in_names_cost_no_search_of_all_nodes_for_each(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    looks = []
+    above = Hierarchy._above
+    monkeypatch.setattr(Hierarchy, "_above", lambda *of: looks.append(of) or above(*of))
+    size = 100
+    names = [name for i in range(size) for name in (f"p{i}", "a/b")]
+    parents = [above for i in range(size) for above in (None, 2 * i)]
+    tree = Hierarchy(tuple(names), tuple(parents))
+    assert tree.addresses[1::2] == tuple(f"p{i}/a/b" for i in range(size))
+    assert len(looks) < 4 * len(names)
+
+
+def test_a_name_that_spells_a_path_is_no_address_beside_that_path() -> None:
+    deep = DEEPEST + 8
+    names = (*"a" * deep, "/".join("a" * deep))
+    tree = Hierarchy(names, (None, *range(deep - 1), None))
+    assert [tree.meant(one) for one in tree.addresses] == [(i,) for i in range(deep + 1)]

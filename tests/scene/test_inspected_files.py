@@ -132,7 +132,7 @@ def test_an_unreadable_file_is_a_row_in_every_format(assets: Path, nmatrix) -> N
         ("assets --fail-on mirrored", 1, "1 of 4 nodes is mirrored (assets/b.gltf: m)"),
         ("assets --fail-on non-uniform", 1, "1 of 4 nodes is non-uniform (assets/deep/deeper/a.GL"),
         ("assets/bad.gltf", 2, "assets/bad.gltf: it is not glTF"),
-        ("assets/bad.gltf --fail-on unreadable", 2, "assets/bad.gltf: it is not glTF"),
+        ("assets/bad.gltf --fail-on unreadable", 1, "1 of 1 file was not read (assets/bad.gltf)"),
         ("assets/bad.gltf assets/deep/empty.ply", 2, "2 files: none of them could be read"),
         ("assets/bad.gltf assets/deep/empty.ply --fail-on unreadable", 1, "2 of 2 files"),
         ("assets/nothing.gltf --fail-on unreadable", 0, ""),
@@ -254,13 +254,13 @@ def test_of_thousands_the_worst_are_shown_and_the_others_counted(tmp_path: Path,
     lines = found.out.splitlines()
     assert len(lines) <= 22
     assert (
-        "29 of 3000 nodes need the inverse transpose. Found: 1 mirrored, 29 non-uniform."
+        "29 of 3,000 nodes need the inverse transpose. Found: 1 mirrored, 29 non-uniform."
         in found.out
     )
     assert lines[7].split()[:3] == ["100", "Cube", "non-uniform"]
     assert f"{30 - SHOWN} more rows: --all shows them." in found.out
     assert (
-        "29 of 3000 nodes are non-uniform (Cube (#100), Cube (#200), Cube (#300), Cube (#400), "
+        "29 of 3,000 nodes are non-uniform (Cube (#100), Cube (#200), Cube (#300), Cube (#400), "
         "Cube (#500) and 24 more)"
     ) in found.err
     every = nmatrix(f"inspect {file} --all").out
@@ -496,3 +496,35 @@ def test_names_stay_whole_and_apart_at_any_width(own_folder, nmatrix, monkeypatc
         assert sum(f"packed-{i}/" in line for line in shown) == 1
     assert sum(" ".join(shown).count(word) for word in ("BoxTextured.gltf",)) == 3
     assert "…" not in "".join(shown) or room == 80
+
+
+@pytest.mark.parametrize("form", ["text", "json", "csv", "sarif", "github"])
+def test_one_unreadable_file_that_was_checked_for_is_told_like_one_of_many(
+    tmp_path: Path, nmatrix, form: str
+) -> None:
+    (tmp_path / "bad.obj").write_text("v 0 0 0\nf 1 2 x\n")
+    found = nmatrix(f"inspect {shlex.quote(str(tmp_path))} --fail-on unreadable -f {form}")
+    assert found.code == 1
+    assert "1 of 1 file was not read" in found.err
+    reason = "line 2 (x): x stands where a whole number is meant"
+    before, told, _ = " ".join(found.out.split()).partition(reason)
+    assert told
+    assert not before.endswith(", ")
+
+
+def test_an_extension_that_a_file_requires_and_nobody_knows_is_told(tmp_path: Path) -> None:
+    scene = json.loads(gltf(MIRROR)) | {"extensionsRequired": ["ACME_teapot"]}
+    (tmp_path / "a.gltf").write_text(json.dumps(scene))
+    (told, *_) = report((inspect_file(tmp_path / "a.gltf"),)).remarks
+    assert told.startswith("The file requires ACME_teapot, unknown here")
+
+
+@pytest.mark.parametrize("name", ["a.obj", "line\nend.obj", "\x1b[31m.obj", "a b: c, d.obj"])
+def test_a_reason_does_not_begin_with_the_name_of_its_file(
+    tmp_path: Path, nmatrix, monkeypatch, name: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("good.obj").write_text(TRIANGLE)
+    Path(name).write_text("v 0 0 0\nf 1 2 x\n")
+    errors = [one["error"] for one in nmatrix("inspect . -f json").data["files"]]
+    assert next(one for one in errors if one).startswith("line 2 (x): x stands")

@@ -13,10 +13,12 @@ from struct import pack
 
 import pytest
 
+from nmatrix.answers.inspect import carried
 from nmatrix.answers.inspect.file import inspect_file
 from nmatrix.answers.inspect.node import Carriers
 from nmatrix.answers.inspect.report import Chosen, report
 from nmatrix.enums import Flaw, Kind
+from nmatrix.scene.gltf import animations
 from nmatrix.scene.words import NormalsFrom
 
 INSTANCING = "EXT_mesh_gpu_instancing"
@@ -195,6 +197,37 @@ def test_an_animated_scale_is_judged_by_its_keys(
     assert any("keys of an animated scale" in one for one in report((found,)).remarks)
 
 
+def test_keys_that_many_channels_name_are_read_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = Made()
+    nodes = [made.node(scale=[1, 1, 1]) for _ in range(5)]
+    made.scaled_over_time(0, [(1, 1, 1), (1, 2, 1)])
+    (animation,) = made.document["animations"]
+    targets = [{"node": node, "path": "scale"} for node in nodes * 4]
+    animation["channels"] = [{"sampler": 0, "target": one} for one in targets]
+    read = []
+    keys = animations._keys
+    monkeypatch.setattr(animations, "_keys", lambda *of: read.append(of) or keys(*of))
+    found = inspect_file(made.written(tmp_path))
+    assert {node.found for node in found.nodes} == {"1 of 2 scales over time non-uniform"}
+    assert len(read) == 1
+
+
+def test_more_scales_over_time_than_a_file_may_have_are_told_of_their_node(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(carried, "MOST_SCALES", 3)
+    made = Made()
+    for name in "ab":
+        node = made.node(name=name)
+        made.scaled_over_time(node, [(1, 1, 1), (1, 2, 1), (1, 3, 1)])
+    a, b = inspect_file(made.written(tmp_path)).nodes
+    assert (a.found, a.unread) == ("2 of 3 scales over time non-uniform", "")
+    assert b.found == "not wholly read"
+    assert b.unread == "uneven scales over time are more than 3, with its own"
+
+
 def test_keys_stand_under_the_node_above(tmp_path: Path) -> None:
     made = Made()
     made.node(scale=[1, 0.5, 1], children=[1])
@@ -357,3 +390,13 @@ def test_pictures_and_plans_tell_of_joints_that_bend_normals(tmp_path: Path, nma
             assert answer.code == 0, answer.err
             said = "Of 1 joints 1 needs" in " ".join(answer.data["remarks"])
             assert said == told
+
+
+@pytest.mark.parametrize(("zeros", "words"), [(1, "1 normal is"), (2, "2 normals are")])
+def test_degenerate_normals_are_counted_in_a_right_sentence(
+    tmp_path: Path, zeros: int, words: str
+) -> None:
+    made = Made()
+    made.node(name="a", mesh=made.mesh([(0, 0, 0)] * zeros + UP[zeros:]))
+    (node,) = inspect_file(made.written(tmp_path)).nodes
+    assert node.told(Flaw.DEGENERATE) == f"a: {words} no direction; the first at 0 0 0."

@@ -237,3 +237,20 @@ def test_a_huge_count_is_refused_at_once(tmp_path: Path, form: str, element: str
         )
         with pytest.raises(IllegalValueError, match="breaks off in row 1 of 2"):
             file_of(tmp_path, longer)
+
+
+@pytest.mark.parametrize("form", ORDERS)
+@pytest.mark.parametrize("before", [0, 1])
+@pytest.mark.parametrize("length", [float("nan"), float("inf"), -1.0, 3.5])
+def test_a_length_that_no_list_has_is_refused_with_its_row(
+    tmp_path: Path, form: str, before: int, length: float
+) -> None:
+    """A length may be of any kind that a header can name, and so any number."""
+    spelled = [("float", "length"), *[("int", f"corner{i}") for i in range(3)]]
+    rows = [(3.0, 0, 1, 2)] * before + [(length, 0, 1, 2)]
+    content = ply(form, VERTICES, ("face", spelled, rows))
+    head, body = content.split(b"end_header\n")
+    declared = head[: head.index(b"property float length")]
+    content = declared + b"property list float int vertex_indices\nend_header\n" + body
+    with pytest.raises(IllegalValueError, match=f"row {1 + before} .* has the length {length:g};"):
+        file_of(tmp_path, content)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from math import cos, pi, sin
 
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nmatrix.scene.meshes.polygons import cut, turn
+from nmatrix.scene.meshes.polygons import LOOKS, MOST_FORCED, _Ring, cut, turn
 
 ARROW = [(-2, 2), (0, 0), (2, 2), (0, 1.2)]
 COMB = [(0, 0), (7, 0), (7, 3), (6, 3), (5, 1), (4, 3), (3, 1), (2, 3), (1, 1), (0, 3)]
@@ -122,3 +123,39 @@ def test_the_sense_of_a_turn_is_exact(numbers: list[float], scale: float) -> Non
         points = [(x * (scale or 1), y * (scale or 1)) for x, y in (a, b, c)]
         area = double_area(exact(points))
         assert turn(*points) == (area > 0) - (area < 0)
+
+
+def star(count: int) -> list[tuple[float, float]]:
+    """Place every second corner nearer to the middle."""
+    return [
+        (cos(2 * pi * i / count) * (1 - i % 2 / 9), sin(2 * pi * i / count) * (1 - i % 2 / 9))
+        for i in range(count)
+    ]
+
+
+def teeth(count: int) -> list[tuple[float, float]]:
+    return [*((i / count, float(i % 2)) for i in range(count - 1)), (0.5, -5.0)]
+
+
+def anywhere(count: int) -> list[tuple[float, float]]:
+    """Place corners at random, so that the polygon crosses itself all over."""
+    return np.random.default_rng(7).random((count, 2)).tolist()
+
+
+@pytest.mark.parametrize(
+    ("shape", "most"), [(star, 3), (teeth, 3), (anywhere, LOOKS + MOST_FORCED)]
+)
+def test_looks_for_ears_grow_with_the_corners_whatever_the_shape(
+    monkeypatch: pytest.MonkeyPatch, shape: Callable[[int], list], most: int
+) -> None:
+    looked = []
+    look = _Ring._is_ear
+    monkeypatch.setattr(_Ring, "_is_ear", lambda ring, at: looked.append(at) or look(ring, at))
+    for count in (100, 400):
+        looked.clear()
+        points = shape(count)
+        found = cut(in_space(points, "z"), np.arange(count), np.array([count]))
+        whole = double_area(exact(points))
+        assert abs(sum(areas_of_cut(points, found.triangles))) == abs(whole)
+        assert bool(found.crossing) == (shape is anywhere)
+        assert count - 3 <= len(looked) <= most * count

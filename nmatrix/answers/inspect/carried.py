@@ -5,7 +5,7 @@ A part that cannot be read costs itself: the node says what is not known of it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -20,11 +20,13 @@ from nmatrix.scene.gltf.animations import Animated, animated_channels, animated_
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.instances import instance_matrices, is_instanced
 from nmatrix.scene.gltf.nodes import Node
+from nmatrix.scene.gltf.records import NodeRecord
 from nmatrix.scene.gltf.skins import joint_matrices
 from nmatrix.scene.words import NormalsFrom
 
 Classify = Callable[[RationalMatrix], Classification]
 UNSCALED: Vector = (1, 1, 1)
+MOST_SCALES = 1 << 15  # uneven ones over time, of all nodes of a file
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,12 +68,18 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
     if not file.document.animations:
         return Carried(maps, unread, {}, ())
     scales = animated_scales(file)
-    for index, keys in scales.keys.items():
-        over_time = None if index in maps else _over_time(file.nodes[index], keys, tolerance)
-        if over_time is not None:
-            each = map(classify, (file.nodes[index].world_from_object, *over_time.placed))
-            found = Maps.of(Carriers.SCALES, each, partial(_scale, over_time.uneven))
-            maps[index] = replace(found, total=over_time.distinct)
+    moved = {index: keys for index, keys in scales.keys.items() if index not in maps}
+    left = MOST_SCALES
+    for index, (uneven, distinct) in _uneven(file, moved, tolerance).items():
+        left -= len(uneven)
+        if left < 0:
+            unread[index] = f"uneven scales over time are more than {MOST_SCALES:,}, with its own"
+            continue
+        node = file.nodes[index]
+        others = tuple(one for one in uneven if one != _at_rest(node.record))
+        each = map(classify, (node.world_from_object, *_placed(node, others)))
+        found = Maps.of(Carriers.SCALES, each, partial(_scale, others))
+        maps[index] = replace(found, total=distinct)
     changed = {
         index: tuple(one for one in Animated if one in found)
         for index, found in animated_channels(file).items()
@@ -88,35 +96,38 @@ def _instance(place: int) -> str:
     return f"instance {place}"
 
 
-def _scale(uneven: tuple[Vector, ...], place: int) -> str:
+def _scale(others: tuple[Vector, ...], place: int) -> str:
     if place == 0:
         return "the scale at rest"
-    return f"scale {' '.join(f'{float(one):.6g}' for one in uneven[place - 1])}"
+    return f"scale {' '.join(f'{float(one):.6g}' for one in others[place - 1])}"
 
 
-@dataclass(frozen=True)
-class _OverTime:
-    """How many scales a node goes through, and the uneven ones with the maps that they make."""
+def _uneven(
+    file: GltfFile, keys: Mapping[int, tuple[Vector, ...]], tolerance: float
+) -> dict[int, tuple[tuple[Vector, ...], int]]:
+    """Find the nodes with uneven scales among their keys, and count all, with the one at rest."""
+    looked: dict[int, tuple[Vector, ...]] = {}  # by the identity of keys, which nodes share
+    found = {}
+    for index, each in keys.items():
+        record = file.nodes[index].record
+        if record.matrix is not None:  # nothing animates it
+            continue
+        if id(each) not in looked:
+            looked[id(each)] = tuple(key for key in each if not _is_even(key, tolerance))
+        if looked[id(each)]:
+            found[index] = looked[id(each)], len(each) + (_at_rest(record) not in each)
+    return found
 
-    distinct: int
-    uneven: tuple[Vector, ...]
-    placed: tuple[RationalMatrix, ...]
+
+def _at_rest(record: NodeRecord) -> Vector:
+    return tuple(record.scale or UNSCALED)
 
 
-def _over_time(node: Node, keys: tuple[Vector, ...], tolerance: float) -> _OverTime | None:
-    """Count a node's scales, and place it by the uneven ones; None if there are none of these."""
-    record = node.record
-    if record.matrix is not None:  # nothing animates it
-        return None
-    uneven = [key for key in keys if not _is_even(key, tolerance)]
-    if not uneven:
-        return None
+def _placed(node: Node, scales: tuple[Vector, ...]) -> Iterable[RationalMatrix]:
+    """Place a node by some scales instead of its own."""
     above = identity(4) if node.parent is None else node.nodes.world(node.parent)
-    turned = rotation_from_quaternion(record.rotation or (0, 0, 0, 1))
-    at_rest = tuple(record.scale or UNSCALED)
-    others = tuple(key for key in uneven if key != at_rest)
-    placed = tuple(product(above, compose(turned, key)) for key in others)
-    return _OverTime(len({*keys, at_rest}), others, placed)
+    turned = rotation_from_quaternion(node.record.rotation or (0, 0, 0, 1))
+    return (product(above, compose(turned, one)) for one in scales)
 
 
 def _is_even(scale: Vector, tolerance: float) -> bool:

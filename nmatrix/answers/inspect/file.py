@@ -18,10 +18,11 @@ from nmatrix.answers.inspect.carried import Carried, carried, normals_of
 from nmatrix.answers.inspect.node import Carriers, FoundNormals, InspectedNode, Maps
 from nmatrix.answers.inspect.plain import suspects
 from nmatrix.enums import Kind
-from nmatrix.errors import NMatrixError
+from nmatrix.errors import NMatrixError, printable, shortlist
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, identity, linear_part, translation
+from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.nodes import Node, Nodes
 from nmatrix.scene.gltf.records import Document, NodeRecord
@@ -33,6 +34,7 @@ BINARY = ".glb"  # its JSON has lines, and the file has none
 NORMALS_MADE, NOT_DRAWN = "Normals were made", "Not drawn of "  # as readers begin remarks
 _FAULTY = re.compile(r", line (\d+)\b")
 _SPOKEN = re.compile(r"(?:it is not glTF: |its header breaks off in )?line (\d+)\b")
+MOST_NAMED = 5  # extensions
 
 
 class Special(StrEnum):
@@ -187,7 +189,7 @@ class _GltfJudge:
             classified,
             found,
             {mesh: normals_of(file, mesh) for mesh in used},
-            (*file.remarks, *found.remarks),
+            (*file.remarks, *_unknown_extensions(file.document), *found.remarks),
         )
 
     def inspected(self, name: str) -> InspectedFile:
@@ -249,6 +251,14 @@ class _GltfJudge:
         if node.record.matrix is None:
             return False
         return self.classified(node.local).kind is Kind.SHEAR
+
+
+def _unknown_extensions(document: Document) -> Iterable[str]:
+    """Tell of extensions without which the file means something else."""
+    unknown = treated(document.extensions_required, Treatment.UNKNOWN)
+    if unknown:
+        names = shortlist(map(printable, unknown), MOST_NAMED)
+        yield f"The file requires {names}, unknown here: nodes are judged as if it changed nothing."
 
 
 def _is_skinned(record: NodeRecord) -> bool:

@@ -19,7 +19,7 @@ from nmatrix.linear.classify import Classification, most_excess, near_worst_angl
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.report import Vector
 from nmatrix.scene.hierarchy import Hierarchy
-from nmatrix.scene.words import NormalsFrom
+from nmatrix.scene.words import NormalsFrom, counted
 
 KINDS = list(Kind)
 # The flaws of one map.
@@ -147,9 +147,7 @@ class FoundNormals:
     @property
     def told(self) -> str:
         """How many are no direction, whose fault that is, and where the first one stands."""
-        told = f"{self.degenerate} normals are no direction"
-        if self.degenerate == 1:
-            told = "1 normal is no direction"
+        told = f"{counted(self.degenerate, 'normal is', 'normals are')} no direction"
         if self.origin is NormalsFrom.COMPUTED:
             told += (
                 ": the file lacks some or all, and triangles without area, or that undo each "
@@ -231,7 +229,8 @@ class InspectedNode:
         parts = {
             self._maps_in_words(): True,
             "degenerate normals": self.normals.degenerate > 0,
-            "mesh not wholly read": bool(self.unread),
+            "mesh not wholly read": bool(self.normals.unread),
+            "not wholly read": bool(self.unplaced),
         }
         told = [part for part, applies in parts.items() if part and applies]
         told = told or [self._kind_in_words()]

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from nmatrix.answers.inspect.file import Special
 from nmatrix.answers.inspect.node import Carriers, InspectedNode
-from nmatrix.answers.inspect.words import counted
 from nmatrix.enums import Flaw, Kind
+from nmatrix.scene.words import counted
 
 
 def remarks_about(
@@ -70,5 +70,5 @@ _OF_SPECIAL = {
     "below it, at rest.",
     Special.MORPHED: "{} with morph targets: normals are judged at rest.",
     Special.OUTSIDE_SCENE: "{} outside the scene: judged all the same, and marked.",
-    Special.COMPUTED_NORMALS: "{} without normals in the file: they were computed.",
+    Special.COMPUTED_NORMALS: "{} whose mesh lacks normals in the file: those were computed.",
 }

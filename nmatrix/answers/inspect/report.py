@@ -18,7 +18,7 @@ from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
 from nmatrix.answers.inspect.node import InspectedNode
 from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unread, node_data
 from nmatrix.answers.inspect.remarks import remarks_about
-from nmatrix.answers.inspect.words import ROOM, counted, elided, named, of_all, told_apart
+from nmatrix.answers.inspect.words import ROOM, elided, named, of_all, told_apart
 from nmatrix.enums import Flaw, NodeOrder, Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, quantity
 from nmatrix.report import (
@@ -35,6 +35,7 @@ from nmatrix.report import (
     Value,
     Verdict,
 )
+from nmatrix.scene.words import counted
 
 SEEN_DEG = 0.1  # of a normal: 8 bits of a diffuse colour turn by half a level at 0.11°
 BENDING = (Flaw.SHEAR, Flaw.NON_UNIFORM_SCALE)
@@ -63,8 +64,8 @@ EVERYTHING = Chosen()
 def report(files: Sequence[InspectedFile], chosen: Chosen = EVERYTHING) -> Report:
     """Report on files; it ends in a failure where one of them has a flaw of `fail_on`.
 
-    It ends in the error of the file where there is one only and it could not be read: people have
-    that one line then, machines a finding and a row too.
+    Where there is one file only, it could not be read, and this is not what was checked for, it
+    ends in the error of the file: people have that one line then, machines a finding and a row too.
     """
     return _Reporting(tuple(files), chosen).report()
 
@@ -155,8 +156,10 @@ class _Reporting:
 
     @property
     def _only_error(self) -> NMatrixError | None:
-        """The error of the one file that there is."""
-        return None if self._has_several or not self.files else self.files[0].error
+        """The error of the one file that there is, unless it was checked for."""
+        if self._has_several or not self.files or Flaw.UNREADABLE in self.chosen.fail_on:
+            return None
+        return self.files[0].error
 
     def _blocks(self) -> Iterable[Block]:
         if self._only_error is not None:

@@ -6,20 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from nmatrix.scene.hierarchy import ABOVE, SEPARATOR
+from nmatrix.scene.words import counted
 
 NAMED = 5  # of a list
 ROOM = 48  # characters of a path; its end tells it apart
-
-
-def counted(count: int, what: str) -> str:
-    """Count things of a regular plural.
-
-    Examples
-    --------
-    >>> counted(1, "node"), counted(0, "node")
-    ('1 node', '0 nodes')
-    """
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def of_all(count: int, total: int, one: str, many: str, what: str = "node") -> str:
@@ -34,7 +24,7 @@ def of_all(count: int, total: int, one: str, many: str, what: str = "node") -> s
     """
     if count == 0 and total != 1:
         return f"None of {counted(total, what)} {one}"
-    return f"{count} of {counted(total, what)} {one if count == 1 or total == 1 else many}"
+    return f"{count:,} of {counted(total, what)} {one if count == 1 or total == 1 else many}"
 
 
 def elided(text: str, room: int = ROOM) -> str:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import chain
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.report import Vector
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import AnimationChannel, AnimationRecord
+
+Curve = tuple[int, bool]  # the accessor of its values, and whether it is a cubic spline
 
 
 class Animated(StrEnum):
@@ -44,20 +47,28 @@ def animated_channels(file: GltfFile) -> dict[int, frozenset[Animated]]:
 def animated_scales(file: GltfFile) -> AnimatedScales:
     """Read the scales at the keys of all animations; between two keys they are between them.
 
-    Only a cubic spline may leave what lies between its keys.
+    Only a cubic spline may leave what lies between its keys. Keys that many channels name are read
+    once, and are one tuple for all nodes that they alone scale.
     """
-    keys: dict[int, dict[Vector, None]] = {}
+    read: dict[Curve, tuple[Vector, ...]] = {}
+    curves: dict[int, dict[Curve, None]] = {}
     remarks: dict[str, None] = {}
     for index, animation, channel, node in _channels(file):
         if channel.target.path == Animated.SCALE:
             try:
-                found = _keys(file, animation, channel)
+                curve = _curve(file, animation, channel)
+                if curve not in read:
+                    read[curve] = _keys(file, curve)
             except IllegalValueError as error:
                 why = error.parts[1]
                 remarks[f"Scales of animation {index} are not read: {why}."] = None
             else:
-                keys.setdefault(node, {}).update(dict.fromkeys(found))
-    return AnimatedScales({node: tuple(found) for node, found in keys.items()}, tuple(remarks))
+                curves.setdefault(node, {})[curve] = None
+    keys = {}
+    for node, found in curves.items():
+        one, *others = (read[curve] for curve in found)
+        keys[node] = tuple(dict.fromkeys(chain(one, *others))) if others else one
+    return AnimatedScales(keys, tuple(remarks))
 
 
 def _channels(file: GltfFile) -> Iterator[tuple[int, AnimationRecord, AnimationChannel, int]]:
@@ -69,13 +80,18 @@ def _channels(file: GltfFile) -> Iterator[tuple[int, AnimationRecord, AnimationC
                 yield index, animation, channel, node
 
 
-def _keys(file: GltfFile, animation: AnimationRecord, channel: AnimationChannel) -> list[Vector]:
-    """Read the different values of a channel; a spline has a tangent on each side of a value."""
+def _curve(file: GltfFile, animation: AnimationRecord, channel: AnimationChannel) -> Curve:
+    sampler = file.entry("sampler", animation.samplers, channel.sampler)
+    return sampler.output, sampler.interpolation == "CUBICSPLINE"
+
+
+def _keys(file: GltfFile, curve: Curve) -> tuple[Vector, ...]:
+    """Read the different values of a curve; a spline has a tangent on each side of a value."""
     import numpy as np
 
     from nmatrix.scene.gltf.accessors import values
 
-    sampler = file.entry("sampler", animation.samplers, channel.sampler)
-    found = values(file, sampler.output, "an animation's scale", ("VEC3",))
-    rows = slice(1, None, 3) if sampler.interpolation == "CUBICSPLINE" else slice(None)
-    return [tuple(one) for one in np.unique(found.finite(rows), axis=0).tolist()]
+    output, is_spline = curve
+    found = values(file, output, "an animation's scale", ("VEC3",))
+    rows = slice(1, None, 3) if is_spline else slice(None)
+    return tuple(tuple(one) for one in np.unique(found.finite(rows), axis=0).tolist())

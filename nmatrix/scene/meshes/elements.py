@@ -236,7 +236,8 @@ def _row_by_row(path: Path, header: Header, text: bytes) -> bytes:
             size = 0
             for one in element.properties:
                 if one.count is not None and size < len(words):
-                    size += max(int(float(words[size])), 0)
+                    length = float(words[size])  # one that is none is refused where it is read
+                    size += int(length) if is_whole(length) else 0
                 size += 1
             if size > len(words):
                 raise breaks_off(path, element, row)
@@ -316,12 +317,11 @@ class Body:
                 kind = self._kind(one.count)
                 if place + kind.itemsize > len(self.content):
                     raise breaks_off(self.path, element, 0)
-                length = int(np.frombuffer(self.content, kind, 1, place)[0])
+                given = np.frombuffer(self.content, kind, 1, place)[0]
+                length = self._length(element, 0, float(given))
                 place += kind.itemsize
             lengths.append(length)
             place += length * self._kind(one.kind).itemsize
-            if length < 0:
-                raise self._illegal_length(element, 0, length)
             if place > len(self.content):
                 raise breaks_off(self.path, element, 0)
         return lengths
@@ -365,9 +365,7 @@ class Body:
                     continue
                 if place + lead > end:
                     raise breaks_off(self.path, element, row)
-                n = int(count(content, place)[0])
-                if n < 0:
-                    raise self._illegal_length(element, row, n)
+                n = self._length(element, row, count(content, place)[0])
                 place += lead
                 start.append(place)
                 length.append(n)
@@ -376,12 +374,26 @@ class Body:
                 raise breaks_off(self.path, element, row)
         return starts, lengths, place
 
-    def _illegal_length(self, element: Element, row: int, length: int) -> IllegalValueError:
-        return IllegalValueError(
-            f"{self.path}, row {row + 1:,} of the element {element.shown}",
-            f"a list of it has the length {length}",
-            "export it again",
-        )
+    def _length(self, element: Element, row: int, given: float) -> int:
+        """Take the length of a list, which is a whole number whatever its kind is."""
+        if not is_whole(given):
+            raise IllegalValueError(
+                f"{self.path}, row {row + 1:,} of the element {element.shown}",
+                f"a list of it has the length {given:g}",
+                "export it again",
+            )
+        return int(given)
+
+
+def is_whole(length: float) -> bool:
+    """Tell whether a number may be the length of a list.
+
+    Examples
+    --------
+    >>> [is_whole(one) for one in (0, 3.0, 3.5, -1, float("nan"), float("inf"))]
+    [True, True, False, False, False, False]
+    """
+    return length >= 0 and length % 1 == 0
 
 
 def _gathered(content: NDArray[Any], at: NDArray[Any], size: int, kind: Any) -> NDArray[Any]:  # noqa: ANN401

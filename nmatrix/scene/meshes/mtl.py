@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from nmatrix.enums import Reflection
-from nmatrix.errors import printable, shortlist
+from nmatrix.errors import IllegalValueError, printable, shortlist
 from nmatrix.reading.files import existing_file
-from nmatrix.scene.beside import beside
+from nmatrix.scene.beside import asset_bytes, beside
 from nmatrix.scene.material import AMBIENT_SHARE, BLACK, Colour, Material, Texture, grey, times
 from nmatrix.scene.meshes.text import FIGURE, lines_of, readable
 from nmatrix.scene.words import Wrap
@@ -68,9 +68,10 @@ class Materials:
                     self.missing.append(name)
                     continue
                 try:
-                    content = file.read_bytes()
-                except OSError:
-                    self.missing.append(name)
+                    content = asset_bytes(file)
+                except IllegalValueError as error:
+                    told = f"{printable(file.name)} is not read: {error.parts[1]}."
+                    self.remarks_on_lines.append(told)
                     continue
                 self._read(file, content)
 

@@ -27,6 +27,7 @@ from nmatrix.scene.meshes.text import (
     lines_of,
     readable,
 )
+from nmatrix.scene.words import counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -93,7 +94,7 @@ class _Values(_Lines):
         if width.min(initial=self.fewest) < self.fewest:
             row = int(np.argmax(width < self.fewest))
             shown = printable(readable(b" ".join(self.lines[row].split())[:40]))
-            why = f"a {self.what} has {self.fewest} numbers and this one {width[row]}"
+            why = f"a {self.what} has {counted(self.fewest, 'number')} and this one {width[row]}"
             raise self.fault(row, shown, why)
         start = np.cumsum(width) - width
         block = np.zeros((lines, self.most))
@@ -245,7 +246,11 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     sizes = np.concatenate([np.empty(0, np.intp), *found.faces.sizes])
     long = sizes >= TRIANGLE
     if not long.any():
-        why = f"it holds {len(v):,} points and no faces" if len(v) else "it holds no triangles"
+        why = (
+            f"it holds {counted(len(v), 'point')} and no faces"
+            if len(v)
+            else "it holds no triangles"
+        )
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nmatrix.scene.material import Material
 from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, normals_made, unit
 from nmatrix.scene.meshes.polygons import Cut, cut
-from nmatrix.scene.words import NormalsFrom
+from nmatrix.scene.words import VERTEX, NormalsFrom, counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -107,7 +107,9 @@ class Polygons:
             bare += without
             parts.append(MeshPart(name, mesh))
         if bare:
-            remarks.append(f"Texture coordinates are missing at {bare:,} vertices: 0 0 is taken.")
+            remarks.append(
+                f"Texture coordinates are missing at {counted(bare, *VERTEX)}: 0 0 is taken."
+            )
         return (
             tuple(parts),
             tuple(remarks),

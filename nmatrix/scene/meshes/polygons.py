@@ -6,8 +6,11 @@ is, they cover it once: signed areas add up to its own whatever the cut, and so 
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
+from collections import deque
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,6 +21,8 @@ Indices = NDArray[np.integer[Any]]
 Point = tuple[float, float]
 
 TRIANGLE = 3
+LOOKS = 16  # at each corner of a polygon: one that does not cross itself takes three
+MOST_FORCED = 16  # cuts of a corner that is no ear; what is left then is cut as a fan
 _ROUNDING = 4 * 2.0**-52  # Shewchuk's (3 + 16ε)ε, with room
 _SMALLEST = 1e-290  # products below it have lost digits
 
@@ -145,34 +150,107 @@ def turn(a: Point, b: Point, c: Point) -> int:
 def _ears(corners: Array) -> tuple[Indices, bool]:
     """Cut one polygon (n, 2) that turns left, and tell whether all its triangles do.
 
-    A corner is an ear if it turns left and no other corner lies in its triangle; only those that do
-    not turn left themselves need to be looked at. Where no ear is left, the rest has no area or the
-    polygon crosses itself.
+    Where no ear is left, the rest has no area or the polygon crosses itself.
     """
-    points: list[Point] = [(x, y) for x, y in corners.tolist()]
-    ring = list(range(len(points)))
-    blunt = [turn(points[i - 1], points[i], points[i + 1 - len(points)]) <= 0 for i in ring]
-    obstacles = np.array(blunt)
-    found: list[tuple[int, int, int]] = []
-    place = passed = 0
-    while len(ring) > TRIANGLE:
-        place %= len(ring)
-        ear = ring[place - 1], ring[place], ring[(place + 1) % len(ring)]
-        if passed < len(ring) and not _is_ear(points, corners[obstacles], ear):
-            place, passed = place + 1, passed + 1
-            continue
-        found.append(ear)
-        obstacles[ring.pop(place)] = False
-        passed = 0
-    found.append((ring[0], ring[1], ring[2]))
-    return np.array(found, np.intp), all(turn(*(points[i] for i in one)) >= 0 for one in found)
+    ring = _Ring(corners)
+    ring.cut()
+    found = np.array(ring.found, np.intp)
+    return found, all(turn(*(ring.points[i] for i in one)) >= 0 for one in ring.found)
 
 
-def _is_ear(points: list[Point], obstacles: Array, ear: tuple[int, int, int]) -> bool:
-    a, b, c = (points[i] for i in ear)
-    if turn(a, b, c) <= 0:
-        return False
-    three = np.array([a, b, c])
-    inside = (obstacles >= three.min(axis=0)) & (obstacles <= three.max(axis=0))
-    near = {(x, y) for x, y in obstacles[inside.all(axis=1)].tolist()} - {a, b, c}
-    return not any(turn(a, b, p) >= 0 and turn(b, c, p) >= 0 and turn(c, a, p) >= 0 for p in near)
+class _Ring:
+    """The corners that are left of one polygon, and the ears that were cut off.
+
+    A corner is an ear if it turns left and no other corner lies in its triangle; only those that do
+    not turn left themselves, the obstacles, need to be looked at. A cut can make an ear of nothing
+    but the two corners beside it, so each cut costs two looks; and a look sees only the obstacles
+    that are abreast of the triangle.
+    """
+
+    def __init__(self, corners: Array) -> None:
+        self.points: list[Point] = [(x, y) for x, y in corners.tolist()]
+        count = len(self.points)
+        self.found: list[tuple[int, int, int]] = []
+        self.left = dict.fromkeys(range(count))
+        self.before = [count - 1, *range(count - 1)]
+        self.after = [*range(1, count), 0]
+        self.waiting = deque(range(count))
+        self.waits = [True] * count
+        steps = np.abs(np.diff(corners, axis=0, append=corners[:1])).sum(axis=0)
+        with np.errstate(all="ignore"):  # along the axis on which corners lie apart the most
+            self.axis = int(np.argmin(np.nan_to_num(steps / np.ptp(corners, axis=0), nan=np.inf)))
+        self.order = np.argsort(corners[:, self.axis], kind="stable")
+        self.sorted = corners[self.order]
+        self.abreast: list[float] = self.sorted[:, self.axis].tolist()
+        self.rank = np.argsort(self.order).tolist()
+        self.turns = [0] * count
+        self.is_obstacle = np.zeros(count, bool)  # in the sorted order
+        for corner in range(count):
+            self._turned(corner)
+
+    def cut(self) -> None:
+        """Cut ears until a triangle is left; where there is none any corner has to do."""
+        looks, most_looks = 0, LOOKS * len(self.points)
+        is_fresh, forced = True, 0
+        while len(self.left) > TRIANGLE:
+            if self.waiting:
+                corner = self.waiting.popleft()
+                self.waits[corner] = False
+                looks += 1
+                if corner in self.left and self._is_ear(corner):
+                    self._cut_off(corner)
+                    is_fresh = False
+                continue
+            straight = next((one for one in self.left if self.turns[one] == 0), None)
+            if straight is not None:
+                self._cut_off(straight)
+            elif not is_fresh and looks < most_looks:
+                is_fresh = True
+                self.waiting.extend(self.left)
+                self.waits = [True] * len(self.points)
+            elif forced < MOST_FORCED:
+                forced += 1
+                self._cut_off(next(iter(self.left)))
+            else:
+                break
+        first, *others = self.left
+        self.found += [(first, a, b) for a, b in pairwise(others)]
+
+    def _cut_off(self, corner: int) -> None:
+        """Take a corner out of the ring, and look at those beside it again."""
+        before, after = self.before[corner], self.after[corner]
+        self.found.append((before, corner, after))
+        del self.left[corner]
+        self.is_obstacle[self.rank[corner]] = False
+        self.after[before], self.before[after] = after, before
+        for one in (before, after):
+            self._turned(one)
+        if not self.waits[after]:
+            self.waiting.appendleft(after)
+        if not self.waits[before]:
+            self.waiting.append(before)
+        self.waits[before] = self.waits[after] = True
+
+    def _turned(self, corner: int) -> None:
+        self.turns[corner] = turn(*(self.points[one] for one in self._triangle(corner)))
+        self.is_obstacle[self.rank[corner]] = self.turns[corner] <= 0
+
+    def _triangle(self, corner: int) -> tuple[int, int, int]:
+        return self.before[corner], corner, self.after[corner]
+
+    def _is_ear(self, corner: int) -> bool:
+        if self.turns[corner] <= 0:
+            return False
+        a, b, c = (self.points[one] for one in self._triangle(corner))
+        low, high = (end(one[self.axis] for one in (a, b, c)) for end in (min, max))
+        some = slice(bisect_left(self.abreast, low), bisect_right(self.abreast, high))
+        near = self.sorted[some][self.is_obstacle[some]]
+        inside = np.ones(len(near), bool)
+        for p, q in ((a, b), (b, c), (c, a)):
+            near = near[inside]
+            turns, sure = _turns(np.array(p), np.array(q), near)
+            inside = (turns >= 0) | ~sure
+        others = {(x, y) for x, y in near[inside].tolist()} - {a, b, c}
+        return not any(
+            turn(a, b, p) >= 0 and turn(b, c, p) >= 0 and turn(c, a, p) >= 0 for p in others
+        )
