@@ -42,8 +42,10 @@ LONGEST_TYPED = 40  # characters of a word that are compared
 PER_SLIP = 4  # letters of a word to one slip
 
 
-def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
-    """Ask for the known word that was probably meant, or name another next step.
+def did_you_mean(
+    word: str, known: Iterable[str], otherwise: str, spell: Callable[[str], str] | None = None
+) -> str:
+    """Ask for the known word that was probably meant, as `spell` writes it, or name another step.
 
     A slip is a letter too many, too few or another, or two exchanged; a word of three letters has
     one, a longer one more for each further four, and it may be cut short where only one word begins
@@ -67,8 +69,8 @@ def did_you_mean(word: str, known: Iterable[str], otherwise: str) -> str:
             begun.append(one)
     slipped, best = min(near, default=(0, ""), key=lambda one: one[0])
     if best and slipped <= (len(typed) + 1) // PER_SLIP:
-        return f"did you mean {printable(best)}?"
-    return f"did you mean {printable(begun[0])}?" if len(begun) == 1 else otherwise
+        return f"did you mean {(spell or printable)(best)}?"
+    return f"did you mean {(spell or printable)(begun[0])}?" if len(begun) == 1 else otherwise
 
 
 def slips(typed: str, meant: str) -> int:

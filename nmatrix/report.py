@@ -311,7 +311,8 @@ class Report:
     the whole report is shown first, then its one line. `records` is for an answer that is a list
     of rows by nature, such as the grades of a class: as CSV it is written as that table.
     `findings` are the faults that a check of files met. `glsl` is code that a shader needs beside
-    the numbers. `brief` is what text shows unless all is asked for.
+    the numbers. `brief` is what text shows unless all is asked for; the first `about` remarks tell
+    what the answer is of, and are shown with it whatever room there is.
     """
 
     command: str
@@ -323,6 +324,7 @@ class Report:
     findings: Findings | None = None
     glsl: str = ""
     brief: Brief | None = None
+    about: int = 0
 
     def spelled(self, spell: Callable[[str], str]) -> Report:
         """Spell the names of quantities in sentences and remarks as the caller types them."""

@@ -49,7 +49,7 @@ def calc(
     from nmatrix.calculator.values import Arithmetic
 
     groups = OptionGroups(world, view, lens, scene=scene)
-    setup = groups.setup(common)
+    setup = groups.setup(common, is_of_node=False)
     piped = (world.world_matrix or "").partition("#")[0] == "-"  # stdin is read once
     names = names_of(setup, expression, None if piped else groups.typed_world(common, setup))
     for definition in let or ():

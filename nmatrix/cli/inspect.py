@@ -11,9 +11,9 @@ from typer import Argument, Option
 
 from nmatrix.cli.scene_options import ToleranceOption
 from nmatrix.cli.shared_options import OUTSIDE, CommonOptions, among, option_name
-from nmatrix.cli.show import progress, show
+from nmatrix.cli.show import progress, show, width
 from nmatrix.enums import Flaw, NodeOrder, chosen_words
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, spelled
 from nmatrix.linear.classify import FROM_FILE
 from nmatrix.samples import file_or_sample, samples
 
@@ -80,6 +80,7 @@ def inspect(
         sort,
         everything,
         () if fail_on is None else chosen_words(Flaw, fail_on, "fail_on"),
+        width(),
     )
     if files.count(STANDARD_INPUT) > 1:
         raise IllegalValueError("- (standard input)", "it can be read only once", "give it once")
@@ -98,4 +99,5 @@ def _spelled(found: InspectedFile) -> InspectedFile:
     """Let an error that becomes a row speak of options, as those do that are the end."""
     if found.error is None:
         return found
-    return replace(found, error=IllegalValueError(found.error.spelled(option_name)))
+    parts = (spelled(part, option_name) for part in found.error.parts)
+    return replace(found, error=IllegalValueError(*parts))

@@ -72,7 +72,7 @@ def view(view: ViewOptions, scene: SceneOptions, common: CommonOptions) -> None:
     """Show the view matrix."""
     from nmatrix.answers.view import view as answer
 
-    show(answer(OptionGroups(view=view, scene=scene).setup(common)), common)
+    show(answer(OptionGroups(view=view, scene=scene).setup(common, is_of_node=False)), common)
 
 
 def projection(
@@ -96,7 +96,8 @@ def projection(
         () if at is None else number_list(at, "--at"),
         () if depth_value is None else number_list(depth_value, "--depth-value"),
     )
-    show(answer(OptionGroups(lens=lens, scene=scene).setup(common), asked), common)
+    setup = OptionGroups(lens=lens, scene=scene).setup(common, is_of_node=False)
+    show(answer(setup, asked), common)
 
 
 def normal(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.pictures import FileOptions, FrameOptions, PictureOptions, frame_names
-from nmatrix.cli.scene_options import OptionGroups
+from nmatrix.cli.scene_options import DrawnScene, OptionGroups
 from nmatrix.cli.shared_options import CommonOptions, among
 from nmatrix.cli.show import progress, put, put_bytes, show, show_picture
 from nmatrix.enums import Format, PixelFormat
@@ -167,12 +167,14 @@ def _scene(
     from nmatrix.answers.render import scene_frame, scene_lights
 
     choices = picture.choices(groups.space.chosen())
-    groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
+    asked = groups.scene
+    drawn = DrawnScene(str(path), asked.object_name, asked.light_name, asked.allow_outside)
+    groups = replace(groups, scene=drawn)
     read = groups.scene.scene
     assert read is not None  # a file was named
     if read.refusal is not None:
         raise read.refusal
-    setup = groups.setup(common, aspect=choices.aspect(read.settings))
+    setup = groups.setup(common, aspect=choices.aspect(read.settings), is_of_node=False)
     objects = read.objects
     if groups.world.given:
         one = _drawn(groups)

@@ -6,10 +6,11 @@ way to give a value (two angles for a target, a matrix for its parts) replaces t
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from typer import Argument, Option
 
@@ -117,7 +118,9 @@ USUAL_TOLERANCE = ToleranceOption()
 
 @dataclass(frozen=True)
 class SceneOptions:
-    """Which scene, and what in it."""
+    """Which scene, and what in it; matrices do not need the materials of a mesh."""
+
+    has_materials: ClassVar[bool] = False
 
     scene_file: Annotated[
         str | None,
@@ -151,7 +154,8 @@ class SceneOptions:
             return None
         from nmatrix.scene.open import scene_of
 
-        return scene_of(file_or_sample(self.scene_file), allow_outside=self.allow_outside)
+        path = file_or_sample(self.scene_file)
+        return scene_of(path, allow_outside=self.allow_outside, has_materials=self.has_materials)
 
     @cached_property
     def chosen(self) -> Placed | None:
@@ -175,6 +179,15 @@ class SceneOptions:
 
         return setup_before(self.scene, self.chosen, aspect)
 
+    def told(self, *, is_changed: bool) -> Iterator[str]:
+        """Name the node that an answer is of, if there is a scene."""
+        if self.scene is None or self.chosen is None:
+            return iter(())
+        from nmatrix.scene.chosen import told_of
+
+        is_named = self.object_name is not None
+        return told_of(self.scene, self.chosen, is_named=is_named, is_changed=is_changed)
+
     def in_the_scene(self, setup: Setup, *, under_parent: bool) -> Setup:
         """Put the object under its parent, and the scene's light in its place."""
         one = self.chosen
@@ -184,6 +197,13 @@ class SceneOptions:
 
         free = one if under_parent else replace(one, world_from_parent=None)
         return in_the_scene(setup, self.scene, free, chosen_light(self.scene, self.light_name))
+
+
+@dataclass(frozen=True)
+class DrawnScene(SceneOptions):
+    """A scene that is drawn, with its materials."""
+
+    has_materials: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
@@ -208,14 +228,21 @@ class OptionGroups:
         *,
         aspect: float | None = None,
         tolerance: ToleranceOption = USUAL_TOLERANCE,
+        is_of_node: bool = True,
     ) -> Setup:
-        """Build what the command line describes; `aspect` is that of a picture, if it has one."""
+        """Build what the command line describes; `aspect` is that of a picture, if it has one.
+
+        An answer that `is_of_node` names the node of the scene.
+        """
         if aspect is None and self.lens.window is not None and self.scene.scene is not None:
             aspect = float(self.lens.window.aspect)  # without a scene it is the lens's own
         setup = self.scene.setup(common.sources, aspect)
         for group in (self.world, self.view, self.lens):
             setup = group.override(setup, common.sources)
         setup = self.scene.in_the_scene(setup, under_parent=self.world.world_matrix is None)
+        if is_of_node and self.world.world_matrix is None:
+            changed = bool(self.world.given)
+            common.sources.about += self.scene.told(is_changed=changed)
         for later in (self.light, self.space):
             setup = later.override(setup, common.sources)
         usual = FROM_FILE if common.sources.any_from_file else BUILT  # files often hold float32

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Item = TypeVar("Item")
 
 LONGEST_LINE = 600
-WIDTH = 80
+WIDTH, NARROWEST, WIDEST = 80, 40, 1000  # columns
 ENDLESS = 1_000_000  # lines of a page that is no terminal
 BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
 
@@ -46,11 +46,12 @@ def show(report: Report, common: CommonOptions) -> None:
         digits=common.digits_checked,
         layout=common.layout,
         charset=_charset(),
-        width=_width(),
+        width=width(),
         colour=_colour(common),
         full=common.full,
     )
-    told = replace(report, remarks=(*report.remarks, *common.sources.remarks))
+    remarks = (*common.sources.about, *report.remarks, *common.sources.remarks)
+    told = replace(report, remarks=remarks, about=len(common.sources.about))
     put(_written(told.spelled(option_name), options, common))
     if report.failure is not None:
         raise report.failure
@@ -175,10 +176,14 @@ def _charset() -> Charset:
     return Charset.UNICODE
 
 
-def _width() -> int:
+def width() -> int:
+    """Choose how wide text is: as COLUMNS says, else the terminal's width, 80 at the most."""
+    told = os.environ.get("COLUMNS", "")
+    if told.isdecimal() and len(told) <= len(str(WIDEST)) and NARROWEST <= int(told) <= WIDEST:
+        return int(told)
     if not sys.stdout.isatty():
         return WIDTH
-    return max(40, min(WIDTH, os.get_terminal_size(sys.stdout.fileno()).columns))
+    return max(NARROWEST, min(WIDTH, os.get_terminal_size(sys.stdout.fileno()).columns))
 
 
 def _screen(common: CommonOptions) -> Screen:

@@ -30,12 +30,14 @@ _FOR_PEOPLE = re.compile(
 class Sources:
     """What is read for one command line.
 
-    It remembers whether a matrix came from a file, and what is to be said about how it was read.
+    It remembers whether a matrix came from a file, what is to be said about how it was read, and
+    before all else, `about`, what the answer is of.
     """
 
     layout: Layout | None = None
     any_from_file: bool = False
     remarks: list[str] = field(default_factory=list)
+    about: list[str] = field(default_factory=list)
     _stdin_used: bool = field(default=False, init=False)
     _from_stdin: str = field(default="", init=False)
 

@@ -7,8 +7,9 @@ inside their cells.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
-from textwrap import wrap
+from textwrap import TextWrapper, wrap
 
 from nmatrix.linear.rational import is_affine
 from nmatrix.output.numbers import significant
@@ -18,6 +19,8 @@ from nmatrix.report import Formula, Matrix, Vector
 
 GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
+_WORDS = re.compile(r"\s+|\S+")
+_NAMES = re.compile("/*[^/]+/*|/+")  # of a path, each with its separator
 NARROWEST = 8  # columns that a wrapped cell of a table keeps
 AXIS_NAMES = "xyzw"
 BRACKETS = {  # of one row; of the first, a middle and the last of several
@@ -229,14 +232,28 @@ def _widths(
     numeric: Sequence[bool],
     limit: int,
 ) -> list[int] | None:
-    """Fit the columns into the limit, taking room from the widest words first."""
+    """Fit the columns into the limit, and cut words only where they do not fit whole."""
+    uncut = [
+        max(len(cell) for cell in column) if number else max(map(_longest_word, column))
+        for column, number in zip(cells, numeric, strict=True)
+    ]
+    floors = [size if number else NARROWEST for size, number in zip(uncut, numeric, strict=True)]
+    whole = [max(pair) for pair in zip(uncut, floors, strict=True)]
+    return _fitted(columns, cells, whole, limit) or _fitted(columns, cells, floors, limit)
+
+
+def _longest_word(cell: str) -> int:
+    words = _CellWrapper(1).words(cell)
+    return max(map(len, words), default=0)
+
+
+def _fitted(
+    columns: Sequence[str], cells: Sequence[Sequence[str]], floors: Sequence[int], limit: int
+) -> list[int] | None:
+    """Take room from the widest columns first, none below its floor."""
     widths = [
         max(len(name), *(len(cell) for cell in column))
         for name, column in zip(columns, cells, strict=True)
-    ]
-    floors = [
-        max(len(cell) for cell in column) if number else NARROWEST
-        for column, number in zip(cells, numeric, strict=True)
     ]
     while sum(widths) + len(GAP) * (len(widths) - 1) > limit:
         spare = [size - floor for size, floor in zip(widths, floors, strict=True)]
@@ -247,10 +264,25 @@ def _widths(
     return widths
 
 
+class _CellWrapper(TextWrapper):
+    """Wraps words, and a path that is longer than a line after a separator of it."""
+
+    def words(self, text: str) -> list[str]:
+        return [word for word in self._split(text) if not word.isspace()]
+
+    def _split(self, text: str) -> list[str]:
+        return [piece for word in _WORDS.findall(text) for piece in self._pieces(word)]
+
+    def _pieces(self, word: str) -> list[str]:
+        if "/" not in word:
+            return super()._split(word)
+        return _NAMES.findall(word) if len(word) > self.width else [word]
+
+
 def _wrapped(cells: Sequence[str], widths: list[int]) -> list[str]:
     """Write one row; a cell longer than its column goes on below."""
     pieces = [
-        [cell] if len(cell) <= size else wrap(cell.strip(), size) or [""]
+        [cell] if len(cell) <= size else _CellWrapper(size).wrap(cell.strip()) or [""]
         for cell, size in zip(cells, widths, strict=True)
     ]
     return [

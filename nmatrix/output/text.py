@@ -6,7 +6,7 @@ The lines are built as styled spans and become characters at the very end.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import groupby
 from textwrap import wrap
@@ -64,7 +64,7 @@ def write(report: Report, options: OutputOptions) -> str:
     """
     writer = _Writer(options)
     short = None if options.full else report.brief
-    parts = writer.parts(report) if short is None else writer.brief(short, report.remarks)
+    parts = writer.parts(report) if short is None else writer.brief(short, report)
     written = ("".join(render(line, options.colour) + "\n" for line in part) for part in parts)
     return "\n".join(part for part in written if part)
 
@@ -85,18 +85,33 @@ class _Writer:
         yield from self._parts_of(report.blocks)
         yield [line for remark in report.remarks for line in self._remark(remark)]
 
-    def brief(self, short: Brief, remarks: Sequence[str]) -> Iterator[list[Line]]:
-        """Draw the short answer: its parts, as many remarks as find room, and what is left."""
+    def brief(self, short: Brief, report: Report) -> Iterator[list[Line]]:
+        """Draw the short answer: its parts, as many remarks as find room, and what is left.
+
+        Remarks on what the answer is of find room in any case: the last part makes room for them.
+        """
         parts = [part for part in self._parts_of(short.blocks) if part]
-        left = short.lines - sum(len(part) + 1 for part in parts)
-        drawn = [self._remark(one) for one in remarks]
-        for kept in range(len(drawn), -1, -1):
-            last = self._what_is_left(short, len(drawn) - kept)
-            shown = [line for one in drawn[:kept] for line in one]
-            needed = len(shown) + len(last) + (1 if shown and last else 0)
-            if needed <= left or kept == 0:
-                yield from (*parts, shown, last)
-                return
+        drawn = [self._remark(one) for one in report.remarks]
+        shown: list[list[Line]] = []
+        for most, kept, last in self._ways(len(parts), short, report):
+            told = [line for one in drawn[:kept] for line in one]
+            shown = [part for part in (*parts[:most], told, last) if part]
+            if sum(len(part) + 1 for part in shown) - 1 <= short.lines:
+                break
+        yield from shown
+
+    def _ways(
+        self, parts: int, short: Brief, report: Report
+    ) -> Iterator[tuple[int, int, list[Line]]]:
+        """List ways to be shorter: how many parts and remarks stay, and the line on the others."""
+        every = len(report.remarks)
+        for kept in range(every, report.about - 1, -1):
+            yield parts, kept, self._what_is_left(short, every - kept)
+        if report.about:
+            rest: list[Line] = [(Span("--full adds the rest.", Style.DIM),)]
+            yield parts, report.about, rest
+            for most in range(parts - 1, 0, -1):
+                yield from ((most, kept, rest) for kept in range(every, report.about - 1, -1))
 
     def _what_is_left(self, short: Brief, remarks: int) -> list[Line]:
         more = list(short.more)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from shlex import quote
 
 from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity, shortlist
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, apply, inverse, rational_vector
@@ -10,6 +12,7 @@ from nmatrix.linear.values import text
 from nmatrix.scene.light import EYE, WORLD, SceneLight
 from nmatrix.scene.scene import Scene, SceneNode, SceneObject
 from nmatrix.scene.setup import Light, Setup
+from nmatrix.scene.words import Mover
 from nmatrix.scene.world import World
 
 Placed = SceneObject | SceneNode
@@ -78,10 +81,45 @@ def chosen_node(scene: Scene, name: str | None) -> Placed:
         raise IllegalValueError(
             f"{quantity('object')} ({printable(name)})",
             f"it means {len(meant)} nodes of {scene.path}",
-            f"take one of {shortlist([addresses[i] for i in meant], MOST_NAMED)}",
+            f"take one of {shortlist([_typed(addresses[i]) for i in meant], MOST_NAMED)}",
         )
     names = dict.fromkeys((*(one.name for one in scene.objects), *addresses))
     raise _unknown(scene, "object", name, list(names))
+
+
+def told_of(scene: Scene, one: Placed, *, is_named: bool, is_changed: bool) -> Iterator[str]:
+    """Name the node that an answer is of, and what carries it or its mesh beside its matrix.
+
+    `is_named` tells that a person named it, `is_changed` that its place was given beside it.
+    """
+    index = _index(scene, one)
+    path = one.name if index is None else scene.hierarchy.called(index)
+    told = f"Of node {path if path.isprintable() else repr(path)}"
+    if is_changed:
+        told += ", with what was given in place of its own"
+    drawn = {id(other) if other.node is None else other.node for other in scene.objects}
+    others = len(drawn or scene.nodes) - 1
+    if not is_named and others:
+        told += f", the first of {others + 1}: {quantity('object')} names another"
+    yield f"{told}."
+    for mover in () if index is None else scene.nodes[index].movers:
+        yield _OF_MOVERS[mover]
+
+
+_OF_MOVERS = {
+    Mover.JOINTS: "Skinned: joints carry its mesh, not its own matrix; inspect judges them.",
+    Mover.INSTANCES: "Instanced: this is its own matrix; inspect judges that of each instance.",
+    Mover.ANIMATION: "Animated, it or a node above: this is at rest; inspect judges scales' keys.",
+}
+
+
+def _index(scene: Scene, one: Placed) -> int | None:
+    if isinstance(one, SceneObject) and one.node is not None:
+        return one.node
+    if isinstance(one, SceneObject):
+        meant = scene.hierarchy.meant(one.name)
+        return meant[0] if len(meant) == 1 else None
+    return next((i for i, node in enumerate(scene.nodes) if node is one), None)
 
 
 def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:
@@ -128,9 +166,14 @@ def _carried(light: Light, world_from_home: RationalMatrix) -> Light:
 
 
 def _unknown(scene: Scene, what: str, name: str, names: list[str]) -> IllegalValueError:
-    known = shortlist(map(printable, names)) or "none"
+    known = shortlist(map(_typed, names)) or "none"
     return IllegalValueError(
         f"{quantity(what)} ({name[:40]})",
         f"{scene.path} has no {what} of this name",
-        f"{did_you_mean(name, names, '')} there are {known}".strip(),
+        f"{did_you_mean(name, names, '', _typed)} there are {known}".strip(),
     )
+
+
+def _typed(name: str) -> str:
+    """Write a name as a shell takes it: # begins a comment there, and blanks part words."""
+    return quote(name) if name == printable(name) else printable(name)

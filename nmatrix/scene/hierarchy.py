@@ -51,9 +51,27 @@ class Hierarchy:
         whole = SEPARATOR.join((*reversed(names), self.names[index]))
         return whole if at is None else ABOVE + whole
 
+    def called(self, index: int) -> str:
+        """Name a node by its path, with its address where others have the same one.
+
+        Examples
+        --------
+        >>> tree = Hierarchy(("root", "wheel", "wheel"), (None, 0, 0))
+        >>> tree.called(0), tree.called(2)
+        ('root', 'root/wheel (#2)')
+        """
+        address = self.addresses[index]
+        return f"{self.path(index)} ({address})" if address.startswith("#") else self.path(index)
+
     def meant(self, text: str) -> tuple[int, ...]:
         """Find the nodes that a text means: one, none, or several that it cannot tell apart."""
-        text = text.removeprefix(ABOVE)
+        found = self._ending(text)
+        if not found and text.startswith(ABOVE):  # a path that is cut, where nothing is called so
+            found = self._ending(text.removeprefix(ABOVE))
+        return found
+
+    def _ending(self, text: str) -> tuple[int, ...]:
+        """Find the nodes whose path a text is, or else ends in it, or else whose index it is."""
         last = self._by_last_name(text)
         ending = [index for index in last if self._ends_in(index, text)]
         whole = [index for index in ending if self._is_whole_path(index, text)]

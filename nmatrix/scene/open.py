@@ -16,10 +16,11 @@ from nmatrix.scene.world import World
 SUFFIXES = (".toml", *GLTF_SUFFIXES, *MESH_SUFFIXES)
 
 
-def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
+def scene_of(path: Path, *, allow_outside: bool = False, has_materials: bool = True) -> Scene:
     """Read a scene from a .toml, .gltf or .glb file; a mesh stands still.
 
-    What the file names lies in its folder, unless more is allowed.
+    What the file names lies in its folder, unless more is allowed. Without materials no file that a
+    mesh names is looked for.
 
     Raises
     ------
@@ -41,7 +42,7 @@ def scene_of(path: Path, *, allow_outside: bool = False) -> Scene:
         )
     if not path.is_file():
         raise IllegalValueError(f"{path}", "there is no such file", "check the name")
-    return _mesh_scene(path, allow_outside=allow_outside)
+    return _mesh_scene(path, allow_outside=allow_outside, has_materials=has_materials)
 
 
 def _features(objects: Sequence[SceneObject], left_out: Mapping[str, int]) -> Iterator[FileFeature]:
@@ -61,11 +62,14 @@ def _features(objects: Sequence[SceneObject], left_out: Mapping[str, int]) -> It
         yield FileFeature(feature, count, "not drawn")
 
 
-def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
+def _mesh_scene(path: Path, *, allow_outside: bool, has_materials: bool) -> Scene:
     """Make a scene of a mesh file: an object for each material, all in the place of the file."""
-    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_mesh_file
+    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_mesh_file, read_surface
 
-    file = read_mesh_file(path, allow_outside=allow_outside)
+    if has_materials:
+        file = read_mesh_file(path, allow_outside=allow_outside)
+    else:
+        file = read_surface(path)
     still = identity(4)
     names = [
         path.stem if len(file.parts) == 1 else f"{path.stem}/{part.name or DEFAULT_MATERIAL.name}"

@@ -16,7 +16,7 @@ from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import SceneLight
 from nmatrix.scene.material import DEFAULT_MATERIAL, WHITE, Colour, Material, grey
-from nmatrix.scene.words import DepthBuffer
+from nmatrix.scene.words import DepthBuffer, Mover
 from nmatrix.scene.world import World
 
 
@@ -25,6 +25,7 @@ class SceneNode:
     """A place that has a name, with triangles or without.
 
     `place`, `world_from_parent`: as of a `SceneObject`; `parent` is the index of the node above.
+    `movers` are what moves it or its mesh beside its matrix, which is that at rest.
     """
 
     name: str
@@ -32,6 +33,7 @@ class SceneNode:
     place: World | None = None
     world_from_parent: RationalMatrix | None = None
     parent: int | None = None
+    movers: tuple[Mover, ...] = ()
 
 
 @dataclass(frozen=True)

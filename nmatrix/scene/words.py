@@ -17,6 +17,14 @@ class NormalsFrom(StrEnum):
     NONE = "none"
 
 
+class Mover(StrEnum):
+    """What carries the mesh of a node, or the node itself, beside the node's own matrix."""
+
+    JOINTS = "joints"
+    INSTANCES = "instances"
+    ANIMATION = "animation"
+
+
 class LightKind(StrEnum):
     """The kinds of light in a scene."""
 
@@ -72,3 +80,17 @@ class DepthBuffer(StrEnum):
     UNORM24 = "24"
     FLOAT32 = "float32"
     FULL = "full"
+
+
+VERTEX = ("vertex", "vertices")
+
+
+def counted(count: int, one: str, many: str = "") -> str:
+    """Count things by the word for one and the word for many, if that is more than one with an s.
+
+    Examples
+    --------
+    >>> counted(1, "node"), counted(0, "node"), counted(70051, *VERTEX)
+    ('1 node', '0 nodes', '70,051 vertices')
+    """
+    return f"{count:,} {one if count == 1 else many or one + 's'}"

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import json
+import shlex
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from nmatrix.report import SCREEN
+from nmatrix.scene.words import Mover
 
 ROOT = Path(__file__).parents[2]
 TEXT = """
@@ -148,7 +153,86 @@ def test_a_scene_gives_what_its_options_give(
     if free:  # the picture's shape follows the window
         by_hand = by_hand.replace("--aspect 4/3", "--aspect 0.5")
     found = answer(f"{command} --scene {scene} {beside}")
+    found["remarks"] = [one for one in found["remarks"] if not one.startswith("Of node")]
     assert found == answer(f"{command} {by_hand}")
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        ("world", "Of node egg, the first of 4: --object names another."),
+        ("normal --object turned", "Of node tall/turned."),
+        ("light --object given", "Of node given."),
+        (
+            "world --object tall --scale 1 2 1",
+            "Of node tall, with what was given in place of its own.",
+        ),
+    ],
+)
+def test_an_answer_names_its_node(nmatrix, scene: Path, command: str, told: str) -> None:
+    line = f"{command} --scene {scene}"
+    assert nmatrix(f"{line} -f json").data["remarks"][0] == told
+    text = nmatrix(line).out
+    assert f"• {told}" in text
+    assert len(text.splitlines()) <= SCREEN
+
+
+@pytest.mark.parametrize(
+    "command", ["view", "projection", "calc P", "world --world-matrix 1,0,0;0,1,0;0,0,1"]
+)
+def test_an_answer_that_is_of_no_node_names_none(nmatrix, scene: Path, command: str) -> None:
+    assert "Of node" not in nmatrix(f"{command} --scene {scene} --full").out
+
+
+MOVERS = {
+    Mover.JOINTS: {"mesh": 0, "skin": 0},
+    Mover.INSTANCES: {"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {}}}},
+    Mover.ANIMATION: {},
+}
+
+
+@pytest.mark.parametrize("mover", Mover)
+def test_a_matrix_at_rest_is_called_so(nmatrix, tmp_path: Path, mover: Mover) -> None:
+    """The long answer of parts makes room for it: `inspect` may say the opposite of the mesh."""
+    still = {"name": "still", "matrix": [0, 2, 0, 0, 2, 0, 0, 0, 0, 0, 2, 0, 3, 1, 2, 1]}
+    node = still | {"name": "moved"} | MOVERS[mover]
+    above = {"name": "above", "children": [1]}
+    channel = {"sampler": 0, "target": {"node": 0, "path": "rotation"}}
+    document = {
+        "asset": {"version": "2.0"},
+        "nodes": [above, node, still],
+        "meshes": [{"primitives": [{"attributes": {}}]}],
+        "skins": [{"joints": [2]}],
+        "animations": [{"samplers": [], "channels": [channel]}] if mover is Mover.ANIMATION else [],
+    }
+    file = tmp_path / "made.gltf"
+    file.write_text(json.dumps(document))
+    for command in ("world", "normal"):
+        answer = nmatrix(f"{command} --scene {file} --object moved")
+        assert "inspect judges" in answer.out, answer.err
+        assert len(answer.out.splitlines()) <= SCREEN
+        assert "inspect judges" not in nmatrix(f"{command} --scene {file} --object still").out
+
+
+def test_a_hint_of_names_can_be_pasted(nmatrix, tmp_path: Path) -> None:
+    """A shell takes # for a comment, and a blank for the end of a word."""
+    names = ["cube", "cube", "left wing"]
+    file = tmp_path / "twins.gltf"
+    file.write_text(
+        json.dumps({"asset": {"version": "2.0"}, "nodes": [{"name": n} for n in names]})
+    )
+    said = nmatrix(f"world --scene {file} --object cube").err
+    hint = said[said.index("take one of ") + len("take one of ") :]
+    assert shlex.split(hint, comments=True) == ["#0,", "#1"]
+    assert nmatrix(f"world --scene {file} --object {shlex.split(hint)[1]!r}").code == 0
+    assert "did you mean 'left wing'?" in nmatrix(f"world --scene {file} --object 'left win'").err
+
+
+def test_matrices_do_not_need_the_materials_of_a_mesh(nmatrix, tmp_path: Path) -> None:
+    file = tmp_path / "one.obj"
+    file.write_text("mtllib ../other/one.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert nmatrix(f"world --scene {file}").code == 0
+    assert "--allow-outside" in nmatrix(f"render {file} -o {tmp_path / 'one.png'}").err
 
 
 def test_a_flashlight_points_where_the_camera_looks(answer, scene: Path) -> None:

@@ -16,6 +16,7 @@ from nmatrix.output.drawing import aligned, draw_matrix
 from nmatrix.output.style import render
 from nmatrix.report import (
     Block,
+    Brief,
     Code,
     Figure,
     Formula,
@@ -173,3 +174,27 @@ def test_writing_text_loads_nothing_heavy(module: str) -> None:
         f"sys.exit({module!r} in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
+
+
+def test_a_long_path_breaks_after_a_separator() -> None:
+    path = "a-folder-of-models/packed-by-its-exporter/BoxTextured.gltf"
+    shown = text_of(Table(("path", "why"), ((path, "it is not read " * 6),)), width=60)
+    cells = [line.split()[0] for line in shown.splitlines()[2:] if not line.startswith(" ")]
+    assert [cell for cell in cells if cell.endswith(("/", "gltf"))] == [
+        "a-folder-of-models/",
+        "packed-by-its-exporter/",
+        "BoxTextured.gltf",
+    ]
+
+
+ABOUT = "Of this node, whose path is long enough for two lines of a page of eighty columns."
+
+
+@pytest.mark.parametrize("lines", range(6, 20))
+def test_what_an_answer_is_of_is_told_whatever_room_there_is(lines: int) -> None:
+    blocks = (Verdict("It is so."), Quantity("M", ((1, 0), (0, 1)), "M"), Text("More. " * 20))
+    brief = Brief(blocks, ("the cofactors", "determinant, rank and condition", "the parts"), lines)
+    report = Report("x", {}, blocks, (ABOUT, "Another."), brief=brief, about=1)
+    shown = write(report, OutputOptions())
+    assert "It is so." in shown and "Of this node" in shown
+    assert len(shown.splitlines()) <= lines

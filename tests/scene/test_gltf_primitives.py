@@ -324,7 +324,7 @@ def test_a_vertex_without_weights_follows_its_first_joint(tmp_path: Path) -> Non
         ({"skins": [{"joints": [9]}]}, "joint 9 does not exist"),
         ({"skins": [{"joints": [-1]}]}, "joint -1 does not exist"),
         ({"skins": [{"joints": []}]}, "and skin 0 has 0 joints"),
-        ({"skins": [{"joints": [1]}]}, "a vertex follows joint 2, and skin 0 has 1 joints"),
+        ({"skins": [{"joints": [1]}]}, "a vertex follows joint 2, and skin 0 has 1 joint"),
         (
             {"skins": [{"joints": [1, 2, 3, 1], "inverseBindMatrices": 2}]},
             "the inverse bind matrices of skin 0 are 3, and it has 4 joints",

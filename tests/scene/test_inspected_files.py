@@ -254,14 +254,15 @@ def test_of_thousands_the_worst_are_shown_and_the_others_counted(tmp_path: Path,
     lines = found.out.splitlines()
     assert len(lines) <= 22
     assert (
-        "29 of 3000 nodes need the inverse transpose. Found: 1 mirrored, 29 non-uniform."
+        "29 of 3,000 nodes need the inverse transpose. Found: 1 mirrored, 29 non-uniform."
         in found.out
     )
-    assert lines[7].split()[:3] == ["2999", "Cube", "mirrored"]
+    assert lines[7].split()[:3] == ["100", "Cube", "non-uniform"]
     assert f"{30 - SHOWN} more rows: --all shows them." in found.out
     assert (
-        "29 of 3000 nodes are non-uniform (Cube, Cube, Cube, Cube, Cube and 24 more)" in found.err
-    )
+        "29 of 3,000 nodes are non-uniform (Cube (#100), Cube (#200), Cube (#300), Cube (#400), "
+        "Cube (#500) and 24 more)"
+    ) in found.err
     every = nmatrix(f"inspect {file} --all").out
     assert sum(line.split()[1:2] == ["Cube"] for line in every.splitlines()) == 3000
     assert len(nmatrix(f"inspect {file} -f json").data["nodes"]) == 3000
@@ -306,7 +307,7 @@ def test_only_and_fail_on_know_the_same_words(tmp_path: Path, flaw: Flaw) -> Non
 @pytest.mark.parametrize(
     ("order", "right"),
     [
-        (NodeOrder.KIND, ["stretched/turned", "flat", "m", "stretched", "plain"]),
+        (NodeOrder.KIND, ["flat", "stretched/turned", "stretched", "m", "plain"]),
         (NodeOrder.INDEX, ["stretched", "stretched/turned", "m", "flat", "plain"]),
         (NodeOrder.PATH, ["flat", "m", "plain", "stretched", "stretched/turned"]),
         (NodeOrder.ANGLE, ["flat", "stretched", "stretched/turned", "m", "plain"]),
@@ -381,6 +382,122 @@ def test_every_ending_that_is_read_is_searched_for(tmp_path: Path, nmatrix) -> N
     assert found.code == 2
 
 
+def sarif(nmatrix, line: str) -> list[dict]:
+    return json.loads(nmatrix(f"inspect {line} -f sarif").out)["runs"][0]["results"]
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "line"),
+    [
+        ("a.obj", "v 0 0 0\nv 0 x 0\n", 2),
+        ("a.ply", "ply\nformat ascii 1.0\nelement vertex q\nend_header\n", 3),
+        ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 line\nvertex 1 0 0\n"
+         "vertex 0 1 0\nendloop\nendfacet\n", 4),
+        ("a.gltf", '{"asset": {"version": "2.0"},\n"nodes": [}', 2),
+        ("a.gltf", '{"asset": {"version": "line 7"}}', 0),
+        ("a.glb", "", 0),
+    ],
+)  # fmt: skip
+def test_the_line_of_an_error_is_where_hosts_look_for_it(
+    own_folder, nmatrix, name: str, content: str, line: int
+) -> None:
+    """And the one file that there is, unreadable, is a finding and a row as any other."""
+    Path(name).write_text(content)
+    (found,) = sarif(nmatrix, name)
+    (place,) = found["locations"]
+    assert found["ruleId"] == "NM-A06"
+    assert place["physicalLocation"].get("region", {}).get("startLine", 0) == line
+    told = nmatrix(f"inspect {name} -f github")
+    assert told.code == 2 and told.is_one_line
+    assert told.out.startswith(
+        f"::error file={name}," + (f"line={line},title" if line else "title")
+    )
+    (row,) = csv.DictReader(io.StringIO(nmatrix(f"inspect {name} -f csv").out))
+    assert row["file"] == name and row["rules"] == "NM-A06"
+    for reason in (row["error"], found["message"]["text"], told.out.split("::")[-1]):
+        assert reason and not reason.startswith((",", ":", " "))
+    assert nmatrix(f"inspect {name} -f json").data["files"][0]["error"] == row["error"]
+    assert nmatrix(f"inspect {name}").out == ""
+
+
+def test_nodes_of_one_path_are_told_apart_everywhere(own_folder, nmatrix) -> None:
+    twins = lined(["wheel", "wheel"], **MIRROR)
+    Path("cart.gltf").write_text(gltf({"name": "cart", "children": [1, 2]}, *twins))
+    found = sarif(nmatrix, "cart.gltf")
+    assert len({one["partialFingerprints"]["primaryLocationLineHash"] for one in found}) == 2
+    assert len({one["message"]["text"] for one in found}) == 2
+    assert len(set(nmatrix("inspect cart.gltf -f github").out.splitlines())) == 2
+    err = nmatrix("inspect cart.gltf --fail-on mirrored").err
+    assert "(cart/wheel (#1), cart/wheel (#2))" in err
+
+
+def test_machines_read_what_people_see(own_folder, nmatrix) -> None:
+    Path("a.gltf").write_text(gltf({"name": "a", "scale": [-1, 2, 1]}, {"name": "b"}))
+    first, second = nmatrix("inspect a.gltf -f json").data["nodes"]
+    assert (first["found"], first["rules"]) == ("mirrored and non-uniform", ["NM-A02", "NM-A05"])
+    assert (second["found"], second["rules"], second["error"]) == ("identity", [], None)
+    row, _ = csv.DictReader(io.StringIO(nmatrix("inspect a.gltf -f csv").out))
+    assert (row["found"], row["rules"]) == ("mirrored and non-uniform", "NM-A02 NM-A05")
+
+
+@pytest.mark.parametrize("flaw", Flaw)
+def test_remarks_are_of_the_flaws_that_were_asked_for(tmp_path: Path, flaw: Flaw) -> None:
+    words = {
+        Flaw.SHEAR: "Sheared by ancestors",
+        Flaw.MIRRORED: "Mirrored nodes",
+        Flaw.SINGULAR: "Singular nodes",
+    }
+    told = " ".join(report((flawed_file(tmp_path),), Chosen(only=(flaw,))).remarks)
+    assert [one for one, word in words.items() if word in told] == [flaw] * (flaw in words)
+
+
+def test_the_order_is_by_what_can_be_seen(own_folder, nmatrix) -> None:
+    """A shear of a thousandth of a degree weighs less than a mirror, and that less than 15°."""
+    hardly = {"name": "above", "scale": [1, 1.00002, 1], "children": [1]}
+    nodes = [hardly, {"name": "hardly", **TURN}, {"name": "mirror", **MIRROR}]
+    Path("a.gltf").write_text(gltf(*nodes, {"name": "clearly", "scale": [1, 1.3, 1]}))
+    found = nmatrix("inspect a.gltf --sort kind -f json").data["nodes"]
+    assert [one["name"] for one in found] == ["clearly", "mirror", "hardly", "above"]
+    assert nmatrix("inspect a.gltf --tolerance 1e-4 --fail-on shear").code == 0
+    assert nmatrix("inspect a.gltf --fail-on shear").code == 1
+
+
+def test_normals_that_were_made_are_not_the_exporters_fault(own_folder, nmatrix) -> None:
+    flat = "v 3 0 0\nv 1 0 0\nv 2 0 0\nv 0 0 9\nf 4 1 2\n"
+    Path("own.obj").write_text(f"{flat[:32]}vn 0 0 0\nvn 0 1 0\nf 1//1 2//2 3//2\n")
+    Path("made.obj").write_text(f"{flat}v 7 7 7\nf 5 5 5\n")
+    own = nmatrix("inspect own.obj -f github --only degenerate").out
+    assert "1 normal is no direction; the first at 3 0 0." in own
+    made = nmatrix("inspect made.obj -f github --only degenerate").out
+    assert "the file lacks some or all" in made and "the first at 7 7 7." in made
+
+
+@pytest.mark.parametrize("file", ["a.stl", "a.obj"])
+def test_nothing_is_said_of_drawing(own_folder, nmatrix, file: str) -> None:
+    Path("a.stl").write_text(ASCII_STL)
+    Path("a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\ns off\n")
+    told = nmatrix(f"inspect {file}").out
+    assert "draw" not in told.lower() and "Normals were made" not in told
+    assert ("Not judged of a.obj: lines" in told) == (file == "a.obj")
+
+
+@pytest.mark.parametrize("width", [None, "80", "200", "5", "wide", "-3", "9" * 30])
+def test_names_stay_whole_and_apart_at_any_width(own_folder, nmatrix, monkeypatch, width) -> None:
+    names = [f"models/packed-{i}/BoxTextured.gltf" for i in range(3)]
+    for name in names:
+        Path(name).parent.mkdir(parents=True)
+        Path(name).write_text(gltf(*lined(["BoxNode"], **STRETCH)))
+    if width is not None:
+        monkeypatch.setenv("COLUMNS", width)
+    shown = nmatrix("inspect models").out.splitlines()
+    room = 200 if width == "200" else 80
+    assert max(map(len, shown)) <= room
+    for i in range(3):
+        assert sum(f"packed-{i}/" in line for line in shown) == 1
+    assert sum(" ".join(shown).count(word) for word in ("BoxTextured.gltf",)) == 3
+    assert "…" not in "".join(shown) or room == 80
+
+
 @pytest.mark.parametrize("form", ["text", "json", "csv", "sarif", "github"])
 def test_one_unreadable_file_that_was_checked_for_is_told_like_one_of_many(
     tmp_path: Path, nmatrix, form: str
@@ -400,3 +517,14 @@ def test_an_extension_that_a_file_requires_and_nobody_knows_is_told(tmp_path: Pa
     (tmp_path / "a.gltf").write_text(json.dumps(scene))
     (told, *_) = report((inspect_file(tmp_path / "a.gltf"),)).remarks
     assert told.startswith("The file requires ACME_teapot, unknown here")
+
+
+@pytest.mark.parametrize("name", ["a.obj", "line\nend.obj", "\x1b[31m.obj", "a b: c, d.obj"])
+def test_a_reason_does_not_begin_with_the_name_of_its_file(
+    tmp_path: Path, nmatrix, monkeypatch, name: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("good.obj").write_text(TRIANGLE)
+    Path(name).write_text("v 0 0 0\nf 1 2 x\n")
+    errors = [one["error"] for one in nmatrix("inspect . -f json").data["files"]]
+    assert next(one for one in errors if one).startswith("line 2 (x): x stands")

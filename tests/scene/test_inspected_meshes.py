@@ -50,6 +50,12 @@ class Made:
         self.content += data
         return len(accessors) - 1
 
+    def joints(self, count: int) -> int:
+        """Name the first joint for each of some vertices."""
+        accessor = self.rows([(0.0,)] * count, "SCALAR")  # four bytes of 0
+        self.document["accessors"][accessor] |= {"componentType": 5121, "type": "VEC4"}
+        return accessor
+
     def mesh(self, normals: list[tuple[float, ...]] | None = UP, **more: object) -> int:
         attributes = {"POSITION": self.rows(CORNERS)}
         if normals is not None:
@@ -341,6 +347,51 @@ def test_morph_targets_are_told(tmp_path: Path) -> None:
     assert any("morph targets" in one for one in told.remarks)
 
 
+def test_each_flaw_has_its_own_number_and_the_name_of_its_worst(tmp_path: Path) -> None:
+    made = Made()
+    made.node(name="body", mesh=made.mesh(), skin=0)
+    made.node(name="hip", scale=[1, 2, 1], children=[2])
+    made.node(name="knee", rotation=[0, 0, 0.05, 0.99875], scale=[1, 1.1, 1])
+    made.node(name="eye", scale=[1, 1.01, 1])
+    made.document["skins"] = [{"joints": [3, 2, 1]}]
+    found = report((inspect_file(made.written(tmp_path)),)).findings.found
+    body = {one.rule.code: one.message for one in found if one.place == "body"}
+    assert set(body) == {"NM-A01", "NM-A05"}
+    assert body["NM-A01"].startswith("body: 1 of 3 joints sheared; ")
+    assert body["NM-A01"].endswith("the worst is joint knee.")
+    assert body["NM-A05"].startswith("body: 2 of 3 joints non-uniform; ")
+    assert "up to 36.87° off; the worst is joint hip." in body["NM-A05"]
+
+
+def test_instances_and_keys_are_named(tmp_path: Path) -> None:
+    made = Made()
+    scales = made.rows([(1, 1, 1), (1, 2, 1), (1, 3, 1)])
+    instances = {INSTANCING: {"attributes": {"SCALE": scales}}}
+    made.node(name="many", mesh=made.mesh(), extensions=instances)
+    made.scaled_over_time(made.node(name="beat"), [(1, 1, 1), (2, 4, 2), (1, 1.5, 1)])
+    found = report((inspect_file(made.written(tmp_path)),)).findings.found
+    told = {one.place: one.message for one in found}
+    assert told["many"].endswith("up to 53.13° off; the worst is instance 2.")
+    assert told["beat"].endswith("up to 36.87° off; the worst is scale 2 4 2.")
+
+
+def test_pictures_and_plans_tell_of_joints_that_bend_normals(tmp_path: Path, nmatrix) -> None:
+    for scale, told in (([1, 2, 1], True), ([2, 2, 2], False)):
+        made = Made()
+        weights = made.rows([(1, 0, 0, 0)] * 3, "VEC4")
+        made.node(name="body", mesh=made.mesh(), skin=0)
+        made.node(name="hip", scale=scale)
+        (primitive,) = made.document["meshes"][0]["primitives"]
+        primitive["attributes"] |= {"WEIGHTS_0": weights, "JOINTS_0": made.joints(3)}
+        made.document["skins"] = [{"joints": [1]}]
+        file = made.written(tmp_path)
+        for line in (f"plan {file}", f"render {file} --size 8 8 --force -o {tmp_path / 'a.png'}"):
+            answer = nmatrix(f"{line} -f json")
+            assert answer.code == 0, answer.err
+            said = "Of 1 joints 1 needs" in " ".join(answer.data["remarks"])
+            assert said == told
+
+
 @pytest.mark.parametrize(("zeros", "words"), [(1, "1 normal is"), (2, "2 normals are")])
 def test_degenerate_normals_are_counted_in_a_right_sentence(
     tmp_path: Path, zeros: int, words: str
@@ -348,4 +399,4 @@ def test_degenerate_normals_are_counted_in_a_right_sentence(
     made = Made()
     made.node(name="a", mesh=made.mesh([(0, 0, 0)] * zeros + UP[zeros:]))
     (node,) = inspect_file(made.written(tmp_path)).nodes
-    assert node.told(Flaw.DEGENERATE) == f"a: {words} no direction."
+    assert node.told(Flaw.DEGENERATE) == f"a: {words} no direction; the first at 0 0 0."

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.file import read_mesh
+from nmatrix.scene.meshes.file import read_mesh, read_surface
 from nmatrix.scene.meshes.mesh import Mesh, joined, unit
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"  # its geometric normal is (0, 0, 1)
@@ -259,3 +259,17 @@ def test_what_is_no_mesh_is_refused_in_one_line(
 def test_a_mesh_file_that_is_missing_is_named(tmp_path: Path) -> None:
     with pytest.raises(IllegalValueError, match=r"none\.obj: no such file"):
         read_mesh(tmp_path / "none.obj")
+
+
+@pytest.mark.parametrize(("count", "words"), [(1, "1 point"), (2, "2 points")])
+def test_points_alone_are_counted_in_a_right_sentence(
+    tmp_path: Path, count: int, words: str
+) -> None:
+    point = "0 0 0\n"
+    head = f"ply\nformat ascii 1.0\nelement vertex {count}\n"
+    axes = "".join(f"property float {axis}\n" for axis in "xyz")
+    (tmp_path / "a.ply").write_text(f"{head}{axes}end_header\n{point * count}")
+    (tmp_path / "a.obj").write_text(f"v {point}" * count)
+    for name in ("a.ply", "a.obj"):
+        with pytest.raises(IllegalValueError, match=f"it holds {words} and no faces"):
+            read_surface(tmp_path / name)

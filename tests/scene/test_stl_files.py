@@ -57,7 +57,7 @@ def test_two_triangles_are_two_flat_triangles(tmp_path: Path, content: str | byt
     [
         (binary(0, held=2), 2, "The header counts 0 triangles; a.stl holds 2."),
         (binary(9, held=2), 2, "The header counts 9 triangles; a.stl holds 2."),
-        (binary(2, after=b"abc"), 2, "3 bytes after the last triangle of a.stl were not read."),
+        (binary(2, after=b"abc"), 2, "Not read of a.stl: 3 bytes after the last triangle."),
         (binary(2)[:-2] + b"\x1f\x7c", 2, "Not drawn of a.stl: the attribute bytes of triangles."),
     ],
 )

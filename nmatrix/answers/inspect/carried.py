@@ -5,8 +5,9 @@ A part that cannot be read costs itself: the node says what is not known of it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from nmatrix.answers.inspect.node import Carriers, FoundNormals, Maps
 from nmatrix.answers.inspect.plain import SHARE
@@ -54,11 +55,14 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
             if record.skin is not None:
                 if record.skin not in skins:
                     joints = joint_matrices(file, record.skin)
-                    skins[record.skin] = Maps.of(Carriers.JOINTS, map(classify, joints))
+                    each = map(classify, joints)
+                    skins[record.skin] = Maps.of(
+                        Carriers.JOINTS, each, partial(_joint, file, record.skin)
+                    )
                 maps[index] = skins[record.skin]
             elif is_instanced(file, index):
                 places = instance_matrices(file, index)
-                maps[index] = Maps.of(Carriers.INSTANCES, map(classify, places))
+                maps[index] = Maps.of(Carriers.INSTANCES, map(classify, places), _instance)
         except IllegalValueError as error:
             unread[index] = _reason(file, error)
     if not file.document.animations:
@@ -72,13 +76,30 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
             unread[index] = f"uneven scales over time are more than {MOST_SCALES:,}, with its own"
             continue
         node = file.nodes[index]
-        each = map(classify, (node.world_from_object, *_over_time(node, uneven)))
-        maps[index] = replace(Maps.of(Carriers.SCALES, each), total=distinct)
+        others = tuple(one for one in uneven if one != _at_rest(node.record))
+        each = map(classify, (node.world_from_object, *_placed(node, others)))
+        found = Maps.of(Carriers.SCALES, each, partial(_scale, others))
+        maps[index] = replace(found, total=distinct)
     changed = {
         index: tuple(one for one in Animated if one in found)
         for index, found in animated_channels(file).items()
     }
     return Carried(maps, unread, changed, scales.remarks)
+
+
+def _joint(file: GltfFile, skin: int, place: int) -> str:
+    index = file.document.skins[skin].joints[place]
+    return f"joint {file.nodes.hierarchy.addresses[index]}"
+
+
+def _instance(place: int) -> str:
+    return f"instance {place}"
+
+
+def _scale(others: tuple[Vector, ...], place: int) -> str:
+    if place == 0:
+        return "the scale at rest"
+    return f"scale {' '.join(f'{float(one):.6g}' for one in others[place - 1])}"
 
 
 def _uneven(
@@ -102,12 +123,11 @@ def _at_rest(record: NodeRecord) -> Vector:
     return tuple(record.scale or UNSCALED)
 
 
-def _over_time(node: Node, scales: tuple[Vector, ...]) -> tuple[RationalMatrix, ...]:
-    """Place a node by scales other than the one at rest."""
+def _placed(node: Node, scales: tuple[Vector, ...]) -> Iterable[RationalMatrix]:
+    """Place a node by some scales instead of its own."""
     above = identity(4) if node.parent is None else node.nodes.world(node.parent)
     turned = rotation_from_quaternion(node.record.rotation or (0, 0, 0, 1))
-    others = (one for one in scales if one != _at_rest(node.record))
-    return tuple(product(above, compose(turned, one)) for one in others)
+    return (product(above, compose(turned, one)) for one in scales)
 
 
 def _is_even(scale: Vector, tolerance: float) -> bool:
@@ -127,7 +147,7 @@ def normals_of(file: GltfFile, mesh: int) -> FoundNormals:
 
     found = mesh_normals(file, mesh)
     unread = "; ".join(dict.fromkeys(fault.reason for fault in found.faults))
-    return FoundNormals(found.origin, found.degenerate, unread)
+    return FoundNormals(found.origin, found.degenerate, unread, found.at)
 
 
 def _reason(file: GltfFile, error: NMatrixError) -> str:

@@ -6,6 +6,7 @@ counted without a look; `suspects` are those that may be something else.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -29,6 +30,10 @@ from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.words import GLTF_SUFFIXES, NormalsFrom
 
 STANDARD_INPUT = "-"
+BINARY = ".glb"  # its JSON has lines, and the file has none
+NORMALS_MADE, NOT_DRAWN = "Normals were made", "Not drawn of "  # as readers begin remarks
+_FAULTY = re.compile(r", line (\d+)\b")
+_SPOKEN = re.compile(r"(?:it is not glTF: |its header breaks off in )?line (\d+)\b")
 MOST_NAMED = 5  # extensions
 
 
@@ -64,7 +69,17 @@ class InspectedFile:
         """Why the file could not be read, without its name; empty where it was."""
         if self.error is None:
             return ""
-        return str(self.error).removeprefix(self.file).lstrip(":, ").rstrip()
+        what, *others = self.error.parts
+        return str(NMatrixError(what.removeprefix(self.file).lstrip(",: "), *others))
+
+    @property
+    def line(self) -> int:
+        """The line of the file that its error names, from 1; 0 if it names none."""
+        if self.error is None or self.file.lower().endswith(BINARY):
+            return 0
+        what, why, _ = self.error.parts
+        found = _FAULTY.match(what.removeprefix(self.file)) or _SPOKEN.match(why)
+        return 0 if found is None else int(found[1])
 
     @cached_property
     def nodes(self) -> tuple[InspectedNode, ...]:
@@ -105,12 +120,12 @@ def inspect_file(
 
 def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile:
     from nmatrix.scene.meshes.file import read_surface
-    from nmatrix.scene.meshes.mesh import normals_made
 
     file = read_surface(path, content)
     computed = file.normals_from is NormalsFrom.COMPUTED
-    remarks = tuple(one for one in file.remarks if one != normals_made(path.name))
     degenerate = sum(part.mesh.degenerate_normals for part in file.parts)
+    places = (part.mesh.degenerate_at for part in file.parts)
+    at = next((place for place in places if place is not None), None)
     still = identity(4)
     node = InspectedNode(
         name,
@@ -118,11 +133,21 @@ def _inspect_mesh(path: Path, name: str, content: bytes | None) -> InspectedFile
         Hierarchy((path.stem,), (None,)),
         still,
         Maps.of(Carriers.NODE, (classify(still),)),
-        FoundNormals(file.normals_from, degenerate),
+        FoundNormals(file.normals_from, degenerate, at=at),
         mesh=0,
     )
     special = {Special.COMPUTED_NORMALS: int(computed)}
-    return InspectedFile(name, 1, lambda _: node, (0,), special, remarks)
+    remarks = tuple(map(_without_a_picture, file.remarks))
+    return InspectedFile(name, 1, lambda _: node, (0,), special, tuple(filter(None, remarks)))
+
+
+def _without_a_picture(remark: str) -> str:
+    """Tell of triangles and not of drawing; that normals were made is counted for all files."""
+    if remark.startswith(NORMALS_MADE):
+        return ""
+    return (
+        remark.replace(NOT_DRAWN, "Not judged of ", 1) if remark.startswith(NOT_DRAWN) else remark
+    )
 
 
 @dataclass(frozen=True, eq=False)

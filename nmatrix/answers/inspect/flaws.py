@@ -64,7 +64,8 @@ FLAWS = {
             "degenerate normals",
             "Normals of the mesh are no direction: zero, or not finite.",
             "Normalising such a vector gives not-a-number, which a renderer shows as black or as "
-            "sparks. Let the exporter compute them again, and remove triangles without area.",
+            "sparks. Remove triangles without area, and normals that are zero: let the exporter "
+            "compute them again if the file has any.",
         ),
         "with degenerate normals",
         Severity.WARNING,

@@ -8,7 +8,7 @@ for each of its scales, at rest and by the keys.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from math import atan, degrees, inf, sqrt
@@ -17,8 +17,9 @@ from nmatrix.answers.inspect.flaws import FLAWS
 from nmatrix.enums import Flaw, Kind
 from nmatrix.linear.classify import Classification, most_excess, near_worst_angle_deg
 from nmatrix.linear.rational import RationalMatrix
+from nmatrix.report import Vector
 from nmatrix.scene.hierarchy import Hierarchy
-from nmatrix.scene.words import NormalsFrom
+from nmatrix.scene.words import NormalsFrom, counted
 
 KINDS = list(Kind)
 # The flaws of one map.
@@ -43,18 +44,33 @@ class Carriers(StrEnum):
 class Maps:
     """The maps of one node, classified, and what there is one of each for.
 
-    `total` counts them with those that are plain and were passed over.
+    `total` counts them with those that are plain and were passed over; `name` tells what one of
+    `each` is the map of.
     """
 
     carriers: Carriers
     each: tuple[Classification, ...]
     total: int
+    name: Callable[[int], str] = field(default=str, compare=False)
 
     @classmethod
-    def of(cls, carriers: Carriers, each: Iterable[Classification]) -> Maps:
+    def of(
+        cls,
+        carriers: Carriers,
+        each: Iterable[Classification],
+        name: Callable[[int], str] = str,
+    ) -> Maps:
         """Put maps together of which none was left out."""
         found = tuple(each)
-        return cls(carriers, found, len(found))
+        return cls(carriers, found, len(found), name)
+
+    def having(self, flaw: Flaw) -> Maps:
+        """Leave only the maps with a flaw of maps, the worst first; `total` stays."""
+        order = [i for i, one in enumerate(self.each) if OF_MAPS[flaw](one)]
+        if flaw is not Flaw.MIRRORED:  # the only one without an angle
+            order.sort(key=lambda i: -_bound_deg(self.each[i]))
+        each = tuple(self.each[i] for i in order)
+        return Maps(self.carriers, each, self.total, lambda i: self.name(order[i]))
 
     @cached_property
     def kind(self) -> Kind:
@@ -119,12 +135,27 @@ def _bound_deg(one: Classification) -> float:
 class FoundNormals:
     """Where the normals of a node's mesh come from, and how many of them are no direction.
 
-    `unread` is why some of them were not read, if so.
+    `unread` is why some of them were not read, if so; `at` is where the first of those that are no
+    direction stands, in object space.
     """
 
     origin: NormalsFrom = NormalsFrom.NONE
     degenerate: int = 0
     unread: str = ""
+    at: Vector | None = None
+
+    @property
+    def told(self) -> str:
+        """How many are no direction, whose fault that is, and where the first one stands."""
+        told = f"{counted(self.degenerate, 'normal is', 'normals are')} no direction"
+        if self.origin is NormalsFrom.COMPUTED:
+            told += (
+                ": the file lacks some or all, and triangles without area, or that undo each "
+                "other, give none"
+            )
+        if self.at is None:
+            return told
+        return f"{told}; the first at {' '.join(f'{float(one):.6g}' for one in self.at)}"
 
 
 @dataclass(frozen=True)
@@ -152,6 +183,11 @@ class InspectedNode:
     def path(self) -> str:
         """The names from the root to the node."""
         return self.hierarchy.path(self.index)
+
+    @property
+    def called(self) -> str:
+        """The same, told apart from other nodes of this path."""
+        return self.hierarchy.called(self.index)
 
     @property
     def normal_matrix(self) -> RationalMatrix | None:
@@ -203,14 +239,28 @@ class InspectedNode:
     def told(self, flaw: Flaw) -> str:
         """Tell one flaw of the node in a sentence."""
         if flaw is Flaw.DEGENERATE:
-            count = self.normals.degenerate
-            some = "1 normal is" if count == 1 else f"{count} normals are"
-            return f"{self.path}: {some} no direction."
+            return f"{self.called}: {self.normals.told}."
         if flaw is Flaw.UNREADABLE:
-            return f"{self.path}: not wholly read: {self.unread}."
-        worst = self.maps.worst_angle_deg if self.maps.needs_inverse_transpose else None
-        off = f"; without the inverse transpose normals are up to {worst:.4g}° off" if worst else ""
-        return f"{self.path}: {self.found}{off}."
+            return f"{self.called}: not wholly read: {self.unread}."
+        having = self.maps.having(flaw)
+        parts = [self._of_one_map(flaw)]
+        if self.maps.carriers is not Carriers.NODE:
+            words = FLAWS[flaw].adjective
+            parts = [f"{len(having.each)} of {having.total} {self._each} {words}"]
+        parts += [] if self.in_scene else ["outside the scene"]
+        told = [", ".join(parts)]
+        worst = None if flaw is Flaw.MIRRORED else having.worst_angle_deg
+        if worst:
+            told.append(f"without the inverse transpose normals are up to {worst:.4g}° off")
+        if self.maps.carriers is not Carriers.NODE:
+            told.append(f"the {'worst' if worst else 'first'} is {having.name(0)}")
+        return f"{self.called}: {'; '.join(told)}."
+
+    def _of_one_map(self, flaw: Flaw) -> str:
+        """Tell a flaw of a node's one map."""
+        if flaw is not Flaw.SHEAR:
+            return FLAWS[flaw].adjective
+        return f"sheared by {'ancestors' if self.sheared_by_ancestors else 'itself'}"
 
     def _kind_in_words(self) -> str:
         kind = self.maps.kind.value
@@ -224,12 +274,9 @@ class InspectedNode:
         found = {flaw: self.maps.count(flaw) for flaw in self.flaws if flaw in OF_MAPS}
         if not found:
             return ""
-        words = {flaw: FLAWS[flaw].adjective for flaw in found}
         if self.maps.carriers is Carriers.NODE:
-            if Flaw.SHEAR in found:
-                by = "ancestors" if self.sheared_by_ancestors else "itself"
-                words[Flaw.SHEAR] = f"sheared by {by}"
-            return " and ".join(words[flaw] for flaw in self._in_speech(found))
+            return " and ".join(self._of_one_map(flaw) for flaw in self._in_speech(found))
+        words = {flaw: FLAWS[flaw].adjective for flaw in found}
         total = self.maps.total
         if len({*found.values()}) == 1 and self._are_the_same(tuple(found)):
             spoken = " and ".join(words[flaw] for flaw in self._in_speech(found))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from nmatrix.answers.inspect.flaws import FLAWS
 from nmatrix.answers.inspect.node import Carriers, InspectedNode, Maps
 from nmatrix.enums import Flaw
 from nmatrix.linear.classify import classify
@@ -47,17 +48,22 @@ def node_data(node: InspectedNode) -> dict[str, Value]:
         "worst_angle_without_deg": maps.worst_angle_deg,
         "degenerate_normals": None if node.normals.unread else node.normals.degenerate,
         "sheared_by_ancestors": node.sheared_by_ancestors,
+        "found": node.found,
+        "rules": [FLAWS[flaw].rule.code for flaw in node.flaws],
+        "error": node.unread or None,
     }
 
 
 def cells_of_node(node: InspectedNode) -> Cells:
     """Write a node as the cells of a row."""
-    return (*dict(_flat(node)).values(), None)
+    return tuple(dict(_flat(node)).values())
 
 
 def cells_of_unread(file: str, reason: str) -> Cells:
-    """Write a row about a file that could not be read: its name and the reason alone."""
-    return (file, *[None] * (len(COLUMNS) - 2), reason)
+    """Write a row about a file that could not be read: its name, the rule and the reason alone."""
+    words = FLAWS[Flaw.UNREADABLE]
+    told = {"file": file, "found": words.adjective, "rules": words.rule.code, "error": reason}
+    return tuple(told.get(column) for column in COLUMNS)
 
 
 def _flat(node: InspectedNode) -> Iterator[tuple[str, Cell]]:
@@ -71,8 +77,8 @@ def _flat(node: InspectedNode) -> Iterator[tuple[str, Cell]]:
                 yield from ((f"{key}_{i}_{j}", entry) for j, entry in enumerate(row))
         elif key == "instances":
             yield from ((f"{key}_{name}", instances[name]) for name in INSTANCES)
-        elif key == "animated":
-            yield key, " ".join(node.animated)
+        elif isinstance(value, list):
+            yield key, " ".join(map(str, value))
         elif value is None or isinstance(value, (str, int, float, Fraction)):
             yield key, value
 
@@ -83,4 +89,4 @@ def _plain_node() -> InspectedNode:
     return InspectedNode("", 0, Hierarchy(("",), (None,)), still, maps)
 
 
-COLUMNS = (*dict(_flat(_plain_node())), "error")
+COLUMNS = tuple(dict(_flat(_plain_node())))

@@ -3,18 +3,41 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from nmatrix.answers.inspect.file import Special
 from nmatrix.answers.inspect.node import Carriers, InspectedNode
-from nmatrix.answers.inspect.words import counted
 from nmatrix.enums import Flaw, Kind
+from nmatrix.scene.words import counted
 
 
 def remarks_about(
-    flawed: Sequence[InspectedNode], special: Mapping[Special, int], total: int
+    flawed: Sequence[InspectedNode],
+    special: Mapping[Special, int],
+    total: int,
+    wanted: Callable[[Flaw], bool],
 ) -> Iterable[str]:
-    """Remark on the flaws that were found, and on nodes that were not judged by their matrix."""
+    """Remark on the flaws that are wanted, and on nodes that were not judged by their matrix."""
+    if wanted(Flaw.SHEAR):
+        yield from _on_shear(flawed)
+    if wanted(Flaw.MIRRORED) and any(Flaw.MIRRORED in node.flaws for node in flawed):
+        yield "Mirrored nodes flip triangle winding; their normals stay outward."
+    if wanted(Flaw.SINGULAR) and any(Flaw.SINGULAR in node.flaws for node in flawed):
+        yield (
+            "Singular nodes are flattened and have no inverse transpose: the cofactor matrix gives "
+            "the normal of the plane that is left."
+        )
+    if wanted(Flaw.UNREADABLE):
+        yield from _unread(flawed)
+    for kind, sentence in _OF_SPECIAL.items():
+        if special[kind]:
+            yield sentence.format(counted(special[kind], "node"))
+    needing = sum(node.maps.needs_inverse_transpose for node in flawed)
+    if 0 < needing < total:
+        yield "Where it is not needed the 3×3 block of the world matrix carries normals."
+
+
+def _on_shear(flawed: Sequence[InspectedNode]) -> Iterable[str]:
     if any(node.sheared_by_ancestors for node in flawed):
         yield (
             "Sheared by ancestors: a rotation under a non-uniform scale is a shear that no "
@@ -25,20 +48,6 @@ def remarks_about(
             "Sheared by itself: glTF wants a matrix that translate, rotate and scale make "
             "(NODE_MATRIX_NON_TRS)."
         )
-    if any(Flaw.MIRRORED in node.flaws for node in flawed):
-        yield "Mirrored nodes flip triangle winding; their normals stay outward."
-    if any(Flaw.SINGULAR in node.flaws for node in flawed):
-        yield (
-            "Singular nodes are flattened and have no inverse transpose: the cofactor matrix gives "
-            "the normal of the plane that is left."
-        )
-    yield from _unread(flawed)
-    for kind, sentence in _OF_SPECIAL.items():
-        if special[kind]:
-            yield sentence.format(counted(special[kind], "node"))
-    needing = sum(node.maps.needs_inverse_transpose for node in flawed)
-    if 0 < needing < total:
-        yield "Where it is not needed the 3×3 block of the world matrix carries normals."
 
 
 def _is_sheared_by_itself(node: InspectedNode) -> bool:

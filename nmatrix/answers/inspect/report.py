@@ -18,7 +18,7 @@ from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
 from nmatrix.answers.inspect.node import InspectedNode
 from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unread, node_data
 from nmatrix.answers.inspect.remarks import remarks_about
-from nmatrix.answers.inspect.words import counted, elided, named, of_all
+from nmatrix.answers.inspect.words import ROOM, elided, named, of_all, told_apart
 from nmatrix.enums import Flaw, NodeOrder, Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, quantity
 from nmatrix.report import (
@@ -35,19 +35,27 @@ from nmatrix.report import (
     Value,
     Verdict,
 )
+from nmatrix.scene.words import counted
 
+SEEN_DEG = 0.1  # of a normal: 8 bits of a diffuse colour turn by half a level at 0.11°
+BENDING = (Flaw.SHEAR, Flaw.NON_UNIFORM_SCALE)
+SCREEN_WIDTH = 80
 SHOWN = 10  # rows for people, so that all of it stays on one screen
 PATH_ROOM, FILE_ROOM, MESH_ROOM = 24, 20, 10  # characters in a table
 
 
 @dataclass(frozen=True)
 class Chosen:
-    """Which nodes are shown, in which order, whether all, and what makes the check fail."""
+    """Which nodes are shown, in which order, whether all, and what makes the check fail.
+
+    `width` is that of the text, in columns: more leave more room for names.
+    """
 
     only: tuple[Flaw, ...] = ()
     order: NodeOrder | None = None
     show_all: bool = False
     fail_on: tuple[Flaw, ...] = ()
+    width: int = SCREEN_WIDTH
 
 
 EVERYTHING = Chosen()
@@ -56,14 +64,9 @@ EVERYTHING = Chosen()
 def report(files: Sequence[InspectedFile], chosen: Chosen = EVERYTHING) -> Report:
     """Report on files; it ends in a failure where one of them has a flaw of `fail_on`.
 
-    Raises
-    ------
-    NMatrixError
-        If there is one file only, it could not be read, and this is not what was checked for.
+    Where there is one file only, it could not be read, and this is not what was checked for, it
+    ends in the error of the file: people have that one line then, machines a finding and a row too.
     """
-    is_checked = Flaw.UNREADABLE in chosen.fail_on
-    if len(files) == 1 and files[0].error is not None and not is_checked:
-        raise files[0].error
     return _Reporting(tuple(files), chosen).report()
 
 
@@ -151,7 +154,16 @@ class _Reporting:
     def _from_folder(self, file: str) -> str:
         return file.removeprefix(self._folder).lstrip(os.sep) if self._folder else file
 
+    @property
+    def _only_error(self) -> NMatrixError | None:
+        """The error of the one file that there is, unless it was checked for."""
+        if self._has_several or not self.files or Flaw.UNREADABLE in self.chosen.fail_on:
+            return None
+        return self.files[0].error
+
     def _blocks(self) -> Iterable[Block]:
+        if self._only_error is not None:
+            return
         if self._has_several:
             yield Heading(f"{len(self.files)} files" + (self._folder and f" of {self._folder}"))
         else:
@@ -165,7 +177,8 @@ class _Reporting:
         reasons = self.unread if self._wanted(Flaw.UNREADABLE) else ()
         some = reasons if self.chosen.show_all else reasons[:SHOWN]
         if some:
-            cells = tuple((elided(self._from_folder(one.file)), one.reason) for one in some)
+            names = told_apart([self._from_folder(one.file) for one in some], ROOM)
+            cells = tuple(zip(names, (one.reason for one in some), strict=True))
             yield Table(("file", "reason"), cells, "Could not be read")
         hidden = len(rows) - len(shown) + len(reasons) - len(some)
         if hidden:
@@ -191,7 +204,7 @@ class _Reporting:
     def _sorted(self, nodes: list[InspectedNode]) -> list[InspectedNode]:
         match self.chosen.order:
             case None | NodeOrder.KIND:
-                return sorted(nodes, key=lambda node: (rank(node.flaws), -_near(node)))
+                return sorted(nodes, key=_weight)
             case NodeOrder.ANGLE:
                 return sorted(nodes, key=lambda node: -(_worst(node) or 0.0))
             case NodeOrder.PATH:
@@ -203,10 +216,12 @@ class _Reporting:
 
     def _table(self, nodes: Sequence[InspectedNode]) -> Table:
         normals = [node.normals for node in nodes]
-        columns: dict[str, list[Number | str | None]] = {
-            "file": [elided(self._from_folder(node.file), FILE_ROOM) for node in nodes],
+        more = max(self.chosen.width - SCREEN_WIDTH, 0) // 2
+        files = [self._from_folder(node.file) for node in nodes]
+        columns: dict[str, Sequence[Number | str | None]] = {
+            "file": told_apart(files, FILE_ROOM + more),
             "index": [node.index for node in nodes],
-            "path": [elided(node.path, PATH_ROOM) for node in nodes],
+            "path": told_apart([node.path for node in nodes], PATH_ROOM + more),
             "mesh": [None if node.mesh is None else _mesh_name(node) for node in nodes],
             "found": [node.found for node in nodes],
             "bad normals": [None if one.unread else one.degenerate for one in normals],
@@ -222,7 +237,10 @@ class _Reporting:
 
     def _remarks(self) -> tuple[str, ...]:
         special = {kind: self._counted(kind) for kind in Special}
-        told = [*self._own_remarks(), *remarks_about(self.flawed, special, self.total)]
+        told = [
+            *self._own_remarks(),
+            *remarks_about(self.flawed, special, self.total, self._wanted),
+        ]
         empty = [one.file for one in self.files if one.error is None and not one.count]
         if empty and self._has_several:
             told.append(f"Without any node: {named(empty)}.")
@@ -252,6 +270,8 @@ class _Reporting:
 
     def _failure(self) -> NMatrixError | None:
         """Name every flaw that was asked for and found, with its nodes and files."""
+        if self._only_error is not None:
+            return self._only_error
         fail_on = self.chosen.fail_on
         told = dict.fromkeys(words for flaw in fail_on for words in self._failing(flaw))
         if told:
@@ -283,8 +303,8 @@ class _Reporting:
 
     def _named(self, nodes: Sequence[InspectedNode]) -> str:
         if not self._has_several:
-            return named(node.path for node in nodes)
-        return named(f"{node.file}: {node.path}" for node in nodes)
+            return named(node.called for node in nodes)
+        return named(f"{node.file}: {node.called}" for node in nodes)
 
     def _records(self) -> Iterable[Cells]:
         yield from map(cells_of_node, self._listed)
@@ -296,18 +316,27 @@ class _Reporting:
         if self._wanted(Flaw.UNREADABLE):
             for one in self.unread:
                 words = FLAWS[Flaw.UNREADABLE]
-                yield Finding(words.rule, words.severity, one.reason, one.file)
+                yield Finding(words.rule, words.severity, one.reason, one.file, one.line)
         for node in self._sorted(list(self.flawed)) if self.chosen.order else self.flawed:
             for flaw in filter(self._wanted, node.flaws):
                 words = FLAWS[flaw]
                 severity = Severity.ERROR if flaw in self.chosen.fail_on else words.severity
-                yield Finding(words.rule, severity, node.told(flaw), node.file, place=node.path)
+                yield Finding(words.rule, severity, node.told(flaw), node.file, place=node.called)
 
 
-def _near(node: InspectedNode) -> float:
-    """Measure the same to a millionth of a degree: equal angles stay in the file's order."""
+def _weight(node: InspectedNode) -> tuple[int, float, int]:
+    """Place a node by what matters: angles that can be seen, other flaws, then smaller angles.
+
+    Equal angles, to a millionth of a degree, stay in the file's order.
+    """
     needs_it = node.maps.needs_inverse_transpose
-    return round(node.maps.near_worst_angle_deg, 6) if needs_it else 0.0
+    angle = round(node.maps.near_worst_angle_deg, 6) if needs_it else 0.0
+    if angle >= SEEN_DEG:
+        return 0, -angle, rank(node.flaws)
+    others = [flaw for flaw in node.flaws if flaw not in BENDING]
+    if others:
+        return 1, rank(others), 0
+    return (2 if node.flaws else 3), -angle, rank(node.flaws)
 
 
 def _worst(node: InspectedNode) -> float | None:

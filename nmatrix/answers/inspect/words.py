@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Sequence
 
-from nmatrix.scene.hierarchy import SEPARATOR
+from nmatrix.scene.hierarchy import ABOVE, SEPARATOR
+from nmatrix.scene.words import counted
 
 NAMED = 5  # of a list
 ROOM = 48  # characters of a path; its end tells it apart
-
-
-def counted(count: int, what: str) -> str:
-    """Count things of a regular plural.
-
-    Examples
-    --------
-    >>> counted(1, "node"), counted(0, "node")
-    ('1 node', '0 nodes')
-    """
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def of_all(count: int, total: int, one: str, many: str, what: str = "node") -> str:
@@ -33,25 +24,48 @@ def of_all(count: int, total: int, one: str, many: str, what: str = "node") -> s
     """
     if count == 0 and total != 1:
         return f"None of {counted(total, what)} {one}"
-    return f"{count} of {counted(total, what)} {one if count == 1 or total == 1 else many}"
+    return f"{count:,} of {counted(total, what)} {one if count == 1 or total == 1 else many}"
 
 
 def elided(text: str, room: int = ROOM) -> str:
     r"""Keep the end of a long path, whose beginning tells it less well from others.
 
-    It is cut between two names where it can be: what is left means the same. Characters that would
-    change the line are spelled out.
+    It is cut between two names, so what is left means the same; only a name of more than twice the
+    room is cut itself. Characters that would change the line are spelled out.
 
     Examples
     --------
-    >>> elided("root/arm/hand", 11), elided("roothand", 6), elided("a\n")
-    ('…/arm/hand', '…thand', 'a\\n')
+    >>> elided("root/arm/hand", 11), elided("root/forearm", 6), elided("roothand", 3), elided("a\n")
+    ('…/arm/hand', '…/forearm', '…nd', 'a\\n')
     """
     plain = text if text.isprintable() else repr(text[-room:])[1:-1]
     if len(plain) <= room:
         return plain
     end = plain[1 - room :]
-    return f"…{end[end.find(SEPARATOR) :]}" if SEPARATOR in end else f"…{end}"
+    if SEPARATOR in end:
+        return f"…{end[end.find(SEPARATOR) :]}"
+    last = plain[plain.rfind(SEPARATOR) + 1 :]
+    if len(last) > 2 * room:
+        return f"…{end}"
+    return last if last == plain else f"{ABOVE}{last}"
+
+
+def told_apart(texts: Sequence[str], room: int) -> list[str]:
+    """Shorten long paths, each by so little that no two different ones look alike.
+
+    Examples
+    --------
+    >>> told_apart(["meshes/packed/box.glb", "meshes/embedded/box.glb", "meshes/ball.glb"], 9)
+    ['…/packed/box.glb', '…/embedded/box.glb', '…/ball.glb']
+    """
+    rooms = dict.fromkeys(texts, room)
+    while True:
+        short = {text: elided(text, most) for text, most in rooms.items()}
+        alike = Counter(short.values())
+        shared = [text for text in rooms if alike[short[text]] > 1 and len(text) > rooms[text]]
+        if not shared:
+            return [short[text] for text in texts]
+        rooms |= {text: rooms[text] + len(ABOVE) for text in shared}
 
 
 def named(texts: Iterable[str]) -> str:

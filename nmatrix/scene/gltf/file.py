@@ -24,6 +24,7 @@ from nmatrix.scene.gltf.nodes import Nodes, placed
 from nmatrix.scene.gltf.primitives import Content, Kept, beyond_bytes
 from nmatrix.scene.gltf.records import Asset, Document, ImageRecord
 from nmatrix.scene.hierarchy import Hierarchy
+from nmatrix.scene.words import counted
 
 Entry = TypeVar("Entry")
 
@@ -116,7 +117,7 @@ class GltfFile:
         if len(content) < record.byte_length:
             raise IllegalValueError(
                 f"{self.path} (buffer {index})",
-                f"it has {len(content)} bytes and needs {record.byte_length}",
+                f"it has {counted(len(content), 'byte')} and needs {record.byte_length:,}",
                 "copy the file again",
             )
         return content

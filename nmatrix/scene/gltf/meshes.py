@@ -32,7 +32,7 @@ from nmatrix.scene.gltf.records import FAN, TRIANGLES, DracoRecord, Primitive
 from nmatrix.scene.gltf.skinning import Vertices, blended, carried
 from nmatrix.scene.gltf.skins import joint_matrices
 from nmatrix.scene.meshes.mesh import Mesh, unit
-from nmatrix.scene.words import NormalsFrom
+from nmatrix.scene.words import VERTEX, NormalsFrom, counted
 
 Array = NDArray[Any]
 
@@ -110,7 +110,8 @@ def mesh_normals(file: GltfFile, mesh_index: int) -> MeshNormals:
             own = "NORMAL" in primitive.attributes
             origin = NormalsFrom.FILE if own else NormalsFrom.COMPUTED
             count = read.degenerate_normals
-            file.kept.normals[content] = MeshNormals(origin, count, remarks=read.remarks)
+            at = read.degenerate_at
+            file.kept.normals[content] = MeshNormals(origin, count, remarks=read.remarks, at=at)
         found.append(file.kept.normals[content])
     furthest = (NormalsFrom.PACKED, NormalsFrom.COMPUTED, NormalsFrom.FILE, NormalsFrom.NONE)
     origins = {one.origin for one in found} or {NormalsFrom.NONE}
@@ -120,6 +121,7 @@ def mesh_normals(file: GltfFile, mesh_index: int) -> MeshNormals:
         next((one.packing for one in found if one.packing), ""),
         tuple(dict.fromkeys(text for one in found for text in one.remarks)),
         tuple(faults),
+        next((one.at for one in found if one.at is not None), None),
     )
 
 
@@ -144,7 +146,9 @@ class _Part:
         if len(triangles) == 0:
             raise self.file.fault("it has no triangles")
         if triangles.max() >= self.count:
-            raise self.file.fault(f"its index {triangles.max()} is beyond {self.count} vertices")
+            raise self.file.fault(
+                f"its index {triangles.max()} is beyond {counted(self.count, *VERTEX)}"
+            )
         rows, triangles = _referred(triangles, self.count)
         vertices, remarks = self._at_rest(rows, triangles, pose)
         if vertices.normals is None:
@@ -177,7 +181,7 @@ class _Part:
             if bad.any():
                 first = int(np.arange(self.count)[rows][bad][0])
                 count = int(np.count_nonzero(bad))
-                some = "1 normal is" if count == 1 else f"{count} normals are"
+                some = counted(count, "normal is", "normals are")
                 told = f"{some} not finite, first that of vertex {first}, and taken as none"
                 remarks.append(f"{self.name}: {told}.")
                 normals[bad] = 0.0
@@ -215,16 +219,15 @@ class _Part:
         joint = np.where(idle, 0, joint.astype(np.int64))
         if len(matrices) == 0 or joint.max() >= len(matrices) or joint.min() < 0:
             worst = joint.min() if joint.min() < 0 else joint.max()
-            why = f"a vertex follows joint {worst}, and skin {skin} has {len(matrices)} joints"
-            raise self.file.fault(why)
+            has = counted(len(matrices), "joint")
+            raise self.file.fault(f"a vertex follows joint {worst}, and skin {skin} has {has}")
         far = np.abs(total - 1) > FAR_FROM_ONE
         if not far.any():
             return blended(matrices, joint, weight), []
         worst = total[np.argmax(np.abs(total - 1))]
         count = int(np.count_nonzero(far))
-        some = "1 vertex" if count == 1 else f"{count} vertices"
-        told = f"the weights of {some} were brought to a sum of 1, at worst from {worst:g}"
-        return blended(matrices, joint, weight), [f"{self.name}: {told}."]
+        told = f"the weights of {counted(count, *VERTEX)} were brought to a sum of 1"
+        return blended(matrices, joint, weight), [f"{self.name}: {told}, at worst from {worst:g}."]
 
     @cached_property
     def unpacked(self) -> tuple[Mapping[str, Values], Array | None]:
@@ -280,7 +283,7 @@ class _Part:
         """Look up an attribute, which has an element for every vertex."""
         found = self._found(name)
         if len(found) != self.count:
-            why = f"{name} has {len(found)} elements for {self.count} vertices"
+            why = f"{name} has {counted(len(found), 'element')} for {counted(self.count, *VERTEX)}"
             raise self.file.fault(why)
         return found
 
@@ -296,8 +299,8 @@ class _Part:
         types = ("VEC3",) if name == "TANGENT" else _types(name)
         found = values(self.file, accessor, f"{name} of morph target {number}", types)
         if len(found) != self.count:
-            why = f"{name} of morph target {number} has {len(found)} elements"
-            raise self.file.fault(f"{why} for {self.count} vertices")
+            why = f"{name} of morph target {number} has {counted(len(found), 'element')}"
+            raise self.file.fault(f"{why} for {counted(self.count, *VERTEX)}")
         return found
 
 

@@ -9,16 +9,20 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from nmatrix.errors import IllegalValueError, printable, shortlist
+from nmatrix.linear.classify import FROM_FILE, classify
 from nmatrix.linear.rational import RationalMatrix, identity
 from nmatrix.scene.geometry import DamagedPartError, Geometry, TangentGeometry, left_out
+from nmatrix.scene.gltf.animations import Animated, animated_channels
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.instances import instance_count, instance_matrices, is_instanced
 from nmatrix.scene.gltf.lights import unique
 from nmatrix.scene.gltf.materials import Materials
 from nmatrix.scene.gltf.primitives import Content, Pose, content_of, corners_of
 from nmatrix.scene.gltf.records import LINE_LOOP, LINE_STRIP, LINES, POINTS, Primitive
+from nmatrix.scene.gltf.skins import joint_matrices
 from nmatrix.scene.material import Material
 from nmatrix.scene.scene import SceneNode, SceneObject
+from nmatrix.scene.words import Mover
 from nmatrix.scene.world import World
 
 if TYPE_CHECKING:
@@ -79,9 +83,27 @@ class Objects:
             above = None if node.parent is None else nodes[node.parent].world_from_object
             place = _own_place(self.file, index)
             self._nodes[index] = SceneNode(
-                node.name, node.world_from_object, place, above, node.parent
+                node.name, node.world_from_object, place, above, node.parent, self._movers(index)
             )
         return self._nodes[index]
+
+    def _movers(self, index: int) -> tuple[Mover, ...]:
+        found = {
+            Mover.JOINTS: self.file.nodes[index].mesh is not None and self._is_skinned(index),
+            Mover.INSTANCES: is_instanced(self.file, index),
+            Mover.ANIMATION: index in self._animated,
+        }
+        return tuple(mover for mover, applies in found.items() if applies)
+
+    @cached_property
+    def _animated(self) -> frozenset[int]:
+        """The nodes that an animation moves, or a node above them."""
+        moving = {Animated.TRANSLATION, Animated.ROTATION, Animated.SCALE}
+        found = {i for i, changed in animated_channels(self.file).items() if changed & moving}
+        for index in self.file.nodes.order:  # parents come first
+            if self.file.nodes[index].parent in found:
+                found.add(index)
+        return frozenset(found)
 
     @cached_property
     def _nodes(self) -> dict[int, SceneNode]:
@@ -150,6 +172,25 @@ class Objects:
         if by_joints:
             told = shortlist(by_joints, MOST_NAMED)
             yield f"Joints carry the meshes of nodes whose own transforms do not count: {told}."
+        yield from self._remarks_on_joints()
+
+    def _remarks_on_joints(self) -> Iterator[str]:
+        """Count the joints that bend normals, which a picture does not show: they are undone."""
+        skins = {self.file.document.nodes[i].skin for i in self.places if self._is_skinned(i)}
+        joints: list[RationalMatrix] = []
+        for skin in skins - {None}:
+            try:
+                joints += joint_matrices(self.file, skin or 0)
+            except IllegalValueError:  # a fault of each part that it carries
+                continue
+        bending = sum(classify(one, FROM_FILE).needs_inverse_transpose for one in joints)
+        if bending:
+            verb = "needs" if bending == 1 else "need"
+            yield (
+                f"Of {len(joints)} joints {bending} {verb} the inverse transpose: here skinned "
+                "meshes have gone through their joints already, with the right normals; a shader "
+                "that blends joints has to see to that."
+            )
 
     @cached_property
     def others(self) -> Counter[str]:

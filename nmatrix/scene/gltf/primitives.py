@@ -15,6 +15,7 @@ import msgspec
 
 from nmatrix.errors import IllegalValueError, printable
 from nmatrix.linear.rational import RationalMatrix
+from nmatrix.report import Vector
 from nmatrix.scene.gltf.extensions import DRACO
 from nmatrix.scene.gltf.records import Document, DracoRecord, Primitive
 from nmatrix.scene.words import NormalsFrom
@@ -46,6 +47,7 @@ class MeshNormals:
     `origin` is where they come from; where primitives differ, the one that is furthest from the
     file's own. `degenerate` counts those that are no direction. `remarks` tell what was made or is
     odd, `faults` are the primitives that cannot be read, and `packing` is what packed some of them.
+    `at` is where the first of those that are no direction stands, in object space.
     """
 
     origin: NormalsFrom
@@ -53,6 +55,7 @@ class MeshNormals:
     packing: str = ""
     remarks: tuple[str, ...] = ()
     faults: tuple[DamagedPartError, ...] = ()
+    at: Vector | None = None
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nmatrix.linear.rational import AFFINE_ROW, RationalMatrix, product
 from nmatrix.scene.gltf.file import GltfFile
+from nmatrix.scene.words import counted
 
 LAST_ROW_SLACK = 1e-6  # files hold float32
 
@@ -40,7 +41,7 @@ def _joint_matrices(file: GltfFile, skin_index: int) -> tuple[RationalMatrix, ..
     what = f"the inverse bind matrices of skin {skin_index}"
     found = values(file, skin.inverse_bind_matrices, what, ("MAT4",))
     if len(found) < len(worlds):
-        raise file.fault(f"{what} are {len(found)}, and it has {len(worlds)} joints")
+        raise file.fault(f"{what} are {len(found)}, and it has {counted(len(worlds), 'joint')}")
     joints = []
     for i, world in enumerate(worlds):
         (entries,) = found.exact(slice(i, i + 1))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
+from nmatrix.report import Vector
 from nmatrix.scene.meshes.shell import Shell, shell_of
 from nmatrix.scene.meshes.watertight import PART, same_place
 
@@ -156,13 +157,24 @@ class Mesh:
     @property
     def degenerate_normals(self) -> int:
         """The number of normals that are no direction, zero or not finite, of vertices in use."""
+        return len(self._degenerate)
+
+    @property
+    def degenerate_at(self) -> Vector | None:
+        """Where the first of these normals stands."""
+        found = self._degenerate
+        return tuple(self.positions[found[0]].tolist()) if len(found) else None
+
+    @cached_property
+    def _degenerate(self) -> Indices:
+        """The vertices in use whose normal is no direction."""
         size = np.abs(self.normals).max(axis=1)
         bad = ~(np.isfinite(size) & (size > 0))
-        if not bad.any():
-            return 0
-        used = np.zeros(len(bad), bool)
-        used[self.triangles] = True
-        return int(np.count_nonzero(bad & used))
+        if bad.any():
+            used = np.zeros(len(bad), bool)
+            used[self.triangles] = True
+            bad &= used
+        return np.flatnonzero(bad)
 
 
 def least_cosine(normals: NDArray[Any], triangles: NDArray[Any]) -> float:

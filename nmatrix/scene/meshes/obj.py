@@ -27,6 +27,7 @@ from nmatrix.scene.meshes.text import (
     lines_of,
     readable,
 )
+from nmatrix.scene.words import counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -93,7 +94,7 @@ class _Values(_Lines):
         if width.min(initial=self.fewest) < self.fewest:
             row = int(np.argmax(width < self.fewest))
             shown = printable(readable(b" ".join(self.lines[row].split())[:40]))
-            why = f"a {self.what} has {self.fewest} numbers and this one {width[row]}"
+            why = f"a {self.what} has {counted(self.fewest, 'number')} and this one {width[row]}"
             raise self.fault(row, shown, why)
         start = np.cumsum(width) - width
         block = np.zeros((lines, self.most))
@@ -247,8 +248,8 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     long = sizes >= TRIANGLE
     if not long.any():
         held = left_out or ({"points": len(v)} if len(v) else {})
-        counted = " and ".join(f"{count:,} {what}" for what, count in held.items())
-        why = f"it holds {counted} and no faces" if held else "it holds no triangles"
+        told = " and ".join(_counted(what, count) for what, count in held.items())
+        why = f"it holds {told} and no faces" if held else "it holds no triangles"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()
@@ -349,6 +350,11 @@ def _smoothing(changes: Sequence[tuple[int, bytes]], kept: NDArray[np.bool_]) ->
     names, at = _spans(changes, len(kept))
     numbers = [FLAT if name in SMOOTHING_OFF else 1 + i for i, name in enumerate(names)]
     return np.array(numbers)[at][kept]
+
+
+def _counted(what: str, count: int) -> str:
+    """Count things whose plural is given."""
+    return f"{count:,} {what.removesuffix('s') if count == 1 else what}"
 
 
 def _left_out(found: _Sorted) -> dict[str, int]:

@@ -22,7 +22,7 @@ from nmatrix.scene.meshes.mesh import (
     unit,
 )
 from nmatrix.scene.meshes.polygons import Cut, cut
-from nmatrix.scene.words import NormalsFrom
+from nmatrix.scene.words import VERTEX, NormalsFrom, counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -127,7 +127,9 @@ class Polygons:
             bare += without
             parts.append(MeshPart(name, mesh))
         if bare:
-            remarks.append(f"Texture coordinates are missing at {bare:,} vertices: 0 0 is taken.")
+            remarks.append(
+                f"Texture coordinates are missing at {counted(bare, *VERTEX)}: 0 0 is taken."
+            )
         return (
             tuple(parts),
             tuple(remarks),

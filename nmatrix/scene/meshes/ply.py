@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
 from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons, told_left_out
+from nmatrix.scene.words import counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -52,12 +53,14 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
     remarks = [*header.remarks, *told_left_out(path.name, left_out)]
     long = sizes > 2
     if not long.all():
-        short = np.count_nonzero(~long)
-        remarks.append(f"Not drawn of {path.name}: {short:,} faces with fewer than three corners.")
+        short = int(np.count_nonzero(~long))
+        remarks.append(
+            f"Not drawn of {path.name}: {counted(short, 'face')} with fewer than three corners."
+        )
     if not long.any():
         why = "it holds no triangles"
         if len(positions):
-            why = f"it holds {len(positions):,} points and no faces"
+            why = f"it holds {counted(len(positions), 'point')} and no faces"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     kept = slice(None) if long.all() else np.repeat(long, sizes)
     normals, uv, colours = (
@@ -117,7 +120,7 @@ def _indices(path: Path, name: str, lists: Lists, allowed: range) -> Indices:
         row = int(np.searchsorted(np.cumsum(lists.lengths), place, side="right"))
         raise IllegalValueError(
             f"{path}, row {row + 1:,} of the element {name} (index {values[place]:g})",
-            f"the file has {allowed.stop:,} vertices, which count from 0",
+            f"vertices count from 0, and the file has {allowed.stop:,}",
             "export it again",
         )
     return found
