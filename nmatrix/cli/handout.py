@@ -15,7 +15,7 @@ from nmatrix.cli.shared_options import CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
 from nmatrix.reading.records import records
@@ -290,7 +290,7 @@ def _report(files: Sequence[Path], made: int, options: HandoutOptions) -> Report
     shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
     told = f"Written: {shown}"
     if made < len(names):
-        told = f"Complete: {shown}; {made} of {len(names)} files were missing and are written"
+        told = f"Complete: {shown}; missing until now: {made} of {counted(len(names), 'file')}"
     blocks: list[Block] = [Verdict(told)]
     if options.kind is PageFormat.HTML:
         them = "it" if len(names) == 1 else "them"

@@ -162,9 +162,11 @@ def _scene(
 ) -> PictureFrame:
     """Frame a file's scene, with what the command line says in place of its own.
 
-    World options move the object that --object names, or the first.
+    An object that is named is drawn alone; world options move it within its scene instead, or the
+    first.
     """
     from nmatrix.answers.render import scene_frame, scene_lights
+    from nmatrix.scene.chosen import drawn_alone
 
     choices = picture.choices(groups.space.chosen())
     groups = replace(groups, scene=replace(groups.scene, scene_file=str(path)))
@@ -173,7 +175,10 @@ def _scene(
     if read.refusal is not None:
         raise read.refusal
     setup = groups.setup(common, aspect=choices.aspect(read.settings))
-    objects = read.objects
+    objects, name = read.objects, groups.scene.object_name
+    if name is not None and not groups.world.given:
+        read = drawn_alone(read, name)
+        objects = read.objects
     if groups.world.given:
         one = _drawn(groups)
         moved = setup.world.world_from_object

@@ -44,7 +44,7 @@ def test_who_comes_late_gets_a_sheet_and_the_others_keep_theirs(nmatrix) -> None
     Path("out/0001-ada.html").write_bytes(b"kept")
     code, out, _ = nmatrix(roster("Ada", "Bo", "Cy"))
     assert code == 0
-    assert "1 of 3 files were missing" in " ".join(out.split())
+    assert "missing until now: 1 of 3 files" in " ".join(out.split())
     assert sheets() == ["0001-ada.html", "0002-bo.html", "0003-cy.html"]
     assert Path("out/0001-ada.html").read_bytes() == b"kept"
     assert nmatrix(roster("Bo", "Ada", "Cy"))[0] == 2

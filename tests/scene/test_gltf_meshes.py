@@ -294,7 +294,7 @@ def test_every_damage_of_the_numbers_costs_its_primitive_and_has_one_line(
         ),
         (
             {"POSITION": floats(POINTS), "TEXCOORD_0": floats([(0, 0)])},
-            "TEXCOORD_0 has 1 elements for 5 vertices",
+            "TEXCOORD_0 has 1 element for 5 vertices",
         ),
         (
             {"POSITION": floats(POINTS), "TEXCOORD_0": floats(POINTS)},

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.scene.gltf.extensions import MESHOPT, PACKING
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import Accessor, BufferView, SparsePlace
@@ -193,7 +193,9 @@ def _sparse(file: GltfFile, name: str, record: Accessor) -> tuple[Array, Array]:
     """Find the elements that a sparse accessor changes, and what they become."""
     sparse = record.sparse
     if sparse is None or not 0 <= sparse.count <= record.count:
-        raise file.fault(f"{name} is sparse and changes more than its {record.count} elements")
+        raise file.fault(
+            f"{name} is sparse and changes more than its {counted(record.count, 'element')}"
+        )
     of_indices = f"{name}, in its sparse indices,"
     kind = _component(file, of_indices, sparse.indices.component_type, (5121, 5123, 5125))
     indices = _stored(file, of_indices, sparse.indices, (kind, sparse.count, (1,)))[:, 0]
@@ -227,10 +229,8 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
     size = column * (columns - 1) + shape[-1] * kind.itemsize
     stride = view.byte_stride or column * columns
     if stride < size:
-        why = (
-            f"{view_name} has the stride {_told(stride)}, and an element of {name} has {size} bytes"
-        )
-        raise file.fault(why)
+        strides = f"{view_name} has the stride {_told(stride)}"
+        raise file.fault(f"{strides}, and an element of {name} has {counted(size, 'byte')}")
     if place.byte_offset < 0:
         raise file.fault(f"{name} begins at byte {place.byte_offset} of {view_name}")
     start = view.byte_offset + place.byte_offset

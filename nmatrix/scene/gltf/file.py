@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TypeVar
 from urllib.parse import unquote
 
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import IllegalValueError, counted, printable
 from nmatrix.scene.beside import asset_bytes, beside
 from nmatrix.scene.gltf.document import check_version, read_document
 from nmatrix.scene.gltf.nodes import Nodes, placed
@@ -116,7 +116,7 @@ class GltfFile:
         if len(content) < record.byte_length:
             raise IllegalValueError(
                 f"{self.path} (buffer {index})",
-                f"it has {len(content)} bytes and needs {record.byte_length}",
+                f"it has {counted(len(content), 'byte')} and needs {record.byte_length}",
                 "copy the file again",
             )
         return content

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.scene.meshes.shell import Shell, shell_of
 from nmatrix.scene.meshes.watertight import PART, same_place
 
@@ -52,7 +52,8 @@ class Mesh:
     def __post_init__(self) -> None:
         if self.positions.shape != self.normals.shape:
             raise IllegalValueError(
-                f"a mesh of {len(self.positions)} positions and {len(self.normals)} normals",
+                f"a mesh of {counted(len(self.positions), 'position')} and "
+                f"{counted(len(self.normals), 'normal')}",
                 "each vertex has one of each",
                 "export it again",
             )
@@ -65,7 +66,7 @@ class Mesh:
         if low < 0 or high >= len(self.positions):
             raise IllegalValueError(
                 f"index {high if high >= len(self.positions) else low}",
-                f"the mesh has {len(self.positions)} vertices",
+                f"the mesh has {counted(len(self.positions), 'vertex', 'vertices')}",
                 "export it again",
             )
 

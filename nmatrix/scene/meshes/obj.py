@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import IllegalValueError, counted, printable
 from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons
 from nmatrix.scene.meshes.polygons import TRIANGLE
 from nmatrix.scene.meshes.text import (
@@ -93,7 +93,7 @@ class _Values(_Lines):
         if width.min(initial=self.fewest) < self.fewest:
             row = int(np.argmax(width < self.fewest))
             shown = printable(readable(b" ".join(self.lines[row].split())[:40]))
-            why = f"a {self.what} has {self.fewest} numbers and this one {width[row]}"
+            why = f"a {self.what} has {counted(self.fewest, 'number')} and this one {width[row]}"
             raise self.fault(row, shown, why)
         start = np.cumsum(width) - width
         block = np.zeros((lines, self.most))
@@ -157,7 +157,7 @@ class _Faces(_Lines):
             word = int(np.argmax(bad))
             row = int(face[word])
             token = self.lines[row].split()[word - int(np.searchsorted(face, row))]
-            why = f"only {before[row, 0]:,} lines v stand before it"
+            why = f"only {counted(int(before[row, 0]), 'line v stands', 'lines v stand')} before it"
             if too_many[word]:
                 why = "a corner has three indices at most: v/vt/vn"
             elif given[word, 0] >= 0:
@@ -245,7 +245,11 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     sizes = np.concatenate([np.empty(0, np.intp), *found.faces.sizes])
     long = sizes >= TRIANGLE
     if not long.any():
-        why = f"it holds {len(v):,} points and no faces" if len(v) else "it holds no triangles"
+        why = (
+            f"it holds {counted(len(v), 'point')} and no faces"
+            if len(v)
+            else "it holds no triangles"
+        )
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()
@@ -291,14 +295,13 @@ def _checked(
             word = text.split()[1 + int(np.argmax(beyond)) - int(sizes[:face].sum())]
             raise IllegalValueError(
                 f"{path}, line {line} ({printable(readable(word[:40]))})",
-                f"the file has {len(table):,} lines v",
+                f"the file has {counted(len(table), 'line v', 'lines v')}",
                 "mend that line",
             )
         corners[beyond, which] = NONE
-        count = np.count_nonzero(beyond)
+        go = counted(int(np.count_nonzero(beyond)), "corner goes", "corners go")
         told = f"line {line} is the first to name a {table.what} that is not there"
-        corners_go = "corner goes" if count == 1 else "corners go"
-        remarks.append(f"{path.name}, {told}: {count:,} {corners_go} without.")
+        remarks.append(f"{path.name}, {told}: {go} without.")
     return remarks
 
 

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.errors import counted
 from nmatrix.scene.material import Material
 from nmatrix.scene.meshes.mesh import Mesh, area_weighted_normals, normals_made, unit
 from nmatrix.scene.meshes.polygons import Cut, cut
@@ -93,8 +94,8 @@ class Polygons:
         normals, made = self._normals(found)
         remarks = [*made]
         if found.crossing:
-            told = "polygon crosses itself" if found.crossing == 1 else "polygons cross themselves"
-            remarks.append(f"{found.crossing:,} {told}: triangles of {self.source} overlap there.")
+            told = counted(found.crossing, "polygon crosses itself", "polygons cross themselves")
+            remarks.append(f"{told}: triangles of {self.source} overlap there.")
         parts = []
         bare = 0
         for index, name in enumerate(names):
@@ -107,7 +108,8 @@ class Polygons:
             bare += without
             parts.append(MeshPart(name, mesh))
         if bare:
-            remarks.append(f"Texture coordinates are missing at {bare:,} vertices: 0 0 is taken.")
+            told = counted(bare, "vertex", "vertices")
+            remarks.append(f"Texture coordinates are missing at {told}: 0 0 is taken.")
         return (
             tuple(parts),
             tuple(remarks),

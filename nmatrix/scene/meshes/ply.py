@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
 from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons
 
@@ -51,12 +51,12 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
     remarks = [*header.remarks, *_left_out(path, header)]
     long = sizes > 2
     if not long.all():
-        short = np.count_nonzero(~long)
-        remarks.append(f"Not drawn of {path.name}: {short:,} faces with fewer than three corners.")
+        short = counted(int(np.count_nonzero(~long)), "face", "faces")
+        remarks.append(f"Not drawn of {path.name}: {short} with fewer than three corners.")
     if not long.any():
         why = "it holds no triangles"
         if len(positions):
-            why = f"it holds {len(positions):,} points and no faces"
+            why = f"it holds {counted(len(positions), 'point')} and no faces"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     kept = slice(None) if long.all() else np.repeat(long, sizes)
     normals, uv, colours = (
@@ -116,7 +116,7 @@ def _indices(path: Path, name: str, lists: Lists, allowed: range) -> Indices:
         row = int(np.searchsorted(np.cumsum(lists.lengths), place, side="right"))
         raise IllegalValueError(
             f"{path}, row {row + 1:,} of the element {name} (index {values[place]:g})",
-            f"the file has {allowed.stop:,} vertices, which count from 0",
+            f"the file has {counted(allowed.stop, 'vertex', 'vertices')}, counted from 0",
             "export it again",
         )
     return found
@@ -211,7 +211,7 @@ def _left_out(path: Path, header: Header) -> list[str]:
     listed = []
     for element in header.elements:
         if element.name not in (VERTEX, FACE, STRIPS) and element.count:
-            listed.append(f"{element.count:,} rows of the element {element.shown}")
+            listed.append(f"{counted(element.count, 'row')} of the element {element.shown}")
         elif any(one.name in ALPHA for one in element.properties):
             listed.append(f"alpha of the element {element.shown}")
     return [f"Not drawn of {path.name}: {', '.join(listed)}."] if listed else []

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import IllegalValueError, counted, printable
 from nmatrix.scene.meshes.mesh import Mesh, cross_products, unit
 from nmatrix.scene.meshes.parts import MeshFile, MeshPart
 from nmatrix.scene.meshes.text import BLANKS, numbers, readable, refused_word
@@ -74,7 +74,7 @@ def _binary(path: Path, content: bytes) -> tuple[Array, list[str]]:
     if held < 0:
         raise IllegalValueError(
             f"{path}",
-            f"it has {len(content)} bytes, and an STL file begins with {HEADER + COUNT}",
+            f"it has {counted(len(content), 'byte')}, and an STL file begins with {HEADER + COUNT}",
             "copy the file again",
         )
     count = int.from_bytes(content[HEADER : HEADER + COUNT], "little")
@@ -87,11 +87,15 @@ def _binary(path: Path, content: bytes) -> tuple[Array, list[str]]:
             "copy the file again",
         )
     if count > whole or (count == 0 and whole and not rest):
-        remarks.append(f"The header counts {count:,} triangles; {path.name} holds {whole:,}.")
+        remarks.append(
+            f"The header counts {counted(count, 'triangle')}; {path.name} holds {whole:,}."
+        )
         count = whole
     elif held > count * TRIANGLE:
         more = held - count * TRIANGLE
-        remarks.append(f"{more:,} bytes after the last triangle of {path.name} were not read.")
+        remarks.append(
+            f"{counted(more, 'byte')} after the last triangle of {path.name} were not read."
+        )
     records = np.frombuffer(content, _RECORD, count, HEADER + COUNT)
     if records["attribute"].any():
         remarks.append(f"Not drawn of {path.name}: the attribute bytes of triangles.")
@@ -112,7 +116,8 @@ def _from_text(path: Path, content: bytes) -> tuple[Array, list[str]]:
             why = f"it breaks off in facet {index + 1:,}"
             raise IllegalValueError(f"{path}", why, "copy the file again")
         if not is_last and corners != 3:
-            why = f"facet {index + 1:,} has {corners} vertices, and a triangle has 3"
+            has = counted(corners, "vertex", "vertices")
+            why = f"facet {index + 1:,} has {has}, and a triangle has 3"
             raise IllegalValueError(f"{path}", why, "export it again")
     triangles = len(facets) - 1
     del facets
