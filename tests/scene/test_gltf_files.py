@@ -191,7 +191,7 @@ def test_an_image_that_is_damaged_costs_only_itself(
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        (textured({}, images=[]), "image 0 does not exist"),
+        (textured({}, images=[]), r"textures\[0\].source: image 0 does not exist"),
         (textured({}, textures=[]), "texture 0 does not exist"),
     ],
 )

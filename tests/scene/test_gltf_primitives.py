@@ -321,7 +321,7 @@ def test_a_vertex_without_weights_follows_its_first_joint(tmp_path: Path) -> Non
     ("changes", "words"),
     [
         ({"skins": []}, "skin 0 does not exist"),
-        ({"skins": [{"joints": [9]}]}, "joint 9 does not exist"),
+        ({"skins": [{"joints": [9]}]}, "skins[0].joints[0]: joint 9 does not exist"),
         ({"skins": [{"joints": [-1]}]}, "joint -1 does not exist"),
         ({"skins": [{"joints": []}]}, "and skin 0 has 0 joints"),
         ({"skins": [{"joints": [1]}]}, "a vertex follows joint 2, and skin 0 has 1 joints"),

@@ -336,8 +336,8 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
     ("changes", "words"),
     [
         ({"scene": 3}, "scene 3 does not exist"),
-        ({"scenes": [{"nodes": [9]}]}, "node 9 does not exist"),
-        ({"nodes": [{"mesh": 0, "camera": 2}]}, "camera 2 does not exist"),
+        ({"scenes": [{"nodes": [9]}]}, r"scenes\[0\].nodes\[0\]: node 9 does not exist"),
+        ({"nodes": [{"mesh": 0, "camera": 2}]}, r"nodes\[0\].camera: camera 2 does not exist"),
         (
             {"nodes": [{"mesh": 0, "camera": 0}], "cameras": [{"type": "perspective"}]},
             "its camera sees nothing",

@@ -213,8 +213,8 @@ def _sparse(file: GltfFile, name: str, record: Accessor) -> tuple[Array, Array]:
 def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Array:
     """Look at elements in a buffer view: their component, how many, and the shape of each."""
     kind, count, shape = layout
-    view = file.entry("buffer view", file.document.buffer_views, place.buffer_view)
-    content = _bytes_behind(file, view)
+    view = file.entry("buffer view", file.document.buffer_views, place.buffer_view, name)
+    content = _bytes_behind(file, view, f"bufferViews[{place.buffer_view}].buffer")
     view_name = f"buffer view {place.buffer_view}"
     if view.byte_offset < 0 or view.byte_length < 0:
         raise file.fault(f"{view_name} has a negative offset or length")
@@ -258,13 +258,13 @@ def _told(number: int) -> str:
     return digits if len(digits) <= MOST_DIGITS else f"about 10^{len(digits) - 1}"
 
 
-def _bytes_behind(file: GltfFile, view: BufferView) -> bytes:
+def _bytes_behind(file: GltfFile, view: BufferView, place: str) -> bytes:
     """Take the bytes of a view; of a packed one those of its fallback, if there are any."""
+    behind = file.entry("buffer", file.document.buffers, view.buffer, place)
     packing = next((PACKING[one] for one in view.extensions if one in MESHOPT), None)
     if packing is None:
         return file.buffer(view.buffer)
-    fallback = file.entry("buffer", file.document.buffers, view.buffer)
-    if fallback.uri is None and (view.buffer > 0 or not file.binary or fallback.extensions):
+    if behind.uri is None and (view.buffer > 0 or not file.binary or behind.extensions):
         raise PackedError(file.path, packing)
     try:
         return file.buffer(view.buffer)

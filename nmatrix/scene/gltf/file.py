@@ -54,22 +54,24 @@ class GltfFile:
         if not document.scenes:
             roots = [i for i, above in enumerate(self.hierarchy.parents) if above is None]
         else:
-            roots = self.entry("scene", document.scenes, document.scene or 0).nodes
+            chosen = document.scene or 0
+            roots = self.entry("scene", document.scenes, chosen, "scene").nodes
+            for i, root in enumerate(roots):  # those below were looked up with their parents
+                self.entry("node", document.nodes, root, f"scenes[{chosen}].nodes[{i}]")
         waiting, found = list(reversed(roots)), dict[int, None]()
         while waiting:
             at = waiting.pop()
-            node = self.entry("node", document.nodes, at)
             if at not in found:
                 found[at] = None
-                waiting.extend(reversed(node.children))
+                waiting.extend(reversed(document.nodes[at].children))
         return tuple(found)
 
     def fault(self, why: str, next_step: str = "export it again") -> IllegalValueError:
         """Return the error for this file."""
         return IllegalValueError(f"{self.path}", why, next_step)
 
-    def entry(self, kind: str, entries: Sequence[Entry], index: int) -> Entry:
-        """Look up what another part of the file refers to by its index.
+    def entry(self, kind: str, entries: Sequence[Entry], index: int, place: str = "") -> Entry:
+        """Look up what another part of the file, at a place in its JSON, refers to by its index.
 
         Raises
         ------
@@ -77,7 +79,8 @@ class GltfFile:
             If there is no such entry.
         """
         if not 0 <= index < len(entries):
-            raise self.fault(f"{kind} {index} does not exist", "mend the file")
+            where = f"{place}: " if place else ""
+            raise self.fault(f"{where}{kind} {index} does not exist", "mend the file")
         return entries[index]
 
     @cached_property

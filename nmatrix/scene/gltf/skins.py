@@ -32,7 +32,10 @@ def joint_matrices(file: GltfFile, skin_index: int) -> tuple[RationalMatrix, ...
 
 def _joint_matrices(file: GltfFile, skin_index: int) -> tuple[RationalMatrix, ...]:
     skin = file.entry("skin", file.document.skins, skin_index)
-    worlds = [file.entry("joint", file.nodes, joint).world_from_object for joint in skin.joints]
+    worlds = [
+        file.entry("joint", file.nodes, joint, f"skins[{skin_index}].joints[{i}]").world_from_object
+        for i, joint in enumerate(skin.joints)
+    ]
     if skin.inverse_bind_matrices is None:
         return tuple(worlds)
     from nmatrix.scene.gltf.accessors import values
