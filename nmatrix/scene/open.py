@@ -59,9 +59,15 @@ def _features(objects: Sequence[SceneObject]) -> Iterator[FileFeature]:
 
 def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
     """Make a scene of a mesh file: an object for each material, all in the place of the file."""
-    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_mesh_file
+    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_surface, with_materials
 
-    file = read_mesh_file(path, allow_outside=allow_outside)
+    file, refusal = read_surface(path), None
+    try:
+        file = with_materials(path, file, allow_outside=allow_outside)
+    except IllegalValueError as error:  # matrices need no material, pictures do
+        refusal = error
+    if not file.parts:
+        refusal = IllegalValueError(f"{path}", *NO_TRIANGLES)
     still = identity(4)
     names = [
         path.stem if len(file.parts) == 1 else f"{path.stem}/{part.name or DEFAULT_MATERIAL.name}"
@@ -86,5 +92,5 @@ def _mesh_scene(path: Path, *, allow_outside: bool) -> Scene:
         remarks=file.remarks,
         features=tuple(_features(objects)),
         nodes=(SceneNode(path.stem, still, World()),),
-        refusal=None if objects else IllegalValueError(f"{path}", *NO_TRIANGLES),
+        refusal=refusal,
     )

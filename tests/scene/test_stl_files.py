@@ -57,7 +57,7 @@ def test_two_triangles_are_two_flat_triangles(tmp_path: Path, content: str | byt
     [
         (binary(0, held=2), 2, "The header counts 0 triangles; a.stl holds 2."),
         (binary(9, held=2), 2, "The header counts 9 triangles; a.stl holds 2."),
-        (binary(2, after=b"abc"), 2, "3 bytes after the last triangle of a.stl were not read."),
+        (binary(2, after=b"abc"), 2, "Not read: 3 bytes after the last triangle of a.stl."),
         (binary(2)[:-2] + b"\x1f\x7c", 2, "Not drawn of a.stl: the attribute bytes of triangles."),
     ],
 )
@@ -75,6 +75,10 @@ def test_what_a_header_says_wrongly_is_told(
         (binary(2)[:-1], "it breaks off in triangle 2 of 2"),
         (binary(4_000_000_000, held=1, after=b"x"), "it breaks off in triangle 2 of 4,000,000,000"),
         (TEXT[:-40], "it breaks off in facet 2"),
+        (binary(2, name=b"x")[:40], "it has 40 bytes"),
+        (b"x", "it has 1 byte,"),
+        (TEXT.replace("vertex", "vertx", 1), "did you mean vertex?"),
+        (TEXT.replace("endloop", "endlop", 1), "(endlop): no line of an STL file begins so"),
         (TEXT.replace("0.0", "zero"), "line 5 (vertex 1e0 zero 0): zero stands where a number"),
         (TEXT.replace("1e0 0.0 0", "1e0 0.0"), "line 5 (vertex 1e0 0.0): a vertex has 3 numbers"),
         (TEXT.replace("0.0", "nan"), "triangle 1 (1 nan 0): a coordinate is a finite number"),

@@ -47,11 +47,20 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
     Raises
     ------
     IllegalValueError
-        As `read_mesh`, and for a material or an image that lies outside the file's folder, unless
-        that is allowed.
+        As `read_mesh` and `with_materials`.
     """
-    found = read_surface(path)
-    materials = Materials(path, allow_outside)
+    return with_materials(path, read_surface(path), allow_outside=allow_outside)
+
+
+def with_materials(path: Path, found: MeshFile, *, allow_outside: bool = False) -> MeshFile:
+    """Give the parts of a mesh file their materials.
+
+    Raises
+    ------
+    IllegalValueError
+        For a material or an image that lies outside the file's folder, unless that is allowed.
+    """
+    materials = Materials(path, found.materials, allow_outside)
     if path.suffix.lower() == ".ply":
         return _with_image(path, found, allow_outside=allow_outside)
     materials.read(found.named)
@@ -91,7 +100,9 @@ def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile
     (part,) = found.parts
     files = [beside(path, name, allow_outside=allow_outside) for name in found.named]
     missing = [
-        f"Files are missing: {printable(file.name)}." for file in files if not file.is_file()
+        f"Files are missing: {printable(file.name)} ({path.name}, line {line})."
+        for file, line in zip(files, found.named.values(), strict=True)
+        if not file.is_file()
     ]
     material = coloured() if part.mesh.colours is not None else None
     if len(files) == 1 and not missing and part.mesh.uv is not None:

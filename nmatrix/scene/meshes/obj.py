@@ -186,7 +186,8 @@ class _Sorted:
         )
         self.materials: list[tuple[int, bytes]] = []
         self.smoothing: list[tuple[int, bytes]] = []
-        self.libraries: list[str] = []
+        self.libraries: dict[str, int] = {}
+        self.named: dict[str, int] = {}
         self.left_out: Counter[str] = Counter()
 
     def read(self, content: bytes) -> None:
@@ -209,7 +210,7 @@ class _Sorted:
             word, _, rest = (line if line[:1] != b" " else line.lstrip()).partition(b" ")
             table = self.tables.get(word)
             if table is None:
-                self._note(word, rest.strip())
+                self._note(number, word, rest.strip())
                 continue
             if table is faces and b"-" in rest:
                 faces.before[len(faces.lines)] = (len(v), len(vt), len(vn))
@@ -218,12 +219,13 @@ class _Sorted:
             if len(table.lines) == TOGETHER:
                 table.read()
 
-    def _note(self, word: bytes, rest: bytes) -> None:
+    def _note(self, number: int, word: bytes, rest: bytes) -> None:
         """Keep a line that is no numbers."""
         if word == b"usemtl":
             self.materials.append((len(self.faces), rest))
+            self.named.setdefault(readable(rest), number)
         elif word == b"mtllib":
-            self.libraries.append(readable(rest))
+            self.libraries.setdefault(readable(rest), number)
         elif word == b"s":
             self.smoothing.append((len(self.faces), rest.split(b"#")[0].strip().lower()))
         elif word in _LEFT_OUT:
@@ -269,8 +271,7 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
         _smoothing(found.smoothing, long),
     )
     parts, made, origin = polygons.parts([readable(one) for one in names], material[long])
-    libraries = tuple(dict.fromkeys(found.libraries))
-    return MeshFile(parts, (*remarks, *told, *made), origin, libraries)
+    return MeshFile(parts, (*remarks, *told, *made), origin, found.libraries, found.named)
 
 
 def _is_alike(word: bytes, block: bytes, lines: int) -> bool:

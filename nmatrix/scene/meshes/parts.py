@@ -6,8 +6,8 @@ that agree in all of them are one vertex.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -40,13 +40,15 @@ class MeshPart:
 class MeshFile:
     """A mesh file: its parts, what has to be said of it, and where its normals come from.
 
-    `named` are the files that it names: material libraries, or images.
+    `named` are the files that it names, material libraries or images, each with its line; and
+    `materials` the lines that name a material first.
     """
 
     parts: tuple[MeshPart, ...]
     remarks: tuple[str, ...]
     normals_from: NormalsFrom
-    named: tuple[str, ...] = ()
+    named: Mapping[str, int] = field(default_factory=dict)
+    materials: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

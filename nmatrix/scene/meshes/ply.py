@@ -10,7 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, counted
-from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
+from nmatrix.scene.meshes.elements import (
+    Columns,
+    Header,
+    Lists,
+    misfits,
+    read_elements,
+    read_header,
+)
 from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons
 
 Array = NDArray[np.float64]
@@ -44,11 +51,13 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
     if not vertices:
         raise IllegalValueError(f"{path}", "it holds no vertices", "export it again")
     if not all(isinstance(vertices.get(axis), np.ndarray) for axis in AXES):
-        raise IllegalValueError(f"{path}", "its vertices have no x, y and z", "export it again")
+        unread = "".join(f" ({one.rstrip('.')})" for one in header.remarks[:1])
+        why = f"its vertices have no x, y and z{unread}"
+        raise IllegalValueError(f"{path}", why, "export it again")
     positions = _together(vertices, AXES)
     _check_finite(path, positions)
     corners, sizes = _corners(path, header, found, len(positions))
-    remarks = [*header.remarks, *_left_out(path, header)]
+    remarks = [*header.remarks, *misfits(header, found), *_left_out(path, header)]
     long = sizes > 2
     if not long.all():
         short = counted(int(np.count_nonzero(~long)), "face", "faces")
