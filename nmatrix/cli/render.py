@@ -18,6 +18,7 @@ from nmatrix.errors import IllegalValueError, printable
 from nmatrix.output.files import PICTURES, SLIDES, kind_of, refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.samples import file_or_sample, samples
+from nmatrix.scene.lens import SHAPES
 from nmatrix.scene.scene import SceneObject
 
 if TYPE_CHECKING:
@@ -174,7 +175,9 @@ def _scene(
     assert read is not None  # a file was named
     if read.refusal is not None:
         raise read.refusal
-    setup = groups.setup(common, aspect=choices.aspect(read.settings))
+    aspect = choices.aspect(read.settings)
+    setup = groups.setup(common, aspect=aspect)
+    framing = () if groups.lens.given.keys() & set(SHAPES) else read.framing_remarks(aspect)
     objects, name = read.objects, groups.scene.object_name
     if name is not None and not groups.world.given:
         read = drawn_alone(read, name)
@@ -195,6 +198,8 @@ def _scene(
         settings=replace(read.settings, space_matrix=setup.space_matrix),
         has_camera=read.has_camera or bool(groups.view.given),
         has_aspect=True,  # the picture's own, where the file has none
+        is_framed=False,
+        remarks=(*read.remarks, *framing),
     )
     return scene_frame(scene, path.stem, choices)
 

@@ -33,9 +33,7 @@ def setup_before(scene: Scene, one: Placed, aspect: float | None = None) -> Setu
 
     `aspect` is that of the picture, where it has one; a scene's own wins.
     """
-    lens = scene.lens
-    if aspect is not None and not scene.has_aspect:
-        lens = replace(lens, aspect=aspect)
+    lens = scene.lens if aspect is None else scene.lens_for(aspect)
     return Setup(
         World(matrix=one.world_from_object) if one.place is None else one.place,
         scene.view,

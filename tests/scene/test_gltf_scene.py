@@ -303,6 +303,10 @@ def test_each_primitive_is_an_object_and_instances_share_it(tmp_path: Path) -> N
     ("changes", "words"),
     [
         ({"nodes": [{"translation": [0, 3, 0]}]}, "it draws nothing"),
+        (
+            {"scenes": [{"nodes": []}]},
+            "no triangles in its scene, and 1 node with a mesh is outside of it; put them into",
+        ),
         ({"extensionsRequired": ["ACME_teapot"]}, "it requires ACME_teapot, which is not known"),
     ],
 )

@@ -134,7 +134,7 @@ def _place_in(text: bytes, sentence: str) -> str:
 
     Examples
     --------
-    >>> text = b'{"nodes": [\\n{},\\n]}'
+    >>> text = b'{"nodes": [\n{},\n]}'
     >>> _place_in(text, "JSON is malformed: trailing comma in array (byte 16)")
     'line 2: nothing follows a comma'
     """

@@ -9,7 +9,8 @@ import base64
 import binascii
 import codecs
 import struct
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -190,7 +191,21 @@ def read_gltf(path: Path, *, content: bytes | None = None, allow_outside: bool =
         if uri is not None and not uri.startswith("data:"):
             beside(path, unquote(uri), allow_outside=allow_outside)
     nodes = placed(path, document.nodes, len(document.meshes))
-    return GltfFile(path, document, binary, nodes, (*remarks, *nodes.told()), allow_outside)
+    remarks += [*_told_of_buffers(document), *nodes.told()]
+    return GltfFile(path, document, binary, nodes, tuple(remarks), allow_outside)
+
+
+def _told_of_buffers(document: Document) -> Iterator[str]:
+    """Tell of the buffers that are said to be shorter than what is looked at of them."""
+    ends = Counter[int]()
+    for view in document.buffer_views:
+        ends[view.buffer] = max(ends[view.buffer], view.byte_offset + view.byte_length)
+    for index, buffer in enumerate(document.buffers):
+        if ends[index] > buffer.byte_length >= 0:
+            yield (
+                f"Buffer {index} is said to have {counted(buffer.byte_length, 'byte')}, and buffer "
+                f"views look at it up to byte {ends[index]:,}: its length, or theirs, is wrong."
+            )
 
 
 def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:

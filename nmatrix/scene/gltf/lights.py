@@ -171,7 +171,7 @@ def _lens(record: CameraRecord) -> Lens | None:
         seen = record.perspective
         return Lens(
             fov_degrees=degrees(seen.yfov),
-            aspect=seen.aspect_ratio or 1.0,
+            aspect=seen.aspect_ratio or None,
             near=seen.znear,
             far=inf if seen.zfar is None else seen.zfar,
         )

@@ -241,9 +241,12 @@ def area_weighted_normals(positions: NDArray[Any], triangles: NDArray[Any]) -> A
     return np.where(np.isfinite(unit), unit, 0.0)
 
 
+MADE_SMOOTH = "Normals were made, area-weighted"
+
+
 def normals_made(source: str) -> str:
     """Tell that the normals are area-weighted ones, and not those of the file."""
-    return f"Normals were made, area-weighted: {source} does not have one for every vertex."
+    return f"{MADE_SMOOTH}: {source} does not have one for every vertex."
 
 
 def welded_normals(
