@@ -98,6 +98,12 @@ class HandoutOptions:
         """The format that --to names, or the ending of the sheet's own file."""
         if self.output is None or self.roster is not None:
             return self.to or PageFormat.HTML
+        if Path(self.output).is_dir():
+            raise IllegalValueError(
+                f"--output ({self.output[:60]})",
+                "it is a folder, and one sheet is a file; a class with --roster goes into a folder",
+                f"name a file in it, such as {USUAL_NAME}{next(iter(PAGES))}",
+            )
         named = kind_of(Path(self.output), PAGES)
         if self.to not in (None, named):
             raise IllegalValueError(

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.scene.gltf.extensions import MESHOPT, PACKING
-from nmatrix.scene.gltf.file import GltfFile
+from nmatrix.scene.gltf.file import GltfFile, in_digits
 from nmatrix.scene.gltf.records import Accessor, BufferView, SparsePlace
 
 Array = NDArray[Any]
@@ -43,7 +43,6 @@ SHAPES: dict[str, tuple[int, ...]] = {
 }
 COLUMN = 4  # bytes: a column of a matrix begins at a multiple of them
 MOST_ZEROS = 1 << 22  # elements that no bytes stand for
-MOST_DIGITS = 16  # of a number in an error
 ALL = slice(None)
 
 
@@ -168,7 +167,7 @@ def _values(file: GltfFile, index: int, record: Accessor) -> Values:
     shape = SHAPES[record.type]
     if record.buffer_view is None:
         if record.count > MOST_ZEROS:
-            why = f"{name} claims {_told(record.count)} elements without bytes"
+            why = f"{name} claims {in_digits(record.count)} elements without bytes"
             raise file.fault(f"{why}, and of zeros {MOST_ZEROS} at most are taken")
         stored = np.broadcast_to(np.zeros((1, *shape), kind), (record.count, *shape))
     else:
@@ -220,7 +219,7 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
         raise file.fault(f"{view_name} has a negative offset or length")
     end = view.byte_offset + view.byte_length
     if end > len(content):
-        ends = f"{view_name} ends at byte {_told(end)}"
+        ends = f"{view_name} ends at byte {in_digits(end)}"
         raise file.fault(f"{ends}, and buffer {view.buffer} has {len(content)}")
     column = shape[-1] * kind.itemsize
     if len(shape) > 1:
@@ -229,7 +228,7 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
     size = column * (columns - 1) + shape[-1] * kind.itemsize
     stride = view.byte_stride or column * columns
     if stride < size:
-        strides = f"{view_name} has the stride {_told(stride)}"
+        strides = f"{view_name} has the stride {in_digits(stride)}"
         raise file.fault(f"{strides}, and an element of {name} has {counted(size, 'byte')}")
     if place.byte_offset < 0:
         raise file.fault(f"{name} begins at byte {place.byte_offset} of {view_name}")
@@ -238,24 +237,12 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
         return np.zeros((0, *shape), kind)
     end = place.byte_offset + stride * (count - 1) + size
     if end > view.byte_length:
-        ends = f"{name} ends at byte {_told(end)}"
+        ends = f"{name} ends at byte {in_digits(end)}"
         raise file.fault(f"{ends} of {view_name}, which has {view.byte_length}")
     if len(shape) == 1:
         return np.ndarray((count, *shape), kind, content, start, (stride, kind.itemsize))
     by_columns = (stride, column, kind.itemsize)
     return np.ndarray((count, *shape), kind, content, start, by_columns).swapaxes(1, 2)
-
-
-def _told(number: int) -> str:
-    """Write a number that may have hundreds of digits.
-
-    Examples
-    --------
-    >>> _told(36), _told(10**300)
-    ('36', 'about 10^300')
-    """
-    digits = str(number)
-    return digits if len(digits) <= MOST_DIGITS else f"about 10^{len(digits) - 1}"
 
 
 def _bytes_behind(file: GltfFile, view: BufferView, place: str) -> bytes:

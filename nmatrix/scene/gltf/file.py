@@ -10,9 +10,9 @@ import binascii
 import codecs
 import struct
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
@@ -29,6 +29,8 @@ from nmatrix.scene.hierarchy import Hierarchy
 Entry = TypeVar("Entry")
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
+PADDING = 3  # bytes that the end of a container may have more
+MOST_DIGITS = 16  # of a number in an error
 OLD_CONTAINER = 1  # the version of a container of glTF 1.0
 
 
@@ -125,6 +127,19 @@ class GltfFile:
             )
         return content
 
+    def held(self, index: int) -> int | None:
+        """Count the bytes of a buffer without reading them; None where nobody knows."""
+        uri = self.document.buffers[index].uri
+        if uri is None:
+            return len(self.binary) if index == 0 else None
+        if uri.startswith("data:"):
+            text = uri.partition(",")[2]
+            return len(text) * 3 // 4 - text[-2:].count("=")
+        with suppress(OSError, ValueError):
+            named = beside(self.path, unquote(uri), allow_outside=self.allow_outside)
+            return named.stat().st_size
+        return None
+
     def _bytes_of(self, index: int, uri: str | None) -> bytes:
         if uri is not None:
             return self._named(f"buffer {index}", uri)
@@ -191,21 +206,41 @@ def read_gltf(path: Path, *, content: bytes | None = None, allow_outside: bool =
         if uri is not None and not uri.startswith("data:"):
             beside(path, unquote(uri), allow_outside=allow_outside)
     nodes = placed(path, document.nodes, len(document.meshes))
-    remarks += [*_told_of_buffers(document), *nodes.told()]
-    return GltfFile(path, document, binary, nodes, tuple(remarks), allow_outside)
+    file = GltfFile(path, document, binary, nodes, (), allow_outside)
+    remarks += [*_told_of_buffers(document, file.held), *nodes.told()]
+    return replace(file, remarks=tuple(remarks))
 
 
-def _told_of_buffers(document: Document) -> Iterator[str]:
-    """Tell of the buffers that are said to be shorter than what is looked at of them."""
+def _told_of_buffers(document: Document, held: Callable[[int], int | None]) -> Iterator[str]:
+    """Tell of the buffers that are said to be shorter than they are, or than what is asked of them.
+
+    `held` counts the bytes that a buffer has, where that is known.
+    """
     ends = Counter[int]()
     for view in document.buffer_views:
         ends[view.buffer] = max(ends[view.buffer], view.byte_offset + view.byte_length)
     for index, buffer in enumerate(document.buffers):
-        if ends[index] > buffer.byte_length >= 0:
+        said = in_digits(buffer.byte_length)
+        if ends[index] > buffer.byte_length:
             yield (
-                f"Buffer {index} is said to have {counted(buffer.byte_length, 'byte')}, and buffer "
-                f"views look at it up to byte {ends[index]:,}: its length, or theirs, is wrong."
+                f"Buffer {index} is said to have {said} bytes, and buffer views reach to its byte "
+                f"{in_digits(ends[index])}."
             )
+        elif (held(index) or 0) > buffer.byte_length + PADDING:
+            has = f"has {held(index)}: not all is read"
+            yield f"Buffer {index} is said to have {said} bytes and {has}."
+
+
+def in_digits(number: int) -> str:
+    """Write a number that may have hundreds of digits.
+
+    Examples
+    --------
+    >>> in_digits(36), in_digits(10**300)
+    ('36', 'about 10^300')
+    """
+    digits = str(number)
+    return digits if len(digits) <= MOST_DIGITS else f"about 10^{len(digits) - 1}"
 
 
 def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:
