@@ -130,6 +130,17 @@ def shortlist(names: Iterable[str], most: int = 8) -> str:
     return ", ".join(listed if len(listed) <= most else [*listed[:most], "…"])
 
 
+def counted(count: int, noun: str, plural: str = "") -> str:
+    """Count things in words; the plural ends in s unless it is given.
+
+    Examples
+    --------
+    >>> counted(1, "byte"), counted(0, "byte"), counted(1200, "vertex", "vertices")
+    ('1 byte', '0 bytes', '1,200 vertices')
+    """
+    return f"{count:,} {noun if count == 1 else plural or noun + 's'}"
+
+
 class NMatrixError(Exception):
     """An error that a person can act on, in one line.
 

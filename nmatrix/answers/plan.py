@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from nmatrix.enums import Effect, LeftOut
+from nmatrix.errors import counted
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.glsl import outline_of, program_of
@@ -53,8 +54,7 @@ def plan(found: Plan) -> Report:
     }
     blocks: tuple[Block, ...] = (
         Heading(
-            f"{_counted(len(found.bodies), 'object')}, "
-            f"{_counted(len(found.loaded.lights), 'light')}"
+            f"{counted(len(found.bodies), 'object')}, {counted(len(found.loaded.lights), 'light')}"
         ),
         _table("Called for", rows, on=True),
         _table("Left out", rows, on=False),
@@ -76,10 +76,6 @@ def _first_shaders(found: Plan, programs: Sequence[Program]) -> tuple[Block, ...
         Code("glsl", first.vertex_shader, "vertex shader"),
         Code("glsl", first.fragment_shader, "fragment shader"),
     )
-
-
-def _counted(count: int, what: str) -> str:
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def _row(effect: Effect, found: Plan) -> dict[str, Value]:

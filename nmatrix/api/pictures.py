@@ -40,6 +40,7 @@ def render(
     effects: str | Effort = Effort.PLANNED,
     theme: str | Theme = Theme.LIGHT,
     show: str | Iterable[str] = (),
+    object: str | None = None,
     allow_outside: bool = False,
 ) -> Picture:
     r"""Draw a proof by its name, a scene file, a glTF file or a mesh.
@@ -60,6 +61,8 @@ def render(
     show
         For a file: what is drawn over it, of `normals`, `tangents`, `axes`, `lights`, `eye`,
         `wireframe`, `bounds`.
+    object
+        For a file: the name or the path of a node, to draw it alone with what hangs below it.
     allow_outside
         Whether a file may name files outside of its folder.
 
@@ -83,6 +86,7 @@ def render(
     )
     from nmatrix.answers.render import render as answer
     from nmatrix.raster.proofs.proof import ProofSettings
+    from nmatrix.scene.chosen import drawn_alone
     from nmatrix.scene.meshes.file import read_mesh
     from nmatrix.scene.open import scene_of
 
@@ -111,8 +115,9 @@ def render(
         )
         frame = proof_frame(name, own, values, choices)
     else:
-        frame = scene_frame(
-            scene_of(Path(name), allow_outside=allow_outside), Path(name).stem, choices
-        )
+        scene = scene_of(Path(name), allow_outside=allow_outside)
+        if object is not None:
+            scene = drawn_alone(scene, object)
+        frame = scene_frame(scene, Path(name).stem, choices)
     proof = frame.draw()
     return Picture(answer(proof), proof)

@@ -8,6 +8,7 @@ from math import isinf
 from nmatrix.calculator.evaluate import Calculation
 from nmatrix.calculator.numbers import Float64, Interval
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
+from nmatrix.errors import counted
 from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Quantity, Report, Text
 from nmatrix.report import Value as JsonValue
@@ -60,7 +61,8 @@ def _remarks(value: Value, arithmetic: Arithmetic) -> list[str]:
     digits = [x.digits for x in intervals if x.digits]
     remarks = []
     if digits:
-        remarks.append(f"A root or a sine in it is irrational: {min(digits)} digits are known.")
+        known = counted(min(digits), "digit is", "digits are")
+        remarks.append(f"A root or a sine in it is irrational: {known} known.")
     if len(digits) < len(intervals):
         within = short_text(max(x.farthest for x in intervals if not x.digits), 2)
         remarks.append(

@@ -15,7 +15,7 @@ from nmatrix.cli.shared_options import CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
 from nmatrix.reading.records import records
@@ -98,6 +98,12 @@ class HandoutOptions:
         """The format that --to names, or the ending of the sheet's own file."""
         if self.output is None or self.roster is not None:
             return self.to or PageFormat.HTML
+        if Path(self.output).is_dir():
+            raise IllegalValueError(
+                f"--output ({self.output[:60]})",
+                "it is a folder, and one sheet is a file; a class with --roster goes into a folder",
+                f"name a file in it, such as {USUAL_NAME}{next(iter(PAGES))}",
+            )
         named = kind_of(Path(self.output), PAGES)
         if self.to not in (None, named):
             raise IllegalValueError(
@@ -290,7 +296,7 @@ def _report(files: Sequence[Path], made: int, options: HandoutOptions) -> Report
     shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
     told = f"Written: {shown}"
     if made < len(names):
-        told = f"Complete: {shown}; {made} of {len(names)} files were missing and are written"
+        told = f"Complete: {shown}; missing until now: {made} of {counted(len(names), 'file')}"
     blocks: list[Block] = [Verdict(told)]
     if options.kind is PageFormat.HTML:
         them = "it" if len(names) == 1 else "them"

@@ -18,6 +18,7 @@ from nmatrix.errors import IllegalValueError, printable
 from nmatrix.output.files import PICTURES, SLIDES, kind_of, refuse_existing, write_file
 from nmatrix.raster.proofs.catalogue import PROOFS, catalogued
 from nmatrix.samples import file_or_sample, samples
+from nmatrix.scene.lens import SHAPES
 from nmatrix.scene.scene import SceneObject
 
 if TYPE_CHECKING:
@@ -162,9 +163,11 @@ def _scene(
 ) -> PictureFrame:
     """Frame a file's scene, with what the command line says in place of its own.
 
-    World options move the object that --object names, or the first.
+    An object that is named is drawn alone; world options move it within its scene instead, or the
+    first.
     """
     from nmatrix.answers.render import scene_frame, scene_lights
+    from nmatrix.scene.chosen import drawn_alone
 
     choices = picture.choices(groups.space.chosen())
     asked = groups.scene
@@ -174,8 +177,13 @@ def _scene(
     assert read is not None  # a file was named
     if read.refusal is not None:
         raise read.refusal
-    setup = groups.setup(common, aspect=choices.aspect(read.settings), is_of_node=False)
-    objects = read.objects
+    aspect = choices.aspect(read.settings)
+    setup = groups.setup(common, aspect=aspect, is_of_node=False)
+    framing = () if groups.lens.given.keys() & set(SHAPES) else read.framing_remarks(aspect)
+    objects, name = read.objects, groups.scene.object_name
+    if name is not None and not groups.world.given:
+        read = drawn_alone(read, name)
+        objects = read.objects
     if groups.world.given:
         one = _drawn(groups)
         moved = setup.world.world_from_object
@@ -192,6 +200,8 @@ def _scene(
         settings=replace(read.settings, space_matrix=setup.space_matrix),
         has_camera=read.has_camera or bool(groups.view.given),
         has_aspect=True,  # the picture's own, where the file has none
+        is_framed=False,
+        remarks=(*read.remarks, *framing),
     )
     return scene_frame(scene, path.stem, choices)
 

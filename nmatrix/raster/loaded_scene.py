@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Frame
-from nmatrix.errors import MissingPackageError, NoAnswerError, printable
+from nmatrix.enums import Frame, Shading
+from nmatrix.errors import MissingPackageError, NoAnswerError, printable, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation_about, translation_matrix
 from nmatrix.linear.angle import Angle
@@ -30,7 +30,7 @@ from nmatrix.scene.geometry import DamagedPartError, left_out
 from nmatrix.scene.images import Room, has_alpha, with_readable_images
 from nmatrix.scene.light import EYE, WORLD, PlacedLight, SceneLight
 from nmatrix.scene.material import WHITE, Colour, Material
-from nmatrix.scene.meshes.mesh import Mesh
+from nmatrix.scene.meshes.mesh import MADE_SMOOTH, Mesh
 from nmatrix.scene.scene import Scene, SceneObject, Settings
 from nmatrix.scene.words import LightKind, Sides
 from nmatrix.spaces.exact_maps import ExactMaps, WorldLight
@@ -39,6 +39,10 @@ from nmatrix.spaces.transform import Transform
 Array = NDArray[Any]
 
 MOST_FACETS, MOST_ASKED = 512, 64  # triangles of a body, and bodies, that place a fitted camera
+SMOOTH = (
+    "Made normals are smooth across every edge, so sides that meet in one shade into each other: "
+    f"if it is meant to be sharp, try {quantity('shading')} {Shading.FLAT}."
+)
 FARTHEST = 1e100  # squares of longer lengths leave float64
 
 
@@ -240,6 +244,8 @@ def loaded(scene: Scene) -> LoadedScene:
     balls = [body.ball for body in bodies]
     made = dict.fromkeys(one for body in bodies for one in body.mesh.remarks)
     remarks = (*scene.remarks, *left_out(faults), *made, *told)
+    if scene.settings.shading is not Shading.FLAT and any(MADE_SMOOTH in one for one in remarks):
+        remarks = (*remarks, SMOOTH)
     is_fitted, chosen = not scene.has_camera, daylight(scene)
     if is_fitted:
         signs = octant(scene, [one.facets for one in _largest(bodies)])

@@ -30,9 +30,11 @@ from nmatrix.scene.words import LightKind
 
 Array = NDArray[Any]
 BLACK = 0.5 / 255 / 12.92  # no level of sRGB is reached by less light
+ITS, THEIR = "its", "their"
 MOST_REASONS, MOST_NAMED = 2, 4  # that a remark names
 EVERY = 8  # of the points that are asked whether they are like the background
 APART = 20 / 255  # of two levels that are told apart in a lit room
+MOSTLY = 0.75  # of what is seen: a body that is lit from one side has a dark half
 
 Change = Callable[[Surface], Surface]
 
@@ -106,12 +108,17 @@ def render(
     has_gamma = plan.picture[Effect.GAMMA].on
     picture = drawing.picture(lambda rows: finish(to_srgb(rows) if has_gamma else rows))
     passes = 1 + sum(map(len, maps.values())) + bool(outlined)
-    dark = [
-        body
+    watched = [
+        (body, one.fragment)
         for body, one, samples in zip(plan.drawn, drawables, picture.shaded, strict=False)
-        if samples and isinstance(one.fragment, _Watched) and one.fragment.is_black
+        if samples and isinstance(one.fragment, _Watched)
     ]
-    remarks = _told_of_black(loaded, dark)
+    black = [body for body, seen in watched if seen.is_black]
+    dark = [(body, seen.dark_part) for body, seen in watched if not seen.is_black]
+    remarks = (
+        *_told_of_black(loaded, black),
+        *_told_of_dark([(body, part) for body, part in dark if part > MOSTLY]),
+    )
     work = _work(drawn, picture, passes)
     seen, faint = picture.seen, _faint(drawables, sum(picture.shaded))
     return Rendered(picture.image, work, picture.shaded, remarks, picture.depth, seen, faint)
@@ -124,24 +131,36 @@ def _faint(drawables: Sequence[Drawable], shaded: int) -> float:
 
 
 class _Watched:
-    """A fragment shader, and what it has made so far: nothing but black, and how much is faint.
+    """A fragment shader, and what it has made so far: is it black, how much is dark, or faint.
 
-    `like` holds the least and the largest light (channels, 1) that looks like the background.
+    `darkest` is the light that can hardly be told from black, and `like` holds the least and the
+    largest light (channels, 1) that looks like the background.
     """
 
     def __init__(
-        self, fragment: Callable[[Fragments], Array], like: tuple[Array, Array] | None
+        self,
+        fragment: Callable[[Fragments], Array],
+        darkest: float,
+        like: tuple[Array, Array] | None,
     ) -> None:
-        self.fragment, self.like = fragment, like
-        self.is_black, self.faint = True, 0
+        self.fragment, self.darkest, self.like = fragment, darkest, like
+        self.is_black = True
+        self.asked = self.dark = self.faint = 0
+
+    @property
+    def dark_part(self) -> float:
+        """The part of all points that can hardly be told from black."""
+        return self.dark / max(self.asked, 1)
 
     def __call__(self, fragments: Fragments) -> Array:
         found = self.fragment(fragments)
         if self.is_black and len(fragments):
             self.is_black = float(found.max()) < BLACK
+        few = found[:, ::EVERY]
+        self.asked += few.shape[1]
+        self.dark += int(np.count_nonzero((few < self.darkest).all(axis=0)))
         if self.like is not None:
             low, high = self.like
-            few = found[:, ::EVERY]
             like = ((few > low) & (few < high)).all(axis=0)
             self.faint += EVERY * int(np.count_nonzero(like))
         return found
@@ -164,31 +183,53 @@ def _like_background(plan: Plan, opacity: float) -> tuple[Array, Array] | None:
     return low, high
 
 
-def _told_of_black(loaded: LoadedScene, dark: Sequence[BodyPlan]) -> tuple[str, ...]:
+def _told_of_black(loaded: LoadedScene, black: Sequence[BodyPlan]) -> tuple[str, ...]:
     """Name the bodies that are black, those together that are so for the same reasons."""
-    alike: dict[str, list[str]] = {}
-    for one in dark:
-        alike.setdefault(_why_black(loaded, one), []).append(printable(one.body.name))
+    reasons = {id(one): _why_black(loaded, one, ITS) for one in black}
+    alike = [
+        [one for one in black if reasons[id(one)] == why] for why in dict.fromkeys(reasons.values())
+    ]
     return tuple(
-        f"{shortlist(names, MOST_NAMED)} {'is' if len(names) == 1 else 'are'} black: {why}."
-        for why, names in alike.items()
+        f"{_are(some)} black: {_why_black(loaded, some[0], ITS if len(some) == 1 else THEIR)}."
+        for some in alike
     )
 
 
-def _why_black(loaded: LoadedScene, body: BodyPlan) -> str:
-    """Find the reasons why a body is black: of lamps, and of the light from everywhere."""
+def _told_of_dark(dark: Sequence[tuple[BodyPlan, float]]) -> tuple[str, ...]:
+    """Name the bodies that can hardly be told from black, and how much of them."""
+    if not dark:
+        return ()
+    least = min(part for _, part in dark)
+    or_more, of = ("", "it") if len(dark) == 1 else (" or more", "each")
+    return (
+        f"{_are([body for body, _ in dark])} nearly black: about {100 * least:.0f} %{or_more} of "
+        f"what is seen of {of} is darker than level {round(APART * 255)} of 255.",
+    )
+
+
+def _are(bodies: Sequence[BodyPlan]) -> str:
+    names = shortlist((printable(one.body.name) for one in bodies), MOST_NAMED)
+    return f"{names} {'is' if len(bodies) == 1 else 'are'}"
+
+
+def _why_black(loaded: LoadedScene, body: BodyPlan, whose: str) -> str:
+    """Find the reasons why bodies are black: of lamps, and of the light from everywhere."""
     lamps = [f"{one.placed.light.name} {one.because}" for one in body.light_decisions if not one.on]
     if body.lights:
         lamps.append(f"what {body.lights[0].light.name} sends falls on no side that is seen")
         if body.effects & {Effect.TEXTURE, Effect.VERTEX_COLOURS}:
-            lamps[-1] += ", or its texture or its colours are black there"
+            lamps[-1] += f", or {whose} texture or {whose} colours are black there"
     material = body.body.material
-    if not any(material.diffuse) and not material.shines:
-        lamps = ["its material sends no light of lamps back"]
+    sends = f"{whose} material sends" if whose == ITS else f"{whose} materials send"
+    is_dark = not any(material.diffuse) and not material.shines
+    if is_dark and not any(material.ambient):
+        return f"{sends} no light back, neither of lamps nor ambient"
+    if is_dark:
+        lamps = [f"{sends} no light of lamps back"]
     reasons = [*lamps[:MOST_REASONS], *([] if lamps else ["the scene has no lamp"])]
-    ambient = "what it sends back of ambient light makes no level"
+    ambient = "what is sent back of ambient light makes no level"
     if not any(material.ambient):
-        ambient = "its material sends no ambient light back"
+        ambient = f"{sends} no ambient light back"
     elif not any(loaded.ambient_light):
         ambient = "the ambient light is black"
     return f"{'; '.join(reasons)}; {ambient}"
@@ -226,7 +267,8 @@ def _drawable(
         outputs = replace(outputs, points={**outputs.points, **inputs})
     seen_through, kept = clear(body.body), solid(body.body, projected)
     like = _like_background(plan, body.body.material.opacity if seen_through else 1.0)
-    watched = _Watched(surface.fragment, like)
+    darkest = float(from_srgb(np.array(APART))) if plan.picture[Effect.GAMMA].on else APART
+    watched = _Watched(surface.fragment, darkest, like)
     return Drawable(projected, outputs, watched, seen_through, kept, even)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from nmatrix.enums import Effect
-from nmatrix.errors import printable, shortlist
+from nmatrix.errors import printable, quantity, shortlist
 from nmatrix.raster.loaded_scene import Body
 from nmatrix.raster.planning.plan import BodyPlan, Plan, nothing_seen
 from nmatrix.raster.render import APART, Rendered
@@ -55,7 +55,8 @@ def _small(plan: Plan, seen: Sequence[int]) -> Iterator[str]:
         cover, each = ("cover", " each") if len(names) > 1 else ("covers", "")
         yield (
             f"{len(names)} of {len(plan.bodies)} objects {cover} less than {_percent(SMALL)} of "
-            f"the picture{each}: {shortlist(names, MOST_NAMED)}."
+            f"the picture{each}: {shortlist(names, MOST_NAMED)}; {quantity('object')} NAME draws "
+            "one alone."
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.errors import IllegalValueError, counted, quantity
 from nmatrix.linear.rational import RationalMatrix, RoundedMatrix, is_affine, transpose
 from nmatrix.linear.values import listed, number, plain_value, refused
 from nmatrix.reading.digits import digits_of
@@ -85,6 +85,6 @@ def _rows(values: object, name: str) -> list[list[object]]:
         side = SQUARES.get(len(rows), len(rows))
         rows = [rows[start : start + side] for start in range(0, len(rows), side)]
     if len(rows) not in SIZES:
-        raise refused(values, name, f"it has {len(rows)} rows", "give 1 to 4")
+        raise refused(values, name, f"it has {counted(len(rows), 'row')}", "give 1 to 4")
     width = len(listed(rows[0], name, SIZES))
     return [listed(row, f"{name}[{i}]", (width,)) for i, row in enumerate(rows)]

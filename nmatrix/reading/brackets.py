@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from nmatrix.errors import quoted
+from nmatrix.errors import counted, quoted
 from nmatrix.reading.contents import Tokens, cut_off, unreadable
 
 DEEPEST = 2  # brackets without a word before them
@@ -169,7 +169,9 @@ class _Scan:
     def closed(self) -> Group:
         """Take the whole, if every bracket was closed."""
         if self.closers:
-            raise cut_off(self.source, f"after {self.count} numbers: {self.closers[-1]} is missing")
+            raise cut_off(
+                self.source, f"after {counted(self.count, 'number')}: {self.closers[-1]} is missing"
+            )
         return self.open[0]
 
     def _open(self, token: re.Match[str]) -> None:

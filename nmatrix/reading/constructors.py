@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.reading.brackets import Group, first_group, rows_of, whole_text
 from nmatrix.reading.contents import Contents, Tokens, unreadable
 
@@ -162,4 +162,6 @@ def _check_part(group: Group, source: str) -> None:
 
 
 def _miscounted(head: str, takes: int, got: int, source: str) -> IllegalValueError:
-    return unreadable(source, f"{head} takes {takes} numbers, got {got}", "give them all")
+    return unreadable(
+        source, f"{head} takes {counted(takes, 'number')}, got {got}", "give them all"
+    )

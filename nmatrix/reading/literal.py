@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError, quantity
+from nmatrix.errors import IllegalValueError, counted, quantity
 from nmatrix.linear.projection import is_lens
 from nmatrix.linear.rational import (
     AFFINE_ROW,
@@ -198,7 +198,7 @@ def _misshapen(count: int, height: int, source: str) -> IllegalValueError:
     if 1 not in (count, height):
         return unreadable(source, f"it has {height} rows of {count} numbers", "use at most 4×4")
     total = count * height
-    why = f"it holds {total} numbers, a matrix has 9 or 16"
+    why = f"it holds {counted(total, 'number')}, a matrix has 9 or 16"
     next_step = "give them all" if total < max(SQUARES) else "leave out what is not an entry"
     return unreadable(source, why, next_step)
 

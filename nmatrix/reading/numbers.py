@@ -10,7 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import inf, isinf
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.linear.rounding import nearest
 
 LONGEST = 4000  # characters; the longest exact float64 takes about 1100
@@ -100,7 +100,7 @@ def fractions(text: str, count: int, name: str, read: ReadOne = fraction) -> tup
     if len(words) != count:
         raise IllegalValueError(
             f"{name} ({quoted(text)})",
-            f"it takes {count} numbers, got {len(words)}",
+            f"it takes {counted(count, 'number')}, got {len(words)}",
             "separate them by blanks or commas",
         )
     return tuple(read(word, name) for word in words)

@@ -8,6 +8,7 @@ from functools import partial
 from io import StringIO
 
 from nmatrix.enums import Layout
+from nmatrix.errors import counted
 from nmatrix.reading.brackets import plain_number
 from nmatrix.reading.contents import Contents, cut_off, unreadable
 
@@ -79,7 +80,7 @@ def fields(text: str, source: str) -> Contents:
     lacking = _gaps(places)
     if lacking or (text.startswith("{") and not text.endswith("}")):
         missing = f"{lacking} are missing" if lacking else "} is missing"
-        raise cut_off(source, f"after {len(places)} numbers: {missing}")
+        raise cut_off(source, f"after {counted(len(places), 'number')}: {missing}")
     return Contents({"": _rows(places)})
 
 

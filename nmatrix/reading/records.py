@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from io import StringIO
 from itertools import islice
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
 
 NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
@@ -120,7 +120,7 @@ def _record(line: int, header: list[str], cells: list[str], separator: str) -> R
     fault = ""
     if len(cells) > len(header):
         remedy = f"quote a cell that holds a {NAMES[separator]}"
-        fault = f"{len(cells)} cells under {len(header)} columns: {remedy}"
+        fault = f"{len(cells)} cells under {counted(len(header), 'column')}: {remedy}"
     return Record(line, _filled(header, cells), fault)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.reading.brackets import MOST, plain_number
 from nmatrix.reading.contents import Contents, Tokens, cut_off, unreadable
 
@@ -46,7 +46,9 @@ def bare_rows(text: str, source: str) -> Contents:
         raise unreadable(source, f"it holds more than {MOST} numbers")
     widths = [len(row) for row in rows]
     if len(rows) > 1 and len(set(widths[:-1])) == 1 and widths[-1] < widths[0] <= len(rows) + 1:
-        raise cut_off(source, f"in row {len(rows)}, after {widths[-1]} of {widths[0]} numbers")
+        raise cut_off(
+            source, f"in row {len(rows)}, after {widths[-1]} of {counted(widths[0], 'number')}"
+        )
     return Contents({"": [[plain_number(one) for one in row] for row in rows]})
 
 

@@ -6,7 +6,7 @@ import re
 import stat
 from pathlib import Path, PureWindowsPath
 
-from nmatrix.errors import IllegalValueError, printable, quantity
+from nmatrix.errors import IllegalValueError, counted, printable, quantity
 
 POINTER = b"version https://git-lfs.github.com/spec/"  # how a pointer of Git LFS begins
 LONGEST_POINTER = 1024
@@ -62,7 +62,7 @@ def check_content(path: Path, content: bytes) -> None:
         raise IllegalValueError(f"{path}", "it is empty", "copy the file again")
     if content.startswith(POINTER) and len(content) <= LONGEST_POINTER:
         size = _SIZE.search(content)
-        told = f" of {int(size[1])} bytes" if size else ""
+        told = f" of {counted(int(size[1]), 'byte')}" if size else ""
         why = f"it is a pointer of Git LFS: the file itself{told} was not fetched"
         raise IllegalValueError(f"{path}", why, "run git lfs pull")
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from shlex import quote
 
-from nmatrix.errors import IllegalValueError, did_you_mean, printable, quantity, shortlist
+from nmatrix.errors import IllegalValueError, counted, did_you_mean, printable, quantity, shortlist
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, apply, inverse, rational_vector
 from nmatrix.linear.values import text
 from nmatrix.scene.light import EYE, WORLD, SceneLight
@@ -36,9 +36,7 @@ def setup_before(scene: Scene, one: Placed, aspect: float | None = None) -> Setu
 
     `aspect` is that of the picture, where it has one; a scene's own wins.
     """
-    lens = scene.lens
-    if aspect is not None and not scene.has_aspect:
-        lens = replace(lens, aspect=aspect)
+    lens = scene.lens if aspect is None else scene.lens_for(aspect)
     return Setup(
         World(matrix=one.world_from_object) if one.place is None else one.place,
         scene.view,
@@ -120,6 +118,59 @@ def _index(scene: Scene, one: Placed) -> int | None:
         meant = scene.hierarchy.meant(one.name)
         return meant[0] if len(meant) == 1 else None
     return next((i for i, node in enumerate(scene.nodes) if node is one), None)
+
+
+def drawn_alone(scene: Scene, name: str) -> Scene:
+    """Leave one node in a scene, with what hangs below it; lights and camera stay as they are.
+
+    The name of one piece or one instance of a node leaves that alone. A remark counts the rest.
+
+    Raises
+    ------
+    IllegalValueError
+        For a name that the scene does not have, or of a node without triangles.
+
+    Examples
+    --------
+    >>> from nmatrix.samples import file_or_sample
+    >>> from nmatrix.scene.open import scene_of
+    >>> alone = drawn_alone(scene_of(file_or_sample("sample")), "forearm")
+    >>> [one.name for one in alone.objects]
+    ['forearm', 'hand']
+    """
+    one = chosen_node(scene, name)
+    kept = [other for other in scene.objects if other is one]
+    if (meant := scene.hierarchy.meant(name)) and len(meant) == 1:
+        below = scene.hierarchy.below(meant[0])
+        kept = [other for other in scene.objects if other.node in below]
+    if not kept:
+        raise IllegalValueError(
+            f"{quantity('object')} ({printable(name)})",
+            "neither it nor what hangs below it has triangles",
+            "name a node that has a mesh",
+        )
+    rest = len(scene.objects) - len(kept)
+    told = f"{printable(name)} is drawn alone, without {counted(rest, 'other object')} of the file."
+    return replace(
+        scene,
+        objects=tuple(kept),
+        lights=tuple(_free(light, scene) for light in scene.lights),
+        remarks=(*scene.remarks, told) if rest else scene.remarks,
+    )
+
+
+def _free(light: SceneLight, scene: Scene) -> SceneLight:
+    """Fix a light to the world where the object that carries it has put it."""
+    if light.fixed_to in (WORLD, EYE):
+        return light
+    homes = {other.name: other.world_from_object for other in scene.objects}
+    there = _carried(Light(light.direction, position=light.position), homes[light.fixed_to])
+    return replace(
+        light,
+        direction=there.direction or light.direction,
+        position=there.position or light.position,
+        fixed_to=WORLD,
+    )
 
 
 def chosen_light(scene: Scene, name: str | None) -> SceneLight | None:

@@ -83,6 +83,24 @@ class Hierarchy:
             return (found,) if found < len(self.names) else ()
         return ()
 
+    def below(self, index: int) -> frozenset[int]:
+        """Collect a node and every node that hangs below it.
+
+        Examples
+        --------
+        >>> sorted(Hierarchy(("root", "arm", "lamp", "hand"), (None, 0, None, 1)).below(0))
+        [0, 1, 3]
+        """
+        children = defaultdict(list)
+        for child, parent in enumerate(self.parents):
+            children[parent].append(child)
+        waiting, found = [index], set[int]()
+        while waiting:
+            at = waiting.pop()
+            found.add(at)
+            waiting.extend(children[at])
+        return frozenset(found)
+
     @cached_property
     def addresses(self) -> tuple[str, ...]:
         """The shortest text for each node that means it alone and can be typed."""

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from math import inf
+from math import atan, degrees, inf, radians, tan
 from typing import TYPE_CHECKING, Any
 
 from nmatrix.errors import IllegalValueError, quantity
@@ -57,6 +57,7 @@ EXCLUDES: Mapping[str, tuple[str, ...]] = {
     for place, way in enumerate(_WAYS)
 } | {"sensor": tuple(way for way in _WAYS if way != "focal")}
 SHAPES = (*EXCLUDES, "aspect")  # names of all that shapes the view
+SAME_SHAPE = 0.01  # of an aspect: sides are whole pixels
 TWO_SHAPES = "both shape the view"
 
 
@@ -106,6 +107,42 @@ class Lens:
             said = self.said or (() if self.clip is DEFAULT_CLIP_SPACE else CLIP_PARTS)
             object.__setattr__(self, "said", said)
             object.__setattr__(self, "clip", self._clip_read())
+
+    def framing(self, aspect: float) -> Lens:
+        """Show all that the lens frames in a picture of another shape, and more beside it.
+
+        It is for an angle or a box; the angle is vertical, so only a narrower picture changes it.
+
+        Examples
+        --------
+        >>> lens = Lens(fov_degrees=90, aspect=2)
+        >>> lens.framing(4).fov_degrees, round(lens.framing(1).fov_degrees, 4)
+        (90.0, 126.8699)
+        """
+        taller, wider = (
+            max(one, 1.0) for one in (self.shape_of(aspect), 1 / self.shape_of(aspect))
+        )
+        if self.ortho is not None:
+            x, y = self.ortho.left + self.ortho.right, self.ortho.bottom + self.ortho.top
+            half = (self.ortho.right - self.ortho.left) / 2 * wider
+            high = (self.ortho.top - self.ortho.bottom) / 2 * taller
+            box = Window(x / 2 - half, x / 2 + half, y / 2 - high, y / 2 + high)
+            return replace(self, ortho=box, aspect=aspect)
+        if taller == 1.0:
+            return replace(self, aspect=aspect)
+        fov = 2 * degrees(atan(tan(radians(self.fov_degrees) / 2) * taller))
+        return replace(self, fov_degrees=fov, aspect=aspect)
+
+    def shape_of(self, aspect: float) -> float:
+        """Divide the own aspect by another; it is 1 for what pixels cannot tell apart.
+
+        Examples
+        --------
+        >>> Lens(aspect=2).shape_of(1), Lens(aspect=2).shape_of(1.99)
+        (2.0, 1.0)
+        """
+        ratio = float(self.aspect_ratio) / aspect
+        return ratio if abs(ratio - 1.0) > SAME_SHAPE else 1.0
 
     @cached_property
     def readings(self) -> tuple[LensReading, ...]:

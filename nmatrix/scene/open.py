@@ -64,12 +64,16 @@ def _features(objects: Sequence[SceneObject], left_out: Mapping[str, int]) -> It
 
 def _mesh_scene(path: Path, *, allow_outside: bool, has_materials: bool) -> Scene:
     """Make a scene of a mesh file: an object for each material, all in the place of the file."""
-    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_mesh_file, read_surface
+    from nmatrix.scene.meshes.file import NO_TRIANGLES, read_surface, with_materials
 
-    if has_materials:
-        file = read_mesh_file(path, allow_outside=allow_outside)
-    else:
-        file = read_surface(path)
+    file, refusal = read_surface(path), None
+    try:
+        if has_materials:
+            file = with_materials(path, file, allow_outside=allow_outside)
+    except IllegalValueError as error:  # matrices need no material, pictures do
+        refusal = error
+    if not file.parts:
+        refusal = IllegalValueError(f"{path}", *NO_TRIANGLES)
     still = identity(4)
     names = [
         path.stem if len(file.parts) == 1 else f"{path.stem}/{part.name or DEFAULT_MATERIAL.name}"
@@ -94,5 +98,5 @@ def _mesh_scene(path: Path, *, allow_outside: bool, has_materials: bool) -> Scen
         remarks=file.remarks,
         features=tuple(_features(objects, file.left_out)),
         nodes=(SceneNode(path.stem, still, World()),),
-        refusal=None if objects else IllegalValueError(f"{path}", *NO_TRIANGLES),
+        refusal=refusal,
     )

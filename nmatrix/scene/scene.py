@@ -147,6 +147,7 @@ class Scene:
     Without lights it is drawn in daylight. `has_camera` tells whether the file chose the view; if
     not, it is fitted to what is drawn.
     `has_aspect` tells whether it chose the lens's width over height; if not, the picture's is used.
+    Where it `is_framed` for its own, a picture of another shape shows all of it and more.
     `features` count what an asset's file has. `nodes` are all places that have a name; `refusal` is
     why nothing of it can be drawn, if so.
     """
@@ -158,6 +159,7 @@ class Scene:
     settings: Settings = field(default_factory=Settings)
     has_camera: bool = True
     has_aspect: bool = False
+    is_framed: bool = False
     path: Path | None = None
     remarks: tuple[str, ...] = ()
     nodes: tuple[SceneNode, ...] = ()
@@ -179,5 +181,24 @@ class Scene:
         >>> Scene(()).sized(640, 320).lens.aspect
         2.0
         """
-        lens = self.lens if self.has_aspect else replace(self.lens, aspect=width / height)
-        return replace(self, lens=lens, settings=replace(self.settings, size=(width, height)))
+        remarks = (*self.remarks, *self.framing_remarks(width / height))
+        settings = replace(self.settings, size=(width, height))
+        return replace(self, lens=self.lens_for(width / height), settings=settings, remarks=remarks)
+
+    def lens_for(self, aspect: float) -> Lens:
+        """Adapt the lens to a picture's width over height."""
+        if self.has_aspect:
+            return self.lens
+        return self.lens.framing(aspect) if self.is_framed else replace(self.lens, aspect=aspect)
+
+    def framing_remarks(self, aspect: float) -> tuple[str, ...]:
+        """Tell that a picture of this width over height shows more than the camera framed."""
+        shape = self.lens.shape_of(aspect)
+        if not self.is_framed or shape == 1.0:
+            return ()
+        where = "above and below" if shape > 1.0 else "on both sides"
+        own = f"{float(self.lens.aspect_ratio):.4g}"
+        return (
+            f"The camera is framed for {own} : 1 and the picture is {aspect:.4g} : 1: it shows "
+            f"more {where}.",
+        )

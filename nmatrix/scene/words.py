@@ -83,14 +83,3 @@ class DepthBuffer(StrEnum):
 
 
 VERTEX = ("vertex", "vertices")
-
-
-def counted(count: int, one: str, many: str = "") -> str:
-    """Count things by the word for one and the word for many, if that is more than one with an s.
-
-    Examples
-    --------
-    >>> counted(1, "node"), counted(0, "node"), counted(70051, *VERTEX)
-    ('1 node', '0 nodes', '70,051 vertices')
-    """
-    return f"{count:,} {one if count == 1 else many or one + 's'}"

@@ -39,12 +39,19 @@ def sheets() -> list[str]:
     return sorted(path.name for path in Path("out").glob("*.html"))
 
 
+def test_a_folder_for_one_sheet_is_refused_and_told_what_goes_there(nmatrix) -> None:
+    code, out, err = nmatrix("handout --exercises 1 -o .")
+    assert (code, out) == (2, "")
+    assert "--output (.): it is a folder, and one sheet is a file; a class with --roster" in err
+    assert "such as handout.html" in err
+
+
 def test_who_comes_late_gets_a_sheet_and_the_others_keep_theirs(nmatrix) -> None:
     assert nmatrix(roster("Ada", "Bo"))[0] == 0
     Path("out/0001-ada.html").write_bytes(b"kept")
     code, out, _ = nmatrix(roster("Ada", "Bo", "Cy"))
     assert code == 0
-    assert "1 of 3 files were missing" in " ".join(out.split())
+    assert "missing until now: 1 of 3 files" in " ".join(out.split())
     assert sheets() == ["0001-ada.html", "0002-bo.html", "0003-cy.html"]
     assert Path("out/0001-ada.html").read_bytes() == b"kept"
     assert nmatrix(roster("Bo", "Ada", "Cy"))[0] == 2

@@ -391,7 +391,7 @@ ROSTERS = [
     (b"name\nAda\n", "column student"),
     (b"student\nAda\nAda\n", "line 2 has the same name"),
     (b"student,mail\nAda,a\n,b\n", "1 to 200 characters"),
-    (b"student\nAda,Bo\n", "cells under 1 columns"),
+    (b"student\nAda,Bo\n", "cells under 1 column:"),
     ("student\nZoë\n".encode("latin-1"), "utf-8"),
     (b"student\n", "names no student"),
     (b"student\n" + b"x" * 300 + b"\n", "1 to 200 characters"),

@@ -408,3 +408,60 @@ def test_a_cluster_without_its_package_names_the_command(nmatrix, monkeypatch) -
     found = nmatrix(f"render normals {SMALL} --frames 2 --dask tcp://127.0.0.1:1")
     assert found.code == 4
     assert "nmatrix[dask]" in found.err
+
+
+FAMILY = """
+[camera]
+eye = [0, 0, 9]
+[[object]]
+name = "arm"
+shape = "box"
+[[object]]
+name = "hand"
+shape = "sphere"
+parent = "arm"
+translate = [2, 0, 0]
+[[object]]
+name = "other"
+shape = "cone"
+translate = [-2, 0, 0]
+[[light]]
+name = "lamp"
+kind = "point"
+fixed_to = "other"
+[render]
+size = [60, 60]
+samples = 1
+"""
+
+
+def test_a_named_object_is_drawn_alone_with_what_hangs_below_it(nmatrix) -> None:
+    Path("family.toml").write_text(FAMILY)
+    columns = {}
+    for name in ("arm", "hand"):
+        found = nmatrix(f"render family.toml --object {name} -o {name}.png")
+        assert found.code == 0, found.err
+        drawn = np.asarray(Image.open(f"{name}.png").convert("L"))
+        columns[name] = np.flatnonzero((drawn != drawn[0, 0]).any(axis=0))
+    assert columns["arm"].min() > 20  # nothing is left of the box, which stands in the middle
+    assert columns["hand"].min() > 30
+    assert columns["hand"].max() == columns["arm"].max()
+    assert "hand is drawn alone, without 2 other objects of the file." in " ".join(
+        found.out.split()
+    )
+
+
+def test_world_options_move_the_named_object_within_its_scene(nmatrix) -> None:
+    Path("family.toml").write_text(FAMILY)
+    found = nmatrix("render family.toml --object hand --translate 1 0 0 -f json")
+    assert (
+        found.data["triangles"] == nmatrix("render family.toml -f json --force").data["triangles"]
+    )
+    assert "drawn alone" not in found.out
+
+
+def test_an_object_that_is_not_there_is_not_drawn(nmatrix) -> None:
+    Path("family.toml").write_text(FAMILY)
+    found = nmatrix("render family.toml --object hnd")
+    assert found.code == 2
+    assert "did you mean hand?" in found.err

@@ -15,7 +15,7 @@ from PIL import Image
 
 from nmatrix.answers.render import PictureChoices, scene_frame
 from nmatrix.answers.render import render as report_of
-from nmatrix.enums import Effect
+from nmatrix.enums import Effect, Shading
 from nmatrix.linear.rational import identity
 from nmatrix.raster.drawn_scene import DrawnScene, drawn_scene
 from nmatrix.raster.loaded_scene import loaded
@@ -466,12 +466,59 @@ def test_black_things_are_told_together_and_why(tmp_path: Path) -> None:
     whole = gltf(tmp_path, sphere(6, 12), base(0, 0, 0), nodes=nodes)
     (told,) = [one for one in remarks(whole) if "black" in one]
     assert told == (
-        "part 0, part 1, part 2, part 3, … are black: its material sends no light of lamps back; "
-        "its material sends no ambient light back."
+        "part 0, part 1, part 2, part 3, … are black: their materials send no light back, neither "
+        "of lamps nor ambient."
     )
     dark = gltf(tmp_path, quad(0, 1), textured(), (image(np.zeros((2, 2, 3))),))
     (told,) = [one for one in remarks(dark) if "black" in one]
-    assert "its texture or its colours are black there; what it sends back of ambient" in told
+    assert "its texture or its colours are black there; what is sent back of ambient" in told
+
+
+@pytest.mark.parametrize(("level", "is_told"), [(0.002, True), (0.02, False)])
+def test_nearly_black_is_told_too(tmp_path: Path, level: float, *, is_told: bool) -> None:
+    found = gltf(tmp_path, sphere(12, 24), base(level, level, level))
+    (name,) = [one.name for one in found.objects]
+    told = f"{name} is nearly black: about 100 % of what is seen of it is darker than level 20"
+    assert any(one.startswith(told) for one in remarks(found)) == is_told
+    assert not any("is black" in one for one in remarks(found))
+
+
+def test_made_normals_are_told_to_be_smooth_unless_every_face_is_flat(tmp_path: Path) -> None:
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\n")
+    scene = scene_of(tmp_path / "a.obj")
+    assert any("smooth across every edge" in one for one in loaded(scene).remarks)
+    flat = replace(scene, settings=replace(scene.settings, shading=Shading.FLAT))
+    assert not any("smooth across every edge" in one for one in loaded(flat).remarks)
+
+
+@pytest.mark.parametrize(
+    ("camera", "size", "words"),
+    [
+        ({"perspective": {"aspectRatio": 2, "yfov": 0.8}}, (80, 80), "more above and below"),
+        ({"perspective": {"aspectRatio": 2, "yfov": 0.8}}, (90, 30), "more on both sides"),
+        ({"perspective": {"aspectRatio": 2, "yfov": 0.8}}, (101, 50), None),
+        ({"perspective": {"yfov": 0.8}}, (90, 30), None),
+        ({"orthographic": {"xmag": 2, "ymag": 1}}, (80, 80), "more above and below"),
+        ({"orthographic": {"xmag": 2, "ymag": 1}}, (90, 30), "more on both sides"),
+    ],
+)
+def test_what_a_camera_frames_is_in_a_picture_of_every_shape(
+    tmp_path: Path, camera: dict[str, Any], size: tuple[int, int], words: str | None
+) -> None:
+    (kind,) = camera
+    camera[kind] |= {"znear": 0.1, "zfar": 10}
+    nodes = [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 5]}]
+    scene = gltf(tmp_path, sphere(6, 12), nodes=nodes, cameras=[{"type": kind, **camera}])
+    shown = scene.sized(*size)
+    (own_x, own_y), (x, y) = (
+        (float(P[0][0]), float(P[1][1]))
+        for P in (scene.lens.clip_from_camera, shown.lens.clip_from_camera)
+    )
+    assert x <= own_x * 1.02  # a scale of clip space: the smaller, the more is seen
+    assert y <= own_y * 1.02
+    assert y / x == pytest.approx(size[0] / size[1])
+    told = [one for one in shown.remarks if "framed" in one]
+    assert [words in one for one in told] == [True] if words else not told
 
 
 # --- the camera
@@ -566,4 +613,7 @@ def test_what_is_next_to_nothing_beside_the_rest_is_told(tmp_path: Path) -> None
     nodes = [{"mesh": 0, "name": "large"}, {"mesh": 0, "name": "speck", "scale": [0.01] * 3}]
     nodes[1]["translation"] = [1.5, 0, 0]
     told = remarks(gltf(tmp_path, sphere(12, 24), nodes=nodes))
-    assert "1 of 2 objects covers less than 0.5 % of the picture: speck." in told
+    assert any(
+        one.startswith("1 of 2 objects covers less than 0.5 % of the picture: speck; ")
+        for one in told
+    )

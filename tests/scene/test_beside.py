@@ -87,7 +87,7 @@ def test_a_scene_file_is_refused(tmp_path: Path, key: str) -> None:
         (b" \n", "it is empty"),
         (
             b"version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12345\n",
-            "it is a pointer of Git LFS: the file itself of 12345 bytes was not fetched",
+            "it is a pointer of Git LFS: the file itself of 12,345 bytes was not fetched",
         ),
     ],
 )

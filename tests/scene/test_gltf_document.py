@@ -28,7 +28,20 @@ ASSET = '"asset": {"version": "2.0"}'
         ("[]", "it is not glTF: expected an object, got a list"),
         (f'{{{ASSET}, "nodes": [{{}}, {{"mesh": "x"}}]}}', r"nodes\[1\].mesh: expected an integer"),
         (f'{{{ASSET}, "nodes": [{{"mesh": 0.5}}]}}', r"nodes\[0\].mesh: expected an integer"),
-        (f'{{{ASSET},\n\n"nodes": [NaN]}}', r"line 3 has 'NaN\]}' where JSON goes on"),
+        (f'{{{ASSET},\n\n"nodes": [NaN\n]}}', r"line 3: no value of JSON has 'NaN' there"),
+        (f'{{{ASSET},\n"nodes": [{{}},\n\n]}}', "line 2: nothing follows a comma"),
+        (f'{{{ASSET},\n"scene": 0,\n}}', "line 2: nothing follows a comma"),
+        (f'{{{ASSET},\n"scene":\n}}', "line 3: a value is missing before '}'"),
+        (f'{{{ASSET}\n"scene": 0}}', "line 2: ',' or '}' is missing before"),
+        (
+            f"{{{ASSET},\nscene: 0}}",
+            "line 2: a name in double quotes is meant where 'scene' stands",
+        ),
+        (f'{{{ASSET},\n"scene": 01}}', "line 2: a number is not written as JSON writes it"),
+        (f'{{{ASSET},\n"scene": tru}}', "line 2: no value of JSON is 'tru'"),
+        (f'{{{ASSET},\n"a": "\n"}}', "line 2: a line break or a tab stands within quotes"),
+        (f'{{{ASSET},\n"a": "\\x"}}', "line 2: a backslash within quotes"),
+        (f"{{{ASSET}}}\nmore", "line 2: the text goes on after its end"),
         (f'{{{ASSET}, "nodes": [', "its JSON ends too early"),
         (f'{{{ASSET}, "nodes": [{{"scale": [1e999, 1, 1]}}]}}', "number out of range"),
         ("[" * 10**6, "nested too deeply|expected an object"),
@@ -42,7 +55,7 @@ def test_what_is_wrong_is_told_in_one_line(text: str, words: str) -> None:
 
 
 def test_bytes_that_are_no_text_are_refused() -> None:
-    with pytest.raises(IllegalValueError, match=r"it is not glTF: .*UTF-8|line 1 has"):
+    with pytest.raises(IllegalValueError, match=r"it is not glTF: .*UTF-8|line 1: "):
         read_document(Path("a.gltf"), b'{"asset": {"version": "\xff"}}')
 
 

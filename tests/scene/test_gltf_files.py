@@ -10,6 +10,7 @@ from struct import pack
 
 import numpy as np
 import pytest
+from gltf_files import Made
 from PIL import Image
 
 from nmatrix.errors import IllegalValueError
@@ -191,7 +192,7 @@ def test_an_image_that_is_damaged_costs_only_itself(
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        (textured({}, images=[]), "image 0 does not exist"),
+        (textured({}, images=[]), r"textures\[0\].source: image 0 does not exist"),
         (textured({}, textures=[]), "texture 0 does not exist"),
     ],
 )
@@ -331,3 +332,25 @@ def test_what_is_drawn_beyond_the_largest_number_has_the_radius_one(tmp_path: Pa
     )
     path = saved(tmp_path, "a.glb", container(chunk, (BINARY_CHUNK, TRIANGLE)))
     assert gltf_scene(path).lights[0].attenuation == (1, 0, 1)
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        (20, "Buffer 0 is said to have 20 bytes, and buffer views reach to its byte 36."),
+        (36, "Buffer 0 is said to have 36 bytes and has 60: not all is read."),
+        (57, None),
+        (60, None),
+    ],
+)
+@pytest.mark.parametrize("is_embedded", [True, False])
+def test_a_buffer_of_another_length_than_said_is_told(
+    tmp_path: Path, said: int, words: str | None, *, is_embedded: bool
+) -> None:
+    made = Made()
+    made.add(np.eye(3))
+    content = made.content + bytes(24)
+    (tmp_path / "a.bin").write_bytes(content)
+    buffer = {"byteLength": said, "uri": data_uri(content) if is_embedded else "a.bin"}
+    told = [one for one in made.file(tmp_path, buffers=[buffer]).remarks if "Buffer" in one]
+    assert told == ([words] if words else [])

@@ -241,7 +241,7 @@ def view(**changes: object) -> dict[str, object]:
         (view(byteStride=-12), "buffer view 0 has the stride -12"),
         (view(byteOffset=-4), "buffer view 0 has a negative offset or length"),
         (view(byteLength=40), "buffer view 0 ends at byte 40, and buffer 0 has 36"),
-        (view(buffer=2), "buffer 2 does not exist"),
+        (view(buffer=2), "bufferViews[0].buffer: buffer 2 does not exist"),
         (sparse(count=4), "accessor 0 is sparse and changes more than its 3 elements"),
         (
             sparse(indices={"bufferView": 0, "componentType": 5126}),

@@ -174,7 +174,7 @@ def test_corners_beyond_the_bytes_of_a_file_are_not_drawn(tmp_path: Path) -> Non
         primitives.append({"attributes": attributes, "indices": len(made.accessors) - 1})
     file = made.file(tmp_path, meshes=meshes(*primitives))
     assert len(primitive_mesh(file, 0, 0).triangles) == count // 3
-    with pytest.raises(DamagedPartError, match=f"its {count} corners are more than the file has"):
+    with pytest.raises(DamagedPartError, match=f"{count:,} corners are more than the file has"):
         primitive_mesh(file, 0, 7)
 
 
@@ -321,7 +321,7 @@ def test_a_vertex_without_weights_follows_its_first_joint(tmp_path: Path) -> Non
     ("changes", "words"),
     [
         ({"skins": []}, "skin 0 does not exist"),
-        ({"skins": [{"joints": [9]}]}, "joint 9 does not exist"),
+        ({"skins": [{"joints": [9]}]}, "skins[0].joints[0]: joint 9 does not exist"),
         ({"skins": [{"joints": [-1]}]}, "joint -1 does not exist"),
         ({"skins": [{"joints": []}]}, "and skin 0 has 0 joints"),
         ({"skins": [{"joints": [1]}]}, "a vertex follows joint 2, and skin 0 has 1 joint"),
@@ -419,7 +419,7 @@ def test_instances_are_counted_over_the_whole_file(tmp_path: Path) -> None:
     file = made.file(tmp_path, **parts)
     for _ in range(2):
         assert len(instance_matrices(file, 1)) == 2
-        with pytest.raises(IllegalValueError, match=f"{MOST - 1} instances the file has more"):
+        with pytest.raises(IllegalValueError, match=f"{MOST - 1:,} instances the file has more"):
             instance_matrices(file, 2)
 
 

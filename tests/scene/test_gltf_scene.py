@@ -303,6 +303,10 @@ def test_each_primitive_is_an_object_and_instances_share_it(tmp_path: Path) -> N
     ("changes", "words"),
     [
         ({"nodes": [{"translation": [0, 3, 0]}]}, "it draws nothing"),
+        (
+            {"scenes": [{"nodes": []}]},
+            "no triangles in its scene, and 1 node with a mesh is outside of it; put them into",
+        ),
         ({"extensionsRequired": ["ACME_teapot"]}, "it requires ACME_teapot, which is not known"),
     ],
 )
@@ -336,8 +340,8 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
     ("changes", "words"),
     [
         ({"scene": 3}, "scene 3 does not exist"),
-        ({"scenes": [{"nodes": [9]}]}, "node 9 does not exist"),
-        ({"nodes": [{"mesh": 0, "camera": 2}]}, "camera 2 does not exist"),
+        ({"scenes": [{"nodes": [9]}]}, r"scenes\[0\].nodes\[0\]: node 9 does not exist"),
+        ({"nodes": [{"mesh": 0, "camera": 2}]}, r"nodes\[0\].camera: camera 2 does not exist"),
         (
             {"nodes": [{"mesh": 0, "camera": 0}], "cameras": [{"type": "perspective"}]},
             "its camera sees nothing",

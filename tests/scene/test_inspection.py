@@ -213,10 +213,10 @@ def test_a_chain_of_two_thousand_nodes_needs_no_recursion(tmp_path: Path) -> Non
     [
         ([{"children": [0]}], "cycle"),
         ([{"children": [1]}, {"children": [0]}], "cycle"),
-        ([{"children": [7]}], "does not exist"),
+        ([{"children": [7]}], r"nodes\[0\].children\[0\]: node 7 does not exist"),
         ([{"children": [2]}, {"children": [2]}, {}], "two parents"),
         ([{"scale": [1, 2]}], "3 finite numbers"),
-        ([{"mesh": 3}], "does not exist"),
+        ([{}, {"mesh": 3}], r"nodes\[1\].mesh: mesh 3 does not exist"),
         ([{"rotation": [0, 0, 0, 0]}], "zero|direction"),
     ],
 )

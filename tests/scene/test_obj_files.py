@@ -10,6 +10,7 @@ from PIL import Image
 
 from nmatrix.enums import Reflection
 from nmatrix.errors import IllegalValueError
+from nmatrix.raster.loaded_scene import loaded
 from nmatrix.scene.meshes.file import read_mesh, read_mesh_file
 from nmatrix.scene.meshes.parts import MeshFile
 from nmatrix.scene.open import scene_of
@@ -172,15 +173,60 @@ def test_images_are_found_with_their_options(tmp_path: Path) -> None:
     assert (texture.scale, texture.offset) == ((2, 3), (0.5, 0))
     assert texture.wrap == (Wrap.CLAMP, Wrap.CLAMP)
     assert file.parts[1].material.texture is None
-    assert "Files are missing: none.png." in file.remarks
+    assert "Files are missing: none.png (two.mtl, line 4)." in file.remarks
     assert "Not drawn of the materials: bumps." in file.remarks
 
 
 def test_a_library_or_a_material_that_is_missing_is_a_remark(tmp_path: Path) -> None:
     file = file_of(tmp_path, TWO)
-    assert "Files are missing: two.mtl." in file.remarks
-    assert "Materials are missing: red, green." in file.remarks
-    assert "Materials are missing: green." in file_of(tmp_path, TWO, "newmtl red\n").remarks
+    assert "Files are missing: two.mtl (a.obj, line 1)." in file.remarks
+    told = "Materials are missing: red (a.obj, line 2), green (a.obj, line 8)."
+    assert told in file.remarks
+    (told,) = file_of(tmp_path, TWO, "newmtl red\n").remarks[1:]
+    assert told == "Materials are missing: green (a.obj, line 8)."
+
+
+@pytest.mark.parametrize(
+    ("text", "mtl"),
+    [
+        (TWO.replace("two.mtl", "two.mtl # inline comment"), MTL),
+        (TWO.replace("usemtl red", "usemtl red # ../x"), MTL),
+        (TWO, MTL.replace("newmtl red", "newmtl red # of roses")),
+        (TWO.replace("usemtl red", "usemtl red #25"), MTL.replace("newmtl red", "newmtl red #25")),
+    ],
+)
+def test_a_comment_behind_a_name_costs_no_colour(tmp_path: Path, text: str, mtl: str) -> None:
+    file = file_of(tmp_path, text, mtl)
+    assert len(file.remarks) == 1  # of normals
+    red = file.parts[0].material
+    assert red is not None
+    assert red.diffuse[1:] == (0, 0) < red.diffuse[:2]
+
+
+def test_an_image_is_found_before_a_comment(tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(b"")
+    text = TWO.replace("f 1 2 3", "vt 0 0\nf 1/1 2/1 3/1")
+    file = file_of(tmp_path, text, "newmtl red\nmap_Kd a.png # diffuse\nnewmtl green\n")
+    assert file.parts[0].material.texture.image == tmp_path / "a.png"
+
+
+def test_a_value_that_is_none_is_shown_as_written_with_what_is_taken(tmp_path: Path) -> None:
+    mtl = "newmtl red\nKd 1 zero 0\nNs much\nnewmtl green\n"
+    remarks = file_of(tmp_path, TWO, mtl).remarks
+    told = "two.mtl, line 2 (Kd 1 zero 0): it was not understood; 0.8 0.8 0.8 is taken."
+    assert told in remarks
+    assert any("line 3 (Ns much): it was not understood; " in one for one in remarks)
+
+
+def test_matrices_need_no_material(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_text(TWO.replace("two.mtl", "../two.mtl"))
+    scene = scene_of(path)
+    assert [one.name for one in scene.objects] == ["a/red", "a/green"]
+    with pytest.raises(
+        IllegalValueError, match=r"line 1\): it names ../two.mtl, which lies outside"
+    ):
+        loaded(scene)
 
 
 @pytest.mark.parametrize("name", ["../x.mtl", "/etc/passwd", "file:///etc/passwd", "C:\\x.mtl"])

@@ -145,7 +145,7 @@ def test_the_image_of_a_ply_is_drawn_where_its_vertices_have_places_on_it(tmp_pa
     bare = ply("ascii", VERTICES, ("face", LIST, FACES), comment="TextureFile my image.png")
     assert "Not drawn of a.ply: an image." in file_of(tmp_path, bare).remarks
     gone = ply("ascii", VERTICES, ("face", LIST, FACES), comment="TextureFile gone.png")
-    assert "Files are missing: gone.png." in file_of(tmp_path, gone).remarks
+    assert "Files are missing: gone.png (a.ply, line 3)." in file_of(tmp_path, gone).remarks
     outside = ply("ascii", VERTICES, ("face", LIST, FACES), comment="TextureFile ../x.png")
     with pytest.raises(IllegalValueError, match="outside its folder"):
         file_of(tmp_path, outside)
@@ -188,6 +188,11 @@ def test_any_way_to_write_a_file_is_read(tmp_path: Path, content: bytes) -> None
         ),
         (PLAIN.replace(b"float y", b"flaot y"), "line 5 (property flaot y): "),
         (PLAIN.replace(b"ascii", b"ascij"), "did you mean ascii?"),
+        (PLAIN.replace(b"property float y", b"propety float y"), "line 5 (propety float y): "),
+        (
+            PLAIN.replace(b"property float y", b"column float y"),
+            "have no x, y and z (Line 5 of a.ply was not understood: column float y)",
+        ),
         (PLAIN.split(b"end_header")[0], "its header breaks off in line 9"),
     ],
 )
@@ -254,3 +259,33 @@ def test_a_length_that_no_list_has_is_refused_with_its_row(
     content = declared + b"property list float int vertex_indices\nend_header\n" + body
     with pytest.raises(IllegalValueError, match=f"row {1 + before} .* has the length {length:g};"):
         file_of(tmp_path, content)
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "words"),
+    [
+        ("uchar", 300, "Of red, 1 value does not fit its type, uchar: the first is 300, in row 2"),
+        ("uchar", -1, "the first is -1, in row 2 of the element vertex."),
+        ("short", 1.5, "its type, short: "),
+        ("float", 1e39, "its type, float: "),
+    ],
+)
+def test_a_figure_beyond_its_type_is_told(
+    tmp_path: Path, kind: str, value: float, words: str
+) -> None:
+    rows = [(*place, value if i == 1 else 0) for i, place in enumerate(CORNERS)]
+    vertices = ("vertex", [*XYZ, (kind, "red")], rows)
+    remarks = file_of(tmp_path, ply("ascii", vertices, ("face", LIST, FACES))).remarks
+    assert any(words in one for one in remarks)
+    vertices = ("vertex", [*XYZ, ("double", "red")], rows)
+    assert len(file_of(tmp_path, ply("ascii", vertices, ("face", LIST, FACES))).remarks) == 1
+
+
+def test_a_list_beyond_its_type_is_told(tmp_path: Path) -> None:
+    small = [("list uchar char", "vertex_indices")]
+    many = ("vertex", XYZ, CORNERS * 40)
+    remarks = file_of(
+        tmp_path, ply("ascii", many, ("face", small, [*FACES, ([0, 1, 130],)]))
+    ).remarks
+    told = "Of vertex_indices, 1 value does not fit its type, char"
+    assert any(one.startswith(told) and "130, in row 3 of" in one for one in remarks)

@@ -15,11 +15,12 @@ from math import atan, degrees, inf, sqrt
 
 from nmatrix.answers.inspect.flaws import FLAWS
 from nmatrix.enums import Flaw, Kind
+from nmatrix.errors import counted
 from nmatrix.linear.classify import Classification, most_excess, near_worst_angle_deg
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.report import Vector
 from nmatrix.scene.hierarchy import Hierarchy
-from nmatrix.scene.words import NormalsFrom, counted
+from nmatrix.scene.words import NormalsFrom
 
 KINDS = list(Kind)
 # The flaws of one map.

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from nmatrix.answers.inspect.file import Special
 from nmatrix.answers.inspect.node import Carriers, InspectedNode
 from nmatrix.enums import Flaw, Kind
-from nmatrix.scene.words import counted
+from nmatrix.errors import counted
 
 
 def remarks_about(

@@ -20,7 +20,7 @@ from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unr
 from nmatrix.answers.inspect.remarks import remarks_about
 from nmatrix.answers.inspect.words import ROOM, elided, named, of_all, told_apart
 from nmatrix.enums import Flaw, NodeOrder, Severity
-from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, quantity
+from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, counted, quantity
 from nmatrix.report import (
     Block,
     Cells,
@@ -35,7 +35,6 @@ from nmatrix.report import (
     Value,
     Verdict,
 )
-from nmatrix.scene.words import counted
 
 SEEN_DEG = 0.1  # of a normal: 8 bits of a diffuse colour turn by half a level at 0.11°
 BENDING = (Flaw.SHEAR, Flaw.NON_UNIFORM_SCALE)

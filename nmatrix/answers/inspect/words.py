@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from nmatrix.errors import counted
 from nmatrix.scene.hierarchy import ABOVE, SEPARATOR
-from nmatrix.scene.words import counted
 
 NAMED = 5  # of a list
 ROOM = 48  # characters of a path; its end tells it apart

@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.enums import Layout
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.tolerance import FEWEST
 from nmatrix.linear.rational import (
@@ -121,7 +121,7 @@ def _last_place(decimals: int | None) -> Fraction:
 
 
 def _refusal(size: tuple[int, int], wanted: str, example: str) -> IllegalValueError:
-    got = f"{size[0]} rows of {size[1]}" if size[0] > 1 else f"{size[1]} numbers"
+    got = f"{size[0]} rows of {size[1]}" if size[0] > 1 else counted(size[1], "number")
     return IllegalValueError(
         f"answer ({got})", f"it is to have {wanted}", f'write it like "{example}"'
     )

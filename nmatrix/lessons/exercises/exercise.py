@@ -7,7 +7,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import Protocol
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.lessons.check.answer import Answer, read_answer
 from nmatrix.lessons.check.judge import RIGHT, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MistakeId
@@ -94,7 +94,11 @@ class Exercise:
         """
         if not isinstance(self.grader, Choice) and not any(c.isdigit() for c in text):
             rows, columns = self.cells
-            size = f"{rows} rows of {columns} numbers" if columns > 1 else f"{rows} numbers"
+            size = (
+                f"{counted(rows, 'row')} of {columns} numbers"
+                if columns > 1
+                else counted(rows, "number")
+            )
             raise IllegalValueError(
                 f"answer ({text.strip()[:30]})",
                 f"exercise {self.number} takes {size}",

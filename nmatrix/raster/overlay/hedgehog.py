@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nmatrix.canvas.glyphs import Ink
 from nmatrix.canvas.marks import Box
 from nmatrix.enums import Effect, NormalRule, Shading
-from nmatrix.errors import printable, shortlist
+from nmatrix.errors import counted, printable, shortlist
 from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import Body
 from nmatrix.raster.overlay.labels import Labels
@@ -108,10 +108,8 @@ class Hedgehog:
                 self.stage.vector(tacks[i].place, long * tacks[i].arrow, ink)
         without = sum(int((~one.ruled.any(axis=1)).sum()) for one in self.chosen)
         if without:
-            drawn = sum(len(one.points) for one in self.chosen)
-            self.remarks.append(
-                f"Zero by this rule, a 0 on the disc: {without} of {drawn} normals drawn."
-            )
+            drawn = counted(sum(len(one.points) for one in self.chosen), "normal")
+            self.remarks.append(f"Zero by this rule, a 0 on the disc: {without} of {drawn} drawn.")
 
     def tangents(self) -> None:
         """Draw a line along a tangent through each place."""

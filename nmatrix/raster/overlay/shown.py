@@ -21,7 +21,7 @@ from nmatrix.canvas.marks import Box, Canvas, Point
 from nmatrix.canvas.slide import HEIGHT
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import Shown, Theme
-from nmatrix.errors import printable, shortlist
+from nmatrix.errors import counted, printable, shortlist
 from nmatrix.linear.rational import identity, to_floats
 from nmatrix.raster.drawn_scene import DrawnScene
 from nmatrix.raster.loaded_scene import Body
@@ -146,9 +146,9 @@ class _Marks:
                 width = min(LINE, LINE_PART * long / self.stage.canvas.scale)
                 self._lines(seen_pieces(self.stage, a, b), self.line_colour, width)
         if fine:
-            many = max(len(body.mesh.triangles) for body in fine)
+            many = counted(max(len(body.mesh.triangles) for body in fine), "triangle")
             self.remarks.append(
-                f"Wireframe: most edges of {_names(fine)} ({many:,} triangles) are shorter than "
+                f"Wireframe: most edges of {_names(fine)} ({many}) are shorter than "
                 f"{FINEST:g} pixels and would run together: only its outline is drawn."
             )
         for body in fine:

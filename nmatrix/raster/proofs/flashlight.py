@@ -19,6 +19,7 @@ from nmatrix.canvas.glyphs import Ink, Verdict
 from nmatrix.canvas.marks import Box, Point
 from nmatrix.canvas.slide import HEADING, Panel, Row, Slide
 from nmatrix.enums import Theme
+from nmatrix.errors import counted
 from nmatrix.linear.projection import Window
 from nmatrix.raster.drawn_scene import drawn_scene, level_difference
 from nmatrix.raster.loaded_scene import LoadedScene, loaded
@@ -92,8 +93,8 @@ def flashlight(settings: ProofSettings) -> Proof:
     return Proof.of(
         settings.subject,
         slide,
-        f"Walking around, the middle changes by {changed[0]} levels under the light that is left "
-        f"behind, by {changed[1]} under the flashlight.",
+        f"Walking around, the middle changes by {counted(changed[0], 'level')} under the light "
+        f"that is left behind, by {changed[1]} under the flashlight.",
         [stage.drawn for row in drawn for stage in row],
         numbers={"middle_change_world": changed[0], "middle_change_eye": changed[1]},
         max_level_difference=max(changed),

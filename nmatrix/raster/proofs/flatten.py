@@ -12,6 +12,7 @@ from nmatrix.canvas.diagrams import circle_to_line
 from nmatrix.canvas.glyphs import Ink, Verdict
 from nmatrix.canvas.slide import GUTTER, Slide
 from nmatrix.enums import NormalRule
+from nmatrix.errors import counted
 from nmatrix.raster.drawn_scene import DrawnScene, level_difference
 from nmatrix.raster.loaded_scene import Body, loaded
 from nmatrix.raster.overlay.stage import ARROW, Stage, radius_of, rings_around
@@ -103,7 +104,8 @@ def _flattened(settings: ProofSettings, without: Scene, right: Scene) -> Found:
     lit.tacks(longer, Ink.RIGHT, radius_of(body))
     dark = level_difference(zero.drawn, lit.drawn)
     verdict = (
-        f"The cofactors still know the plane's normal; without it {dark} levels of light are lost."
+        "The cofactors still know the plane's normal; without it "
+        f"{counted(dark, 'level')} of light {'is' if dark == 1 else 'are'} lost."
     )
     return slide, (zero.drawn, lit.drawn), verdict
 

@@ -10,6 +10,7 @@ from nmatrix.canvas.diagrams import circle_to_ellipse
 from nmatrix.canvas.glyphs import Ink, Verdict
 from nmatrix.canvas.slide import CAPTION, GUTTER, HEADING, STAGE_AT, Panel, Slide
 from nmatrix.enums import Kind, NormalRule
+from nmatrix.errors import counted
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.loaded_scene import Body, LoadedScene, loaded
 from nmatrix.raster.overlay.stage import Stage, radius_of
@@ -215,7 +216,7 @@ def bias(settings: ProofSettings) -> Proof:
     return Proof.of(
         settings.subject,
         slide,
-        f"The wrong matrix is off by {hidden} levels in a rotation, {under}.",
+        f"The wrong matrix is off by {counted(hidden, 'level')} in a rotation, {under}.",
         [one.drawn for one in drawn],
         numbers={"rotation_level_difference": hidden, "scale_level_difference": seen},
         max_level_difference=seen,

@@ -14,6 +14,7 @@ from nmatrix.canvas.glyphs import EDGE, disc, eye, ramp_bar
 from nmatrix.canvas.marks import Box, Canvas, Point
 from nmatrix.canvas.slide import CAPTION, GUTTER, NARROW_HEADING, Panel, Slide
 from nmatrix.enums import Effect, Reflection, Shading
+from nmatrix.errors import counted
 from nmatrix.raster.drawn_scene import level_difference
 from nmatrix.raster.overlay.stage import Stage
 from nmatrix.raster.proofs.proof import Proof, ProofSettings
@@ -141,8 +142,8 @@ def _verdict(most: int) -> str:
     if not most:
         return "Here Gouraud and Phong shading give the same picture."
     return (
-        f"Gouraud shading is up to {most} levels from Phong shading: between its corners it has no "
-        "light of its own."
+        f"Gouraud shading is up to {counted(most, 'level')} from Phong shading: between its "
+        "corners it has no light of its own."
     )
 
 

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, quoted
+from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.scene.gltf.extensions import MESHOPT, PACKING
-from nmatrix.scene.gltf.file import GltfFile
+from nmatrix.scene.gltf.file import GltfFile, in_digits
 from nmatrix.scene.gltf.records import Accessor, BufferView, SparsePlace
 
 Array = NDArray[Any]
@@ -43,7 +43,6 @@ SHAPES: dict[str, tuple[int, ...]] = {
 }
 COLUMN = 4  # bytes: a column of a matrix begins at a multiple of them
 MOST_ZEROS = 1 << 22  # elements that no bytes stand for
-MOST_DIGITS = 16  # of a number in an error
 ALL = slice(None)
 
 
@@ -168,7 +167,7 @@ def _values(file: GltfFile, index: int, record: Accessor) -> Values:
     shape = SHAPES[record.type]
     if record.buffer_view is None:
         if record.count > MOST_ZEROS:
-            why = f"{name} claims {_told(record.count)} elements without bytes"
+            why = f"{name} claims {in_digits(record.count)} elements without bytes"
             raise file.fault(f"{why}, and of zeros {MOST_ZEROS} at most are taken")
         stored = np.broadcast_to(np.zeros((1, *shape), kind), (record.count, *shape))
     else:
@@ -193,7 +192,9 @@ def _sparse(file: GltfFile, name: str, record: Accessor) -> tuple[Array, Array]:
     """Find the elements that a sparse accessor changes, and what they become."""
     sparse = record.sparse
     if sparse is None or not 0 <= sparse.count <= record.count:
-        raise file.fault(f"{name} is sparse and changes more than its {record.count} elements")
+        raise file.fault(
+            f"{name} is sparse and changes more than its {counted(record.count, 'element')}"
+        )
     of_indices = f"{name}, in its sparse indices,"
     kind = _component(file, of_indices, sparse.indices.component_type, (5121, 5123, 5125))
     indices = _stored(file, of_indices, sparse.indices, (kind, sparse.count, (1,)))[:, 0]
@@ -211,14 +212,14 @@ def _sparse(file: GltfFile, name: str, record: Accessor) -> tuple[Array, Array]:
 def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Array:
     """Look at elements in a buffer view: their component, how many, and the shape of each."""
     kind, count, shape = layout
-    view = file.entry("buffer view", file.document.buffer_views, place.buffer_view)
-    content = _bytes_behind(file, view)
+    view = file.entry("buffer view", file.document.buffer_views, place.buffer_view, name)
+    content = _bytes_behind(file, view, f"bufferViews[{place.buffer_view}].buffer")
     view_name = f"buffer view {place.buffer_view}"
     if view.byte_offset < 0 or view.byte_length < 0:
         raise file.fault(f"{view_name} has a negative offset or length")
     end = view.byte_offset + view.byte_length
     if end > len(content):
-        ends = f"{view_name} ends at byte {_told(end)}"
+        ends = f"{view_name} ends at byte {in_digits(end)}"
         raise file.fault(f"{ends}, and buffer {view.buffer} has {len(content)}")
     column = shape[-1] * kind.itemsize
     if len(shape) > 1:
@@ -227,10 +228,8 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
     size = column * (columns - 1) + shape[-1] * kind.itemsize
     stride = view.byte_stride or column * columns
     if stride < size:
-        why = (
-            f"{view_name} has the stride {_told(stride)}, and an element of {name} has {size} bytes"
-        )
-        raise file.fault(why)
+        strides = f"{view_name} has the stride {in_digits(stride)}"
+        raise file.fault(f"{strides}, and an element of {name} has {counted(size, 'byte')}")
     if place.byte_offset < 0:
         raise file.fault(f"{name} begins at byte {place.byte_offset} of {view_name}")
     start = view.byte_offset + place.byte_offset
@@ -238,7 +237,7 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
         return np.zeros((0, *shape), kind)
     end = place.byte_offset + stride * (count - 1) + size
     if end > view.byte_length:
-        ends = f"{name} ends at byte {_told(end)}"
+        ends = f"{name} ends at byte {in_digits(end)}"
         raise file.fault(f"{ends} of {view_name}, which has {view.byte_length}")
     if len(shape) == 1:
         return np.ndarray((count, *shape), kind, content, start, (stride, kind.itemsize))
@@ -246,25 +245,13 @@ def _stored(file: GltfFile, name: str, place: SparsePlace, layout: Layout) -> Ar
     return np.ndarray((count, *shape), kind, content, start, by_columns).swapaxes(1, 2)
 
 
-def _told(number: int) -> str:
-    """Write a number that may have hundreds of digits.
-
-    Examples
-    --------
-    >>> _told(36), _told(10**300)
-    ('36', 'about 10^300')
-    """
-    digits = str(number)
-    return digits if len(digits) <= MOST_DIGITS else f"about 10^{len(digits) - 1}"
-
-
-def _bytes_behind(file: GltfFile, view: BufferView) -> bytes:
+def _bytes_behind(file: GltfFile, view: BufferView, place: str) -> bytes:
     """Take the bytes of a view; of a packed one those of its fallback, if there are any."""
+    behind = file.entry("buffer", file.document.buffers, view.buffer, place)
     packing = next((PACKING[one] for one in view.extensions if one in MESHOPT), None)
     if packing is None:
         return file.buffer(view.buffer)
-    fallback = file.entry("buffer", file.document.buffers, view.buffer)
-    if fallback.uri is None and (view.buffer > 0 or not file.binary or fallback.extensions):
+    if behind.uri is None and (view.buffer > 0 or not file.binary or behind.extensions):
         raise PackedError(file.path, packing)
     try:
         return file.buffer(view.buffer)

@@ -13,6 +13,17 @@ from nmatrix.errors import IllegalValueError, printable, quoted
 from nmatrix.scene.gltf.records import Asset, Document
 
 _BYTE = re.compile(r"\(byte (\d+)\)")
+_EXPECTED = re.compile("expected ('.*') \\(")
+_WORD = re.compile(rb"[\w.+-]{1,20}|[^\s]")
+_LITERAL = re.compile(rb'[:\[,]\s*([tfn]\w{0,4})[^"\w]{0,4}$')  # true, false or null, misspelled
+_BREAKS = (b"\n", b"\r", b"\t")
+_FAULTS = {
+    "trailing comma": "nothing follows a comma",
+    "trailing characters": "the text goes on after its end",
+    "invalid number": "a number is not written as JSON writes it",
+    "escape": "a backslash within quotes begins no escape of JSON",
+}
+_CLOSING = (b"}", b"]", b",")
 _JSON_WORDS = {
     "int": "an integer",
     "float": "a number",
@@ -119,11 +130,38 @@ def _in_words(error: msgspec.ValidationError) -> str:
 
 
 def _place_in(text: bytes, sentence: str) -> str:
-    """Tell where JSON breaks off or is no JSON: the line and what stands there."""
+    r"""Tell where JSON breaks off or is no JSON: the line, and what is wrong there.
+
+    Examples
+    --------
+    >>> text = b'{"nodes": [\n{},\n]}'
+    >>> _place_in(text, "JSON is malformed: trailing comma in array (byte 16)")
+    'line 2: nothing follows a comma'
+    """
     at = _BYTE.search(sentence)
     if at is None:
         return "its JSON ends too early" if "truncated" in sentence else sentence
     byte = int(at[1])
-    line = text.count(b"\n", 0, byte) + 1
-    found = text[byte : byte + 12].decode(errors="replace")
-    return f"line {line} has {quoted(found)} where JSON goes on"
+    if "trailing comma" in sentence:
+        byte = text.rindex(b",", 0, byte)
+    character = text[byte : byte + 1]
+    word = _LITERAL.search(text[:byte], max(byte - 12, 0)) or _WORD.match(text, byte)
+    found = (
+        quoted(word[word.lastindex or 0].decode(errors="replace"))
+        if word
+        else "the end of the text"
+    )
+    missing = _EXPECTED.search(sentence)
+    told = next((why for part, why in _FAULTS.items() if part in sentence), None)
+    if missing:
+        told = f"{missing[1]} is missing before {found}"
+    elif "keys" in sentence:
+        told = f"a name in double quotes is meant where {found} stands"
+    elif told is None and word and word.lastindex:
+        told = f"no value of JSON is {found}"
+    elif told is None and character in _BREAKS:
+        told = "a line break or a tab stands within quotes"
+    elif told is None and character in _CLOSING:
+        told = f"a value is missing before {found}"
+    told = told or f"no value of JSON has {found} there"
+    return f"line {text.count(_BREAKS[0], 0, byte) + 1}: {told}"

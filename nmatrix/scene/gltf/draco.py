@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import MissingPackageError
+from nmatrix.errors import MissingPackageError, counted
 from nmatrix.scene.gltf.accessors import SHAPES, Values
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import DracoRecord, Primitive
@@ -58,7 +58,7 @@ def _values(file: GltfFile, index: int, name: str, data: NDArray[Any]) -> Values
     record = file.entry("accessor", file.document.accessors, index)
     stored = np.asarray(data).reshape(len(data), -1)
     if stored.shape[1:] != SHAPES.get(record.type):
-        raise file.fault(f"{name} has {stored.shape[1]} components in Draco's bytes")
+        raise file.fault(f"{name} has {counted(stored.shape[1], 'component')} in Draco's bytes")
     is_whole = record.normalized and stored.dtype.kind in "iu"
     divisor = int(np.iinfo(stored.dtype).max) if is_whole else 1
     return Values(file.path, f"{name}, unpacked", stored, divisor)

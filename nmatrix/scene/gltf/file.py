@@ -9,26 +9,28 @@ import base64
 import binascii
 import codecs
 import struct
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
 from urllib.parse import unquote
 
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import IllegalValueError, counted, printable
 from nmatrix.scene.beside import asset_bytes, beside
 from nmatrix.scene.gltf.document import check_version, read_document
 from nmatrix.scene.gltf.nodes import Nodes, placed
 from nmatrix.scene.gltf.primitives import Content, Kept, beyond_bytes
 from nmatrix.scene.gltf.records import Asset, Document, ImageRecord
 from nmatrix.scene.hierarchy import Hierarchy
-from nmatrix.scene.words import counted
 
 Entry = TypeVar("Entry")
 
 MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
+PADDING = 3  # bytes that the end of a container may have more
+MOST_DIGITS = 16  # of a number in an error
 OLD_CONTAINER = 1  # the version of a container of glTF 1.0
 
 
@@ -55,22 +57,24 @@ class GltfFile:
         if not document.scenes:
             roots = [i for i, above in enumerate(self.hierarchy.parents) if above is None]
         else:
-            roots = self.entry("scene", document.scenes, document.scene or 0).nodes
+            chosen = document.scene or 0
+            roots = self.entry("scene", document.scenes, chosen, "scene").nodes
+            for i, root in enumerate(roots):  # those below were looked up with their parents
+                self.entry("node", document.nodes, root, f"scenes[{chosen}].nodes[{i}]")
         waiting, found = list(reversed(roots)), dict[int, None]()
         while waiting:
             at = waiting.pop()
-            node = self.entry("node", document.nodes, at)
             if at not in found:
                 found[at] = None
-                waiting.extend(reversed(node.children))
+                waiting.extend(reversed(document.nodes[at].children))
         return tuple(found)
 
     def fault(self, why: str, next_step: str = "export it again") -> IllegalValueError:
         """Return the error for this file."""
         return IllegalValueError(f"{self.path}", why, next_step)
 
-    def entry(self, kind: str, entries: Sequence[Entry], index: int) -> Entry:
-        """Look up what another part of the file refers to by its index.
+    def entry(self, kind: str, entries: Sequence[Entry], index: int, place: str = "") -> Entry:
+        """Look up what another part of the file, at a place in its JSON, refers to by its index.
 
         Raises
         ------
@@ -78,7 +82,8 @@ class GltfFile:
             If there is no such entry.
         """
         if not 0 <= index < len(entries):
-            raise self.fault(f"{kind} {index} does not exist", "mend the file")
+            where = f"{place}: " if place else ""
+            raise self.fault(f"{where}{kind} {index} does not exist", "mend the file")
         return entries[index]
 
     @cached_property
@@ -121,6 +126,19 @@ class GltfFile:
                 "copy the file again",
             )
         return content
+
+    def held(self, index: int) -> int | None:
+        """Count the bytes of a buffer without reading them; None where nobody knows."""
+        uri = self.document.buffers[index].uri
+        if uri is None:
+            return len(self.binary) if index == 0 else None
+        if uri.startswith("data:"):
+            text = uri.partition(",")[2]
+            return len(text) * 3 // 4 - text[-2:].count("=")
+        with suppress(OSError, ValueError):
+            named = beside(self.path, unquote(uri), allow_outside=self.allow_outside)
+            return named.stat().st_size
+        return None
 
     def _bytes_of(self, index: int, uri: str | None) -> bytes:
         if uri is not None:
@@ -188,7 +206,41 @@ def read_gltf(path: Path, *, content: bytes | None = None, allow_outside: bool =
         if uri is not None and not uri.startswith("data:"):
             beside(path, unquote(uri), allow_outside=allow_outside)
     nodes = placed(path, document.nodes, len(document.meshes))
-    return GltfFile(path, document, binary, nodes, (*remarks, *nodes.told()), allow_outside)
+    file = GltfFile(path, document, binary, nodes, (), allow_outside)
+    remarks += [*_told_of_buffers(document, file.held), *nodes.told()]
+    return replace(file, remarks=tuple(remarks))
+
+
+def _told_of_buffers(document: Document, held: Callable[[int], int | None]) -> Iterator[str]:
+    """Tell of the buffers that are said to be shorter than they are, or than what is asked of them.
+
+    `held` counts the bytes that a buffer has, where that is known.
+    """
+    ends = Counter[int]()
+    for view in document.buffer_views:
+        ends[view.buffer] = max(ends[view.buffer], view.byte_offset + view.byte_length)
+    for index, buffer in enumerate(document.buffers):
+        said = in_digits(buffer.byte_length)
+        if ends[index] > buffer.byte_length:
+            yield (
+                f"Buffer {index} is said to have {said} bytes, and buffer views reach to its byte "
+                f"{in_digits(ends[index])}."
+            )
+        elif (held(index) or 0) > buffer.byte_length + PADDING:
+            has = f"has {held(index)}: not all is read"
+            yield f"Buffer {index} is said to have {said} bytes and {has}."
+
+
+def in_digits(number: int) -> str:
+    """Write a number that may have hundreds of digits.
+
+    Examples
+    --------
+    >>> in_digits(36), in_digits(10**300)
+    ('36', 'about 10^300')
+    """
+    digits = str(number)
+    return digits if len(digits) <= MOST_DIGITS else f"about 10^{len(digits) - 1}"
 
 
 def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:

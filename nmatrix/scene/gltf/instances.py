@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import msgspec
 
-from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.errors import IllegalValueError, NoAnswerError, counted
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, product
 from nmatrix.scene.gltf.extensions import INSTANCING
@@ -76,7 +76,9 @@ def instance_matrices(file: GltfFile, node_index: int) -> tuple[RationalMatrix, 
         raise file.fault(f"its instances are {listed}; they are alike in number")
     before = file.kept.instances
     if node_index not in before and before.total() + max(counts) > MOST:
-        raise file.fault(f"with its {max(counts)} instances the file has more than {MOST}")
+        raise file.fault(
+            f"with its {counted(max(counts), 'instance')} the file has more than {MOST:,}"
+        )
     before[node_index] = max(counts)
     columns = {
         name: found[name].exact() if name in found else [unmoved] * max(counts)

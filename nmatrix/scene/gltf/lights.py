@@ -65,7 +65,9 @@ def carried_lights(file: GltfFile, drawn: Sequence[int]) -> tuple[CarriedLight, 
             if LIGHTS in extensions:
                 at = msgspec.convert(extensions[LIGHTS], PunctualReference).light
                 if not 0 <= at < len(lights):
-                    raise _bad(file, file.nodes[index], f"light {at} does not exist")
+                    raise _bad(
+                        file, file.nodes[index], f"nodes[{index}]: light {at} does not exist"
+                    )
                 found.append(CarriedLight(lights[at], file.nodes[index]))
     except msgspec.ValidationError as error:
         raise file.fault(f"{LIGHTS}: {error}") from None
@@ -150,7 +152,7 @@ def camera(file: GltfFile, node: Node, index: int) -> tuple[View, Lens]:
     """
     cameras = file.document.cameras
     if not 0 <= index < len(cameras):
-        raise _bad(file, node, f"camera {index} does not exist")
+        raise _bad(file, node, f"nodes[{node.index}].camera: camera {index} does not exist")
     world, lens = node.world_from_object, _lens(cameras[index])
     back, up = (tuple(row[i] for row in world[:3]) for i in (2, 1))
     if lens is None or not any(back):
@@ -169,7 +171,7 @@ def _lens(record: CameraRecord) -> Lens | None:
         seen = record.perspective
         return Lens(
             fov_degrees=degrees(seen.yfov),
-            aspect=seen.aspect_ratio or 1.0,
+            aspect=seen.aspect_ratio or None,
             near=seen.znear,
             far=inf if seen.zfar is None else seen.zfar,
         )

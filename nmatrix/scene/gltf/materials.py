@@ -129,12 +129,13 @@ class Materials:
             return None
         document = self.file.document
         record = self.file.entry("texture", document.textures, reference.index)
-        image = None if record.image is None else self._image(record.image)
+        at = f"textures[{reference.index}]"
+        image = None if record.image is None else self._image(record.image, f"{at}.source")
         if image is None:
             return None
         sampler = Sampler()
         if record.sampler is not None:
-            sampler = self.file.entry("sampler", document.samplers, record.sampler)
+            sampler = self.file.entry("sampler", document.samplers, record.sampler, f"{at}.sampler")
         given = reference.extensions.transform
         (right, down), (across, up) = given.offset, given.scale
         return Texture(
@@ -147,10 +148,10 @@ class Materials:
             is_optional=True,
         )
 
-    def _image(self, source: int) -> ImageSource | None:
+    def _image(self, source: int, place: str) -> ImageSource | None:
         """Return an image, inside the file or beside it, if it is there."""
         document = self.file.document
-        record = self.file.entry("image", document.images, source)
+        record = self.file.entry("image", document.images, source, place)
         uri = record.uri
         if uri is None or uri.startswith("data:"):
             name = f"{self.file.path} (image {source})"

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import MissingPackageError, NMatrixError
+from nmatrix.errors import MissingPackageError, NMatrixError, counted
 from nmatrix.linear.rational import to_floats
 from nmatrix.scene.geometry import DamagedPartError
 from nmatrix.scene.gltf.accessors import PackedError, Rows, Values, values
@@ -32,7 +32,7 @@ from nmatrix.scene.gltf.records import FAN, TRIANGLES, DracoRecord, Primitive
 from nmatrix.scene.gltf.skinning import Vertices, blended, carried
 from nmatrix.scene.gltf.skins import joint_matrices
 from nmatrix.scene.meshes.mesh import Mesh, unit
-from nmatrix.scene.words import VERTEX, NormalsFrom, counted
+from nmatrix.scene.words import NormalsFrom
 
 Array = NDArray[Any]
 
@@ -146,9 +146,7 @@ class _Part:
         if len(triangles) == 0:
             raise self.file.fault("it has no triangles")
         if triangles.max() >= self.count:
-            raise self.file.fault(
-                f"its index {triangles.max()} is beyond {counted(self.count, *VERTEX)}"
-            )
+            raise self.file.fault(f"its index {triangles.max()} is beyond {self._vertices}")
         rows, triangles = _referred(triangles, self.count)
         vertices, remarks = self._at_rest(rows, triangles, pose)
         if vertices.normals is None:
@@ -226,8 +224,9 @@ class _Part:
             return blended(matrices, joint, weight), []
         worst = total[np.argmax(np.abs(total - 1))]
         count = int(np.count_nonzero(far))
-        told = f"the weights of {counted(count, *VERTEX)} were brought to a sum of 1"
-        return blended(matrices, joint, weight), [f"{self.name}: {told}, at worst from {worst:g}."]
+        some = counted(count, "vertex", "vertices")
+        told = f"the weights of {some} were brought to a sum of 1, at worst from {worst:g}"
+        return blended(matrices, joint, weight), [f"{self.name}: {told}."]
 
     @cached_property
     def unpacked(self) -> tuple[Mapping[str, Values], Array | None]:
@@ -274,16 +273,20 @@ class _Part:
             raise self.file.fault(f"{kind} and have to be of uint8, uint16 or uint32")
         return found.raw().ravel().astype(np.intp)
 
+    @property
+    def _vertices(self) -> str:
+        return counted(self.count, "vertex", "vertices")
+
     def _check_room(self, corners: int) -> None:
         if content_of(self.record) in self.file.beyond_bytes:
-            why = f"its {corners} corners are more than the file has bytes left for"
-            raise self.file.fault(why)
+            are = counted(corners, "corner is", "corners are")
+            raise self.file.fault(f"{are} more than the file has bytes left for")
 
     def _values(self, name: str) -> Values:
         """Look up an attribute, which has an element for every vertex."""
         found = self._found(name)
         if len(found) != self.count:
-            why = f"{name} has {counted(len(found), 'element')} for {counted(self.count, *VERTEX)}"
+            why = f"{name} has {counted(len(found), 'element')} for {self._vertices}"
             raise self.file.fault(why)
         return found
 
@@ -300,7 +303,7 @@ class _Part:
         found = values(self.file, accessor, f"{name} of morph target {number}", types)
         if len(found) != self.count:
             why = f"{name} of morph target {number} has {counted(len(found), 'element')}"
-            raise self.file.fault(f"{why} for {counted(self.count, *VERTEX)}")
+            raise self.file.fault(f"{why} for {self._vertices}")
         return found
 
 

@@ -163,7 +163,9 @@ def placed(path: Path, records: Sequence[NodeRecord], meshes: int) -> Nodes:
     mended = {}
     for index, record in enumerate(records):
         if record.mesh is not None and not 0 <= record.mesh < meshes:
-            raise _fault(path, index, record, f"mesh {record.mesh} does not exist")
+            raise _fault(
+                path, index, record, f"nodes[{index}].mesh: mesh {record.mesh} does not exist"
+            )
         kind = _checked(path, index, record)
         if kind is not None:
             mended[index] = kind
@@ -175,9 +177,10 @@ def _order(path: Path, nodes: Sequence[NodeRecord]) -> tuple[list[int], list[int
     """Return the nodes with parents first, and each node's parent."""
     parents: list[int | None] = [None] * len(nodes)
     for index, record in enumerate(nodes):
-        for child in record.children:
+        for place, child in enumerate(record.children):
             if not 0 <= child < len(nodes):
-                raise _fault(path, index, record, f"child {child} does not exist")
+                why = f"nodes[{index}].children[{place}]: node {child} does not exist"
+                raise _fault(path, index, record, why)
             if parents[child] is not None:
                 raise _fault(path, child, nodes[child], "it has two parents")
             parents[child] = index

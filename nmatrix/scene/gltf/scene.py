@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from nmatrix.errors import NMatrixError, printable, shortlist
+from nmatrix.errors import NMatrixError, counted, printable, shortlist
 from nmatrix.scene.camera import View
 from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
@@ -65,6 +65,7 @@ class _Reading:
             lens=lens,
             settings=settings_of_file(gamma=True, size=_size(float(lens.aspect_ratio))),
             has_camera=has_camera,
+            is_framed=has_camera and lens.aspect is not None,
             path=self.file.path,
             remarks=(*self.file.remarks, *self._remarks(len(carried))),
             nodes=tuple(map(self.objects.node, range(len(self.file.nodes)))),
@@ -120,7 +121,15 @@ class _Reading:
             others = self.objects.told_of_others
             beside = f" (other primitives: {others})" if others else ""
             why = f"it draws nothing: there are no triangles in its scene{beside}"
-            return self.file.fault(why)
+            shown = set(self.file.in_scene)
+            outside = sum(
+                one.mesh is not None and i not in shown
+                for i, one in enumerate(self.file.document.nodes)
+            )
+            if not outside:
+                return self.file.fault(why)
+            nodes = counted(outside, "node with a mesh is", "nodes with a mesh are")
+            return self.file.fault(f"{why}, and {nodes} outside of it", "put them into the scene")
         return None
 
     @cached_property

@@ -7,9 +7,9 @@ not count (glTF 2.0, 3.7.3.3).
 
 from __future__ import annotations
 
+from nmatrix.errors import counted
 from nmatrix.linear.rational import AFFINE_ROW, RationalMatrix, product
 from nmatrix.scene.gltf.file import GltfFile
-from nmatrix.scene.words import counted
 
 LAST_ROW_SLACK = 1e-6  # files hold float32
 
@@ -33,7 +33,10 @@ def joint_matrices(file: GltfFile, skin_index: int) -> tuple[RationalMatrix, ...
 
 def _joint_matrices(file: GltfFile, skin_index: int) -> tuple[RationalMatrix, ...]:
     skin = file.entry("skin", file.document.skins, skin_index)
-    worlds = [file.entry("joint", file.nodes, joint).world_from_object for joint in skin.joints]
+    worlds = [
+        file.entry("joint", file.nodes, joint, f"skins[{skin_index}].joints[{i}]").world_from_object
+        for i, joint in enumerate(skin.joints)
+    ]
     if skin.inverse_bind_matrices is None:
         return tuple(worlds)
     from nmatrix.scene.gltf.accessors import values

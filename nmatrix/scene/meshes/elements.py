@@ -7,7 +7,7 @@ and lists of one length are then read together.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from struct import Struct
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, did_you_mean, printable
+from nmatrix.errors import IllegalValueError, counted, did_you_mean, printable
 from nmatrix.scene.meshes.text import FIGURE, numbers, readable
 
 Indices = NDArray[np.intp]
@@ -27,6 +27,7 @@ KINDS = {
     **{"int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4"},
     **{"float": "f4", "double": "f8", "float32": "f4", "float64": "f8"},
 }
+WORDS = ("format", "element", "property", "comment", "obj_info", "end_header")
 TEXTURE = "texturefile"
 LONGEST_HEADER = 1 << 20  # bytes
 NOT_FINITE = (b"nan", b"inf", b"infinity")
@@ -69,7 +70,7 @@ class Header:
     elements: tuple[Element, ...]
     size: int
     lines: int
-    textures: tuple[str, ...] = ()
+    textures: Mapping[str, int] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
 
 
@@ -117,7 +118,9 @@ def read_header(path: Path, content: bytes) -> Header:
         place = stop + len(end)
         shown = printable(" ".join(words)[:60])
         try:
-            if not declared.understands(words):
+            if not declared.understands(number, words):
+                if did_you_mean(words[0], WORDS, ""):
+                    raise ValueError(words)
                 told = f"Line {number} of {path.name} was not understood: {shown}."
                 declared.remarks.append(told)
         except (KeyError, ValueError, IndexError):
@@ -133,7 +136,7 @@ def read_header(path: Path, content: bytes) -> Header:
         tuple(declared.elements),
         place,
         number,
-        tuple(declared.textures),
+        declared.textures,
         tuple(declared.remarks),
     )
 
@@ -141,6 +144,8 @@ def read_header(path: Path, content: bytes) -> Header:
 def _hint(words: list[str]) -> str:
     """Look for a form or a kind that is misspelled."""
     known = (*ORDERS, *KINDS)
+    if words[0] not in WORDS:
+        return did_you_mean(words[0], WORDS, "export it again")
     odd = [word for word in words[1:-1] if word not in (*known, "list")]
     return did_you_mean(odd[0] if odd else "", known, "export it again")
 
@@ -151,10 +156,10 @@ class _Declared:
 
     form: str | None = None
     elements: list[Element] = field(default_factory=list)
-    textures: list[str] = field(default_factory=list)
+    textures: dict[str, int] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
 
-    def understands(self, words: list[str]) -> bool:
+    def understands(self, number: int, words: list[str]) -> bool:
         """Take in a line, if its first word is one of a header.
 
         Raises
@@ -170,7 +175,7 @@ class _Declared:
                 self.form = form
             case ["comment" | "obj_info", *rest]:
                 if rest and rest[0].lower() == TEXTURE:
-                    self.textures.append(" ".join(rest[1:]))
+                    self.textures.setdefault(" ".join(rest[1:]), number)
             case ["element", name, count] if count.isdecimal():
                 self.elements.append(Element(name, int(count)))
             case ["property", "list", count, kind, name]:
@@ -208,6 +213,43 @@ def read_elements(path: Path, header: Header, content: bytes) -> dict[str, Colum
         return found
     body = Body(path, as_doubles, _row_by_row(path, header, text))  # lines hold more than rows
     return {element.name: body.columns(element) for element in header.elements}
+
+
+def misfits(header: Header, found: Mapping[str, Columns]) -> Iterator[str]:
+    """Tell of the figures of a text that its header's types cannot hold; they are read as written.
+
+    Bytes always fit: they are of the type.
+    """
+    for element in header.elements if header.order is None else ():
+        for one in element.properties:
+            column = found.get(element.name, {}).get(one.name)
+            if isinstance(column, Lists):
+                rows = np.repeat(np.arange(len(column.lengths)), column.lengths)
+                length = f"the length of {printable(one.name)}"
+                yield from _misfit(element, length, one.count or "", (column.lengths, None))
+                yield from _misfit(element, printable(one.name), one.kind, (column.values, rows))
+            elif column is not None:
+                yield from _misfit(element, printable(one.name), one.kind, (column, None))
+
+
+def _misfit(
+    element: Element, name: str, kind: str, figures: tuple[NDArray[Any], Indices | None]
+) -> Iterator[str]:
+    values, rows = figures
+    bounds: Any = np.finfo(kind) if kind[0] == "f" else np.iinfo(kind)
+    bad = (values < float(bounds.min)) | (values > float(bounds.max))
+    bad &= np.isfinite(values)
+    if kind[0] != "f":
+        bad |= values != np.floor(values)
+    if bad.any():
+        first = int(np.argmax(bad))
+        row = 1 + (first if rows is None else int(rows[first]))
+        do = counted(int(np.count_nonzero(bad)), "value does", "values do")
+        word = next(word for word, one in KINDS.items() if one == kind)
+        yield (
+            f"Of {name}, {do} not fit its type, {word}: the first is {values[first]:g}, in row "
+            f"{row:,} of the element {element.shown}. What is written counts."
+        )
 
 
 def _figures(path: Path, header: Header, text: bytes) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -47,11 +47,20 @@ def read_mesh_file(path: Path, *, allow_outside: bool = False) -> MeshFile:
     Raises
     ------
     IllegalValueError
-        As `read_mesh`, and for a material or an image that lies outside the file's folder, unless
-        that is allowed.
+        As `read_mesh` and `with_materials`.
     """
-    found = read_surface(path)
-    materials = Materials(path, allow_outside)
+    return with_materials(path, read_surface(path), allow_outside=allow_outside)
+
+
+def with_materials(path: Path, found: MeshFile, *, allow_outside: bool = False) -> MeshFile:
+    """Give the parts of a mesh file their materials.
+
+    Raises
+    ------
+    IllegalValueError
+        For a material or an image that lies outside the file's folder, unless that is allowed.
+    """
+    materials = Materials(path, found.materials, allow_outside)
     if path.suffix.lower() == ".ply":
         return _with_image(path, found, allow_outside=allow_outside)
     materials.read(found.named or _beside(path, found))
@@ -75,14 +84,14 @@ def _unused(path: Path, found: MeshFile) -> list[str]:
     """Tell of libraries that are named, of which no face uses a material."""
     if not found.named or any(part.name for part in found.parts):
         return []
-    return [f"{path.name} names {printable(found.named[0])} and uses no material of it."]
+    return [f"{path.name} names {printable(next(iter(found.named)))} and uses no material of it."]
 
 
-def _beside(path: Path, found: MeshFile) -> tuple[str, ...]:
+def _beside(path: Path, found: MeshFile) -> Mapping[str, int]:
     """Name the library that is called as the file, where it names none and uses materials."""
     library = path.with_suffix(".mtl")
-    is_used = any(part.name for part in found.parts)
-    return (library.name,) if is_used and library.is_file() else ()
+    is_used = library.is_file() and bool(found.materials)
+    return {library.name: min(found.materials.values())} if is_used else {}
 
 
 def read_surface(path: Path, content: bytes | None = None) -> MeshFile:
@@ -111,7 +120,9 @@ def _with_image(path: Path, found: MeshFile, *, allow_outside: bool) -> MeshFile
     (part,) = found.parts
     files = [beside(path, name, allow_outside=allow_outside) for name in found.named]
     missing = [
-        f"Files are missing: {printable(file.name)}." for file in files if not file.is_file()
+        f"Files are missing: {printable(file.name)} ({path.name}, line {line})."
+        for file, line in zip(files, found.named.values(), strict=True)
+        if not file.is_file()
     ]
     material = coloured() if part.mesh.colours is not None else None
     if len(files) == 1 and not missing and part.mesh.uv is not None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.report import Vector
 from nmatrix.scene.meshes.shell import Shell, shell_of
 from nmatrix.scene.meshes.watertight import PART, same_place
@@ -53,7 +53,8 @@ class Mesh:
     def __post_init__(self) -> None:
         if self.positions.shape != self.normals.shape:
             raise IllegalValueError(
-                f"a mesh of {len(self.positions)} positions and {len(self.normals)} normals",
+                f"a mesh of {counted(len(self.positions), 'position')} and "
+                f"{counted(len(self.normals), 'normal')}",
                 "each vertex has one of each",
                 "export it again",
             )
@@ -66,7 +67,7 @@ class Mesh:
         if low < 0 or high >= len(self.positions):
             raise IllegalValueError(
                 f"index {high if high >= len(self.positions) else low}",
-                f"the mesh has {len(self.positions)} vertices",
+                f"the mesh has {counted(len(self.positions), 'vertex', 'vertices')}",
                 "export it again",
             )
 
@@ -235,9 +236,12 @@ def unit(vectors: NDArray[Any]) -> Array:
     return np.asarray(np.divide(scaled, length, out=np.zeros_like(scaled), where=length > 0))
 
 
+MADE_SMOOTH = "Normals were made, smooth but for sharp edges"
+
+
 def normals_made(source: str) -> str:
     """Tell that the normals are not those of the file: smooth, but for creases."""
-    return f"Normals were made, smooth but for sharp edges: {source} lacks some or all."
+    return f"{MADE_SMOOTH}: {source} lacks some or all."
 
 
 def welded_normals(

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -22,6 +23,7 @@ OPTIONS = {
     **dict.fromkeys(("-texres", "-bm", "-boost", "-colorspace"), 1),
     "-mm": 2,
 }
+_COMMENT = re.compile(r"\s+#(\s.*)?$")
 PLACES = ("-o", "-s", "-t")  # one to three numbers follow
 NOT_DRAWN = {
     "map_ka": "images of ambient light",
@@ -52,19 +54,40 @@ DULLEST = 1.0  # the least shininess; exporters write 0 where they know none
 TRANSPARENT = ("4", "6", "7", "9")  # of illum: models of glass
 
 
+@dataclass(frozen=True)
+class _Line:
+    """A line of a library, as it was written."""
+
+    file: Path
+    number: int
+    text: str
+
+    @property
+    def value(self) -> str:
+        """What stands behind the first word."""
+        return self.text.partition(" ")[2].strip()
+
+    def __str__(self) -> str:
+        return f"{self.file.name}, line {self.number}"
+
+
 @dataclass
 class Materials:
-    """The materials of an OBJ file by name; it collects what they could not bring along."""
+    """The materials of an OBJ file by name; it collects what they could not bring along.
+
+    `lines` are those of the OBJ file that name each material first.
+    """
 
     path: Path
+    lines: Mapping[str, int] = field(default_factory=dict)
     allow_outside: bool = False
     found: dict[str, Material] = field(default_factory=dict)
-    missing: list[str] = field(default_factory=list)
+    missing: dict[str, str] = field(default_factory=dict)
     unknown: list[str] = field(default_factory=list)
     left_out: Counter[str] = field(default_factory=Counter)
     remarks_on_lines: list[str] = field(default_factory=list)
 
-    def read(self, libraries: Iterable[str]) -> None:
+    def read(self, libraries: Mapping[str, int]) -> None:
         """Read the libraries that are there; one line may name several.
 
         Raises
@@ -72,27 +95,30 @@ class Materials:
         IllegalValueError
             For a name that leads out of the folder, unless that is allowed.
         """
-        for named in libraries:
-            words = [named] if self._path(named) else named.split()
+        for named, number in libraries.items():
+            line = f"{self.path.name}, line {number}"
+            words = [named] if self._path(named, line) else _uncommented(named).split()
             for name in words:
-                file = self._path(name)
-                if file is None:
-                    self.missing.append(name)
-                    continue
+                file = self._path(name, line)
                 try:
-                    content = asset_bytes(file)
+                    content = None if file is None else asset_bytes(file)
                 except IllegalValueError as error:
-                    told = f"{printable(file.name)} is not read: {error.parts[1]}."
+                    told = f"{printable(name)} ({line}) is not read: {error.parts[1]}."
                     self.remarks_on_lines.append(told)
                     continue
-                self._read(file, content)
+                if file is None or content is None:
+                    self.missing.setdefault(name, line)
+                else:
+                    self._read(file, content)
 
     def material(self, name: str, *, vertex_colours: bool) -> Material | None:
         """Find a material by its name; faces without one are white where vertices have colours."""
-        found = self.found.get(name)
+        found = self.found.get(name) or self.found.get(_uncommented(name))
         if found is None:
             if name:
-                self.unknown.append(name)
+                line = self.lines.get(name)
+                place = "" if line is None else f" ({self.path.name}, line {line})"
+                self.unknown.append(f"{name}{place}")
             return coloured() if vertex_colours else None
         return replace(found, vertex_colours=vertex_colours)
 
@@ -103,7 +129,8 @@ class Materials:
         if self.left_out:
             told.append(f"Not drawn of the materials: {', '.join(sorted(self.left_out))}.")
         if self.missing:
-            told.append(f"Files are missing: {_listed(self.missing)}.")
+            missing = [f"{name} ({line})" for name, line in self.missing.items()]
+            told.append(f"Files are missing: {_listed(missing)}.")
         if self.unknown:
             told.append(f"Materials are missing: {_listed(self.unknown)}.")
         return tuple(told)
@@ -118,29 +145,39 @@ class Materials:
         }
         return found | {what: count for what, count in missing.items() if count}
 
-    def _path(self, name: str) -> Path | None:
-        named = beside(self.path, name.replace("\\", "/"), allow_outside=self.allow_outside)
-        return existing_file(str(named))
+    def _path(self, name: str, line: str) -> Path | None:
+        """Find a file by the name on a line, with or without what may be a comment there."""
+        meant = _uncommented(name)
+        for one in dict.fromkeys((meant, name)):
+            try:
+                named = beside(self.path, one.replace("\\", "/"), allow_outside=self.allow_outside)
+            except IllegalValueError as error:
+                if one != meant:
+                    continue  # what leads out is in the comment
+                what, *why = error.parts
+                raise IllegalValueError(f"{what} ({line})", *why) from None
+            if found := existing_file(str(named)):
+                return found
+        return None
 
     def _read(self, file: Path, content: bytes) -> None:
         name: str | None = None
-        values: dict[str, str] = {}
-        for number, line in lines_of(content):
-            word, _, rest = readable(line).strip().partition(" ")
-            rest = rest.strip()
-            if word.lower() == "newmtl":
-                self._add(file, name, values)
-                name, values = rest, {}
+        values: dict[str, _Line] = {}
+        for number, text in lines_of(content):
+            line = _Line(file, number, readable(text).strip())
+            word = line.text.partition(" ")[0].lower()
+            if word == "newmtl":
+                self._add(name, values)
+                name, values = line.value, {}
             elif word and not word.startswith("#"):
-                values[word.lower()] = rest
-                values[f"line of {word.lower()}"] = str(number)
-        self._add(file, name, values)
+                values[word] = line
+        self._add(name, values)
 
-    def _add(self, file: Path, name: str | None, values: dict[str, str]) -> None:
+    def _add(self, name: str | None, values: dict[str, _Line]) -> None:
         if name is None or name in self.found:
             return
-        read = _Values(file, values, self.remarks_on_lines)
-        illumination = values.get("illum", "2").split("#")[0].strip()
+        read = _Values(values, self.remarks_on_lines)
+        illumination = values["illum"].value.split("#")[0].strip() if "illum" in values else ""
         texture = self._texture(values.get("map_kd"))
         diffuse = read.colour("kd", grey(0.8))
         if texture is not None and not any(diffuse):  # it would black out the image
@@ -150,7 +187,7 @@ class Materials:
         if not any(ambient):  # exporters write 0 where they know none
             ambient = diffuse
         specular = read.colour("ks", BLACK)
-        opacity = read.number("d", self._see_through(file, name, values, read))
+        opacity = read.number("d", self._see_through(name, values, read))
         shininess = max(read.number("ns", Material.shininess), 0.0)
         shines = any(specular) and illumination not in (UNLIT, MATT)
         if shines and shininess < DULLEST:  # a highlight of the whole surface shows no shape
@@ -171,25 +208,25 @@ class Materials:
         is_lit = illumination != UNLIT
         matt = replace(found, diffuse=times(diffuse, 1.0 - AMBIENT_SHARE))
         self.found[name] = matt if is_lit else found.without_light()
+        self.found.setdefault(_uncommented(name), self.found[name])
         for word, what in NOT_DRAWN.items():
             self.left_out.update([what] if word in values else [])
 
-    def _see_through(self, file: Path, name: str, values: dict[str, str], read: _Values) -> float:
+    def _see_through(self, name: str, values: dict[str, _Line], read: _Values) -> float:
         """Return the opacity that `Tr` leaves; some programs write 1 for what hides all."""
         clear = read.number("tr", 0.0)
-        illumination = values.get("illum", "2").split("#")[0].strip()
+        illumination = values["illum"].value.split("#")[0].strip() if "illum" in values else ""
         if clear < 1.0 or "d" in values or illumination in TRANSPARENT:
             return 1.0 - clear
-        line = values["line of tr"]
-        told = f"{file.name}, line {line} (Tr 1): material {printable(name)} would let all through"
+        told = f"{values['tr']} (Tr 1): material {printable(name)} would let all through"
         self.remarks_on_lines.append(f"{told}, and is drawn as hiding all, which some write so.")
         return 1.0
 
-    def _texture(self, text: str | None) -> Texture | None:
+    def _texture(self, line: _Line | None) -> Texture | None:
         """Read an image with its options: `-s 2 2 -clamp on brick wall.png`."""
-        if not text:
+        if line is None or not line.value:
             return None
-        words, wrap = text.split(), Wrap.REPEAT
+        words, wrap = line.value.split(), Wrap.REPEAT
         placed: dict[str, list[float]] = {}
         at = 0
         while at < len(words) - 1:
@@ -208,10 +245,10 @@ class Materials:
                 break
         name = " ".join(words[at:])
         if at == 0:
-            name = text
-        file = self._path(name) if name else None
+            name = line.value
+        file = self._path(name, f"{line}") if name else None
         if file is None:
-            self.missing.append(name)
+            self.missing.setdefault(_uncommented(name), f"{line}")
             return None
         return Texture(
             file,
@@ -226,19 +263,18 @@ class Materials:
 class _Values:
     """The values of one material, word by word; what is no number is told and left as usual."""
 
-    file: Path
-    values: dict[str, str]
+    values: dict[str, _Line]
     remarks: list[str]
 
     def colour(self, word: str, usual: Colour) -> Colour:
         """Read three levels, or one for all, in [0, 1]."""
         if word not in self.values:
             return usual
-        words = self.values[word].split("#")[0].split()
+        words = self.values[word].value.split("#")[0].split()
         if len(words) in (1, 2):
             words = words[:1] * 3
         if len(words) < 3 or not all(map(_is_number, words[:3])):
-            self._tell(word)
+            self._tell(word, usual)
             return usual
         red, green, blue = (min(max(float(one), 0.0), 1.0) for one in words[:3])
         return red, green, blue
@@ -247,22 +283,33 @@ class _Values:
         """Read one number, the last: `d -halo 0.5` has a word before it."""
         if word not in self.values:
             return usual
-        words = self.values[word].split("#")[0].split()
+        words = self.values[word].value.split("#")[0].split()
         if words and _is_number(words[-1]):
             return float(words[-1])
-        self._tell(word)
+        self._tell(word, (usual,))
         return usual
 
-    def _tell(self, word: str) -> None:
-        line = self.values[f"line of {word}"]
-        shown = printable(f"{word} {self.values[word]}"[:40])
-        self.remarks.append(f"{self.file.name}, line {line} ({shown}): it was not understood.")
+    def _tell(self, word: str, usual: Sequence[float]) -> None:
+        line, taken = self.values[word], " ".join(f"{one:g}" for one in usual)
+        shown = printable(line.text[:40])
+        self.remarks.append(f"{line} ({shown}): it was not understood; {taken} is taken.")
 
 
 def coloured(name: str = "default") -> Material:
     """Make the material of a mesh that brings its own colours, or an image: white beneath them."""
     ambient, diffuse = grey(AMBIENT_SHARE), grey(1.0 - AMBIENT_SHARE)
     return Material(name, ambient=ambient, diffuse=diffuse, vertex_colours=True)
+
+
+def _uncommented(name: str) -> str:
+    """Cut a comment off a name; a # within a name has no blank behind it.
+
+    Examples
+    --------
+    >>> _uncommented("x.mtl # old"), _uncommented("Material #25")
+    ('x.mtl', 'Material #25')
+    """
+    return _COMMENT.sub("", name)
 
 
 def _is_number(word: str) -> bool:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import IllegalValueError, counted, printable
 from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons, told_left_out
 from nmatrix.scene.meshes.polygons import TRIANGLE
 from nmatrix.scene.meshes.text import (
@@ -27,7 +27,6 @@ from nmatrix.scene.meshes.text import (
     lines_of,
     readable,
 )
-from nmatrix.scene.words import counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -158,7 +157,7 @@ class _Faces(_Lines):
             word = int(np.argmax(bad))
             row = int(face[word])
             token = self.lines[row].split()[word - int(np.searchsorted(face, row))]
-            why = f"only {before[row, 0]:,} lines v stand before it"
+            why = f"only {counted(int(before[row, 0]), 'line v stands', 'lines v stand')} before it"
             if too_many[word]:
                 why = "a corner has three indices at most: v/vt/vn"
             elif given[word, 0] >= 0:
@@ -187,7 +186,8 @@ class _Sorted:
         )
         self.materials: list[tuple[int, bytes]] = []
         self.smoothing: list[tuple[int, bytes]] = []
-        self.libraries: list[str] = []
+        self.libraries: dict[str, int] = {}
+        self.named: dict[str, int] = {}
         self.left_out: Counter[str] = Counter()
 
     def read(self, content: bytes) -> None:
@@ -210,7 +210,7 @@ class _Sorted:
             word, _, rest = (line if line[:1] != b" " else line.lstrip()).partition(b" ")
             table = self.tables.get(word)
             if table is None:
-                self._note(word, rest.strip())
+                self._note(number, word, rest.strip())
                 continue
             if table is faces and b"-" in rest:
                 faces.before[len(faces.lines)] = (len(v), len(vt), len(vn))
@@ -219,12 +219,13 @@ class _Sorted:
             if len(table.lines) == TOGETHER:
                 table.read()
 
-    def _note(self, word: bytes, rest: bytes) -> None:
+    def _note(self, number: int, word: bytes, rest: bytes) -> None:
         """Keep a line that is no numbers."""
         if word == b"usemtl":
             self.materials.append((len(self.faces), rest))
+            self.named.setdefault(readable(rest), number)
         elif word == b"mtllib":
-            self.libraries.append(readable(rest))
+            self.libraries.setdefault(readable(rest), number)
         elif word == b"s":
             self.smoothing.append((len(self.faces), rest.split(b"#")[0].strip().lower()))
         elif word in _LEFT_OUT:
@@ -248,8 +249,8 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     long = sizes >= TRIANGLE
     if not long.any():
         held = left_out or ({"points": len(v)} if len(v) else {})
-        told = " and ".join(_counted(what, count) for what, count in held.items())
-        why = f"it holds {told} and no faces" if held else "it holds no triangles"
+        listed = " and ".join(_counted(what, count) for what, count in held.items())
+        why = f"it holds {listed} and no faces" if held else "it holds no triangles"
         raise IllegalValueError(f"{path}", why, "export its surface as faces")
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()
@@ -269,8 +270,7 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
         _smoothing(found.smoothing, long),
     )
     parts, made, origin = polygons.parts([readable(one) for one in names], material[long])
-    libraries = tuple(dict.fromkeys(found.libraries))
-    return MeshFile(parts, (*remarks, *told, *made), origin, libraries, left_out)
+    return MeshFile(parts, (*remarks, *told, *made), origin, found.libraries, found.named, left_out)
 
 
 def _is_alike(word: bytes, block: bytes, lines: int) -> bool:
@@ -295,14 +295,13 @@ def _checked(
             word = text.split()[1 + int(np.argmax(beyond)) - int(sizes[:face].sum())]
             raise IllegalValueError(
                 f"{path}, line {line} ({printable(readable(word[:40]))})",
-                f"the file has {len(table):,} lines v",
+                f"the file has {counted(len(table), 'line v', 'lines v')}",
                 "mend that line",
             )
         corners[beyond, which] = NONE
-        count = np.count_nonzero(beyond)
+        go = counted(int(np.count_nonzero(beyond)), "corner goes", "corners go")
         told = f"line {line} is the first to name a {table.what} that is not there"
-        corners_go = "corner goes" if count == 1 else "corners go"
-        remarks.append(f"{path.name}, {told}: {count:,} {corners_go} without.")
+        remarks.append(f"{path.name}, {told}: {go} without.")
     return remarks
 
 

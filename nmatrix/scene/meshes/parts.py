@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nmatrix.errors import counted
 from nmatrix.scene.material import Material
 from nmatrix.scene.meshes.creases import creased_normals, mean_normals
 from nmatrix.scene.meshes.mesh import (
@@ -22,7 +23,7 @@ from nmatrix.scene.meshes.mesh import (
     unit,
 )
 from nmatrix.scene.meshes.polygons import Cut, cut
-from nmatrix.scene.words import VERTEX, NormalsFrom, counted
+from nmatrix.scene.words import VERTEX, NormalsFrom
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -45,14 +46,15 @@ class MeshPart:
 class MeshFile:
     """A mesh file: its parts, what has to be said of it, and where its normals come from.
 
-    `named` are the files that it names: material libraries, or images; `left_out` counts what of it
-    is not drawn.
+    `named` are the files that it names, material libraries or images, each with its line;
+    `materials` the lines that name a material first; `left_out` counts what of it is not drawn.
     """
 
     parts: tuple[MeshPart, ...]
     remarks: tuple[str, ...]
     normals_from: NormalsFrom
-    named: tuple[str, ...] = ()
+    named: Mapping[str, int] = field(default_factory=dict)
+    materials: Mapping[str, int] = field(default_factory=dict)
     left_out: Mapping[str, int] = field(default_factory=dict)
 
 
@@ -113,8 +115,8 @@ class Polygons:
         normals, made = self._normals(found)
         remarks = [*made]
         if found.crossing:
-            told = "polygon crosses itself" if found.crossing == 1 else "polygons cross themselves"
-            remarks.append(f"{found.crossing:,} {told}: triangles of {self.source} overlap there.")
+            told = counted(found.crossing, "polygon crosses itself", "polygons cross themselves")
+            remarks.append(f"{told}: triangles of {self.source} overlap there.")
         parts = []
         bare = 0
         for index, name in enumerate(names):

@@ -9,10 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError
-from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
+from nmatrix.errors import IllegalValueError, counted
+from nmatrix.scene.meshes.elements import (
+    Columns,
+    Header,
+    Lists,
+    misfits,
+    read_elements,
+    read_header,
+)
 from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons, told_left_out
-from nmatrix.scene.words import counted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -45,18 +51,18 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
     if not vertices:
         raise IllegalValueError(f"{path}", "it holds no vertices", "export it again")
     if not all(isinstance(vertices.get(axis), np.ndarray) for axis in AXES):
-        raise IllegalValueError(f"{path}", "its vertices have no x, y and z", "export it again")
+        unread = "".join(f" ({one.rstrip('.')})" for one in header.remarks[:1])
+        why = f"its vertices have no x, y and z{unread}"
+        raise IllegalValueError(f"{path}", why, "export it again")
     positions = _together(vertices, AXES)
     _check_finite(path, positions)
     corners, sizes = _corners(path, header, found, len(positions))
     left_out = _left_out(header)
-    remarks = [*header.remarks, *told_left_out(path.name, left_out)]
+    remarks = [*header.remarks, *misfits(header, found), *told_left_out(path.name, left_out)]
     long = sizes > 2
     if not long.all():
-        short = int(np.count_nonzero(~long))
-        remarks.append(
-            f"Not drawn of {path.name}: {counted(short, 'face')} with fewer than three corners."
-        )
+        short = counted(int(np.count_nonzero(~long)), "face")
+        remarks.append(f"Not drawn of {path.name}: {short} with fewer than three corners.")
     if not long.any():
         why = "it holds no triangles"
         if len(positions):
@@ -120,7 +126,7 @@ def _indices(path: Path, name: str, lists: Lists, allowed: range) -> Indices:
         row = int(np.searchsorted(np.cumsum(lists.lengths), place, side="right"))
         raise IllegalValueError(
             f"{path}, row {row + 1:,} of the element {name} (index {values[place]:g})",
-            f"vertices count from 0, and the file has {allowed.stop:,}",
+            f"the file has {counted(allowed.stop, 'vertex', 'vertices')}, counted from 0",
             "export it again",
         )
     return found

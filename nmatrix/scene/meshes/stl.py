@@ -12,17 +12,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import IllegalValueError, counted, did_you_mean, printable
 from nmatrix.scene.meshes.mesh import Mesh, cross_products, unit
 from nmatrix.scene.meshes.parts import MeshFile, MeshPart
 from nmatrix.scene.meshes.text import BLANKS, numbers, readable, refused_word
-from nmatrix.scene.words import VERTEX, NormalsFrom, counted
+from nmatrix.scene.words import NormalsFrom
 
 Array = NDArray[np.float64]
 
 HEADER, COUNT, TRIANGLE = 80, 4, 50  # bytes
 TOGETHER = 1 << 16  # triangles whose normals are made at once
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_WORDS = (b"facet", b"outer", b"vertex", b"endloop", b"endfacet", b"normal", b"loop")
 _NAMES = re.compile(rb"^[ ]*(?:end)?solid\b[^\n]*", re.IGNORECASE | re.MULTILINE)
 _COMMENT = re.compile(rb"#[^\n]*")
 _VERTEX = re.compile(rb"vertex\s+(\S+\s+\S+\s+\S+)")
@@ -102,7 +103,7 @@ def _binary(path: Path, content: bytes) -> tuple[Array, list[str]]:
 
 def _from_text(path: Path, content: bytes) -> tuple[Array, list[str]]:
     """Read the corners (3 T, 3) of a text, which may hold several solids."""
-    text = content.translate(BLANKS).replace(b"\r", b"\n")
+    text = content.translate(BLANKS).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     text = _NAMES.sub(b"", text).lower()
     if b"#" in text:
         text = _COMMENT.sub(b"", text)
@@ -112,16 +113,37 @@ def _from_text(path: Path, content: bytes) -> tuple[Array, list[str]]:
         corners = facet.count(b"vertex")
         if is_last and (corners or b"facet" in facet.replace(b"endfacet", b"")):
             why = f"it breaks off in facet {index + 1:,}"
-            raise IllegalValueError(f"{path}", why, "copy the file again")
+            raise _bad_facet(path, facets, index, (why, "copy the file again"))
         if not is_last and corners != 3:
-            why = f"facet {index + 1:,} has {counted(corners, *VERTEX)}, and a triangle has 3"
-            raise IllegalValueError(f"{path}", why, "export it again")
+            has = counted(corners, "vertex", "vertices")
+            why = f"facet {index + 1:,} has {has}, and a triangle has 3"
+            raise _bad_facet(path, facets, index, (why, "export it again"))
     triangles = len(facets) - 1
     del facets
     values = numbers(b" ".join(_VERTEX.findall(text)), np.float64)
     if values is None or len(values) != 9 * triangles:
         raise _bad_vertex(path, content)
     return values.reshape(-1, 3), []
+
+
+def _bad_facet(
+    path: Path, facets: list[bytes], index: int, told: tuple[str, str]
+) -> IllegalValueError:
+    """Find the line of a facet that begins with no word of the format, or else where it begins."""
+    before = 1 + sum(one.count(b"\n") for one in facets[:index])
+    lines = [
+        (number, line.strip(), line.split()[0])
+        for number, line in enumerate(facets[index].split(b"\n"), before)
+        if line.strip()
+    ]
+    for number, line, word in lines:
+        if word not in _WORDS:
+            shown = printable(readable(line[:40]))
+            known = [one.decode() for one in _WORDS]
+            next_step = did_you_mean(readable(word[:40]), known, "mend that line")
+            why = "no line of an STL file begins so"
+            return IllegalValueError(f"{path}, line {number} ({shown})", why, next_step)
+    return IllegalValueError(f"{path}, line {lines[0][0]}", *told)
 
 
 def _bad_vertex(path: Path, content: bytes) -> IllegalValueError:

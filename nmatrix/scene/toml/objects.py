@@ -82,14 +82,15 @@ def scene_objects(
     origins = {name: _origin(named, drawn) for name, named in drawn.items()}
     geometries = {name: _geometry(e) for name, e in origins.items() if e.name == name}
     with_tangents = {name: TangentGeometry(plain) for name, plain in geometries.items()}
+    index = {name: i for i, name in enumerate(by_name)}
     found = []
     for name, origin in origins.items():
         material = _material(by_name[name], origin, materials)
         source: Mapping[str, Geometry] = with_tangents if material.normal_map else geometries
         above = worlds.get(by_name[name].record.parent or "")
         geometry = source[origin.name]
-        found.append(SceneObject(name, geometry, worlds[name], material, own[name], above))
-    index = {name: i for i, name in enumerate(by_name)}
+        place = worlds[name]
+        found.append(SceneObject(name, geometry, place, material, own[name], above, index[name]))
     nodes = []
     for name, named in by_name.items():
         parent = named.record.parent or ""
