@@ -113,7 +113,7 @@ def test_a_pipe_that_an_asset_names_costs_what_it_was_for(tmp_path: Path) -> Non
         read_image(tmp_path / "a.png")
     (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     assert (
-        "a.mtl is not read: it is a pipe or a device, and no file."
+        "a.mtl (a.obj, line 1) is not read: it is a pipe or a device, and no file."
         in scene_of(tmp_path / "a.obj").remarks
     )
     (tmp_path / "a.gltf").write_text(

@@ -280,7 +280,7 @@ def test_what_a_file_has_beside_faces_is_counted_and_named(tmp_path: Path) -> No
     assert features["material with sheen"].count == 1
     assert features["missing file"].count == 1
     assert features["material"].made_of_it == "drawn but for what is named here"
-    assert "Files are missing: none.png." in scene_of(path).remarks
+    assert "Files are missing: none.png (two.mtl, line 5)." in scene_of(path).remarks
 
 
 def test_a_black_colour_over_an_image_does_not_black_it_out(tmp_path: Path) -> None:
