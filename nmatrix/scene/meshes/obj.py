@@ -17,7 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, counted, printable
-from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons, told_left_out
+from nmatrix.scene.meshes.parts import (
+    FLAT,
+    NONE,
+    Attribute,
+    MeshFile,
+    Polygons,
+    told_left_out,
+    without_triangles,
+)
 from nmatrix.scene.meshes.polygons import TRIANGLE
 from nmatrix.scene.meshes.text import (
     BadFigureError,
@@ -248,10 +256,12 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     sizes = np.concatenate([np.empty(0, np.intp), *found.faces.sizes])
     long = sizes >= TRIANGLE
     if not long.any():
-        held = left_out or ({"points": len(v)} if len(v) else {})
-        listed = " and ".join(_counted(what, count) for what, count in held.items())
-        why = f"it holds {listed} and no faces" if held else "it holds no triangles"
-        raise IllegalValueError(f"{path}", why, "export its surface as faces")
+        found_faces = int(np.count_nonzero(sizes))
+        if left_out and not found_faces:
+            listed = " and ".join(_counted(what, count) for what, count in left_out.items())
+            why = f"it holds {listed} and no faces"
+            raise IllegalValueError(f"{path}", why, "export its surface as faces")
+        raise IllegalValueError(f"{path}", *without_triangles(len(v), found_faces))
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()
     remarks += _checked(path, content, found, sizes, corners)

@@ -18,7 +18,14 @@ from nmatrix.scene.meshes.elements import (
     read_elements,
     read_header,
 )
-from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons, told_left_out
+from nmatrix.scene.meshes.parts import (
+    NONE,
+    Attribute,
+    MeshFile,
+    Polygons,
+    told_left_out,
+    without_triangles,
+)
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.integer[Any]]
@@ -64,10 +71,7 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
         short = counted(int(np.count_nonzero(~long)), "face")
         remarks.append(f"Not drawn of {path.name}: {short} with fewer than three corners.")
     if not long.any():
-        why = "it holds no triangles"
-        if len(positions):
-            why = f"it holds {counted(len(positions), 'point')} and no faces"
-        raise IllegalValueError(f"{path}", why, "export its surface as faces")
+        raise IllegalValueError(f"{path}", *without_triangles(len(positions), len(sizes)))
     kept = slice(None) if long.all() else np.repeat(long, sizes)
     normals, uv, colours = (
         None if one is None else Attribute(one.values, one.at[kept])
