@@ -273,3 +273,40 @@ def test_points_alone_are_counted_in_a_right_sentence(
     for name in ("a.ply", "a.obj"):
         with pytest.raises(IllegalValueError, match=f"it holds {words} and no faces"):
             read_surface(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.ply", "{head}0 0 0\n1 {number} 0\n0 1 0\n3 0 1 2\n"),
+        ("a.obj", "v 0 0 0\nv 1 {number} 0\nv 0 1 0\nf 1 2 3\n"),
+        ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n"),
+    ],
+)
+def test_a_number_beyond_all_floats_is_told_as_it_stands_in_the_text(
+    tmp_path: Path, name: str, content: str
+) -> None:
+    axes = "".join(f"property float {axis}\n" for axis in "xyz")
+    face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    head = f"ply\nformat ascii 1.0\nelement vertex 3\n{axes}{face}"
+    corners = "vertex 0 0 0\nvertex 1 1e999 0\nvertex 0 1 0\n"
+    text = content.format(head=head, number="1e999", corners=corners)
+    (tmp_path / name).write_text(text)
+    line = 1 + text[: text.index("1e999")].count("\n")
+    with pytest.raises(IllegalValueError, match=rf"line {line} \(.*1e999") as caught:
+        read_surface(tmp_path / name)
+    assert " inf" not in str(caught.value)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_faces_without_three_corners_are_counted_as_faces(tmp_path: Path, count: int) -> None:
+    points = "0 0 0\n1 0 0\n"
+    axes = "".join(f"property float {axis}\n" for axis in "xyz")
+    face = f"element face {count}\nproperty list uchar int vertex_indices\nend_header\n"
+    head = f"ply\nformat ascii 1.0\nelement vertex 2\n{axes}{face}"
+    (tmp_path / "a.ply").write_text(head + points + "2 0 1\n" * count)
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\n" + "f 1 2\n" * count)
+    told = "1 face" if count == 1 else "2 faces"
+    for name in ("a.ply", "a.obj"):
+        with pytest.raises(IllegalValueError, match=f"it holds {told} and none with three corners"):
+            read_surface(tmp_path / name)

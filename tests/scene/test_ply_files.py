@@ -181,7 +181,7 @@ def test_any_way_to_write_a_file_is_read(tmp_path: Path, content: bytes) -> None
         (ply("ascii", ("vertex", XYZ[:2], [(0, 0)])), "its vertices have no x, y and z"),
         (PLAIN.replace(b"3 3 2 4", b"3 3 2 5"), "row 2 of the element face (index 5)"),
         (PLAIN.replace(b"3 3 2 4", b"3 3 2 -1"), "row 2 of the element face (index -1)"),
-        (PLAIN.replace(b"0.5 1.5 0", b"0.5 x 0"), "line 14 (x): a number is meant there"),
+        (PLAIN.replace(b"0.5 1.5 0", b"0.5 x 0"), "line 14 (x): x stands where a number is meant"),
         (
             PLAIN.replace(b"0.5 1.5 0", b"0.5 inf 0"),
             "vertex 4 (0.5 inf 0): a coordinate is a finite",

@@ -159,3 +159,9 @@ def test_looks_for_ears_grow_with_the_corners_whatever_the_shape(
         assert abs(sum(areas_of_cut(points, found.triangles))) == abs(whole)
         assert bool(found.crossing) == (shape is anywhere)
         assert count - 3 <= len(looked) <= most * count
+
+
+@pytest.mark.parametrize("plane", PLANES)
+def test_a_bow_tie_crosses_itself_though_its_areas_cancel(plane: str) -> None:
+    bow = in_space([(0, 0), (1, 1), (1, 0), (0, 1)], plane)
+    assert cut(bow, np.arange(4), np.array([4])).crossing == 1

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, did_you_mean, printable
-from nmatrix.scene.meshes.text import FIGURE, numbers, readable
+from nmatrix.scene.meshes.text import is_beyond, numbers, readable, refused_word
 
 Indices = NDArray[np.intp]
 
@@ -213,16 +213,14 @@ def read_elements(path: Path, header: Header, content: bytes) -> dict[str, Colum
 def _figures(path: Path, header: Header, text: bytes) -> bytes:
     """Read a text's figures as the bytes of doubles, so that both kinds are walked alike."""
     found = numbers(text, np.float64)
-    if found is not None:
+    if found is not None and not is_beyond(found, text):
         return found.tobytes()
     for number, line in enumerate(text.split(b"\n"), header.lines + 1):
         for word in line.split():
-            if FIGURE.fullmatch(word) is None and word.lower().lstrip(b"+-") not in NOT_FINITE:
-                raise IllegalValueError(
-                    f"{path}, line {number} ({printable(readable(word[:40]))})",
-                    "a number is meant there",
-                    "mend that line",
-                )
+            why = refused_word(word, whole=False)
+            if why is not None and word.lower().lstrip(b"+-") not in NOT_FINITE:
+                shown = printable(readable(word[:40]))
+                raise IllegalValueError(f"{path}, line {number} ({shown})", why, "mend that line")
     raise IllegalValueError(f"{path}", "a number of it cannot be read", "export it again")
 
 

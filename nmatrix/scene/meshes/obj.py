@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError, printable
-from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons
+from nmatrix.scene.meshes.parts import FLAT, NONE, Attribute, MeshFile, Polygons, without_triangles
 from nmatrix.scene.meshes.polygons import TRIANGLE
 from nmatrix.scene.meshes.text import (
     BadFigureError,
@@ -246,12 +246,7 @@ def read_obj(path: Path, content: bytes) -> MeshFile:
     sizes = np.concatenate([np.empty(0, np.intp), *found.faces.sizes])
     long = sizes >= TRIANGLE
     if not long.any():
-        why = (
-            f"it holds {counted(len(v), 'point')} and no faces"
-            if len(v)
-            else "it holds no triangles"
-        )
-        raise IllegalValueError(f"{path}", why, "export its surface as faces")
+        raise IllegalValueError(f"{path}", *without_triangles(len(v), int(np.count_nonzero(sizes))))
     corners = np.concatenate(found.faces.corners)
     found.faces.corners.clear()
     remarks += _checked(path, content, found, sizes, corners)

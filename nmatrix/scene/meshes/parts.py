@@ -48,6 +48,22 @@ class MeshFile:
     named: tuple[str, ...] = ()
 
 
+def without_triangles(points: int, faces: int) -> tuple[str, str]:
+    """Tell why a file has no surface, and what to do.
+
+    Examples
+    --------
+    >>> without_triangles(3, 0)[0], without_triangles(3, 1)[0]
+    ('it holds 3 points and no faces', 'it holds 1 face and none with three corners')
+    """
+    why = "it holds no triangles"
+    if faces:
+        why = f"it holds {counted(faces, 'face')} and none with three corners"
+    elif points:
+        why = f"it holds {counted(points, 'point')} and no faces"
+    return why, "export its surface as faces"
+
+
 @dataclass(frozen=True)
 class Attribute:
     """Values (K, w), and the one of each corner (C,), or `NONE`."""

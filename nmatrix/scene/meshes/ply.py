@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.scene.meshes.elements import Columns, Header, Lists, read_elements, read_header
-from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons
+from nmatrix.scene.meshes.parts import NONE, Attribute, MeshFile, Polygons, without_triangles
 from nmatrix.scene.words import counted
 
 Array = NDArray[np.float64]
@@ -57,10 +57,7 @@ def read_ply(path: Path, content: bytes) -> MeshFile:
             f"Not drawn of {path.name}: {counted(short, 'face')} with fewer than three corners."
         )
     if not long.any():
-        why = "it holds no triangles"
-        if len(positions):
-            why = f"it holds {counted(len(positions), 'point')} and no faces"
-        raise IllegalValueError(f"{path}", why, "export its surface as faces")
+        raise IllegalValueError(f"{path}", *without_triangles(len(positions), len(sizes)))
     kept = slice(None) if long.all() else np.repeat(long, sizes)
     normals, uv, colours = (
         None if one is None else Attribute(one.values, one.at[kept])

@@ -21,6 +21,7 @@ Indices = NDArray[np.integer[Any]]
 Point = tuple[float, float]
 
 TRIANGLE = 3
+BALANCED = 1e-12  # a mean normal, to that of the largest triangle: rounding leaves less of none
 LOOKS = 16  # at each corner of a polygon: one that does not cross itself takes three
 MOST_FORCED = 16  # cuts of a corner that is no ear; what is left then is cut as a fan
 _ROUNDING = 4 * 2.0**-52  # Shewchuk's (3 + 16ε)ε, with room
@@ -110,7 +111,12 @@ def _flattened(points: NDArray[Any]) -> Array:
         away = points - points[:, :1]
         _, exponents = np.frexp(np.abs(away).max(axis=(1, 2), keepdims=True))
         away = np.ldexp(away, -exponents)
-        normal = np.cross(away[:, 1:-1], away[:, 2:]).sum(axis=1)
+        crosses = np.cross(away[:, 1:-1], away[:, 2:])
+        normal = crosses.sum(axis=1)
+        sizes = np.abs(crosses).max(axis=2)
+        largest = np.take_along_axis(crosses, sizes.argmax(axis=1)[:, None, None], axis=1)[:, 0]
+        is_balanced = np.abs(normal).max(axis=1) <= BALANCED * sizes.max(axis=1)
+        normal = np.where(is_balanced[:, None], largest, normal)  # a bow tie has no mean normal
     axis = np.abs(np.nan_to_num(normal)).argmax(axis=1)
     sign = np.take_along_axis(normal, axis[:, None], axis=1)[:, 0]
     kept = np.stack([(axis + 1) % 3, (axis + 2) % 3], axis=1)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nmatrix.errors import IllegalValueError, printable
 from nmatrix.scene.meshes.mesh import Mesh, cross_products, unit
 from nmatrix.scene.meshes.parts import MeshFile, MeshPart
-from nmatrix.scene.meshes.text import BLANKS, numbers, readable, refused_word
+from nmatrix.scene.meshes.text import BLANKS, is_beyond, numbers, readable, refused_word
 from nmatrix.scene.words import VERTEX, NormalsFrom, counted
 
 Array = NDArray[np.float64]
@@ -119,7 +119,7 @@ def _from_text(path: Path, content: bytes) -> tuple[Array, list[str]]:
     triangles = len(facets) - 1
     del facets
     values = numbers(b" ".join(_VERTEX.findall(text)), np.float64)
-    if values is None or len(values) != 9 * triangles:
+    if values is None or len(values) != 9 * triangles or is_beyond(values, text):
         raise _bad_vertex(path, content)
     return values.reshape(-1, 3), []
 

@@ -7,6 +7,7 @@ import re
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import isinf
 from typing import Any
 
 import numpy as np
@@ -159,11 +160,18 @@ def numbers(text: bytes, dtype: type) -> NDArray[Any] | None:
             return None
 
 
+def is_beyond(values: NDArray[Any], text: bytes) -> bool:
+    """Tell whether some figures of a text are too large, where none says that it is infinite."""
+    return bool(np.isinf(values).any()) and b"inf" not in text.lower()
+
+
 def refused_word(word: bytes, *, whole: bool) -> str | None:
     """Explain why a word is no number, or no finite one; None if it is one."""
     if FIGURE.fullmatch(word) is None or (whole and not word.lstrip(b"+-").isdigit()):
         shown = printable(readable(word[:40]))
         return f"{shown} stands where a {'whole ' if whole else ''}number is meant"
+    if isinf(float(word)):
+        return f"{printable(readable(word[:40]))} is beyond the largest float64, 1.8e308"
     return None
 
 
