@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from nmatrix.errors import counted
-from nmatrix.scene.hierarchy import ABOVE, SEPARATOR
+from nmatrix.scene.hierarchy import ABOVE, LONGEST, SEPARATOR
 
 NAMED = 5  # of a list
 ROOM = 48  # characters of a path; its end tells it apart
@@ -58,14 +57,23 @@ def told_apart(texts: Sequence[str], room: int) -> list[str]:
     >>> told_apart(["meshes/packed/box.glb", "meshes/embedded/box.glb", "meshes/ball.glb"], 9)
     ['…/packed/box.glb', '…/embedded/box.glb', '…/ball.glb']
     """
-    rooms = dict.fromkeys(texts, room)
-    while True:
-        short = {text: elided(text, most) for text, most in rooms.items()}
-        alike = Counter(short.values())
-        shared = [text for text in rooms if alike[short[text]] > 1 and len(text) > rooms[text]]
-        if not shared:
-            return [short[text] for text in texts]
-        rooms |= {text: rooms[text] + len(ABOVE) for text in shared}
+    alike: dict[str, dict[str, None]] = {}
+    for text in texts:
+        alike.setdefault(elided(text, room), {})[text] = None
+    short = {text: shown for shown, group in alike.items() for text in group}
+    for group in (tuple(one) for one in alike.values() if len(one) > 1):
+        kept = 1
+        while len({_end(text, kept) for text in group}) < len(group):
+            kept += 1
+        ends = {text: _end(text, kept) for text in group}
+        if max(map(len, ends.values())) <= LONGEST:
+            longer = {text: ABOVE + end if end != text else end for text, end in ends.items()}
+            short |= {text: elided(shown, len(shown)) for text, shown in longer.items()}
+    return [short[text] for text in texts]
+
+
+def _end(path: str, names: int) -> str:
+    return SEPARATOR.join(path.split(SEPARATOR)[-names:])
 
 
 def named(texts: Iterable[str]) -> str:
