@@ -269,16 +269,19 @@ def near_worst_angle_deg(linear_map: LinearMap) -> float:
 def _excess(linear_map: LinearMap) -> Decimal:
     """Return κ² − 1 = (λ₁ − λ₃)/λ₃, to 30 digits of itself, however small it is."""
     G = linear_map.gram
+    largest, spread = _largest_and_spread(G)
+    if 2 * spread <= largest:  # then their difference loses no digit
+        return spread / (largest - spread)
     # λ³ − t λ² + m λ − d = 0; y = (d/m)/λ for the smallest root.
     t = Decimal(G[0][0] + G[1][1] + G[2][2])
     m = Decimal(_principal_minors(G))
     d = Decimal(linear_map.integer_determinant) ** 2
     y = _largest_root(t * d / m**2, d * d / m**3)
-    return _spread(G) * y * m / d
+    return spread * y * m / d
 
 
-def _spread(G: Integers) -> Decimal:
-    """Return λ₁ − λ₃ from D = 3 G − t, whose eigenvalues are 3 λ − t and have the sum 0.
+def _largest_and_spread(G: Integers) -> tuple[Decimal, Decimal]:
+    """Return λ₁ and λ₁ − λ₃ from D = 3 G − t, whose eigenvalues are 3 λ − t and have the sum 0.
 
     They solve e³ − p e − q = 0; with e = √p x that is x³ − x − q/√p³ = 0, where nothing is small.
     """
@@ -286,10 +289,11 @@ def _spread(G: Integers) -> Decimal:
     D = [[3 * G[i][j] - t * (i == j) for j in range(3)] for i in range(3)]
     p = sum(entry * entry for row in D for entry in row) // 2
     if p == 0:
-        return Decimal(0)
+        return Decimal(t) / 3, Decimal(0)
     root = Decimal(p).sqrt()
     x = _largest_depressed_root(Decimal(LinearMap.of(D).integer_determinant) / root**3)
-    return root * (3 * x + max(Decimal(0), 4 - 3 * x * x).sqrt()) / 6
+    spread = root * (3 * x + max(Decimal(0), 4 - 3 * x * x).sqrt()) / 6
+    return (t + root * x) / 3, spread
 
 
 def _largest_depressed_root(r: Decimal) -> Decimal:

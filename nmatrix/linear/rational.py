@@ -76,6 +76,24 @@ def to_floats(A: RationalMatrix) -> Rows:
     return tuple(tuple(nearest(entry) for entry in row) for row in A)
 
 
+def to_floats_near_one(A: RationalMatrix) -> Rows:
+    """Divide by the power of two next to the largest entry, and round every entry once.
+
+    Nothing overflows, and directions stay.
+
+    Examples
+    --------
+    >>> to_floats_near_one(((Fraction(2) ** 2000, Fraction(2) ** 1999),))
+    ((1.0, 0.5),)
+    """
+    tops, bottom = integers(entry for row in A for entry in row)
+    largest = Fraction(max(map(abs, tops)), bottom)
+    exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
+    bottom <<= max(exponent, 0)
+    found = [(top << max(-exponent, 0)) / bottom for top in tops]
+    return tuple(tuple(found[i : i + len(A[0])]) for i in range(0, len(found), len(A[0])))
+
+
 def rounded_for_display(A: RationalMatrix) -> RationalMatrix:
     """Round every entry once to the nearest float64, but keep one that is beyond all of them.
 

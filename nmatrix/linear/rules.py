@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 from nmatrix.enums import NormalRule
 from nmatrix.errors import IllegalValueError
@@ -15,14 +16,15 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
+    Rows,
     affine_matrix,
     apply,
     determinant,
     inverse,
     linear_part,
     rational_matrix,
-    scaled,
     to_floats,
+    to_floats_near_one,
     transpose,
 )
 
@@ -38,6 +40,13 @@ class NormalTransform:
     matrix: RationalMatrix
     w: int = 0
     components: int = 3
+
+    @cached_property
+    def floats(self) -> Rows:
+        """K in float64; where its size does not matter, it is brought near to one before."""
+        if self.components == 4 or self.w:
+            return to_floats(self.matrix)
+        return to_floats_near_one(self.matrix)
 
     def applied_to(self, normal: Sequence[Fraction]) -> RationalVector:
         """Multiply one normal, exactly and without normalising: all four components of n′."""
@@ -73,8 +82,8 @@ def _linear(K: RationalMatrix) -> NormalTransform:
 
 def _signed_cofactors(M: RationalMatrix) -> NormalTransform:
     linear_map = LinearMap.of(linear_part(M))
-    sign = Fraction(-1 if linear_map.integer_determinant < 0 else 1)
-    return _linear(scaled(linear_map.cofactor_matrix, sign))
+    over = linear_map.denominator**2 * (-1 if linear_map.integer_determinant < 0 else 1)
+    return _linear(tuple(tuple(Fraction(c, over) for c in row) for row in linear_map.cofactors))
 
 
 def _float64_inverse_transpose(M: RationalMatrix) -> NormalTransform | None:

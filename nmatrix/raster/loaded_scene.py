@@ -6,14 +6,14 @@ Nothing is decided here; what must be computed is the plan's business.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.enums import Frame, Shading
+from nmatrix.enums import Frame, NormalRule, Shading
 from nmatrix.errors import MissingPackageError, NoAnswerError, printable, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation_about, translation_matrix
@@ -22,6 +22,7 @@ from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import RationalMatrix, RationalVector, rational_vector, to_floats
+from nmatrix.linear.rules import NormalTransform, normal_transform
 from nmatrix.raster.triangles.convex import Convex, box_around, frustum
 from nmatrix.raster.triangles.products import chunks, multiply
 from nmatrix.raster.triangles.spans import Canvas
@@ -54,6 +55,29 @@ class Body:
     mesh: Mesh
     world_from_object: Transform
     material: Material
+    _normal_transforms: dict[NormalRule, NormalTransform | None] = field(
+        default_factory=dict, init=False
+    )
+
+    @cached_property
+    def matrix(self) -> Array:
+        """Return `world_from_object` (4, 4), each entry rounded once."""
+        return np.array(self.world_from_object.matrix)
+
+    @cached_property
+    def linear(self) -> Array:
+        """Return the 3×3 block of the matrix."""
+        return self.matrix[:3, :3].copy()
+
+    def normal_transform(self, rule: NormalRule) -> NormalTransform | None:
+        """Build the transform that carries normals to the world by a rule, once; None if none can.
+
+        The plan, the picture and its proof ask for it, each for all bodies.
+        """
+        if rule not in self._normal_transforms:
+            found = normal_transform(rule, self.world_from_object.exact)
+            self._normal_transforms[rule] = found
+        return self._normal_transforms[rule]
 
     @cached_property
     def linear_map(self) -> LinearMap:
@@ -67,7 +91,7 @@ class Body:
 
     def parts_world(self) -> Iterator[Array]:
         """Yield the vertices in the world, some at a time (3, n), so that memory is bounded."""
-        M = np.array(to_floats(self.world_from_object.exact))[:3]
+        M = self.matrix[:3]
         for part in chunks(self.mesh.positions.T):
             with np.errstate(over="ignore", invalid="ignore"):
                 yield multiply(M, part)
@@ -113,13 +137,12 @@ class Body:
     @cached_property
     def hull(self) -> Convex:
         """Return the box of the object's own axes, carried to the world."""
-        return box_around(*self.mesh.box, np.array(to_floats(self.world_from_object.exact)))
+        return box_around(*self.mesh.box, self.matrix)
 
     @cached_property
     def sagitta(self) -> float:
         """Return the most that the surface of its normals rises above its triangles."""
-        linear = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
-        return self.mesh.sagitta * float(np.linalg.norm(linear, 2))
+        return self.mesh.sagitta * float(np.linalg.norm(self.linear, 2))
 
     @cached_property
     def thickness(self) -> float:
@@ -127,7 +150,7 @@ class Body:
 
         It is 0 where it is less than 1e-8 of the largest: its square is lost in rounding there.
         """
-        A = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        A = self.linear
         spread = np.linalg.eigvalsh(A @ self.mesh.spread @ A.T)
         return float(np.sqrt(spread[0])) if spread[0] > 1e-16 * spread[2] else 0.0
 
@@ -135,7 +158,7 @@ class Body:
     def facets(self) -> Facets:
         """Some of the triangles in the world, from all over the mesh."""
         few = self.mesh.triangles[:: 1 + len(self.mesh.triangles) // MOST_FACETS]
-        A = np.array(to_floats(rational.linear_part(self.world_from_object.exact)))
+        A = self.linear
         a, b, c = (A @ self.mesh.positions.take(corner, 0).T for corner in few.T)
         areas = np.cross(b - a, c - a, axis=0) * (self.linear_map.determinant_sign or 1)
         return Facets(areas / 2, self.material.sides is Sides.FRONT)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import TypeGuard
 
 from nmatrix.errors import IllegalValueError, counted, quantity
-from nmatrix.linear.rational import RationalMatrix, RoundedMatrix, is_affine, transpose
+from nmatrix.linear.rational import RationalMatrix, is_affine, transpose
 from nmatrix.linear.values import listed, number, plain_value, refused
 from nmatrix.reading.digits import digits_of
 from nmatrix.reading.literal import (
@@ -32,7 +33,7 @@ def read_affine(values: object, name: str) -> RationalMatrix:
     >>> read_affine([[2, 0, 0], [0, 2, 0], [0, 0, 2]], "world_matrix")[0]
     (Fraction(2, 1), Fraction(0, 1), Fraction(0, 1), Fraction(0, 1))
     """
-    if isinstance(values, RoundedMatrix) and is_affine(values):
+    if is_exact(values) and is_affine(values):
         return values
     found = read_matrix(values, name)
     if not isinstance(values, str) and found.shape == (4, 4):
@@ -45,9 +46,25 @@ def read_affine(values: object, name: str) -> RationalMatrix:
 
 def read_projection(values: object, name: str) -> RationalMatrix:
     """Return a 4×4 of any sixteen numbers, unless only their transpose is a projection."""
-    if isinstance(values, RoundedMatrix) and len(values) == len(values[0]) == 4:
+    if is_exact(values) and len(values) == len(values[0]) == 4:
         return values
     return as_projection(read_matrix(values, name)).as_typed
+
+
+def is_exact(values: object) -> TypeGuard[RationalMatrix]:
+    """Recognise rows of fractions, all of one length: there is nothing to read in them.
+
+    Examples
+    --------
+    >>> is_exact(((Fraction(1), Fraction(2)),)), is_exact(((1.0, 2.0),))
+    (True, False)
+    """
+    return (
+        isinstance(values, tuple)
+        and bool(values)
+        and all(isinstance(row, tuple) and len(row) == len(values[0]) for row in values)
+        and all(isinstance(one, Fraction) for row in values for one in row)
+    )
 
 
 def read_matrix(values: object, name: str) -> MatrixLiteral:

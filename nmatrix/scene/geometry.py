@@ -36,8 +36,8 @@ class DamagedPartError(IllegalValueError):
         super().__init__(f"{path} ({part})", self.reason, next_step)
 
 
-def left_out(faults: Iterable[DamagedPartError]) -> tuple[str, ...]:
-    """Tell in a sentence for each reason which parts of a file are not drawn.
+def left_out(faults: Iterable[DamagedPartError], made: str = "drawn") -> tuple[str, ...]:
+    """Tell in a sentence for each reason which parts of a file are not drawn, or not used.
 
     Examples
     --------
@@ -49,9 +49,9 @@ def left_out(faults: Iterable[DamagedPartError]) -> tuple[str, ...]:
     for one in faults:
         parts.setdefault(one.reason, {})[one.part] = None
     return tuple(
-        f"{next(iter(names))} is not drawn: {reason}."
+        f"{next(iter(names))} is not {made}: {reason}."
         if len(names) == 1
-        else f"{len(names)} parts are not drawn ({_listed(list(names))}): {reason}."
+        else f"{len(names)} parts are not {made} ({_listed(list(names))}): {reason}."
         for reason, names in parts.items()
     )
 

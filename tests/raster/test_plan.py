@@ -12,12 +12,16 @@ import pytest
 from PIL import Image
 from small_scenes import BLINN, BULB, LAMBERT, PHONG, SUN, single
 
-from nmatrix.enums import Effect, LeftOut, Reflection, Shading, Space
+from nmatrix.enums import Effect, LeftOut, NormalRule, Reflection, Shading, Space
+from nmatrix.linear.rational import RationalMatrix
+from nmatrix.linear.rules import NormalTransform
+from nmatrix.raster import loaded_scene as loaded_scene_module
 from nmatrix.raster.image import png
 from nmatrix.raster.loaded_scene import loaded
 from nmatrix.raster.planning.effects import RECIPES
 from nmatrix.raster.planning.plan import everything, planned
 from nmatrix.raster.planning.recipe import BUDGET, Decision, by_bound
+from nmatrix.raster.proofs.angles import rule_error
 from nmatrix.raster.proofs.showpiece import showpiece
 from nmatrix.raster.render import Rendered, render
 from nmatrix.scene.camera import View
@@ -398,3 +402,20 @@ def test_a_body_that_comes_out_black_says_why() -> None:
     assert "thing is black" in remark
     assert "sends no ambient light back" in remark
     assert not render(planned(loaded(single()))).remarks
+
+
+def test_a_body_builds_its_transform_of_normals_once_for_each_rule(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """However often the plan, the picture and its proof ask: scenes have thousands of bodies."""
+    built, build = [], loaded_scene_module.normal_transform
+
+    def counted(rule: NormalRule, M: RationalMatrix) -> NormalTransform | None:
+        built.append(rule)
+        return build(rule, M)
+
+    monkeypatch.setattr(loaded_scene_module, "normal_transform", counted)
+    plan = planned(loaded(single(World(scale=(1, 2, 1)))))
+    render(plan)
+    rule_error(plan, NormalRule.NONE)
+    assert sorted(built) == [NormalRule.EXACT, NormalRule.NONE]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from nmatrix.raster.triangles.fragments import Fragments, VertexOutputs
 from nmatrix.raster.triangles.picture import Drawable, Drawing, Picture
 from nmatrix.raster.triangles.spans import SUBPIXELS, Canvas
 from nmatrix.raster.triangles.vertices import Projected
-from nmatrix.raster.triangles.visibility import EMPTY, TRIANGLE_MASK, Tile, depth_code
+from nmatrix.raster.triangles.visibility import EMPTY, TRIANGLE_MASK, Runs, Tile, depth_code
 from nmatrix.scene.words import DepthBuffer
 
 SIZE = 48
@@ -286,3 +287,18 @@ def test_more_triangles_than_a_key_can_name_are_refused(monkeypatch: pytest.Monk
     assert drawn(drawable(loose(9, 16))).fragments
     with pytest.raises(IllegalValueError):
         drawn(drawable(loose(5, 16)), drawable(loose(5, 17)))
+
+
+@pytest.mark.parametrize("first", [[0, 40], [0, 3, 3, 20, 40], [0, 0, 40, 40]])
+def test_runs_go_to_the_owners_of_their_triangles_in_their_order(first: list[int]) -> None:
+    """The owners that have none, or no triangle at all, are passed over."""
+    rng = np.random.default_rng(7)
+    runs = Runs(rng.integers(0, 30, 200), *rng.integers(0, 99, (3, 200)))
+    found = dict(runs.by_owner(first))
+    for i, (low, high) in enumerate(pairwise(first)):
+        mine = runs.of(low, high)
+        assert (i in found) is bool(len(mine.triangle))
+        if i in found:
+            assert all(np.array_equal(a, b) for a, b in zip(found[i], mine, strict=True))
+    nothing = Runs(*(np.zeros(0, np.intp) for _ in Runs._fields))
+    assert not list(nothing.by_owner(first))

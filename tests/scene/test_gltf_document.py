@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import json
+import struct
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,8 @@ from nmatrix.scene.gltf.extensions import Treatment, treatment
 from nmatrix.scene.gltf.file import read_gltf
 
 ASSET = '"asset": {"version": "2.0"}'
+DISPENSABLE = ("cameras", "materials", "textures", "samplers", "images", "skins", "animations")
+GOOD = {"type": "perspective", "joints": []}  # a record of each
 
 
 @pytest.mark.parametrize(
@@ -61,7 +64,55 @@ def test_bytes_that_are_no_text_are_refused() -> None:
 
 def test_integers_may_be_written_as_floats() -> None:
     text = f'{{{ASSET}, "nodes": [{{"mesh": 0.0}}], "meshes": [{{}}]}}'
-    assert read_document(Path("a.gltf"), text.encode()).nodes[0].mesh == 0
+    found, faults = read_document(Path("a.gltf"), text.encode())
+    assert found.nodes[0].mesh == 0
+    assert not faults
+
+
+@pytest.mark.parametrize("name", DISPENSABLE)
+def test_a_record_that_cannot_be_read_costs_only_itself(name: str) -> None:
+    """Its place in the list stays, so that the others are found where they were."""
+    bad = [5, None, [], {"name": 1, "uri": 1, "source": "x", "wrapS": "x", "channels": 1}]
+    for record in bad:
+        text = json.dumps({"asset": {"version": "2.0"}, name: [record, GOOD]})
+        found, (fault,) = read_document(Path("a.gltf"), text.encode())
+        first, second = getattr(found, name)
+        assert first is None
+        assert second is not None
+        assert fault.startswith(f"Records cannot be read: {name}[0]")
+        assert "`" not in fault
+
+
+@pytest.mark.parametrize("name", DISPENSABLE)
+def test_a_list_that_is_none_costs_only_itself(name: str) -> None:
+    text = json.dumps({"asset": {"version": "2.0"}, "nodes": [{}], name: {"0": {}}})
+    found, faults = read_document(Path("a.gltf"), text.encode())
+    assert len(found.nodes) == 1
+    assert getattr(found, name) == []
+    assert faults == (f"Records cannot be read: {name}: expected a list, got an object.",)
+
+
+def test_of_many_bad_records_the_first_are_told() -> None:
+    text = json.dumps(
+        {"asset": {"version": "2.0"}, "materials": [{"alphaMode": i} for i in range(9)]}
+    )
+    _, (fault,) = read_document(Path("a.gltf"), text.encode())
+    assert fault.count("expected text, got an integer") == 4
+    assert fault.endswith("; ….")
+
+
+def test_a_number_out_of_range_costs_only_its_record() -> None:
+    text = f'{{{ASSET}, "materials": [{{"alphaCutoff": 1e999}}]}}'
+    found, (fault,) = read_document(Path("a.gltf"), text.encode())
+    assert found.materials == [None]
+    assert "materials[0].alphaCutoff: expected a number, got a number out of range" in fault
+
+
+@pytest.mark.parametrize("kind", ["nodes", "scenes", "asset"])
+def test_without_nodes_scenes_or_a_version_a_file_is_refused(kind: str) -> None:
+    text = json.dumps({"asset": {"version": "2.0"}, kind: [5]})
+    with pytest.raises(IllegalValueError, match=rf"{kind}(\[0\])?: expected an object, got"):
+        read_document(Path("a.gltf"), text.encode())
 
 
 def test_a_byte_order_mark_is_passed_over_with_a_remark(tmp_path: Path) -> None:
@@ -69,6 +120,50 @@ def test_a_byte_order_mark_is_passed_over_with_a_remark(tmp_path: Path) -> None:
     path.write_bytes(codecs.BOM_UTF8 + json.dumps({"asset": {"version": "2.0"}}).encode())
     (remark,) = read_gltf(path).remarks
     assert "byte order mark" in remark
+
+
+JSON = struct.pack("<I", 40) + b"JSON" + b'{"asset": {"version": "2.0"}}'.ljust(40)
+BIN = struct.pack("<I", 4) + b"BIN\0four"
+
+
+def container(*chunks: bytes, version: int = 2) -> bytes:
+    body = b"".join(chunks)
+    return b"glTF" + struct.pack("<2I", version, 12 + len(body)) + body
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (container(), "its container is empty: it has no chunk of JSON"),
+        (container(BIN), "its first chunk is BIN, and not JSON"),
+        (container(BIN, JSON), "its first chunk is BIN, and not JSON"),
+        (container(bytes(8)), "its first chunk is of the unknown type 0x00000000, and not JSON"),
+        (container(JSON, version=0), "its container is of version 0, and 2 is read"),
+        (container(JSON, version=1), "it is glTF 1.0, and glTF 2.0 is read"),
+        (container(JSON)[:9], "the file ends in the middle of its header; copy it again"),
+        (container(JSON)[:15], "the file ends in the middle of the header of a chunk; copy"),
+        (container(JSON)[:-1], "the file ends in the middle of a chunk; copy it again"),
+        (b"\0", r"a .glb file begins with glTF, and it begins with '\\x00'"),
+        (b"version https://", "a .glb file begins with glTF, and it begins with 'version http'"),
+    ],
+)
+def test_what_is_no_container_is_told_in_its_own_words(
+    tmp_path: Path, content: bytes, words: str
+) -> None:
+    path = tmp_path / "a.glb"
+    path.write_bytes(content)
+    with pytest.raises(IllegalValueError, match=words) as caught:
+        read_gltf(path)
+    assert "JSON ends" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "content", [container(JSON, BIN) + b"\0\0\0", b'{"asset": {"version": "2.0"}}']
+)
+def test_padding_and_a_wrong_ending_of_the_name_are_granted(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "a.glb"
+    path.write_bytes(content)
+    assert len(read_gltf(path).nodes) == 0
 
 
 def test_the_container_of_another_version_is_named(tmp_path: Path) -> None:

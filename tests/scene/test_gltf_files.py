@@ -192,17 +192,42 @@ def test_an_image_that_is_damaged_costs_only_itself(
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        (textured({}, images=[]), r"textures\[0\].source: image 0 does not exist"),
-        (textured({}, textures=[]), "texture 0 does not exist"),
+        (textured({}, images=[]), "An image is not drawn: image 0 does not exist."),
+        (textured({}, images=[5]), "An image is not drawn: image 0 cannot be read."),
+        (textured({}, textures=[]), "A texture is not drawn: texture 0 does not exist."),
+        (textured({}, textures=["x"]), "A texture is not drawn: texture 0 cannot be read."),
+        (
+            textured({}, materials=[{"alphaMode": 5}]),
+            "A material is drawn as the default one: material 0 cannot be read.",
+        ),
+        (
+            textured({}, materials=[]),
+            "A material is drawn as the default one: material 0 does not exist.",
+        ),
     ],
 )
-def test_an_image_that_is_not_named_is_refused(
+def test_a_part_of_a_material_that_is_not_there_costs_only_itself(
     tmp_path: Path, changes: dict[str, object], words: str
 ) -> None:
     whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
-    with pytest.raises(IllegalValueError, match=words) as caught:
-        gltf_scene(saved(tmp_path, "a.glb", whole))
-    assert "\n" not in str(caught.value)
+    scene = gltf_scene(saved(tmp_path, "a.glb", whole))
+    assert words in scene.remarks
+    (one,) = scene.objects
+    assert one.material.texture is None
+
+
+@pytest.mark.parametrize("samplers", [[], [{"wrapS": "x"}]])
+def test_a_sampler_that_is_not_there_leaves_its_texture(
+    tmp_path: Path, samplers: list[object]
+) -> None:
+    image = {"uri": data_uri(picture(1), "image/png")}
+    changes = textured(image, textures=[{"source": 0, "sampler": 0}], samplers=samplers)
+    whole = container(json_chunk(**changes), (BINARY_CHUNK, TRIANGLE))
+    scene = gltf_scene(saved(tmp_path, "a.glb", whole))
+    assert any(one.startswith("A texture is read as by default: ") for one in scene.remarks)
+    texture = scene.objects[0].material.texture
+    assert isinstance(texture, Texture)
+    assert texture.wrap == (Wrap.REPEAT, Wrap.REPEAT)
 
 
 @pytest.mark.parametrize(
@@ -311,13 +336,15 @@ def test_objects_are_called_by_what_means_their_nodes_alone(tmp_path: Path) -> N
     assert [one.name for one in gltf_scene(path).objects] == ["#0", "a 2", "#2", "#3"]
 
 
-def test_a_light_that_is_not_there_is_refused(tmp_path: Path) -> None:
+def test_a_light_that_is_not_there_costs_only_itself(tmp_path: Path) -> None:
     carrier = {"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 3}}}
     lights = {"KHR_lights_punctual": {"lights": []}}
     chunk = json_chunk(nodes=[carrier], extensions=lights)
     path = saved(tmp_path, "a.glb", container(chunk, (BINARY_CHUNK, TRIANGLE)))
-    with pytest.raises(IllegalValueError, match="light 3 does not exist"):
-        gltf_scene(path)
+    scene = gltf_scene(path)
+    assert not scene.lights
+    told = "the light of node 0 (node 0) is not used: light 3 does not exist."
+    assert told in scene.remarks
 
 
 def test_what_is_drawn_beyond_the_largest_number_has_the_radius_one(tmp_path: Path) -> None:

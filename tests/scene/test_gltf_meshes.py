@@ -262,7 +262,7 @@ def view(**changes: object) -> dict[str, object]:
             "buffer 0 is embedded and is not base64",
         ),
         ({"buffers": [{"byteLength": 3, "uri": "none.bin"}]}, "buffer 0, none.bin: no such file"),
-        ({"buffers": [{"byteLength": 36}]}, "buffer 0: it has 0 bytes and needs 36"),
+        ({"buffers": [{"byteLength": 36}]}, "buffer 0 names no file (it has no uri)"),
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )

@@ -341,23 +341,6 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
     [
         ({"scene": 3}, "scene 3 does not exist"),
         ({"scenes": [{"nodes": [9]}]}, r"scenes\[0\].nodes\[0\]: node 9 does not exist"),
-        ({"nodes": [{"mesh": 0, "camera": 2}]}, r"nodes\[0\].camera: camera 2 does not exist"),
-        (
-            {"nodes": [{"mesh": 0, "camera": 0}], "cameras": [{"type": "perspective"}]},
-            "its camera sees nothing",
-        ),
-        (
-            {
-                "nodes": [{"mesh": 0, "camera": 0}],
-                "cameras": [{"type": "perspective", "perspective": {"yfov": 4, "znear": 1}}],
-            },
-            r"made.gltf \(node 0\): its camera: fov",
-        ),
-        (lit({"type": "laser"}), "light of type laser is unknown"),
-        (lit({"type": "point", "range": -1}), "below zero"),
-        (lit({"type": "point", "color": [1, 1]}), "KHR_lights_punctual"),
-        (lit({"type": "spot", "spot": {"outerConeAngle": 0}}), "its cone goes from 0 to 0"),
-        (lit({"type": "directional"}, scale=[1, 1, 0]), "flattens the direction"),
         ({"nodes": [{"mesh": 0, "rotation": [0, 0, 0, 0]}]}, "made.gltf \\(node 0\\): quaternion"),
         (
             {
@@ -368,16 +351,89 @@ def test_the_place_of_a_node_keeps_its_parts(tmp_path: Path) -> None:
             },
             "1e400",
         ),
-        (
-            {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 1}]}]},
-            "material 1 does not exist",
-        ),
     ],
 )
 def test_damage_is_named(tmp_path: Path, changes: dict[str, object], words: str) -> None:
     with pytest.raises(IllegalValueError, match=words) as caught:
         made(tmp_path, **changes)
     assert "\n" not in str(caught.value)
+
+
+SEEING = {"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}
+
+
+@pytest.mark.parametrize(
+    ("camera", "words"),
+    [
+        (5, "camera 0 cannot be read"),
+        ({"type": "perspective"}, "it sees nothing"),
+        ({"type": "perspective", "perspective": {"yfov": 4, "znear": 1}}, "fov"),
+    ],
+)
+def test_the_first_camera_that_can_be_used_is_used(
+    tmp_path: Path, camera: object, words: str
+) -> None:
+    nodes = [{"mesh": 0, "camera": 0}, {"camera": 9}, {"camera": 1, "translation": [0, 0, 7]}]
+    scene = made(tmp_path, nodes=nodes, scenes=[], cameras=[camera, SEEING])
+    assert scene.has_camera
+    assert "Of 3 cameras the first that can be is used." in scene.remarks
+    assert any(
+        one.startswith("the camera of node 0 (node 0) is not used: ") and words in one
+        for one in scene.remarks
+    )
+    missing = "the camera of node 1 (node 1) is not used: camera 9 does not exist."
+    assert missing in scene.remarks
+    (cameras,) = (one for one in scene.features if one.feature == "camera")
+    assert (cameras.count, cameras.made_of_it) == (3, "the first that can be is used")
+
+
+def test_without_a_camera_that_can_be_used_there_is_none(tmp_path: Path) -> None:
+    scene = made(tmp_path, nodes=[{"mesh": 0, "camera": 0}], cameras=[])
+    assert not scene.has_camera
+    assert "the camera of node 0 (node 0) is not used: camera 0 does not exist." in scene.remarks
+
+
+@pytest.mark.parametrize(
+    ("light", "node", "words"),
+    [
+        ({"type": "laser", "intensity": 99}, {}, "a light of type laser is unknown"),
+        ({"type": "point", "range": -1}, {}, "below zero"),
+        ({}, {}, "KHR_lights_punctual.lights[0]: object missing required field type"),
+        (7, {}, "KHR_lights_punctual.lights[0]: expected an object, got an integer"),
+        (
+            {"type": "point", "color": "red"},
+            {},
+            "KHR_lights_punctual.lights[0].color: expected a list, got text",
+        ),
+        ({"type": "spot", "spot": {"outerConeAngle": 0}}, {}, "its cone goes from 0 to 0"),
+        ({"type": "directional"}, {"scale": [1, 1, 0]}, "its node flattens its direction"),
+    ],
+)
+def test_a_bad_light_costs_only_itself(
+    tmp_path: Path, light: dict[str, object], node: dict[str, object], words: str
+) -> None:
+    """Nor does it count as the brightest."""
+    changes = lit(light, {"type": "point", "intensity": 3})
+    nodes = changes["nodes"]
+    assert isinstance(nodes, list)
+    nodes[1] |= node
+    scene = made(tmp_path, **changes)
+    (one,) = scene.lights
+    assert one.intensity == 1
+    told = [one for one in scene.remarks if "the light of node 1 (node 1)" in one]
+    assert len(told) == 1
+    assert words in told[0]
+    assert "`" not in told[0]
+
+
+@pytest.mark.parametrize("lights", ["x", {"lights": {}}])
+def test_lights_that_are_no_list_are_one_fault(tmp_path: Path, lights: object) -> None:
+    changes = lit({"type": "point"}, {"type": "point"})
+    changes["extensions"] = {"KHR_lights_punctual": lights}
+    scene = made(tmp_path, **changes)
+    assert not scene.lights
+    (told,) = (one for one in scene.remarks if "KHR_lights_punctual" in one)
+    assert told.startswith("2 parts are not used (the light of node 1 (node 1); ")
 
 
 def test_a_mesh_is_one_object_that_stands_still(tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def carried(file: GltfFile, classify: Classify, tolerance: float) -> Carried:
 
 
 def _joint(file: GltfFile, skin: int, place: int) -> str:
-    index = file.document.skins[skin].joints[place]
+    index = file.entry("skin", file.document.skins, skin).joints[place]
     return f"joint {file.nodes.hierarchy.addresses[index]}"
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from nmatrix.answers.inspect.file import STANDARD_INPUT, InspectedFile, inspect_file
 from nmatrix.errors import IllegalValueError, printable
 from nmatrix.linear.classify import FROM_FILE
-from nmatrix.scene.gltf.file import MAGIC
+from nmatrix.scene.gltf.container import MAGIC
 from nmatrix.scene.words import GLTF_SUFFIXES, MESH_SUFFIXES
 
 SUFFIXES = (*GLTF_SUFFIXES, *MESH_SUFFIXES)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from nmatrix.canvas.theme import channels
 from nmatrix.enums import Effect, NormalRule
-from nmatrix.linear.projection import front_sign
 from nmatrix.raster.loaded_scene import Body, LoadedScene
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.shading.normals import angles_deg, normals_by, unit
@@ -84,9 +83,9 @@ def _compared(
     loaded: LoadedScene, plan: BodyPlan, wrong: Array, right: Array, of_samples: list[Array]
 ) -> Drawable:
     """Return a body that is drawn as its angles, which are also added to those of the samples."""
-    exact = loaded.clip_from_object(plan.body)
-    culled = 0 if Effect.BACK_FACES in plan.effects else -front_sign(exact, loaded.clip)
-    projected = project(plan.body.mesh, as_array(exact), loaded.canvas, loaded.clip, culled)
+    culled = 0 if Effect.BACK_FACES in plan.effects else -plan.seen.front
+    clip_from_object = as_array(plan.seen.clip_from_object)
+    projected = project(plan.body.mesh, clip_from_object, loaded.canvas, loaded.clip, culled)
 
     def colours(found: Fragments) -> Array:
         a, b = (unit(found[name].T, CANCELLED) for name in ("wrong", "right"))

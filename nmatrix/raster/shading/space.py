@@ -127,13 +127,18 @@ class ShadingSpace:
 
     def carried(self, rule: NormalRule, of_object: Array) -> Array:
         """Carry normals (n, 3) of the object by a rule: (3, n) at any length."""
-        found = normal_transform(rule, self.exact_from_object)
+        found = self._normal_transform(rule)
         if found is None:
             return np.zeros((3, len(of_object)))
         given = of_object.T
         if not np.isfinite(given).all():
             given = np.where(np.isfinite(given).all(axis=0), given, 0.0)
         return _transformed(found, given)
+
+    def _normal_transform(self, rule: NormalRule) -> NormalTransform | None:
+        if self.space in (Space.WORLD, Space.STATIC):
+            return self.body.normal_transform(rule)
+        return normal_transform(rule, self.exact_from_object)
 
     def carried_normals(self, rule: NormalRule) -> Array:
         """Carry the vertices' normals by a rule: (3, V) at any length."""
@@ -190,11 +195,11 @@ class ShadingSpace:
 
 
 def _transformed(found: NormalTransform, normals: Array) -> Array:
-    """Return normals (3, V) through a rule's matrix, scaled so that nothing overflows."""
-    K = as_array(found.matrix) if found.components == 4 or found.w else _scaled_array(found.matrix)
+    """Return normals (3, V) through a rule's matrix, at any length."""
+    K = np.array(found.floats)[: found.components]
     carried = multiply(K if found.w else K[:, :3], normals)
     if found.components == 3:
-        return carried[:3]
+        return carried
     return quotient(carried[:3], np.sqrt(dot(carried, carried) + carried[3] * carried[3]))
 
 
@@ -216,12 +221,3 @@ def as_array(matrix: RationalMatrix) -> Array:
 def column(vector: Sequence[Fraction]) -> Array:
     """Return an exact vector as a column (n, 1) of float64."""
     return np.array([[float(one)] for one in vector])
-
-
-def _scaled_array(matrix: RationalMatrix) -> Array:
-    """Return an exact matrix over the power of two next to its largest entry, as float64."""
-    largest = max(abs(entry) for row in matrix for entry in row)
-    if not largest:
-        return as_array(matrix)
-    exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
-    return as_array(rational.scaled(matrix, Fraction(2) ** -exponent))

@@ -265,9 +265,9 @@ class Drawing:
 
     def _colour_all(self, points: Array, runs: Runs, grid: Grid, counts: Array) -> None:
         """Colour the points (channels, n) of runs, and count them for each drawable."""
-        for i, one in enumerate(self.drawables):
-            mine = runs.of(self._first[i], self._first[i + 1])
-            for part in batches(mine.length, MOST_SHADED) if len(mine.length) else ():
+        for i, mine in runs.by_owner(self._first):
+            one = self.drawables[i]
+            for part in batches(mine.length, MOST_SHADED):
                 some = Runs(*(values[part] for values in mine))
                 found = interpolate(one.projected, some, grid, one.outputs)
                 counts[i] += len(found)

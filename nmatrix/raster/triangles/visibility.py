@@ -6,8 +6,9 @@ lie at the very same depth, the one that was named first is seen.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -116,6 +117,23 @@ class Runs(NamedTuple):
             return self
         found = self.some(mine)
         return found._replace(triangle=found.triangle - first)
+
+    def by_owner(self, first: Sequence[int]) -> Iterator[tuple[int, Runs]]:
+        """Yield the runs of each owner of triangles first[i] ≤ t < first[i + 1] that has any.
+
+        Its triangles are numbered from 0 then, and its runs stay in their order.
+        """
+        if len(first) == 2 and len(self.triangle):
+            yield 0, self
+            return
+        owner = np.searchsorted(first, self.triangle, "right") - 1
+        order = np.argsort(owner, kind="stable")
+        sorted_runs, owner = Runs(*(one.take(order) for one in self)), owner.take(order)
+        ends = [*(np.flatnonzero(np.diff(owner)) + 1).tolist(), len(owner)]
+        for begin, end in pairwise([0, *ends]) if len(owner) else ():
+            i = int(owner[begin])
+            mine = Runs(*(one[begin:end] for one in sorted_runs))
+            yield i, mine._replace(triangle=mine.triangle - first[i])
 
     def some(self, which: Array) -> Runs:
         """Return the runs of a mask."""

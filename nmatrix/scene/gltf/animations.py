@@ -74,9 +74,9 @@ def animated_scales(file: GltfFile) -> AnimatedScales:
 def _channels(file: GltfFile) -> Iterator[tuple[int, AnimationRecord, AnimationChannel, int]]:
     """Walk over the channels that move nodes that exist, with their animation and its index."""
     for index, animation in enumerate(file.document.animations):
-        for channel in animation.channels:
+        for channel in () if animation is None else animation.channels:
             node = channel.target.node
-            if node is not None and 0 <= node < len(file.document.nodes):
+            if animation is not None and node is not None and 0 <= node < len(file.document.nodes):
                 yield index, animation, channel, node
 
 

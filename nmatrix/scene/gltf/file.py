@@ -8,7 +8,6 @@ from __future__ import annotations
 import base64
 import binascii
 import codecs
-import struct
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
@@ -20,18 +19,17 @@ from urllib.parse import unquote
 
 from nmatrix.errors import IllegalValueError, counted, printable
 from nmatrix.scene.beside import asset_bytes, beside
-from nmatrix.scene.gltf.document import check_version, read_document
+from nmatrix.scene.gltf.container import json_and_bytes
+from nmatrix.scene.gltf.document import read_document
 from nmatrix.scene.gltf.nodes import Nodes, placed
 from nmatrix.scene.gltf.primitives import Content, Kept, beyond_bytes
-from nmatrix.scene.gltf.records import Asset, Document, ImageRecord
+from nmatrix.scene.gltf.records import Document, ImageRecord
 from nmatrix.scene.hierarchy import Hierarchy
 
 Entry = TypeVar("Entry")
 
-MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 PADDING = 3  # bytes that the end of a container may have more
 MOST_DIGITS = 16  # of a number in an error
-OLD_CONTAINER = 1  # the version of a container of glTF 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,18 +71,23 @@ class GltfFile:
         """Return the error for this file."""
         return IllegalValueError(f"{self.path}", why, next_step)
 
-    def entry(self, kind: str, entries: Sequence[Entry], index: int, place: str = "") -> Entry:
+    def entry(
+        self, kind: str, entries: Sequence[Entry | None], index: int, place: str = ""
+    ) -> Entry:
         """Look up what another part of the file, at a place in its JSON, refers to by its index.
 
         Raises
         ------
         IllegalValueError
-            If there is no such entry.
+            If there is no such entry, or it cannot be read.
         """
         if not 0 <= index < len(entries):
             where = f"{place}: " if place else ""
             raise self.fault(f"{where}{kind} {index} does not exist", "mend the file")
-        return entries[index]
+        found = entries[index]
+        if found is None:
+            raise self.fault(f"{kind} {index} cannot be read", "mend the file")
+        return found
 
     @cached_property
     def kept(self) -> Kept:
@@ -112,7 +115,7 @@ class GltfFile:
         Raises
         ------
         IllegalValueError
-            If the buffer is missing or too short.
+            If the buffer names no file, is missing or too short.
         """
         record = self.entry("buffer", self.document.buffers, index)
         place = record.uri or index  # several buffers may be one file
@@ -143,7 +146,11 @@ class GltfFile:
     def _bytes_of(self, index: int, uri: str | None) -> bytes:
         if uri is not None:
             return self._named(f"buffer {index}", uri)
-        return self.binary if index == 0 else b""  # the container holds the first one alone
+        if index == 0 and self.binary:  # the container holds the first one alone
+            return self.binary
+        if self.document.buffers[index].byte_length == 0:
+            return b""
+        raise self.fault(f"buffer {index} names no file (it has no uri)")
 
     def image(self, record: ImageRecord) -> bytes:
         """Return the bytes of an image that the file holds itself.
@@ -193,21 +200,21 @@ def read_gltf(path: Path, *, content: bytes | None = None, allow_outside: bool =
     """
     if content is None:
         content = asset_bytes(path)
-    text, binary = _container(path, content) if content[:4] == MAGIC else (content, b"")
+    text, binary = json_and_bytes(path, content)
     remarks = []
     if text.startswith(codecs.BOM_UTF8):
         text = text.removeprefix(codecs.BOM_UTF8)
         remarks.append(
             "It begins with a byte order mark, which glTF forbids; it was read all the same."
         )
-    document = read_document(path, text)
-    named = (*(one.uri for one in document.buffers), *(one.uri for one in document.images))
-    for uri in named:
+    document, unread = read_document(path, text)
+    buffers, images = document.buffers, [one for one in document.images if one is not None]
+    for uri in (*(one.uri for one in buffers), *(one.uri for one in images)):
         if uri is not None and not uri.startswith("data:"):
             beside(path, unquote(uri), allow_outside=allow_outside)
     nodes = placed(path, document.nodes, len(document.meshes))
     file = GltfFile(path, document, binary, nodes, (), allow_outside)
-    remarks += [*_told_of_buffers(document, file.held), *nodes.told()]
+    remarks += [*unread, *_told_of_buffers(document, file.held), *nodes.told()]
     return replace(file, remarks=tuple(remarks))
 
 
@@ -241,22 +248,3 @@ def in_digits(number: int) -> str:
     """
     digits = str(number)
     return digits if len(digits) <= MOST_DIGITS else f"about 10^{len(digits) - 1}"
-
-
-def _container(path: Path, content: bytes) -> tuple[bytes, bytes]:
-    text, binary, at = b"", b"", 12
-    if len(content) >= 8 and struct.unpack_from("<I", content, 4)[0] == OLD_CONTAINER:
-        check_version(path, Asset(version="1.0"))
-    while at + 8 <= len(content):
-        length, kind = struct.unpack_from("<II", content, at)
-        chunk = content[at + 8 : at + 8 + length]
-        if len(chunk) < length:
-            raise IllegalValueError(
-                f"{path}", "the file ends in the middle of a chunk", "copy it again"
-            )
-        if kind == JSON_CHUNK:
-            text = chunk
-        elif kind == BINARY_CHUNK:
-            binary = chunk
-        at += 8 + length
-    return text, binary

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import msgspec
-
 from nmatrix.errors import IllegalValueError, NoAnswerError, counted
 from nmatrix.linear.affine import compose, rotation_from_quaternion
 from nmatrix.linear.rational import RationalMatrix, product
+from nmatrix.scene.gltf.document import converted
 from nmatrix.scene.gltf.extensions import INSTANCING
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import Instancing
@@ -41,10 +40,8 @@ def instance_count(file: GltfFile, node_index: int) -> int:
 
 
 def _instancing(file: GltfFile, node_index: int) -> Instancing:
-    try:
-        return msgspec.convert(file.document.nodes[node_index].extensions[INSTANCING], Instancing)
-    except msgspec.ValidationError as error:
-        raise file.fault(f"{INSTANCING}: {error}") from None
+    given = file.document.nodes[node_index].extensions[INSTANCING]
+    return converted(given, Instancing, INSTANCING)
 
 
 def instance_matrices(file: GltfFile, node_index: int) -> tuple[RationalMatrix, ...]:

@@ -13,16 +13,16 @@ from fractions import Fraction
 from itertools import product as iterproduct
 from math import degrees, inf
 
-import msgspec
-
 from nmatrix.enums import Handedness
-from nmatrix.errors import IllegalValueError, NMatrixError
+from nmatrix.errors import IllegalValueError, NMatrixError, printable
 from nmatrix.linear.projection import Window
 from nmatrix.linear.rational import ONE, RationalMatrix, apply, translation
 from nmatrix.linear.rounding import nearest
 from nmatrix.linear.view import looking_along
 from nmatrix.report import Vector
 from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import DamagedPartError
+from nmatrix.scene.gltf.document import converted
 from nmatrix.scene.gltf.extensions import LIGHTS
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.nodes import Node
@@ -47,41 +47,56 @@ class CarriedLight:
     node: Node
 
 
-def carried_lights(file: GltfFile, drawn: Sequence[int]) -> tuple[CarriedLight, ...]:
-    """Return the lights of the nodes that are drawn.
+def carried_lights(
+    file: GltfFile, drawn: Sequence[int], faults: list[DamagedPartError]
+) -> tuple[CarriedLight, ...]:
+    """List the lights of the nodes that are drawn; one that cannot be read becomes a fault."""
+    if LIGHTS not in file.document.extensions:
+        return ()
+    found = []
+    for index in drawn:
+        if LIGHTS in file.document.nodes[index].extensions:
+            node = file.nodes[index]
+            try:
+                found.append(CarriedLight(_light_of(file, node), node))
+            except IllegalValueError as error:
+                name = f"the light of node {index} ({printable(node.name)})"
+                faults.append(DamagedPartError(file.path, name, error))
+    return tuple(found)
+
+
+def _light_of(file: GltfFile, node: Node) -> PunctualLight:
+    """Read the light that a node carries.
 
     Raises
     ------
     IllegalValueError
         For a light that does not exist or is not as the extension says.
     """
-    if LIGHTS not in file.document.extensions:
-        return ()
-    try:
-        lights = msgspec.convert(file.document.extensions[LIGHTS], PunctualLights).lights
-        found = []
-        for index in drawn:
-            extensions = file.document.nodes[index].extensions
-            if LIGHTS in extensions:
-                at = msgspec.convert(extensions[LIGHTS], PunctualReference).light
-                if not 0 <= at < len(lights):
-                    raise _bad(
-                        file, file.nodes[index], f"nodes[{index}]: light {at} does not exist"
-                    )
-                found.append(CarriedLight(lights[at], file.nodes[index]))
-    except msgspec.ValidationError as error:
-        raise file.fault(f"{LIGHTS}: {error}") from None
-    return tuple(found)
+    at = converted(node.record.extensions[LIGHTS], PunctualReference, LIGHTS).light
+    lights = converted(file.document.extensions[LIGHTS], PunctualLights, LIGHTS).lights
+    record = file.entry("light", lights, at)
+    light = converted(record, PunctualLight, f"{LIGHTS}.lights[{at}]")
+    if light.type not in (LightKind.DIRECTIONAL, LightKind.POINT, LightKind.SPOT):
+        raise file.fault(f"a light of type {printable(light.type)} is unknown")
+    reach = inf if light.range is None else light.range
+    if min(light.color) < 0 or light.intensity < 0 or not reach > 0:
+        raise file.fault("its colour, its intensity or its range is below zero")
+    if not any(_direction(node)):
+        raise file.fault("its node flattens its direction to nothing")
+    if light.spot is not None:
+        inner, outer = light.spot.inner_cone_angle, light.spot.outer_cone_angle
+        if not 0 <= inner <= outer or outer == 0:
+            raise file.fault(f"its cone goes from {inner:g} to {outer:g} radians")
+    return light
 
 
-def read_lights(
-    file: GltfFile, carried: Sequence[CarriedLight], radius: float
-) -> tuple[SceneLight, ...]:
-    """Return the lights, the brightest with intensity 1."""
+def placed_lights(carried: Sequence[CarriedLight], radius: float) -> tuple[SceneLight, ...]:
+    """Put the lights into their places, the brightest with intensity 1."""
     brightest = max((one.light.intensity for one in carried), default=0.0) or 1.0
     names: dict[str, int] = {}
     return tuple(
-        _light(file, one, brightest, radius, unique(one.light.name or one.node.name, names))
+        _placed(one, brightest, radius, unique(one.light.name or one.node.name, names))
         for one in carried
     )
 
@@ -105,64 +120,57 @@ def unique(name: str, taken: dict[str, int]) -> str:
     return found
 
 
-def _light(
-    file: GltfFile, one: CarriedLight, brightest: float, radius: float, name: str
-) -> SceneLight:
-    light, world = one.light, one.node.world_from_object
-    if light.type not in (LightKind.DIRECTIONAL, LightKind.POINT, LightKind.SPOT):
-        raise _bad(file, one.node, f"light of type {light.type[:20]} is unknown")
-    reach = inf if light.range is None else light.range
-    if min(light.color) < 0 or light.intensity < 0 or not reach > 0:
-        raise _bad(file, one.node, "its light has a colour, an intensity or a range below zero")
+def _direction(node: Node) -> Vector:
+    """Find where a node looks, along its −z."""
+    ahead = (Fraction(0), Fraction(0), -ONE, Fraction(0))
+    return _floats(apply(node.world_from_object, ahead)[:3])
+
+
+def _placed(one: CarriedLight, brightest: float, radius: float, name: str) -> SceneLight:
+    light = one.light
     kind = LightKind(light.type)
-    direction = _floats(apply(world, (Fraction(0), Fraction(0), -ONE, Fraction(0)))[:3])
-    if not any(direction):
-        raise _bad(file, one.node, "it flattens the direction of its light to nothing")
     return SceneLight(
         name=name,
         kind=kind,
-        position=_floats(translation(world)),
-        direction=direction,
+        position=_floats(translation(one.node.world_from_object)),
+        direction=_direction(one.node),
         color=light.color,
         intensity=light.intensity / brightest,
         attenuation=(1.0, 0.0, 0.0)
         if kind is LightKind.DIRECTIONAL
         else (1.0, 0.0, 1.0 / (radius * radius)),
-        range=reach,
-        cone_degrees=_cone(file, one),
+        range=inf if light.range is None else light.range,
+        cone_degrees=_cone(light),
     )
 
 
-def _cone(file: GltfFile, one: CarriedLight) -> tuple[float, float]:
-    if one.light.spot is None:
+def _cone(light: PunctualLight) -> tuple[float, float]:
+    if light.spot is None:
         return (0.0, 45.0)
-    inner, outer = one.light.spot.inner_cone_angle, one.light.spot.outer_cone_angle
-    if not 0 <= inner <= outer or outer == 0:
-        raise _bad(file, one.node, f"its cone goes from {inner:g} to {outer:g} radians")
+    inner, outer = light.spot.inner_cone_angle, light.spot.outer_cone_angle
     return min(degrees(inner), WIDEST), min(degrees(outer), WIDEST)
 
 
-def camera(file: GltfFile, node: Node, index: int) -> tuple[View, Lens]:
+def camera(file: GltfFile, node: Node) -> tuple[View, Lens]:
     """Return a node's camera; the node's scale does not matter, as the format says.
 
     Raises
     ------
     IllegalValueError
-        For a camera that does not exist, or that sees nothing.
+        For a camera that does not exist, cannot be read, or sees nothing.
     """
-    cameras = file.document.cameras
-    if not 0 <= index < len(cameras):
-        raise _bad(file, node, f"nodes[{node.index}].camera: camera {index} does not exist")
-    world, lens = node.world_from_object, _lens(cameras[index])
+    index = -1 if node.record.camera is None else node.record.camera
+    lens = _lens(file.entry("camera", file.document.cameras, index))
+    world = node.world_from_object
     back, up = (tuple(row[i] for row in world[:3]) for i in (2, 1))
     if lens is None or not any(back):
-        raise _bad(file, node, "its camera sees nothing")
+        raise file.fault("it sees nothing")
     ahead = tuple(-component for component in back)
     try:
         found = looking_along(translation(world), ahead, up, Handedness.RIGHT)
         _ = lens.clip_from_camera
     except NMatrixError as error:
-        raise _bad(file, node, f"its camera: {error}") from None
+        raise file.fault(": ".join(error.parts[:2])) from None
     return View(matrix=found.camera_from_world), lens
 
 
@@ -225,7 +233,3 @@ def _bounds(file: GltfFile, mesh: int) -> list[tuple[list[float], list[float]]]:
 
 def _floats(values: Sequence[Fraction]) -> Vector:
     return tuple(nearest(value) for value in values)
-
-
-def _bad(file: GltfFile, node: Node, why: str) -> IllegalValueError:
-    return IllegalValueError(f"{file.path} ({node.name[:60]})", why, "mend the file")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import cos, degrees, sin
 from urllib.parse import unquote
@@ -9,7 +10,7 @@ from urllib.parse import unquote
 from nmatrix.errors import IllegalValueError, printable, shortlist
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
-from nmatrix.scene.gltf.file import GltfFile
+from nmatrix.scene.gltf.file import Entry, GltfFile
 from nmatrix.scene.gltf.records import MaterialRecord, MetallicRoughness, Sampler, TextureReference
 from nmatrix.scene.material import (
     BLACK,
@@ -43,13 +44,9 @@ class Materials:
 
         A colour is what a surface sends back of all light: a share of it answers to light from
         everywhere and the rest to lamps, so that white is just as bright as the brightest light.
-
-        Raises
-        ------
-        IllegalValueError
-            For a material, a texture or an image that does not exist.
         """
-        record = self._record(index)
+        given = self._record(index)
+        record = given or MaterialRecord()
         surface = _base(record)
         red, green, blue, alpha = (min(max(one, 0.0), 1.0) for one in surface.base_color_factor)
         base = (red, green, blue)
@@ -57,7 +54,7 @@ class Materials:
         emission_texture = self._texture(record.emissive_texture, coordinates)
         emission_is_lost = record.emissive_texture is not None and emission_texture is None
         found = Material(
-            name=record.name or ("default" if index is None else f"material {index}"),
+            name=record.name or ("default" if given is None else f"material {index}"),
             ambient=times(base, AMBIENT_PART),
             diffuse=times(base, 1.0 - AMBIENT_PART),
             emission=BLACK if emission_is_lost else _emission(record),
@@ -70,7 +67,7 @@ class Materials:
             vertex_colours=vertex_colours,
             sides=Sides.BOTH if record.double_sided else Sides.FRONT,
         )
-        if index is not None:
+        if index is not None and given is not None:
             self._note(index, record, surface, coordinates)
         if record.extensions.unlit is None:
             return found
@@ -81,12 +78,24 @@ class Materials:
 
         It is that of the base colour, or of the first other image.
         """
-        asked = _references(self._record(index))
+        asked = _references(self._record(index) or MaterialRecord())
         return asked[0].coordinates if asked else 0
 
-    def _record(self, index: int | None) -> MaterialRecord:
+    def _record(self, index: int | None) -> MaterialRecord | None:
+        if index is None:
+            return None
         records = self.file.document.materials
-        return MaterialRecord() if index is None else self.file.entry("material", records, index)
+        return self._entry("material", records, index, "A material is drawn as the default one")
+
+    def _entry(
+        self, kind: str, entries: Sequence[Entry | None], index: int, otherwise: str
+    ) -> Entry | None:
+        """Look up a part of a material; where that fails a remark tells what happens otherwise."""
+        try:
+            return self.file.entry(kind, entries, index)
+        except IllegalValueError as error:
+            self.damaged.append(f"{otherwise}: {error.parts[1]}.")
+            return None
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -128,14 +137,16 @@ class Materials:
         if reference is None or reference.coordinates != coordinates:
             return None
         document = self.file.document
-        record = self.file.entry("texture", document.textures, reference.index)
-        at = f"textures[{reference.index}]"
-        image = None if record.image is None else self._image(record.image, f"{at}.source")
-        if image is None:
+        textures, samplers = document.textures, document.samplers
+        record = self._entry("texture", textures, reference.index, "A texture is not drawn")
+        image = None if record is None or record.image is None else self._image(record.image)
+        if record is None or image is None:
             return None
-        sampler = Sampler()
+        sampler = None
         if record.sampler is not None:
-            sampler = self.file.entry("sampler", document.samplers, record.sampler, f"{at}.sampler")
+            default = "A texture is read as by default"
+            sampler = self._entry("sampler", samplers, record.sampler, default)
+        sampler = sampler or Sampler()
         given = reference.extensions.transform
         (right, down), (across, up) = given.offset, given.scale
         return Texture(
@@ -148,10 +159,12 @@ class Materials:
             is_optional=True,
         )
 
-    def _image(self, source: int, place: str) -> ImageSource | None:
+    def _image(self, source: int) -> ImageSource | None:
         """Return an image, inside the file or beside it, if it is there."""
         document = self.file.document
-        record = self.file.entry("image", document.images, source, place)
+        record = self._entry("image", document.images, source, "An image is not drawn")
+        if record is None:
+            return None
         uri = record.uri
         if uri is None or uri.startswith("data:"):
             name = f"{self.file.path} (image {source})"

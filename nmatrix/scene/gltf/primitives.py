@@ -11,11 +11,10 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-import msgspec
-
-from nmatrix.errors import IllegalValueError, printable
+from nmatrix.errors import printable
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.report import Vector
+from nmatrix.scene.gltf.document import converted
 from nmatrix.scene.gltf.extensions import DRACO
 from nmatrix.scene.gltf.records import Document, DracoRecord, Primitive
 from nmatrix.scene.words import NormalsFrom
@@ -96,10 +95,7 @@ def draco_of(primitive: Primitive) -> DracoRecord | None:
     """
     if DRACO not in primitive.extensions:
         return None
-    try:
-        return msgspec.convert(primitive.extensions[DRACO], DracoRecord)
-    except msgspec.ValidationError as error:
-        raise IllegalValueError(DRACO, f"{error}".split(" - ")[0], "export it again") from None
+    return converted(primitive.extensions[DRACO], DracoRecord, DRACO)
 
 
 def part_name(document: Document, mesh: int, primitive: int | None = None) -> str:

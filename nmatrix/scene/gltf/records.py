@@ -321,9 +321,9 @@ class PunctualLight(msgspec.Struct):
 
 
 class PunctualLights(msgspec.Struct):
-    """The lights that nodes refer to."""
+    """The lights that nodes refer to, each to be read by itself."""
 
-    lights: list[PunctualLight] = []
+    lights: list[object] = []
 
 
 class PunctualReference(msgspec.Struct):
@@ -346,7 +346,10 @@ class Asset(msgspec.Struct, rename="camel"):
 
 
 class Document(msgspec.Struct, rename="camel"):
-    """The parts of a glTF file that matter here."""
+    """The parts of a glTF file that matter here.
+
+    A list that may hold None has it where a record cannot be read: that costs the record alone.
+    """
 
     asset: Asset
     nodes: list[NodeRecord] = []
@@ -356,13 +359,13 @@ class Document(msgspec.Struct, rename="camel"):
     buffers: list[Buffer] = []
     scene: int | None = None
     scenes: list[SceneRecord] = []
-    cameras: list[CameraRecord] = []
-    materials: list[MaterialRecord] = []
-    textures: list[TextureRecord] = []
-    samplers: list[Sampler] = []
-    images: list[ImageRecord] = []
-    skins: list[Skin] = []
-    animations: list[AnimationRecord] = []
+    cameras: list[CameraRecord | None] = []
+    materials: list[MaterialRecord | None] = []
+    textures: list[TextureRecord | None] = []
+    samplers: list[Sampler | None] = []
+    images: list[ImageRecord | None] = []
+    skins: list[Skin | None] = []
+    animations: list[AnimationRecord | None] = []
     extensions: dict[str, object] = {}
     extensions_used: list[str] = []
     extensions_required: list[str] = []

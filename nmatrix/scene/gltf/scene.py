@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from nmatrix.errors import NMatrixError, counted, printable, shortlist
+from nmatrix.errors import IllegalValueError, NMatrixError, counted, printable, shortlist
 from nmatrix.scene.camera import View
+from nmatrix.scene.geometry import DamagedPartError, left_out
 from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.instances import is_instanced
-from nmatrix.scene.gltf.lights import camera, carried_lights, radius_of, read_lights
+from nmatrix.scene.gltf.lights import camera, carried_lights, placed_lights, radius_of
 from nmatrix.scene.gltf.materials import Materials
 from nmatrix.scene.gltf.objects import Objects
 from nmatrix.scene.lens import Lens
@@ -38,6 +39,8 @@ class _Reading:
     """A file on its way to a scene."""
 
     file: GltfFile
+    dark: list[DamagedPartError] = field(default_factory=list)  # lights that are left out
+    blind: list[DamagedPartError] = field(default_factory=list)  # cameras that are left out
 
     @cached_property
     def materials(self) -> Materials:
@@ -49,15 +52,15 @@ class _Reading:
 
     def scene(self) -> Scene:
         objects = self.objects.drawn
-        carried = carried_lights(self.file, self.file.in_scene)
+        carried = carried_lights(self.file, self.file.in_scene, self.dark)
         places = [
             (world, mesh)
             for index, worlds in self.objects.places.items()
             for world in worlds
             if (mesh := self.file.nodes[index].mesh) is not None
         ]
-        lights = read_lights(self.file, carried, radius_of(self.file, places)) if carried else ()
-        view, lens, has_camera = self._camera()
+        lights = placed_lights(carried, radius_of(self.file, places)) if carried else ()
+        view, lens, has_camera = self._camera
         return Scene(
             objects=objects,
             lights=lights,
@@ -79,7 +82,7 @@ class _Reading:
         nodes = [document.nodes[i] for i in shown]
         primitives = [one for mesh in document.meshes for one in mesh.primitives]
         counted = {
-            "camera": (len(self._cameras), "the first is used"),
+            "camera": (len(self._cameras), self._use_of_cameras),
             "light": (lights, "drawn, relative to the brightest"),
             "material": (len(document.materials), "drawn but for what is named here"),
             "skinned node": (
@@ -137,26 +140,40 @@ class _Reading:
         nodes = self.file.document.nodes
         return tuple(i for i in self.file.in_scene if nodes[i].camera is not None)
 
+    @cached_property
     def _camera(self) -> tuple[View, Lens, bool]:
+        """Find the first camera that can be used; one that cannot becomes a fault."""
         for index in self._cameras:
-            camera_index = self.file.document.nodes[index].camera
-            if camera_index is not None:
-                return (*camera(self.file, self.file.nodes[index], camera_index), True)
+            node = self.file.nodes[index]
+            try:
+                return (*camera(self.file, node), True)
+            except IllegalValueError as error:
+                name = f"the camera of node {index} ({printable(node.name)})"
+                self.blind.append(DamagedPartError(self.file.path, name, error))
         return View(), Lens(), False
+
+    @property
+    def _use_of_cameras(self) -> str:
+        """Which of the cameras is used."""
+        *_, is_used = self._camera
+        if not is_used:
+            return "none can be used"
+        return "the first that can be is used" if self.blind else "the first is used"
 
     def _remarks(self, lights: int) -> tuple[str, ...]:
         document = self.file.document
-        left_out = treated(document.extensions_used, Treatment.LEFT_OUT, Treatment.UNKNOWN)
+        passed_over = treated(document.extensions_used, Treatment.LEFT_OUT, Treatment.UNKNOWN)
         outside = len(document.nodes) - len(self.file.in_scene)
         spoken = {
-            f"Of {len(self._cameras)} cameras the first is used.": len(self._cameras) > 1,
+            f"Of {len(self._cameras)} cameras {self._use_of_cameras}.": len(self._cameras) > 1,
             "Intensities of light are relative: the brightest light is 1.": lights,
             "Animations are not played.": document.animations,
             f"Nodes outside of the scene are not drawn: {outside}.": outside,
-            f"Extensions are left out: {shortlist(map(printable, left_out))}.": left_out,
+            f"Extensions are left out: {shortlist(map(printable, passed_over))}.": passed_over,
         }
         return (
             *(text for text, applies in spoken.items() if applies),
+            *left_out((*self.dark, *self.blind), "used"),
             *self.objects.remarks(),
             *self.materials.remarks,
         )
