@@ -68,7 +68,7 @@ def _brief(
     more = ["the cofactors", "determinant, rank and condition"]
     if setup.world.matrix is not None and parts is not None:
         table = replace(parts_table(parts), title="Its parts, one choice of several")
-        return Brief((conclusion, table, normal_matrix), ("the matrix", *more))
+        return Brief((conclusion, table), ("the matrix", "the normal matrix", *more))
     M = replace(by_key["world_from_object"], title="M = T · R · S · H")
     if parts is not None:
         more.append("the parts")

@@ -50,7 +50,7 @@ def show(report: Report, common: CommonOptions) -> None:
         colour=_colour(common),
         full=common.full,
     )
-    remarks = (*common.sources.about, *report.remarks, *common.sources.remarks)
+    remarks = (*common.sources.about, *common.sources.remarks, *report.remarks)
     told = replace(report, remarks=remarks, about=len(common.sources.about))
     put(_written(told.spelled(option_name), options, common))
     if report.failure is not None:

@@ -219,7 +219,7 @@ def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:
         return _looks_transposed(matrix)
     last = " ".join(f"{entry:g}" for entry in matrix.rows[3])
     why = f"its last row is {last}, that of an affine matrix is 0 0 0 1"
-    return unreadable(matrix.source, why, f"give a projection as {quantity('projection_matrix')}")
+    return unreadable(matrix.source, why, "nmatrix identify tells what it is")
 
 
 def _looks_transposed(matrix: MatrixLiteral) -> IllegalValueError:

@@ -19,6 +19,8 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
+pytestmark = pytest.mark.slow
+
 SETUP = Setup(
     World(scale=(1, 2, 1)),
     View(eye=(3.6, 1.5, 9.2)),

@@ -443,6 +443,7 @@ def test_mixed_and_damaged_texts_are_a_matrix_or_one_line(a: str, b: str, seed: 
 READ_TO_THE_END = ("CSV report", "LaTeX", "NumPy program", "GLSL program")  # they hold many by name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "i"), CASES)
 def test_a_million_characters_end_in_few_calls(name: str, i: int) -> None:
     text = WRITERS[name][i](matrix_for(BY_NAME[name]))

@@ -130,7 +130,7 @@ class _Reading:
                 for i, one in enumerate(self.file.document.nodes)
             )
             if not outside:
-                return self.file.fault(why)
+                return self.file.fault(why, "nmatrix inspect lists its nodes")
             nodes = counted(outside, "node with a mesh is", "nodes with a mesh are")
             return self.file.fault(f"{why}, and {nodes} outside of it", "put them into the scene")
         return None
