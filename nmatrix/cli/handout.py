@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 HELP = {
     "handout": """nmatrix handout --scale 1 2 1
 
-nmatrix handout --topics rule,exercises --exercises 10 --student Ada --key -o ada.html
+nmatrix handout --topics rule,exercises --exercises 10 --key -o ada.html
 
 nmatrix handout --roster class --seed 7 --key -o sheets
 

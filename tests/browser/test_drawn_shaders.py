@@ -123,7 +123,10 @@ def assert_all_is_said(plan: Plan) -> None:
         assert not any(value is None for value in one["uniforms"].values())
 
 
-@pytest.mark.parametrize("space", Space)
+@pytest.mark.parametrize(
+    "space",
+    [pytest.param(one, marks=() if one is Space.WORLD else pytest.mark.slow) for one in Space],
+)
 def test_spaces_shadings_reflections_lights_and_maps_agree(blank, space: Space) -> None:
     mine = [one for one in EVERY if one.space is space]
     for case in random.Random(space).sample(mine, 8):

@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import product
 from pathlib import Path
 
+import pytest
+
 from nmatrix.enums import Frame, Reflection, Shading, Space
 from nmatrix.linear.rational import rational_matrix
 from nmatrix.raster.loaded_scene import loaded
@@ -46,6 +48,7 @@ def stages():
         yield Setup(World(scale=scale), light=light, space_matrix=stretched).maps
 
 
+@pytest.mark.slow
 def test_every_pair_of_every_space_links(blank) -> None:
     pairs = {
         pair(program_of_sheet(maps, Request(space, shading, reflection)))

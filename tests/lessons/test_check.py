@@ -475,6 +475,7 @@ def test_every_mistake_is_recognised_on_three_hundred_scenes():
     assert sum(map(every_single_mistake_is_recognised, range(300))) > 30_000
 
 
+@pytest.mark.slow
 def test_random_numbers_are_no_mistake():
     draw = random.Random(5)
     for question in questions(3):

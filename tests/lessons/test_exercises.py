@@ -100,6 +100,7 @@ def test_a_sheet_takes_turns_through_all_kinds_and_does_not_depend_on_its_length
     assert exercise(13, Sheet("3", "Bo")).kind is ten[2].kind
 
 
+@pytest.mark.slow
 def test_students_seeds_and_salts_have_sheets_of_their_own() -> None:
     class_of = [Sheet("5", f"student {i}") for i in range(60)]
     told = {"".join(map(said, exercises(SIZE, one))) for one in class_of}

@@ -132,6 +132,7 @@ def _read_back(count: int, seed: int) -> tuple[int, list[str], list[str]]:
     return first, later, lost
 
 
+@pytest.mark.slow
 def test_what_was_typed_is_among_the_readings_and_mostly_first() -> None:
     first, later, lost = _read_back(100, seed=2)
     assert not lost
@@ -195,6 +196,7 @@ def _is_number(word: str) -> bool:
     return word.lstrip("-").replace(".", "").isdigit()
 
 
+@pytest.mark.slow
 def test_views_of_both_hands_and_all_turns_are_rigid_with_their_eye() -> None:
     random = Random(3)
     for _ in range(40):

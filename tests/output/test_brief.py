@@ -83,7 +83,7 @@ def test_full_has_every_line_that_the_short_answer_counts(nmatrix: Callable, com
 
 
 def test_remarks_that_find_no_room_are_counted(nmatrix: Callable) -> None:
-    line = "world --world-matrix '0 0 1 0; 0 1 0 0; -1 0 0 0; 0 0 0 1' --order YXZ"
+    line = "world --rotate 10 20 30 --scale 1 2 -1 --shear 1 0 0"
     short, full = nmatrix(line), nmatrix(f"{line} --full")
     shown = sum(one.startswith("•") for one in lines_of(short.out))
     every = sum(one.startswith("•") for one in lines_of(full.out))
