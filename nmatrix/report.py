@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, TypeVar, overload
 
 from nmatrix.enums import Severity
 from nmatrix.errors import NMatrixError, spelled
+from nmatrix.surds import Surd
 
 if TYPE_CHECKING:
     from nmatrix.formula import Row, TypedRows
@@ -25,6 +26,9 @@ Entry = TypeVar("Entry", covariant=True)
 Number = int | float | Fraction
 Vector = tuple[Number, ...]
 Matrix = tuple[Vector, ...]
+Shown = Number | Surd  # what a writer can print, to the last digit if need be
+ShownVector = tuple[Shown, ...]
+ShownMatrix = tuple[ShownVector, ...]
 
 
 @dataclass(frozen=True)
@@ -62,7 +66,7 @@ class Quantity:
     """A named number, vector or matrix; `key` is its dotted path in the report's data."""
 
     key: str
-    value: Number | Vector | Matrix | str | None
+    value: Shown | ShownVector | ShownMatrix | str | None
     title: str = ""
     unit: str = ""
 
@@ -235,7 +239,7 @@ class Brief:
 
 
 # What JSON can say, with exact fractions; a step is an object of four keys.
-Value = None | bool | str | Number | Step | Sequence["Value"] | Mapping[str, "Value"]
+Value = None | bool | str | Shown | Step | Sequence["Value"] | Mapping[str, "Value"]
 
 
 class OnDemand(Sequence[Entry]):

@@ -5,12 +5,10 @@ from __future__ import annotations
 import ast
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
-from nmatrix.calculator.numbers import shown
 from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
@@ -149,7 +147,7 @@ class _Evaluation:
         """Keep a remark on an angle that was typed and looks like radians."""
         typed = argument.operand if isinstance(argument, ast.UnaryOp) else argument
         if isinstance(typed, ast.Constant):
-            found = like_radians([Fraction(shown(turn.scalar))])
+            found = like_radians([turn.scalar])
             if found is not None:
                 looks = f"{self._typed(argument)} looks like {of_pi(found[1])} radians"
                 self.remarks.append(f"{name} takes degrees, but {looks}, {180 * found[1]} degrees.")

@@ -1,13 +1,15 @@
-"""The calculator's numbers: fractions, intervals around what is irrational, and rounded floats.
+"""The calculator's numbers: fractions, roots, intervals around other irrationals, rounded floats.
 
-All three have the operators of a fraction, so the formulas of `linear.rational` serve them all.
-What is computed from an interval is an interval, so it is known how much is known; and wherever it
-matters whether a number is 0, `is_zero` is asked, which says yes, no, or that nobody knows.
+All have the operators of a fraction, so the formulas of `linear.rational` serve them all. Fractions
+and sums of roots (`Surd`) are exact. What is computed from an interval is an interval, so it is
+known how much is known; and wherever it matters whether a number is 0, `is_zero` is asked, which
+says yes, no, or that nobody knows.
 """
 
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from math import copysign, inf, isfinite, isnan, isqrt, nan
@@ -15,14 +17,27 @@ from math import copysign, inf, isfinite, isnan, isqrt, nan
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import DEGREES, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
+from nmatrix.surds import BITS as ROOT_BITS
+from nmatrix.surds import Surd, TooManyRootsError
+from nmatrix.surds import root as exact_root
 
-ROOT_BITS = 280
 SERIES = Fraction(1, 2**130)  # the relative error of a sine or an arctangent
 GUARD_BITS = 16  # of an end behind the first bit that is not known
-TWICE_THE_SINE = {0: 0, 1: 1, 3: 2, 5: 1, 6: 0, 7: -1, 9: -2, 11: -1}  # by twelfths of a turn
 SLOWEST = 57  # degrees in which a sine changes by less than one: 180/π is more
+# The sines that are sums of roots of fractions: no other of a rational number of degrees is.
+SINES = {
+    Fraction(0): Fraction(0),
+    Fraction(15): (exact_root(6) - exact_root(2)) / 4,
+    Fraction(18): (exact_root(5) - 1) / 4,
+    Fraction(30): Fraction(1, 2),
+    Fraction(45): exact_root(2) / 2,
+    Fraction(54): (exact_root(5) + 1) / 4,
+    Fraction(60): exact_root(3) / 2,
+    Fraction(75): (exact_root(6) + exact_root(2)) / 4,
+    Fraction(90): Fraction(1),
+}
 
-Exact = int | Fraction
+Exact = int | Fraction | Surd
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +72,9 @@ class Interval:
         return enclosed(min(products), max(products))
 
     def __truediv__(self, other: Exact | Interval) -> Fraction | Interval:
-        return self * (1 / (other if isinstance(other, Interval) else Fraction(other)))
+        return self * (1 / (Fraction(other) if isinstance(other, int) else other))
 
-    def __rtruediv__(self, other: Exact) -> Fraction | Interval:
+    def __rtruediv__(self, other: Exact) -> Exact | Interval:
         is_zero(self)  # which refuses a divisor that may be 0
         return enclosed(1 / self.high, 1 / self.low) * other
 
@@ -151,7 +166,7 @@ class Float64:
     __rmul__ = __mul__
 
 
-Number = Fraction | Interval | Float64
+Number = Fraction | Surd | Interval | Float64
 
 
 def is_zero(x: Number) -> bool:
@@ -181,6 +196,8 @@ def is_zero(x: Number) -> bool:
 
 def size(x: Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
+    if isinstance(x, Surd):
+        return max(map(abs, x.between()))
     if isinstance(x, Interval):
         return x.farthest
     return abs(x.value) if isinstance(x, Float64) else abs(x)
@@ -190,12 +207,26 @@ def bits_of(x: Number) -> int:
     """Count the bits of the longest integer that a number is written with."""
     if isinstance(x, Float64):
         return 64
+    if isinstance(x, Surd):
+        return max(max(d.bit_length(), bits_of(q)) for d, q in x.terms)
     return max(n.bit_length() for end in _ends(x) for n in end.as_integer_ratio())
 
 
-def shown(x: Number) -> Fraction | float:
-    """Take what may be printed of a number."""
+def shown(x: Number) -> Fraction | Surd | float:
+    """Take what may be printed of a number.
+
+    Raises
+    ------
+    NoAnswerError
+        If not one digit of it is known.
+    """
     if isinstance(x, Interval):
+        if not x.digits:
+            raise NoAnswerError(
+                "a number in which roots or sines cancel",
+                f"it is within {short_text(x.farthest, 2)} of 0, and no digit of it is known",
+                "use rational entries, or angles whose sines are roots",
+            )
         return x.shown
     return x.value if isinstance(x, Float64) else x
 
@@ -204,7 +235,8 @@ def float64(x: Exact | Number) -> Float64:
     """Round a number to the nearest float64, to infinity beyond the largest."""
     if isinstance(x, Float64):
         return x
-    middle = (x.low + x.high) / 2 if isinstance(x, Interval) else Fraction(x)
+    low, high = _ends(x)
+    middle = (low + high) / 2
     try:
         return Float64(nearest(middle))
     except IllegalValueError:
@@ -220,17 +252,20 @@ def enclosed(low: Fraction, high: Fraction) -> Fraction | Interval:
 
 
 def root(square: Number) -> Number:
-    """Take a square root: exact if it is rational, else known to 280 bits.
+    """Take a square root: exact of a fraction, known to 280 bits of any other number.
 
     Of an interval only the part from 0 upwards can be a square.
 
     Examples
     --------
-    >>> root(Fraction(9, 4)), root(Float64(2.0)).value
-    (Fraction(3, 2), 1.4142135623730951)
+    >>> print(root(Fraction(9, 4)), root(Fraction(3, 4)), root(Float64(2.0)).value)
+    3/2 √3/2 1.4142135623730951
     """
     if isinstance(square, Float64):
         return Float64(math.sqrt(square.value))
+    if isinstance(square, Fraction):
+        with suppress(TooManyRootsError):
+            return exact_root(square)
     low, high = _ends(square)
     return enclosed(_root_ends(max(low, Fraction(0)))[0], _root_ends(high)[1])
 
@@ -240,8 +275,8 @@ def angle(degrees: Number) -> Angle:
 
     Examples
     --------
-    >>> angle(Fraction(30)).sine, angle(Fraction(30)).cosine.digits
-    (Fraction(1, 2), 38)
+    >>> print(angle(Fraction(30)).cosine, angle(Fraction(75)).sine, angle(Fraction(1)).sine.digits)
+    √3/2 (√2 + √6)/4 38
     """
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
@@ -273,6 +308,8 @@ def degrees_of(sine: Number, cosine: Number) -> Number:
 def _ends(x: Exact | Interval) -> tuple[Fraction, Fraction]:
     if isinstance(x, Interval):
         return x.low, x.high
+    if isinstance(x, Surd):
+        return x.between()
     return Fraction(x), Fraction(x)
 
 
@@ -287,14 +324,16 @@ def _root_ends(square: Fraction) -> tuple[Fraction, Fraction]:
     return Fraction(whole, bottom), Fraction(whole + (whole * whole != product), bottom)
 
 
-def _sine(degrees: Fraction | Interval) -> Fraction | Interval:
-    if isinstance(degrees, Interval):
-        least, most = _ends(_sine((degrees.low + degrees.high) / 2))
-        change = (degrees.high - degrees.low) / 2 / SLOWEST
+def _sine(degrees: Exact | Interval) -> Exact | Interval:
+    if not isinstance(degrees, Fraction):
+        low, high = _ends(degrees)
+        least, most = _ends(_sine((low + high) / 2))
+        change = (high - low) / 2 / SLOWEST
         return enclosed(least - change, most + change)
-    twelfth, rest = divmod(degrees % 360, 30)
-    if not rest and twelfth in TWICE_THE_SINE:  # no other sine is rational (Niven, 1956)
-        return Fraction(TWICE_THE_SINE[twelfth], 2)
+    turned = degrees % 360
+    sharp = min(turned % 180, 180 - turned % 180)
+    if sharp in SINES:
+        return SINES[sharp] if turned <= 180 else -SINES[sharp]
     found = Angle.degrees(degrees).sine
     error = abs(found) * SERIES
     return enclosed(found - error, found + error)

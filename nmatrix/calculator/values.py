@@ -11,6 +11,8 @@ from typing import Any, TypeAlias, TypeVar
 from nmatrix.calculator.numbers import Number, bits_of, float64, shown
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.report import Shown
+from nmatrix.surds import Surd
 
 LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
 
@@ -81,11 +83,11 @@ class Value:
 
     @property
     def exact(self) -> bool:
-        """Whether every entry is a fraction: no root, no sine in it was irrational or rounded."""
-        return all(isinstance(entry, Fraction) for entry in self.numbers)
+        """Whether every entry is a fraction or a sum of roots: none was rounded."""
+        return all(isinstance(entry, (Fraction, Surd)) for entry in self.numbers)
 
     @property
-    def shown(self) -> Nested[Fraction | float]:
+    def shown(self) -> Nested[Shown]:
         """The entries as they may be printed: fractions and floats, to the digits known."""
         return each(self.entries, shown)
 

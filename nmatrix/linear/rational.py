@@ -263,7 +263,7 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
     return scaled(adjugate(A), 1 / det)
 
 
-def is_affine(A: Sequence[Sequence[float | Fraction]]) -> bool:
+def is_affine(A: Sequence[Sequence[object]]) -> bool:
     """Recognise an affine 4×4 matrix by its last row, 0 0 0 1."""
     return len(A) == 4 and tuple(A[3]) == AFFINE_ROW
 

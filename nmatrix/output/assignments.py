@@ -16,7 +16,7 @@ from nmatrix.output.numbers import (
     round_trip_text,
     significant,
 )
-from nmatrix.report import Matrix, Number, Report, Value, Vector
+from nmatrix.report import Report, Shown, ShownMatrix, ShownVector, Value
 from nmatrix.version import __version__
 
 _RESERVED = (
@@ -26,7 +26,7 @@ _RESERVED = (
     " return sample static super switch this throw true try typeof uniform var varying void while"
     " window with yield length normalize cross dot reflect transpose inverse determinant "
 )
-Assigned = bool | Number | Vector | Matrix
+Assigned = bool | Shown | ShownVector | ShownMatrix
 PROGRAMS = (Format.GLSL, Format.JS, Format.NUMPY)
 
 
@@ -105,12 +105,12 @@ def _commented(text: str, language: Language) -> str:
     return f"{language.comment} {' '.join(text.split())}"
 
 
-def number(value: Number) -> str:
+def number(value: Shown) -> str:
     """Write a number of an assignment, which a float64 can hold."""
     return round_trip_text(value) or "0.0"
 
 
-def vector(entries: Vector) -> str:
+def vector(entries: ShownVector) -> str:
     """Write a vector in square brackets, as JavaScript and Python do.
 
     Examples
@@ -121,7 +121,7 @@ def vector(entries: Vector) -> str:
     return f"[{', '.join(map(number, entries))}]"
 
 
-def matrix(rows: Matrix) -> str:
+def matrix(rows: ShownMatrix) -> str:
     """Write a matrix as a list of rows, a row on each line.
 
     Examples
@@ -135,7 +135,7 @@ def matrix(rows: Matrix) -> str:
     return "[\n" + "".join(f"  {vector(row)},\n" for row in rows) + "]"
 
 
-def flat(rows: Matrix) -> str:
+def flat(rows: ShownMatrix) -> str:
     """Write the rows one after the other in a single list, a row on each line.
 
     Examples
@@ -149,7 +149,7 @@ def flat(rows: Matrix) -> str:
     return "[\n" + "".join(f"  {vector(row)[1:-1]},\n" for row in rows) + "]"
 
 
-def _numbers(value: Assigned) -> Iterator[Number]:
+def _numbers(value: Assigned) -> Iterator[Shown]:
     if is_matrix(value):
         yield from (entry for row in value for entry in row)
     elif is_vector(value):

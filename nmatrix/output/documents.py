@@ -15,10 +15,10 @@ from nmatrix.report import (
     Formula,
     Framed,
     Heading,
-    Number,
     PageBreak,
     Quantity,
     Report,
+    Shown,
     Step,
     Symbols,
     Table,
@@ -193,7 +193,7 @@ def _quantity(block: Quantity, dialect: Dialect) -> str:
     return dialect.scalar(block.key, block.title, shown)
 
 
-def _number(value: Number, dialect: Dialect) -> str:
+def _number(value: Shown, dialect: Dialect) -> str:
     return dialect.number(significant(value, dialect.digits))
 
 

@@ -15,7 +15,7 @@ from nmatrix.linear.rational import is_affine
 from nmatrix.output.numbers import significant
 from nmatrix.output.style import AXES, Line, Span, Style, plain, width
 from nmatrix.output.write import Charset, OutputOptions
-from nmatrix.report import Formula, Matrix, Vector
+from nmatrix.report import Formula, ShownMatrix, ShownVector
 
 GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
@@ -55,7 +55,7 @@ def _brackets(rows: int, charset: Charset) -> list[tuple[str, str]]:
     return [only] if rows == 1 else [first, *[middle] * (rows - 2), last]
 
 
-def draw_matrix(matrix: Matrix, options: OutputOptions) -> list[Line]:
+def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
     """Draw a matrix; one too wide is cut between its columns.
 
     Examples
@@ -77,7 +77,7 @@ def draw_matrix(matrix: Matrix, options: OutputOptions) -> list[Line]:
     return lines
 
 
-def draw_vector(vector: Vector, options: OutputOptions) -> list[Line]:
+def draw_vector(vector: ShownVector, options: OutputOptions) -> list[Line]:
     """Draw a vector in one row, or as a column where the row would be too wide."""
     texts = [significant(entry, options.digits) for entry in vector]
     row: list[Span] = [Span("(")]
@@ -90,7 +90,7 @@ def draw_vector(vector: Vector, options: OutputOptions) -> list[Line]:
 
 
 def _columns(
-    matrix: Matrix, digits: int, align: Callable[[Sequence[str]], list[str]]
+    matrix: ShownMatrix, digits: int, align: Callable[[Sequence[str]], list[str]]
 ) -> list[list[str]]:
     columns = zip(*matrix, strict=True)
     return [align([significant(entry, digits) for entry in column]) for column in columns]
@@ -114,7 +114,7 @@ def _groups(columns: list[list[str]], limit: int) -> list[range]:
 
 
 def _draw_group(
-    matrix: Matrix, columns: list[list[str]], group: range, charset: Charset
+    matrix: ShownMatrix, columns: list[list[str]], group: range, charset: Charset
 ) -> list[Line]:
     barred = 3 if is_affine(matrix) and group[0] < 3 <= group[-1] else None
     named = len(matrix) >= 3 and len(columns) == len(matrix)

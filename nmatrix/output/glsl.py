@@ -18,7 +18,7 @@ from nmatrix.output.numbers import (
     round_trip_text,
 )
 from nmatrix.output.write import OutputOptions
-from nmatrix.report import Code, Matrix, Number, Report, Value, Vector
+from nmatrix.report import Code, Report, Shown, ShownMatrix, ShownVector, Value
 
 SHADER_BREAK = "// ---- fragment shader ----"
 LARGEST_FLOAT32 = 3.4028234663852886e38
@@ -115,7 +115,7 @@ def _statement(qualifier: str, name: str, value: Assigned) -> str:
     return f"{qualifier} {kind} = {written};{OUTSIDE if too_large else ''}"
 
 
-def _typed(value: Assigned, name: str) -> tuple[str, str, Vector]:
+def _typed(value: Assigned, name: str) -> tuple[str, str, ShownVector]:
     """Write the declaration and the initial value; the third part is the floats in it."""
     if is_matrix(value):
         return _matrix(value, name)
@@ -129,7 +129,7 @@ def _typed(value: Assigned, name: str) -> tuple[str, str, Vector]:
     return f"bool {name}", "true" if value else "false", ()
 
 
-def _matrix(value: Matrix, name: str) -> tuple[str, str, Vector]:
+def _matrix(value: ShownMatrix, name: str) -> tuple[str, str, ShownVector]:
     columns = transpose(value)
     entries = tuple(entry for column in columns for entry in column)
     rows, across = len(value), len(columns)
@@ -142,11 +142,11 @@ def _matrix(value: Matrix, name: str) -> tuple[str, str, Vector]:
     return f"{constructor} {name}", f"{constructor}(\n{lines})", entries
 
 
-def _list(entries: Vector) -> str:
+def _list(entries: ShownVector) -> str:
     return ", ".join(_literal(entry) for entry in entries)
 
 
-def _literal(value: Number) -> str:
+def _literal(value: Shown) -> str:
     """Write a float literal; GLSL ES knows no silent step from int to float."""
     text = round_trip_text(float(value)) or "0.0"
     return text if "." in text or "e" in text else f"{text}.0"

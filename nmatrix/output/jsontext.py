@@ -16,7 +16,7 @@ from nmatrix.output.numbers import (
     significant,
 )
 from nmatrix.output.write import Charset, OutputOptions
-from nmatrix.report import Number, Report, Step, Value
+from nmatrix.report import Report, Shown, Step, Value
 from nmatrix.version import __version__
 
 INDENT = "  "
@@ -103,7 +103,7 @@ class _Writer:
             return _joined("[", lines, "]", depth)
         return "[\n" + ",\n".join(lines) + f"\n{INDENT * depth}]"
 
-    def _number(self, value: Number, key: str) -> str:
+    def _number(self, value: Shown, key: str) -> str:
         written = round_trip_text(value)
         if written is None:
             self.outside.append((key, significant(value, self.options.digits)))

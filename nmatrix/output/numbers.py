@@ -11,13 +11,14 @@ from typing import TypeGuard
 from nmatrix.enums import Layout
 from nmatrix.linear.rational import transpose
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Matrix, Number, Step, Value, Vector
+from nmatrix.report import Shown, ShownMatrix, ShownVector, Step, Value
+from nmatrix.surds import Surd
 
-LARGEST_MATRIX = 4
+LARGEST_MATRIX = 8
 ROUND_TRIP = 17  # digits that every float64 is read back from
 
 
-def is_number(value: object) -> TypeGuard[Number]:
+def is_number(value: object) -> TypeGuard[Shown]:
     """Recognise a number; a bool is none.
 
     Examples
@@ -25,7 +26,7 @@ def is_number(value: object) -> TypeGuard[Number]:
     >>> is_number(1), is_number(True)
     (True, False)
     """
-    return isinstance(value, (int, float, Fraction)) and not isinstance(value, bool)
+    return isinstance(value, (int, float, Fraction, Surd)) and not isinstance(value, bool)
 
 
 def is_list(value: object) -> TypeGuard[Sequence[Value]]:
@@ -33,13 +34,13 @@ def is_list(value: object) -> TypeGuard[Sequence[Value]]:
     return isinstance(value, Sequence) and not isinstance(value, str)
 
 
-def is_vector(value: object) -> TypeGuard[Vector]:
+def is_vector(value: object) -> TypeGuard[ShownVector]:
     """Recognise a list of at least one number, and of nothing else."""
     return is_list(value) and len(value) > 0 and all(is_number(entry) for entry in value)
 
 
-def is_matrix(value: object) -> TypeGuard[Matrix]:
-    """Recognise a matrix: 2 to 4 rows of equally many numbers, 1 to 4 of them.
+def is_matrix(value: object) -> TypeGuard[ShownMatrix]:
+    """Recognise a matrix: 2 to 8 rows of equally many numbers, 1 to 8 of them.
 
     Examples
     --------
@@ -52,7 +53,7 @@ def is_matrix(value: object) -> TypeGuard[Matrix]:
     return len(sizes) == 1 and 1 <= sizes.pop() <= LARGEST_MATRIX
 
 
-def arranged(matrix: Matrix, layout: Layout) -> Matrix:
+def arranged(matrix: ShownMatrix, layout: Layout) -> ShownMatrix:
     """Order the entries as a layout wants them: the rows to write down one after the other."""
     return transpose(matrix) if layout is Layout.COLUMN_MAJOR else matrix
 
@@ -62,7 +63,7 @@ class Leaf:
     """A value of the data that holds no keys of its own: a scalar, a vector or a matrix."""
 
     key: str
-    value: bool | str | Number | Vector | Matrix | None
+    value: bool | str | Shown | ShownVector | ShownMatrix | None
 
 
 def members(step: Step) -> dict[str, Value]:
@@ -106,11 +107,11 @@ def _leaves_of(key: str, value: Value) -> Iterator[Leaf]:
         yield Leaf(key, value)
     elif is_list(value):
         yield from leaves({str(place): entry for place, entry in enumerate(value)}, f"{key}.")
-    elif value is None or isinstance(value, (bool, str, int, float, Fraction)):
+    elif value is None or isinstance(value, (bool, str, int, float, Fraction, Surd)):
         yield Leaf(key, value)
 
 
-def float_or_none(value: Number) -> float | None:
+def float_or_none(value: Shown) -> float | None:
     """Round a number to the nearest float64; None outside its range; −0 becomes 0.
 
     Examples
@@ -125,7 +126,7 @@ def float_or_none(value: Number) -> float | None:
     return found + 0.0 if isfinite(found) else None
 
 
-def round_trip_text(value: Number) -> str | None:
+def round_trip_text(value: Shown) -> str | None:
     """Write the shortest text that reads back as the same float64; None outside its range.
 
     Examples
@@ -139,7 +140,7 @@ def round_trip_text(value: Number) -> str | None:
     return str(int(value)) if isinstance(value, int) else float.__repr__(rounded)
 
 
-def significant(value: Number, digits: int) -> str:
+def significant(value: Shown, digits: int) -> str:
     """Write so many significant digits, correctly rounded, without trailing zeros.
 
     Integers that count something stay whole; fractions are rounded from their integers, so that
@@ -151,6 +152,8 @@ def significant(value: Number, digits: int) -> str:
     >>> significant(2 / 3, 4), significant(-0.0, 6), significant(Fraction(10) ** 600, 6)
     ('0.6667', '0', '1e+600')
     """
+    if isinstance(value, Surd):
+        value = Fraction(sum(value.between()) / 2)
     if isinstance(value, Fraction):
         text, rounded = short_text(value, digits), float_or_none(value)
         if digits < ROUND_TRIP or not rounded or float(text) == rounded:
