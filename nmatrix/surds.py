@@ -160,6 +160,8 @@ class Surd:
         written = "".join(_written(d, top, is_first=not i) for i, (d, top) in enumerate(ordered))
         if bottom == 1:
             return written
+        if all(top < 0 for _, top in tops):  # −(√2 + √6)/4
+            return f"−{-self}"
         return f"{written}/{bottom}" if len(tops) == 1 else f"({written})/{bottom}"
 
 

@@ -27,10 +27,11 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
             {"expression": step.expression, "value": step.value.shown, "rule": step.rule}
             for step in calculation.steps
         ]
+    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
     data: dict[str, JsonValue] = {
         "expression": calculation.expression,
         "value": value.shown,
-        "kind": value.kind.value,
+        "kind": kind.value,
         "exact": as_strings(value.entries) if value.exact else None,  # type: ignore[dict-item]
         "steps": steps,
     }

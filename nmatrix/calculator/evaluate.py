@@ -2,21 +2,44 @@
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import partial
+from typing import TypeVar
 
 from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import OPERATORS, operator_position, parse, plain
-from nmatrix.calculator.operators import BINARY
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind
-from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
+from nmatrix.calculator.functions.function import Argument, Function
+from nmatrix.calculator.grammar import parse
+from nmatrix.calculator.numbers import PiMultiple, shown
+from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
+from nmatrix.calculator.tree import (
+    Bracket,
+    Call,
+    Index,
+    Infix,
+    Member,
+    Name,
+    Node,
+    Numeral,
+    Pasted,
+    Power,
+    Prefix,
+    Turn,
+    Word,
+)
+from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
+from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
 from nmatrix.reading.angles import like_radians, of_pi
-from nmatrix.reading.literal import BARE_POINT, LARGEST
+from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
+from nmatrix.surds import TooManyRootsError
 
+T = TypeVar("T")
 Names = Mapping[str, Value]
+CONSTANTS: dict[str, Value] = {"pi": Value(PiMultiple(Fraction(1)))}
+COMPONENTS = "xyzw"
 
 
 @dataclass(frozen=True)
@@ -53,12 +76,12 @@ def calculate(
 
     Examples
     --------
-    >>> calculate("det([[1, 2], [3, 4]]) / 4", {}).value.entries
+    >>> calculate("det([1 2; 3 4]) / 4", {}).value.entries
     Fraction(-1, 2)
     """
-    expression = plain(expression)
+    expression = expression.strip()
     evaluation = _Evaluation(expression, names, arithmetic)
-    value = evaluation.value_of(parse(expression))
+    value = evaluation.value_of(parse(expression, frozenset((*FUNCTIONS, *names))))
     steps, remarks = tuple(evaluation.steps), tuple(dict.fromkeys(evaluation.remarks))
     return Calculation(expression, value, arithmetic, steps, remarks)
 
@@ -71,106 +94,208 @@ class _Evaluation:
     steps: list[CalculationStep] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
-    def value_of(self, node: ast.expr) -> Value:  # noqa: PLR0911 - one line for each kind of node
+    def value_of(self, node: Node) -> Value:  # noqa: C901, PLR0911 - one line for each kind
         match node:
-            case ast.Constant():
-                return self._constant(node)
-            case ast.Name(id=name):
-                return self._name(node, name)
-            case ast.List(elts=elements) | ast.Tuple(elts=elements):
-                return self._bracket(node, elements)
-            case ast.Attribute(value=inner):
-                return self._call(node, "transpose", [inner])
-            case ast.Call(func=ast.Name(id=name), args=arguments):
-                return self._call(node, name, arguments)
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return -self.value_of(operand)
-            case ast.UnaryOp(operand=operand):
-                return self.value_of(operand)
-            case ast.BinOp(left=left, op=operator, right=right):
-                return self._binary(node, OPERATORS[type(operator)], left, right)
-        raise self._fault(node, "expression", "it is outside the grammar")
+            case Numeral():
+                return self._numeral(node)
+            case Turn():
+                return self._kept(node, Value(node.degrees))
+            case Pasted():
+                rows = tuple(tuple(map(fraction, row)) for row in node.rows)
+                return self._kept(node, Value(rows if len(rows) > 1 else rows[0]))
+            case Name():
+                return self._name(node)
+            case Bracket():
+                return self._bracket(node)
+            case Prefix():
+                return self._prefix(node)
+            case Infix():
+                return self._infix(node)
+            case Power():
+                return self._power(node)
+            case Member():
+                return self._member(node)
+            case Index():
+                return self._index(node)
+            case Call():
+                return self._call(node)
+        raise self._fault(node, "letters in quotes", "they are read only where an order is asked")
 
     def _error(self, at: int, what: str, error: NMatrixError) -> NMatrixError:
         """Repeat the error of an operation with its place in the expression."""
         kind = NoValueError if isinstance(error, NoAnswerError) else CalculatorError
         return kind(self.expression, at, what, str(error))
 
-    def _fault(self, node: ast.expr, what: str, why: str) -> NMatrixError:
-        return CalculatorError(self.expression, node.col_offset, what, why)
+    def _fault(self, node: Node, what: str, why: str) -> NMatrixError:
+        return CalculatorError(self.expression, node.start, what, why)
 
-    def _constant(self, node: ast.Constant) -> Value:
+    def _numeral(self, node: Numeral) -> Value:
         try:
-            value = Value(fraction(BARE_POINT.sub("", self._typed(node))))
+            return self._kept(node, Value(fraction(BARE_POINT.sub("", node.text))))
         except IllegalValueError as error:
+            if isinstance(error, CalculatorError):
+                raise
             _, _, why = str(error).partition(": ")
             raise self._fault(node, "number", why) from None
-        return self._kept(node, value)
 
-    def _name(self, node: ast.expr, name: str) -> Value:
+    def _name(self, node: Name) -> Value:
+        name = node.name
         if name in self.names:
             return self._kept(node, self.names[name])
+        if name in CONSTANTS:
+            return self._kept(node, CONSTANTS[name])
         if name in FUNCTIONS:
-            raise self._fault(node, name, f"it is a function: write {name}(…)")
-        known = ", ".join(self.names) or "none"
-        raise self._fault(
-            node, f"name {name[:20]}", f"the names are {known}; {quantity('let')} adds more"
-        )
+            usage = FUNCTIONS[name].usage(name)
+            raise self._fault(node, name, f"it is a function: write {usage}")
+        known = [*self.names, *CONSTANTS]
+        listed = f"the names are {', '.join(known)}; {quantity('let')} adds more"
+        why = did_you_mean(name, [*known, *FUNCTIONS], listed)
+        raise self._fault(node, f"name {name[:20]}", why)
 
-    def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
-        values = [self.value_of(element) for element in elements[: LARGEST + 1]]
-        kinds = {value.kind for value in values}
-        sizes = {value.shape for value in values}
-        if not values or len(values) > LARGEST or len(sizes) != 1 or ValueKind.MATRIX in kinds:
-            raise self._fault(node, "bracket", "it holds up to 4 numbers, or rows of equal length")
-        return Value(tuple(value.entries for value in values))  # type: ignore[arg-type]
+    def _bracket(self, node: Bracket) -> Value:
+        rows = [[self.value_of(entry) for entry in row[: LARGEST + 1]] for row in node.rows]
+        entries = [value for row in rows for value in row]
+        kinds = {value.kind for value in entries}
+        if kinds == {ValueKind.SCALAR}:
+            if len({len(row) for row in rows}) > 1:
+                sizes = ", ".join(str(len(row)) for row in rows[:LARGEST])
+                raise self._fault(
+                    node, "bracket", f"its rows have {sizes} numbers: make them equal"
+                )
+            numbers = tuple(tuple(value.scalar for value in row) for row in rows)
+            if len(numbers) == 1 or len(numbers[0]) == 1:  # one row or one column is a vector
+                numbers = (tuple(number for row in numbers for number in row),)
+        elif kinds == {ValueKind.VECTOR} and len({value.shape for value in entries}) == 1:
+            numbers = tuple(value.vector for value in entries)
+        else:
+            why = "it holds numbers, or rows of equal length" if entries else "it is empty"
+            raise self._fault(node, "bracket", why)
+        if max(len(numbers), len(numbers[0])) > LARGEST:
+            raise self._fault(node, "bracket", f"it has at most {LARGEST} rows and columns")
+        return Value(numbers[0] if kinds == {ValueKind.SCALAR} and len(numbers) == 1 else numbers)
 
-    def _call(self, node: ast.expr, name: str, arguments: list[ast.expr]) -> Value:
-        function = FUNCTIONS.get(name)
-        if function is None:
-            raise self._fault(node, f"function {name[:20]}", f"there are {', '.join(FUNCTIONS)}")
-        values = [self.value_of(argument) for argument in arguments]
-        if function.gathers and [v.kind for v in values] == [ValueKind.SCALAR] * 3:
-            values = [Value(tuple(v.scalar for v in values))]
-        if tuple(value.kind for value in values) != function.takes:
-            got = " and ".join(value.shape for value in values[:4]) or "nothing"
-            raise self._fault(node, name, f"it takes {function.wanted}, got {got}")
+    def _prefix(self, node: Prefix) -> Value:
+        value = self.value_of(node.operand)
+        if node.sign == "√":
+            return self._applied(node, "sqrt", [value], {})
+        if value.kind is ValueKind.TRUTH:
+            raise self._fault(node, node.sign, "it is for numbers, not for a comparison")
+        return -value if node.sign == "-" else value
+
+    def _infix(self, node: Infix) -> Value:
+        a, b = self.value_of(node.left), self.value_of(node.right)
+        if node.sign == "==":
+            return Value(self._tried(node.at, "==", equal, (a, b)))
+        if node.sign == "≈":
+            is_near, told = self._tried(node.at, "≈", nearly_equal, (a, b))
+            self.remarks.append(told)
+            return Value(is_near)
+        value, rule = self._tried(node.at, node.sign, partial(binary, node.sign), (a, b))
+        return self._step(node, value, rule)
+
+    def _tried(
+        self, at: int, what: str, compute: Callable[..., T], values: Sequence[Argument | None]
+    ) -> T:
+        """Compute with exact roots, or with their bounds where the roots grow too many."""
         try:
-            found = function.compute(*values)
+            try:
+                return compute(*values)
+            except TooManyRootsError:
+                bounds = (one.enclosed() if isinstance(one, Value) else one for one in values)
+                return compute(*bounds)
         except (IllegalValueError, NoAnswerError) as error:
-            raise self._error(node.col_offset, name, error) from None
-        if function.turns:
-            self._remark_radians(name, arguments[0], values[0])
-        return self._step(node, found, function.rule)
+            raise self._error(at, what, error) from None
 
-    def _remark_radians(self, name: str, argument: ast.expr, turn: Value) -> None:
-        """Keep a remark on an angle that was typed and looks like radians."""
-        typed = argument.operand if isinstance(argument, ast.UnaryOp) else argument
-        if isinstance(typed, ast.Constant):
-            found = like_radians([turn.scalar])
+    def _power(self, node: Power) -> Value:
+        base = self.value_of(node.base)
+        if node.is_transposed:
+            name = "transpose" if node.exponent > 0 else "inverse_transpose"
+            return self._applied(node, name, [base], {})
+        if base.kind is ValueKind.MATRIX and node.exponent < 0:
+            base = self._applied(node, "inverse", [base], {})
+        raised = partial(power, exponent=node.exponent, arithmetic=self.arithmetic)
+        value = self._tried(node.at, "^", raised, [base])
+        return value if abs(node.exponent) == 1 else self._step(node, value, "multiplied by itself")
+
+    def _member(self, node: Member) -> Value:
+        value = self.value_of(node.value)
+        if node.name in ("T", "inv"):
+            name = "transpose" if node.name == "T" else "inverse"
+            return self._applied(node, name, [value], {})
+        if value.kind is not ValueKind.VECTOR:
+            why = f"it is of vectors, and this is {value.shape}"
+            raise CalculatorError(self.expression, node.at, f".{node.name}", why)
+        if node.name == "xyz":
+            if len(value.vector) < 3:
+                raise CalculatorError(self.expression, node.at, ".xyz", f"this is {value.shape}")
+            return replace(value, entries=value.vector[:3])
+        place = COMPONENTS.index(node.name)
+        if place >= len(value.vector):
+            why = f"this is {value.shape}"
+            raise CalculatorError(self.expression, node.at, f".{node.name}", why)
+        return Value(value.vector[place])
+
+    def _index(self, node: Index) -> Value:
+        value = self.value_of(node.value)
+        places = [None if place is None else self.value_of(place) for place in node.places]
+        return self._tried(node.at, "an index", lambda one: part(one, places), [value])
+
+    def _call(self, node: Call) -> Value:
+        name = node.function
+        if name not in FUNCTIONS:
+            if name in self.names:
+                why = f"{name} is a value: * and @ multiply it, {name}[0] is its first part"
+                raise self._fault(node, name, why)
+            step = did_you_mean(name, FUNCTIONS, "help lists them")
+            raise self._fault(node, f"function {name[:20]}", step)
+        arguments = [self._argument(one) for one in node.arguments]
+        named = {key: self._argument(one) for key, one in node.named}
+        if len(named) < len(node.named):
+            raise self._fault(node, name, "an argument is given twice")
+        value = self._applied(node, name, arguments, named)
+        self._remark_radians(node, FUNCTIONS[name], arguments)
+        return value
+
+    def _argument(self, node: Node) -> Argument:
+        return node.word if isinstance(node, Word) else self.value_of(node)
+
+    def _applied(
+        self, node: Node, name: str, arguments: list[Argument], named: Mapping[str, Argument]
+    ) -> Value:
+        function = FUNCTIONS[name]
+        at = node.at if isinstance(node, (Member, Power)) else node.start
+        bound = self._tried(at, name, lambda: function.bound(arguments, named), [])
+        return self._step(node, self._tried(at, name, function.compute, bound), function.rule)
+
+    def _remark_radians(self, node: Call, function: Function, arguments: list[Argument]) -> None:
+        """Keep a remark on an angle that looks like radians, or is a multiple of π."""
+        for parameter, argument, value in zip(
+            function.parameters, node.arguments, arguments, strict=False
+        ):
+            if not parameter.is_angle or isinstance(value, str):
+                continue
+            if isinstance(value.entries, PiMultiple):
+                degrees = shown(value.entries.times * 180)
+                typed = self._typed(argument)
+                self.remarks.append(f"{typed} is in radians, {degrees} degrees.")
+                continue
+            typed_node = argument.operand if isinstance(argument, Prefix) else argument
+            found = like_radians([value.scalar]) if isinstance(typed_node, Numeral) else None
             if found is not None:
                 looks = f"{self._typed(argument)} looks like {of_pi(found[1])} radians"
-                self.remarks.append(f"{name} takes degrees, but {looks}, {180 * found[1]} degrees.")
+                said = f"{node.function} takes degrees, but {looks}, {180 * found[1]} degrees."
+                self.remarks.append(said)
 
-    def _binary(self, node: ast.expr, sign: str, left: ast.expr, right: ast.expr) -> Value:
-        a, b = self.value_of(left), self.value_of(right)
-        try:
-            entries, rule = BINARY[sign](a, b)
-        except (IllegalValueError, NoAnswerError) as error:
-            at = operator_position(self.expression, left)
-            raise self._error(at, sign, error) from None
-        return self._step(node, Value(entries), rule)
-
-    def _step(self, node: ast.expr, value: Value, rule: str) -> Value:
+    def _step(self, node: Node, value: Value, rule: str) -> Value:
         kept = self._kept(node, value)
         self.steps.append(CalculationStep(self._typed(node), kept, rule))
         return kept
 
-    def _typed(self, node: ast.expr) -> str:
-        return self.expression[node.col_offset : node.end_col_offset]
+    def _typed(self, node: Node) -> str:
+        return self.expression[node.start : node.end]
 
-    def _kept(self, node: ast.expr, value: Value) -> Value:
+    def _kept(self, node: Node, value: Value) -> Value:
         try:
             return value.kept_by(self.arithmetic)
         except (IllegalValueError, NoAnswerError) as error:
-            raise self._error(node.col_offset, "value", error) from None
+            raise self._error(node.start, "value", error) from None

@@ -1,189 +1,341 @@
-"""The closed grammar of expressions, checked before anything is computed.
+"""The grammar of expressions: from the pieces of a line to the tree, or to the caret under a fault.
 
-Python's own parser makes the tree; only a handful of its nodes are admitted.
+An operator binds as tightly as its number says; a power binds tightest and to the right, so that
+−2² is −4. It is written by hand because a blank is a sign of its own here: inside brackets it parts
+two entries, and a sign with a blank before it and none behind begins the next one.
 """
 
 from __future__ import annotations
 
-import ast
-import re
-import string
-import warnings
+from collections.abc import Iterator
 
 from nmatrix.calculator.faults import CalculatorError
-from nmatrix.errors import IllegalValueError
-from nmatrix.reading.notations import value_at
-
-LONGEST = 10_000  # characters
-DEEPEST = 200  # levels of nesting; Python's own stack holds about 1000
-
-OPERATORS: dict[type[ast.operator], str] = {
-    ast.Add: "+",
-    ast.Sub: "-",
-    ast.Mult: "*",
-    ast.Div: "/",
-    ast.MatMult: "@",
-}
-_OPENING, _CLOSING, _SIGNS = "([", ")]", "+-"
-# Quotes are let through to the parser, so that the call around a string is the fault, if it is one.
-_CHARACTERS = frozenset(string.ascii_letters + string.digits + "_., ()[]@*/+-'\"")
-_AS_TYPED = str.maketrans("\t\n\r", "   ")
-_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+|/[0-9]+)?"
-_LITERAL = re.compile(rf"\[\s*({_NUMBER}(?:[\s,;]+{_NUMBER})+)[\s;]*\]")
-_NOTATION = re.compile(
-    r"(?<![\w.])(?:(?:new )?[A-Za-z_][\w.:<>]{0,40} ?(?:\([0-9]{1,2}\) ?)?[\[({]"
-    r"|\{|\[X|<M|\([0-9]{1,2}\) ?\[)"
+from nmatrix.calculator.tokens import Token, TokenKind, tokens
+from nmatrix.calculator.tree import (
+    Bracket,
+    Call,
+    Index,
+    Infix,
+    Member,
+    Name,
+    Node,
+    Numeral,
+    Pasted,
+    Power,
+    Prefix,
+    Turn,
+    Word,
 )
-_BETWEEN_ROWS = re.compile(r"\]\s+\[")
-_ROW_END = re.compile(r"\s*[;\n]\s*")
-_SEPARATOR = re.compile(r"\s*,\s*|\s+")
+
+DEEPEST = 100  # levels of nesting; Python's own stack holds about 1000
+LONGEST_EXPONENT = 4  # digits
+COMPARISON, SUM, PRODUCT, SIGN, POWER = 1, 2, 3, 4, 5
+OPERATORS = {
+    "==": COMPARISON,
+    "≈": COMPARISON,
+    "+": SUM,
+    "-": SUM,
+    "*": PRODUCT,
+    "/": PRODUCT,
+    "@": PRODUCT,
+    "·": PRODUCT,
+    "×": PRODUCT,
+}
+_NOTHING = Token(TokenKind.END, "", 0, 0)
+MEMBERS = ("T", "inv", "xyz", "x", "y", "z", "w")
 
 
-def plain(expression: str) -> str:
-    r"""Write an expression on one line, with hyphens for minus signs and commas between numbers.
-
-    In brackets that hold numbers alone, blanks part them and semicolons or line ends part rows; a
-    sign with a blank before it and none behind begins the next number. One column is a vector.
-
-    Examples
-    --------
-    >>> plain(" 1 −\n2 "), plain("det([1 -2; 3 4])")
-    ('1 - 2', 'det([[1, -2], [3, 4]])')
-    >>> plain("[[1. 0.]\n [0. 2.]]"), plain("det(mat2(1, 2, 3, 4))")
-    ('[[1., 0.], [0., 2.]]', 'det([[1, 3], [2, 4]])')
-    """
-    if len(expression) > LONGEST:
-        return expression
-    lists = _with_lists(expression.replace("−", "-"))
-    listed = _LITERAL.sub(_with_commas, lists)
-    return _BETWEEN_ROWS.sub("], [", listed).translate(_AS_TYPED).strip()
-
-
-def _with_lists(expression: str) -> str:
-    """Write the matrices of other notations, such as mat3(…) or {{…}, {…}}, as lists.
-
-    Raises
-    ------
-    CalculatorError
-        If one of them cannot be read.
-    """
-    parts, done = [], 0
-    for found in _NOTATION.finditer(expression):
-        if found.start() < done:
-            continue
-        try:
-            value = value_at(expression, found.start(), "a literal")
-        except IllegalValueError as refusal:
-            what, why, _ = refusal.parts
-            raise CalculatorError(expression, found.start(), what, why) from None
-        if value is not None:
-            rows, end = value
-            lists = ", ".join(f"[{', '.join(row)}]" for row in rows)
-            parts += [expression[done : found.start()], f"[{lists}]" if len(rows) > 1 else lists]
-            done = end
-    return "".join([*parts, expression[done:]])
-
-
-def _with_commas(literal: re.Match[str]) -> str:
-    rows = [_SEPARATOR.split(row.strip()) for row in _ROW_END.split(literal[1]) if row.strip()]
-    if len(rows) > 1 and any(len(row) > 1 for row in rows):
-        return f"[[{'], ['.join(', '.join(row) for row in rows)}]]"
-    numbers = [number for row in rows for number in row]
-    has_commas = literal[1].count(",") == len(numbers) - 1
-    return literal[0] if has_commas else f"[{', '.join(numbers)}]"
-
-
-def parse(expression: str) -> ast.expr:
-    """Parse an expression of the closed grammar.
+def parse(line: str, names: frozenset[str] = frozenset()) -> Node:
+    """Parse an expression of the closed grammar; `names` are those that begin no notation.
 
     Raises
     ------
     CalculatorError
         For text that is too long, too deep, no expression, or outside the grammar.
+
+    Examples
+    --------
+    >>> parse("2 + A").right
+    Name(start=4, end=5, name='A')
     """
-    _check_characters(expression)
-    _check_depth(expression)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # Python's advice about `1if` is not for our readers
-            tree = ast.parse(expression, mode="eval").body
-    except SyntaxError as error:
-        at = error.offset - 1 if error.offset else len(expression)  # 0 is the end of the text
-        at = min(at, len(expression))
-        raise CalculatorError(
-            expression, at, "expression", "it does not read on from here"
-        ) from None
-    except (ValueError, RecursionError, MemoryError):
-        raise CalculatorError(
-            expression, 0, "expression", "it is nested too deeply to be read"
-        ) from None
-    _check_nodes(expression, tree)
+    found = _Parser(line, tokens(line, names))
+    tree = found.expression(0, 0)
+    found.end()
     return tree
 
 
-def operator_position(expression: str, left: ast.expr) -> int:
-    """Find the operator: the character behind its left side and that side's closing brackets."""
-    at = left.end_col_offset or 0
-    while expression[at] in ") ":
-        at += 1
-    return at
+class _Parser:
+    """Reads tokens from left to right; `brackets` tells if a blank parts entries just now.
 
+    A token is asked for only when the tree before it stands, so what is too deep is refused early.
+    """
 
-def _check_characters(expression: str) -> None:
-    if len(expression) > LONGEST:
-        why = f"it has {len(expression)} characters, {LONGEST} are read"
-        raise CalculatorError(expression, LONGEST, "expression", why)
-    if not expression:
-        raise CalculatorError(expression, 0, "expression", "it is empty, try det(M)")
-    for at, character in enumerate(expression):
-        if character not in _CHARACTERS:
-            why = "only letters, digits, brackets ( ) [ ] and @ * / + - . , mean something"
-            raise CalculatorError(expression, at, "character", why)
+    def __init__(self, line: str, coming: Iterator[Token]) -> None:
+        self.line, self.coming, self.place = line, coming, 0
+        self.read: list[Token] = []
+        self.brackets = False
 
+    def ahead(self, steps: int = 0) -> Token:
+        """Look at a token; behind the last there is only the end."""
+        while len(self.read) <= self.place + steps:
+            self.read.append(next(self.coming, self.read[-1] if self.read else _NOTHING))
+        return self.read[self.place + steps]
 
-def _check_depth(expression: str) -> None:
-    """Count open brackets and signs in a row, before a parser has to follow them down."""
-    depth = signs = 0
-    for at, character in enumerate(expression):
-        depth += (character in _OPENING) - (character in _CLOSING)
-        signs = signs + 1 if character in _SIGNS else signs * (character == " ")
-        if depth + signs > DEEPEST:
-            raise CalculatorError(
-                expression, at, "bracket or sign", f"nesting ends at {DEEPEST} levels"
-            )
+    @property
+    def next(self) -> Token:
+        if not self.brackets:
+            while self.ahead().kind is TokenKind.LINE_END:
+                self.place += 1
+        return self.ahead()
 
+    def take(self) -> Token:
+        found = self.next
+        self.place += 1
+        return found
 
-def _check_nodes(expression: str, tree: ast.expr) -> None:
-    """Walk the tree without recursion, so that its depth cannot hurt."""
-    waiting: list[tuple[ast.expr, int]] = [(tree, 1)]
-    while waiting:
-        node, depth = waiting.pop()
+    def fault(self, at: int, what: str, why: str) -> CalculatorError:
+        return CalculatorError(self.line, at, what, why)
+
+    def expression(self, least: int, depth: int) -> Node:
+        """Read operands and the operators that bind at least so tightly."""
+        left = self.operand(depth)
+        levels = depth
+        while (token := self.next).kind is TokenKind.SIGN and token.text in OPERATORS:
+            binds = OPERATORS[token.text]
+            if binds < least or self.parts_entries():
+                break
+            self.take()
+            levels += 1  # a long sum is as deep as it has operators
+            self.check_depth(levels, token)
+            right = self.expression(binds + 1, levels)
+            left = Infix(left.start, right.end, token.text, left, right, token.start)
+        return left
+
+    def operand(self, depth: int) -> Node:
+        token = self.take()
+        self.check_depth(depth, token)
+        if token.is_sign("-", "+", "√"):
+            binds = POWER if token.text == "√" else SIGN
+            inner = self.expression(binds, depth + 1)
+            return Prefix(token.start, inner.end, token.text, inner)
+        return self.followed(self.atom(token, depth), depth)
+
+    def atom(self, token: Token, depth: int) -> Node:  # noqa: PLR0911 - one line for each kind
+        start, end = token.start, token.end
+        match token.kind:
+            case TokenKind.NUMBER:
+                return self.numeral(token, depth)
+            case TokenKind.ANGLE:
+                return Turn(start, end, token.degrees)
+            case TokenKind.PASTED:
+                return Pasted(start, end, token.rows)
+            case TokenKind.WORD:
+                return Word(start, end, token.text)
+            case TokenKind.NAME:
+                if self.is_call():
+                    return self.call(token, depth)
+                return Name(start, end, token.text)
+        if token.is_sign("("):
+            return self.parentheses(token, depth)
+        if token.is_sign("["):
+            return self.bracket(token, depth)
+        raise self.fault(start, *_missing(token))
+
+    def numeral(self, token: Token, depth: int) -> Node:
+        after = self.ahead()
+        number = Numeral(token.start, token.end, token.text)
+        if after.after_blank or not (after.kind is TokenKind.NAME or after.is_sign("√", "(")):
+            return number
+        if after.text == "√":  # 3√2 is one number
+            root = self.operand(depth + 1)
+            return Infix(number.start, root.end, "*", number, root, root.start)
+        why = f"a product is written with its sign: {token.text}*{after.text}"
+        raise self.fault(after.start, "a product", why)
+
+    def is_call(self) -> bool:
+        token = self.ahead()
+        return token.is_sign("(") and not (self.brackets and token.after_blank)
+
+    def followed(self, node: Node, depth: int) -> Node:
+        """Read what follows an operand: members, indices, powers."""
+        while True:
+            token = self.next
+            adjacent = not token.after_blank
+            if token.is_sign(".") and adjacent:
+                node = self.member(node)
+            elif token.is_sign("[") and adjacent:
+                node = self.index(node, depth)
+            elif token.is_sign("^") and not (self.brackets and not adjacent):
+                node = self.power(node, depth)
+            else:
+                return node
+            depth += 1
+            self.check_depth(depth, token)
+
+    def member(self, node: Node) -> Node:
+        dot, name = self.take(), self.take()
+        if name.kind is not TokenKind.NAME or name.text not in MEMBERS:
+            known = " ".join(f".{one}" for one in MEMBERS)
+            raise self.fault(dot.start, "a part", f"after a point there are {known}")
+        return Member(node.start, name.end, node, name.text, dot.start)
+
+    def index(self, node: Node, depth: int) -> Node:
+        opening = self.take()
+        outside, self.brackets = self.brackets, False
+        places: list[Node | None] = []
+        while True:
+            if self.next.is_sign(":"):
+                self.take()
+                places.append(None)
+            else:
+                places.append(self.expression(0, depth + 1))
+            token = self.take()
+            if token.is_sign("]"):
+                break
+            if not token.is_sign(",") or len(places) == 2:
+                why = "a place is written A[0, 3], A[0, :] or v[1], counted from 0"
+                raise self.fault(token.start, "an index", why)
+        self.brackets = outside
+        return Index(node.start, token.end, node, tuple(places), opening.start)
+
+    def power(self, node: Node, depth: int) -> Node:
+        at = self.take().start
+        closing = {"(": ")", "{": "}"}.get(
+            self.next.text if self.next.kind is TokenKind.SIGN else ""
+        )
+        if closing:
+            self.take()
+        sign = -1 if self.next.is_sign("-") else 1
+        if self.next.is_sign("-", "+"):
+            self.take()
+        token = self.take()
+        if token.kind is TokenKind.NAME and token.text in ("T", "t"):
+            exponent, transposed = sign, True
+        elif token.kind is TokenKind.NUMBER and token.text.isdigit():
+            if len(token.text) > LONGEST_EXPONENT:
+                raise self.fault(token.start, "an exponent", "it has at most four digits")
+            exponent, transposed = sign * int(token.text), False
+        else:
+            why = "it is a whole number, T or -T: A^2, A^-1, A^T, A^-T; a root is sqrt(x)"
+            raise self.fault(token.start, "an exponent", why)
+        if closing and not (token := self.take()).is_sign(closing):
+            raise self.fault(token.start, "an exponent", f"{closing} is missing")
+        if self.next.is_sign("^"):
+            why = "write (a^b)^c, or the number that the upper power is"
+            raise self.fault(self.next.start, "a power of a power", why)
+        return Power(node.start, token.end, node, exponent, transposed, at)
+
+    def parentheses(self, opening: Token, depth: int) -> Node:
+        outside, self.brackets = self.brackets, False
+        inner = self.expression(0, depth + 1)
+        token = self.take()
+        if token.is_sign(","):
+            rows, token = self.listed(inner, depth)
+            inner = Bracket(opening.start, token.end, (rows,))
+        if not token.is_sign(")"):
+            raise self.fault(opening.start, "(", "its ) is missing")
+        self.brackets = outside
+        return inner
+
+    def listed(self, first: Node, depth: int) -> tuple[tuple[Node, ...], Token]:
+        """Read the rest of a list (1, 2, 3)."""
+        found = [first]
+        while True:
+            if self.next.is_sign(")"):
+                return tuple(found), self.take()
+            found.append(self.expression(0, depth + 1))
+            token = self.take()
+            if not token.is_sign(","):
+                return tuple(found), token
+
+    def call(self, name: Token, depth: int) -> Node:
+        opening = self.take()
+        outside, self.brackets = self.brackets, False
+        arguments: list[Node] = []
+        named: list[tuple[str, Node]] = []
+        while not self.next.is_sign(")"):
+            token = self.next
+            if token.kind is TokenKind.NAME and self.ahead(1).is_sign("="):
+                self.place += 2
+                named.append((token.text, self.expression(0, depth + 1)))
+            else:
+                arguments.append(self.expression(0, depth + 1))
+            if self.next.is_sign(","):
+                self.take()
+            elif not self.next.is_sign(")"):
+                break
+        closing = self.take()
+        if not closing.is_sign(")"):
+            if closing.kind is TokenKind.END:
+                raise self.fault(opening.start, "(", "its ) is missing")
+            raise self.fault(closing.start, *_stray(closing, "a comma or ) belongs here"))
+        self.brackets = outside
+        return Call(name.start, closing.end, name.text, tuple(arguments), tuple(named))
+
+    def bracket(self, opening: Token, depth: int) -> Node:
+        """Read a list or a matrix; inside, blanks part entries as commas do."""
+        outside, self.brackets = self.brackets, True
+        rows: list[tuple[Node, ...]] = []
+        row: list[Node] = []
+        while True:
+            token = self.next
+            if token.is_sign(";", "]") or token.kind is TokenKind.LINE_END:
+                self.place += 1
+                if row:
+                    rows.append(tuple(row))
+                    row = []
+                if token.is_sign("]"):
+                    break
+            elif token.kind is TokenKind.END:
+                raise self.fault(opening.start, "[", "its ] is missing")
+            else:
+                row.append(self.expression(0, depth + 1))
+                self.comma()
+        self.brackets = outside
+        return Bracket(opening.start, token.end, tuple(rows))
+
+    def comma(self) -> None:
+        """Pass a comma, and the line end behind it."""
+        if not self.next.is_sign(","):
+            return
+        comma = self.take()
+        while self.ahead().kind is TokenKind.LINE_END:
+            self.place += 1
+        if self.next.is_sign(",", ";"):
+            raise self.fault(comma.end, "an entry", "a number is missing here")
+
+    def parts_entries(self) -> bool:
+        """Tell whether the sign before us begins the next entry of a bracket: [1 -2]."""
+        token, after = self.ahead(), self.ahead(1)
+        apart = token.is_sign("+", "-") and token.after_blank and not after.after_blank
+        return self.brackets and apart
+
+    def check_depth(self, depth: int, token: Token) -> None:
         if depth > DEEPEST:
             why = f"nesting ends at {DEEPEST} levels, and every operator is one"
-            raise CalculatorError(expression, node.col_offset, "expression", why)
-        waiting += [(child, depth + 1) for child in _children(expression, node)]
+            raise self.fault(token.start, "expression", why)
+
+    def end(self) -> None:
+        token = self.next
+        if token.kind is not TokenKind.END:
+            raise self.fault(token.start, *_stray(token, "it does not read on from here"))
 
 
-def _children(expression: str, node: ast.expr) -> list[ast.expr]:
-    match node:
-        case ast.BinOp(left=left, op=operator, right=right):
-            if type(operator) not in OPERATORS:
-                at = operator_position(expression, left)
-                raise CalculatorError(expression, at, "operator", "the operators are @ * / + -")
-            return [left, right]
-        case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=operand):
-            return [operand]
-        case ast.Call(func=ast.Name(), args=arguments, keywords=[]):
-            return arguments
-        case ast.Attribute(value=value, attr="T"):
-            return [value]
-        case ast.List(elts=elements) | ast.Tuple(elts=elements):
-            return elements
-        case ast.Name() | ast.Constant():
-            return []
-        case ast.Attribute(value=value):
-            dot = operator_position(expression, value)
-            raise CalculatorError(expression, dot, "an attribute", "only .T may follow a dot")
-        case _:
-            why = "only numbers, [brackets], names, function(…), @ * / + - and .T are read"
-            raise CalculatorError(expression, node.col_offset, "expression", why)
+def _missing(token: Token) -> tuple[str, str]:
+    """Tell what stands where a number, a name or a bracket belongs."""
+    if token.kind is TokenKind.END:
+        return "expression", "it ends too early" if token.start else "it is empty, try det(M)"
+    return f"{token.text.strip() or 'a line end'}", "a number, a name or a bracket belongs here"
+
+
+def _stray(token: Token, otherwise: str) -> tuple[str, str]:
+    """Tell why an expression ends before this token."""
+    if token.kind in (TokenKind.NAME, TokenKind.NUMBER, TokenKind.ANGLE, TokenKind.PASTED):
+        return "expression", "a sign is missing: products are written a*b, of matrices A @ B"
+    if token.is_sign("=", ":"):
+        return token.text, "name = expression gives a name, a == b compares"
+    if token.is_sign(";"):
+        return ";", "one line is one statement, and needs no ; at its end"
+    if token.is_sign(")", "]", "}"):
+        return token.text, "nothing was opened that it closes"
+    return "expression", otherwise

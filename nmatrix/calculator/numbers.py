@@ -15,7 +15,7 @@ from fractions import Fraction
 from math import copysign, inf, isfinite, isnan, isqrt, nan
 
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
-from nmatrix.linear.angle import DEGREES, Angle, arctangent
+from nmatrix.linear.angle import DEGREES, PI, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
 from nmatrix.surds import BITS as ROOT_BITS
 from nmatrix.surds import Surd, TooManyRootsError
@@ -38,6 +38,7 @@ SINES = {
 }
 
 Exact = int | Fraction | Surd
+PI_ENDS = (PI - Fraction(1, 10**60), PI + Fraction(1, 10**60))
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +167,60 @@ class Float64:
     __rmul__ = __mul__
 
 
-Number = Fraction | Surd | Interval | Float64
+@dataclass(frozen=True, eq=False)
+class PiMultiple:
+    """A fraction times π: as an angle it is in radians, and exact.
+
+    Examples
+    --------
+    >>> half = PiMultiple(Fraction(1, 2))
+    >>> (half + half / 3).times, half / half, (half * half).digits
+    (Fraction(2, 3), Fraction(1, 1), 59)
+    """
+
+    times: Fraction
+
+    @property
+    def between(self) -> Interval:
+        """Its bounds."""
+        ends = [end * self.times for end in PI_ENDS]
+        return Interval(min(ends), max(ends))
+
+    def __neg__(self) -> PiMultiple:
+        return PiMultiple(-self.times)
+
+    def __add__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if not isinstance(other, PiMultiple):
+            return self if other == 0 else self.between + other
+        total = self.times + other.times
+        return PiMultiple(total) if total else Fraction(0)
+
+    def __sub__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        return self + -other
+
+    def __rsub__(self, other: Exact | Interval) -> Exact | Interval | PiMultiple:
+        return -self + other
+
+    def __mul__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, int | Fraction):
+            return PiMultiple(self.times * other) if other else Fraction(0)
+        return self.between * (other.between if isinstance(other, PiMultiple) else other)
+
+    def __truediv__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, PiMultiple):
+            return self.times / other.times
+        if isinstance(other, int | Fraction):
+            return PiMultiple(self.times / other)
+        return self.between / other
+
+    def __rtruediv__(self, other: Exact | Interval) -> Exact | Interval:
+        return 1 / self.between * other
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+Number = Fraction | Surd | Interval | PiMultiple | Float64
 
 
 def is_zero(x: Number) -> bool:
@@ -183,7 +237,7 @@ def is_zero(x: Number) -> bool:
     (False, True)
     """
     if not isinstance(x, Interval):
-        return x == 0
+        return x == 0  # a multiple of π is never 0
     if x.low <= 0 <= x.high:
         raise NoAnswerError(
             "a number in which roots or sines cancel",
@@ -194,12 +248,23 @@ def is_zero(x: Number) -> bool:
     return False
 
 
+def is_negative(x: Number) -> bool:
+    """Decide if a number is below 0.
+
+    Raises
+    ------
+    NoAnswerError
+        Where what is known of it leaves both possible.
+    """
+    if is_zero(x):
+        return False
+    return x.value < 0 if isinstance(x, Float64) else _ends(x)[1] <= 0
+
+
 def size(x: Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
-    if isinstance(x, Surd):
-        return max(map(abs, x.between()))
-    if isinstance(x, Interval):
-        return x.farthest
+    if isinstance(x, Interval | Surd | PiMultiple):
+        return max(map(abs, _ends(x)))
     return abs(x.value) if isinstance(x, Float64) else abs(x)
 
 
@@ -209,6 +274,8 @@ def bits_of(x: Number) -> int:
         return 64
     if isinstance(x, Surd):
         return max(max(d.bit_length(), bits_of(q)) for d, q in x.terms)
+    if isinstance(x, PiMultiple):
+        return bits_of(x.times)
     return max(n.bit_length() for end in _ends(x) for n in end.as_integer_ratio())
 
 
@@ -220,6 +287,8 @@ def shown(x: Number) -> Fraction | Surd | float:
     NoAnswerError
         If not one digit of it is known.
     """
+    if isinstance(x, PiMultiple):
+        x = x.between
     if isinstance(x, Interval):
         if not x.digits:
             raise NoAnswerError(
@@ -229,6 +298,11 @@ def shown(x: Number) -> Fraction | Surd | float:
             )
         return x.shown
     return x.value if isinstance(x, Float64) else x
+
+
+def enclosure(x: Number) -> Number:
+    """Put a sum of roots between its bounds; other numbers stay."""
+    return enclosed(*x.between()) if isinstance(x, Surd) else x
 
 
 def float64(x: Exact | Number) -> Float64:
@@ -271,7 +345,9 @@ def root(square: Number) -> Number:
 
 
 def angle(degrees: Number) -> Angle:
-    """Make the angle of so many degrees, its sine and cosine of the same kind of number.
+    """Make the angle of so many degrees, of a multiple of π in radians.
+
+    Its sine and cosine are of the same kind of number.
 
     Examples
     --------
@@ -281,6 +357,8 @@ def angle(degrees: Number) -> Angle:
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
+    if isinstance(degrees, PiMultiple):
+        degrees = degrees.times * 180
     return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
 
 
@@ -305,7 +383,9 @@ def degrees_of(sine: Number, cosine: Number) -> Number:
     return enclosed(min(corners), max(corners))
 
 
-def _ends(x: Exact | Interval) -> tuple[Fraction, Fraction]:
+def _ends(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
+    if isinstance(x, PiMultiple):
+        x = x.between
     if isinstance(x, Interval):
         return x.low, x.high
     if isinstance(x, Surd):

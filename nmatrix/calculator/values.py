@@ -1,36 +1,39 @@
-"""The calculator's values: a scalar, a vector or a matrix of numbers of one arithmetic."""
+"""The calculator's values: a scalar, a vector or a matrix of numbers, and what is known of it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from typing import Any, TypeAlias, TypeVar
 
-from nmatrix.calculator.numbers import Number, bits_of, float64, shown
+from nmatrix.calculator.meanings import Meaning
+from nmatrix.calculator.numbers import Number, bits_of, enclosure, float64, shown
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.report import Shown
 from nmatrix.surds import Surd
 
 LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
+LARGEST = 8  # rows and columns: the eight corners of a box fit
 
 Changed = TypeVar("Changed")
 Nested: TypeAlias = Changed | tuple[Changed, ...] | tuple[tuple[Changed, ...], ...]
-Entries: TypeAlias = Nested[Number]
+Entries: TypeAlias = Nested[Number] | bool
 
 
 class ValueKind(StrEnum):
-    """A value is a scalar, a vector or a matrix."""
+    """A value is a scalar, a vector or a matrix, or what a comparison tells."""
 
+    TRUTH = "truth"
     SCALAR = "scalar"
     VECTOR = "vector"
     MATRIX = "matrix"
 
 
 class Arithmetic(StrEnum):
-    """Exact fractions and intervals, or float64 rounded after every product and sum."""
+    """Exact numbers and intervals, or float64 rounded after every product and sum."""
 
     EXACT = "exact"
     FLOAT = "float"
@@ -38,22 +41,26 @@ class Arithmetic(StrEnum):
 
 @dataclass(frozen=True)
 class Value:
-    """Entries of any kind of number, all but floats mixed."""
+    """Entries of any kind of number, all but floats mixed, and what they mean.
+
+    `meaning` is the map that a matrix is or the space and kind of a vector, where that is known.
+    """
 
     entries: Entries
+    meaning: Meaning | None = None
 
     @property
     def kind(self) -> ValueKind:
         """Scalar, vector or matrix, by the nesting of the entries."""
         if not isinstance(self.entries, tuple):
-            return ValueKind.SCALAR
+            return ValueKind.TRUTH if isinstance(self.entries, bool) else ValueKind.SCALAR
         return ValueKind.MATRIX if isinstance(self.entries[0], tuple) else ValueKind.VECTOR
 
     @property
     def shape(self) -> str:
         """The size in words."""
         if not isinstance(self.entries, tuple):
-            return "a number"
+            return "yes or no" if isinstance(self.entries, bool) else "a number"
         if isinstance(self.entries[0], tuple):
             return f"a {len(self.entries)}×{len(self.entries[0])} matrix"
         return f"a vector of {len(self.entries)}"
@@ -88,11 +95,21 @@ class Value:
 
     @property
     def shown(self) -> Nested[Shown]:
-        """The entries as they may be printed: fractions and floats, to the digits known."""
+        """The entries as they may be printed: exact, or to the digits known.
+
+        Raises
+        ------
+        NoAnswerError
+            If not one digit of an entry is known.
+        """
         return each(self.entries, shown)
 
     def __neg__(self) -> Value:
-        return Value(each(self.entries, lambda x: -x))
+        return replace(self, entries=each(self.entries, lambda x: -x))
+
+    def enclosed(self) -> Value:
+        """Put every root between its bounds, where its exact form would grow too long."""
+        return replace(self, entries=each(self.entries, enclosure))
 
     def kept_by(self, arithmetic: Arithmetic) -> Value:
         """Round the value to float64, or check that it can be written down.
@@ -102,15 +119,18 @@ class Value:
         IllegalValueError
             For a fraction of more than `LARGEST_BITS` bits.
         """
-        kept = Value(each(self.entries, float64)) if arithmetic is Arithmetic.FLOAT else self
-        bits = max(map(bits_of, kept.numbers))
+        if self.kind is ValueKind.TRUTH:
+            return self
+        if arithmetic is Arithmetic.FLOAT:
+            return replace(self, entries=each(self.entries, float64))
+        bits = max(map(bits_of, self.numbers))
         if bits > LARGEST_BITS:
             raise IllegalValueError(
                 "its fraction",
                 f"it takes {bits} bits, {LARGEST_BITS} are kept",
                 f"try {quantity('float')}",
             )
-        return kept
+        return self
 
 
 def each(entries: Entries, change: Callable[[Any], Changed]) -> Nested[Changed]:
@@ -128,14 +148,14 @@ def each(entries: Entries, change: Callable[[Any], Changed]) -> Nested[Changed]:
 
 def _flat(entries: Entries) -> Iterator[Number]:
     if not isinstance(entries, tuple):
-        yield entries
+        yield entries  # type: ignore[misc]  # a truth is asked for no numbers
         return
     for entry in entries:
         yield from _flat(entry)
 
 
 def as_strings(entries: Entries) -> object:
-    """Write every entry as a fraction, keeping the shape."""
+    """Write every entry exactly, keeping the shape."""
     if not isinstance(entries, tuple):
         return str(entries)
     return [as_strings(entry) for entry in entries]
