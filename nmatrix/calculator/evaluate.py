@@ -29,7 +29,7 @@ from nmatrix.calculator.tree import (
     Turn,
     Word,
 )
-from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
 from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT
@@ -153,12 +153,12 @@ class _Evaluation:
         raise self._fault(node, f"name {name[:20]}", why)
 
     def _bracket(self, node: Bracket) -> Value:
-        rows = [[self.value_of(entry) for entry in row[: LARGEST + 1]] for row in node.rows]
+        rows = [[self.value_of(entry) for entry in row] for row in node.rows]
         entries = [value for row in rows for value in row]
         kinds = {value.kind for value in entries}
         if kinds == {ValueKind.SCALAR}:
             if len({len(row) for row in rows}) > 1:
-                sizes = ", ".join(str(len(row)) for row in rows[:LARGEST])
+                sizes = ", ".join(str(len(row)) for row in rows)
                 raise self._fault(
                     node, "bracket", f"its rows have {sizes} numbers: make them equal"
                 )
@@ -170,8 +170,6 @@ class _Evaluation:
         else:
             why = "it holds numbers, or rows of equal length" if entries else "it is empty"
             raise self._fault(node, "bracket", why)
-        if max(len(numbers), len(numbers[0])) > LARGEST:
-            raise self._fault(node, "bracket", f"it has at most {LARGEST} rows and columns")
         return Value(numbers[0] if kinds == {ValueKind.SCALAR} and len(numbers) == 1 else numbers)
 
     def _prefix(self, node: Prefix) -> Value:
