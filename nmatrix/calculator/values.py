@@ -12,11 +12,11 @@ from nmatrix.calculator.meanings import Meaning
 from nmatrix.calculator.numbers import Number, bits_of, enclosure, float64, shown
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.report import Shown
+from nmatrix.report import LARGEST_MATRIX, Shown
 from nmatrix.surds import Surd
 
 LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
-LARGEST = 8  # rows and columns: the eight corners of a box fit
+LARGEST = LARGEST_MATRIX  # rows and columns
 
 Changed = TypeVar("Changed")
 Nested: TypeAlias = Changed | tuple[Changed, ...] | tuple[tuple[Changed, ...], ...]
