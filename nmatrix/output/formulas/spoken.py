@@ -36,6 +36,9 @@ SIGNS = {
     APART: ",",
     "/": "over",
     "→": "becomes",
+    "←": "becomes",
+    "↔": "changes places with",
+    "≈": "is about",
     "°": "degrees",
 }
 POWERS = {
@@ -86,8 +89,8 @@ def spoken(node: Node) -> str:
             found = f"the root of {_grouped(inside)}"
         case Fence(inside, bars):
             found = f"the length of {_grouped(inside)}" if bars else _grouped(inside)
-        case Grid(rows):
-            found = _grid(rows)
+        case Grid(rows, bar):
+            found = _grid(rows, bar)
     return found
 
 
@@ -135,11 +138,15 @@ def _grouped(node: Node) -> str:
     return f"the group {spoken(node)} end of group," if is_long else spoken(node)
 
 
-def _grid(rows: tuple[tuple[Node, ...], ...]) -> str:
+def _grid(rows: tuple[tuple[Node, ...], ...], bar: int) -> str:
     if len(rows[0]) == 1:
         return f"the vector {', '.join(spoken(row[0]) for row in rows)}"
-    lines = "; ".join(", ".join(map(spoken, row)) for row in rows)
+    lines = "; ".join(_said(row[:bar]) + " bar " * (bar > 0) + _said(row[bar:]) for row in rows)
     return f"the {len(rows)} by {len(rows[0])} matrix with rows {lines}"
+
+
+def _said(cells: Sequence[Node]) -> str:
+    return ", ".join(map(spoken, cells))
 
 
 def matrix_in_words(name: str, cells: Sequence[Sequence[str]]) -> str:
