@@ -9,7 +9,7 @@ from nmatrix.enums import DeterminantBy
 from nmatrix.errors import IllegalValueError
 from nmatrix.report import Formula, Step
 from nmatrix.working.elimination import Elimination
-from nmatrix.working.written import (
+from nmatrix.working.working import (
     EXACT,
     Entry,
     Matrix,
@@ -149,7 +149,7 @@ def sum_of(terms: Sequence[Product], by: Notation) -> tuple[tuple[str, str, str]
     products = [by.tidy(prod(rest, start=first)) for _, (first, *rest) in terms]
     value = by.sum(sign * one for (sign, _), one in zip(terms, products, strict=True))
     first = "".join(
-        _signed(sign, "·".join(_factors(factors, by, is_first=not i)), is_first=not i)
+        _signed(sign, "·".join(_factors(factors, by, is_first=not i and sign > 0)), is_first=not i)
         for i, (sign, factors) in enumerate(terms)
     )
     second = added(
@@ -215,8 +215,9 @@ def _first_line(
 ) -> Step:
     parts: list[str | tuple[tuple[str, ...], ...]] = []
     for count, (i, j) in enumerate(places):
-        text = by.factor(A[i][j], is_first=not count)
-        parts += [_signed((-1) ** (i + j), text, is_first=not count) + " · det "]
+        sign = (-1) ** (i + j)
+        text = by.factor(A[i][j], is_first=not count and sign > 0)
+        parts += [_signed(sign, text, is_first=not count) + " · det "]
         parts += [by.rows(without(A, i, j))]
     head, *rest = parts
     about = f"expanded {along}: an entry that is 0 needs no determinant"

@@ -9,7 +9,7 @@ from fractions import Fraction
 from nmatrix.errors import NoAnswerError
 from nmatrix.formula import BAR
 from nmatrix.report import Formula, Step
-from nmatrix.working.written import (
+from nmatrix.working.working import (
     EXACT,
     ONE,
     Entry,

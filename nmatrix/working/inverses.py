@@ -8,7 +8,7 @@ from nmatrix.report import Step
 from nmatrix.working.determinants import EXPANDED, cofactors, sum_of
 from nmatrix.working.elimination import identity_beside
 from nmatrix.working.products import product
-from nmatrix.working.written import (
+from nmatrix.working.working import (
     EXACT,
     ONE,
     Entry,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nmatrix.report import Step
-from nmatrix.working.written import (
+from nmatrix.working.working import (
     EXACT,
     ONE,
     Entry,
