@@ -18,6 +18,7 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
 SIGNS = {
@@ -51,6 +52,8 @@ def typst(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = quoted(text)
         case Sign(text):
             found = SIGNS.get(text, f"\\{text}" if text in ESCAPED else text)
         case Row(items):
@@ -81,10 +84,22 @@ def matrix(cells: Sequence[Sequence[str]], bar: int = 0) -> str:
     return f'mat(delim: "[", {line}{rows})'
 
 
+def quoted(text: str) -> str:
+    r"""Write text as a string of Typst.
+
+    Examples
+    --------
+    >>> print(quoted('a "b"'))
+    "a \"b\""
+    """
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
 def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if below:
         return f"{letter}_{below}"
     if letter in OPERATORS or len(letter) == 1:
         return letter
-    return f'op("{letter}")' if letter in FUNCTIONS else f'"{letter}"'
+    return f"op({quoted(letter)})" if letter in FUNCTIONS else quoted(letter)
