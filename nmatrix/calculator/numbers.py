@@ -18,24 +18,12 @@ from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import DEGREES, PI, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
 from nmatrix.surds import BITS as ROOT_BITS
-from nmatrix.surds import Surd, TooManyRootsError
+from nmatrix.surds import Surd, TooManyRootsError, sine
 from nmatrix.surds import root as exact_root
 
 SERIES = Fraction(1, 2**130)  # the relative error of a sine or an arctangent
 GUARD_BITS = 16  # of an end behind the first bit that is not known
 SLOWEST = 57  # degrees in which a sine changes by less than one: 180/π is more
-# The sines that are sums of roots of fractions: no other of a rational number of degrees is.
-SINES = {
-    Fraction(0): Fraction(0),
-    Fraction(15): (exact_root(6) - exact_root(2)) / 4,
-    Fraction(18): (exact_root(5) - 1) / 4,
-    Fraction(30): Fraction(1, 2),
-    Fraction(45): exact_root(2) / 2,
-    Fraction(54): (exact_root(5) + 1) / 4,
-    Fraction(60): exact_root(3) / 2,
-    Fraction(75): (exact_root(6) + exact_root(2)) / 4,
-    Fraction(90): Fraction(1),
-}
 
 Exact = int | Fraction | Surd
 PI_ENDS = (PI - Fraction(1, 10**60), PI + Fraction(1, 10**60))
@@ -410,10 +398,9 @@ def _sine(degrees: Exact | Interval) -> Exact | Interval:
         least, most = _ends(_sine((low + high) / 2))
         change = (high - low) / 2 / SLOWEST
         return enclosed(least - change, most + change)
-    turned = degrees % 360
-    sharp = min(turned % 180, 180 - turned % 180)
-    if sharp in SINES:
-        return SINES[sharp] if turned <= 180 else -SINES[sharp]
+    known = sine(degrees)
+    if known is not None:
+        return known
     found = Angle.degrees(degrees).sine
     error = abs(found) * SERIES
     return enclosed(found - error, found + error)
