@@ -212,7 +212,7 @@ def sine(degrees: Rational) -> Fraction | Surd | None:
     """
     turned = Fraction(degrees) % 360
     sharp = min(turned % 180, 180 - turned % 180)
-    found = _SINES.get(sharp)
+    found = SINES.get(sharp)
     return -found if found is not None and turned > 180 else found
 
 
@@ -317,7 +317,7 @@ def _written(under: int, before: int, *, is_first: bool) -> str:
     return f"{sign}{factor}{f'√{under}' if under > 1 else ''}"
 
 
-_SINES: dict[Fraction, Fraction | Surd] = {
+SINES: dict[Fraction, Fraction | Surd] = {
     Fraction(0): Fraction(0),
     Fraction(15): (root(6) - root(2)) / 4,
     Fraction(18): (root(5) - 1) / 4,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -14,6 +15,7 @@ from nmatrix.calculator.functions.function import Argument, Function
 from nmatrix.calculator.grammar import parse
 from nmatrix.calculator.numbers import PiMultiple, shown
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.tree import (
     Bracket,
     Call,
@@ -35,11 +37,14 @@ from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
 from nmatrix.surds import TooManyRootsError
+from nmatrix.working.working import written
 
 T = TypeVar("T")
 Names = Mapping[str, Value]
 CONSTANTS: dict[str, Value] = {"pi": Value(PiMultiple(Fraction(1)))}
 COMPONENTS = "xyzw"
+LETTERED = 16  # entries of a matrix that may hold letters
+LETTER = re.compile(r"[a-zα-ω][0-9]{0,2}")  # a name that may stay without a value
 
 
 @dataclass(frozen=True)
@@ -82,6 +87,7 @@ def calculate(
     expression = expression.strip()
     evaluation = _Evaluation(expression, names, arithmetic)
     value = evaluation.value_of(parse(expression, frozenset((*FUNCTIONS, *names))))
+    evaluation.remark_letters(value)
     steps, remarks = tuple(evaluation.steps), tuple(dict.fromkeys(evaluation.remarks))
     return Calculation(expression, value, arithmetic, steps, remarks)
 
@@ -93,6 +99,7 @@ class _Evaluation:
     arithmetic: Arithmetic
     steps: list[CalculationStep] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    letters: set[str] = field(default_factory=set)
 
     def value_of(self, node: Node) -> Value:  # noqa: C901, PLR0911 - one line for each kind
         match node:
@@ -147,6 +154,9 @@ class _Evaluation:
         if name in FUNCTIONS:
             usage = FUNCTIONS[name].usage(name)
             raise self._fault(node, name, f"it is a function: write {usage}")
+        if LETTER.fullmatch(name) and self.arithmetic is Arithmetic.EXACT:
+            self.letters.add(name)
+            return Value(Symbolic.letter(name))
         known = [*self.names, *CONSTANTS]
         listed = f"the names are {', '.join(known)}; {quantity('let')} adds more"
         why = did_you_mean(name, [*known, *FUNCTIONS], listed)
@@ -261,6 +271,10 @@ class _Evaluation:
         self, node: Node, name: str, arguments: list[Argument], named: Mapping[str, Argument]
     ) -> Value:
         function = FUNCTIONS[name]
+        for one in arguments:
+            if isinstance(one, Value) and one.letters and len(list(one.numbers)) > LETTERED:
+                why = "letters are kept in matrices up to 4×4: give them values"
+                raise self._fault(node, name, why)
         at = node.at if isinstance(node, (Member, Power)) else node.start
         bound = self._tried(at, name, lambda: function.bound(arguments, named), [])
         return self._step(node, self._tried(at, name, function.compute, bound), function.rule)
@@ -283,6 +297,19 @@ class _Evaluation:
                 looks = f"{self._typed(argument)} looks like {of_pi(found[1])} radians"
                 said = f"{node.function} takes degrees, but {looks}, {180 * found[1]} degrees."
                 self.remarks.append(said)
+
+    def remark_letters(self, value: Value) -> None:
+        """Keep a remark on names without a value, and on what must not be 0."""
+        if not self.letters:
+            return
+        many = len(self.letters) > 1
+        has = "have no values and stay letters" if many else "has no value and stays a letter"
+        self.remarks.append(f"{', '.join(sorted(self.letters))} {has}.")
+        symbolic = (one for one in value.numbers if isinstance(one, Symbolic))
+        below = dict.fromkeys(text for one in symbolic for text in one.denominators)
+        if below:
+            conditions = " and ".join(f"{written(text)} ≠ 0" for text in below)
+            self.remarks.append(f"It holds where {conditions}.")
 
     def _step(self, node: Node, value: Value, rule: str) -> Value:
         kept = self._kept(node, value)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import copysign, inf, isfinite, isnan, isqrt, nan
 
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import DEGREES, PI, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
@@ -178,6 +179,8 @@ class PiMultiple:
         return PiMultiple(-self.times)
 
     def __add__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if not isinstance(other, PiMultiple):
             return self if other == 0 else self.between + other
         total = self.times + other.times
@@ -190,11 +193,15 @@ class PiMultiple:
         return -self + other
 
     def __mul__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if isinstance(other, int | Fraction):
             return PiMultiple(self.times * other) if other else Fraction(0)
         return self.between * (other.between if isinstance(other, PiMultiple) else other)
 
     def __truediv__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if isinstance(other, PiMultiple):
             return self.times / other.times
         if isinstance(other, int | Fraction):
@@ -208,7 +215,7 @@ class PiMultiple:
     __rmul__ = __mul__
 
 
-Number = Fraction | Surd | Interval | PiMultiple | Float64
+Number = Fraction | Surd | Interval | PiMultiple | Float64 | Symbolic
 
 
 def is_zero(x: Number) -> bool:
@@ -246,6 +253,8 @@ def is_negative(x: Number) -> bool:
     """
     if is_zero(x):
         return False
+    if isinstance(x, Symbolic):
+        return x.is_negative
     return x.value < 0 if isinstance(x, Float64) else _ends(x)[1] <= 0
 
 
@@ -253,6 +262,8 @@ def size(x: Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
     if isinstance(x, Interval | Surd | PiMultiple):
         return max(map(abs, _ends(x)))
+    if isinstance(x, Symbolic):
+        return Fraction(bool(x))  # any letter may be a pivot
     return abs(x.value) if isinstance(x, Float64) else abs(x)
 
 
@@ -264,11 +275,13 @@ def bits_of(x: Number) -> int:
         return max(max(d.bit_length(), bits_of(q)) for d, q in x.terms)
     if isinstance(x, PiMultiple):
         return bits_of(x.times)
+    if isinstance(x, Symbolic):
+        return 1  # its length is bounded where it is simplified
     return max(n.bit_length() for end in _ends(x) for n in end.as_integer_ratio())
 
 
 def shown(x: Number) -> Fraction | Surd | float:
-    """Take what may be printed of a number.
+    """Take what may be printed of a number; of letters there is no number to print.
 
     Raises
     ------
@@ -325,6 +338,8 @@ def root(square: Number) -> Number:
     """
     if isinstance(square, Float64):
         return Float64(math.sqrt(square.value))
+    if isinstance(square, Symbolic):
+        return square.root()
     if isinstance(square, Fraction):
         with suppress(TooManyRootsError):
             return exact_root(square)
@@ -345,6 +360,8 @@ def angle(degrees: Number) -> Angle:
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
+    if isinstance(degrees, Symbolic):
+        return Angle(*degrees.sine_and_cosine())  # type: ignore[arg-type]
     if isinstance(degrees, PiMultiple):
         degrees = degrees.times * 180
     return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
@@ -378,6 +395,8 @@ def _ends(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
         return x.low, x.high
     if isinstance(x, Surd):
         return x.between()
+    if isinstance(x, Symbolic):
+        raise x.unknown
     return Fraction(x), Fraction(x)
 
 
