@@ -281,7 +281,7 @@ def bits_of(x: Number) -> int:
 
 
 def shown(x: Number) -> Fraction | Surd | float:
-    """Take what may be printed of a number; of letters there is no number to print.
+    """Take what may be printed of a number.
 
     Raises
     ------
@@ -298,6 +298,8 @@ def shown(x: Number) -> Fraction | Surd | float:
                 "use rational entries, or angles whose sines are roots",
             )
         return x.shown
+    if isinstance(x, Symbolic):
+        raise x.unknown
     return x.value if isinstance(x, Float64) else x
 
 
@@ -388,7 +390,7 @@ def degrees_of(sine: Number, cosine: Number) -> Number:
     return enclosed(min(corners), max(corners))
 
 
-def _ends(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
+def _ends(x: Exact | Interval | PiMultiple | Symbolic) -> tuple[Fraction, Fraction]:
     if isinstance(x, PiMultiple):
         x = x.between
     if isinstance(x, Interval):

@@ -10,10 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.surds import Surd
+
+if TYPE_CHECKING:
+    from sympy import Basic, Expr
 
 MOST_OPERATIONS = 300  # of an expression that is simplified
 HIGHEST_POWER = 8  # of a sum that is multiplied out
@@ -33,7 +36,7 @@ class Symbolic:
     True
     """
 
-    expression: Any
+    expression: Expr
 
     @classmethod
     def letter(cls, name: str) -> Symbolic:
@@ -156,7 +159,7 @@ class Symbolic:
         return Symbolic(sin(radians)), Symbolic(cos(radians))
 
 
-def _expression(x: object) -> Any:
+def _expression(x: object) -> Expr:
     """Make a SymPy expression of an exact number, or refuse another one."""
     from sympy import Rational, pi, sqrt
 
@@ -176,10 +179,10 @@ def _expression(x: object) -> Any:
     )
 
 
-def _simplified(expression: Any) -> Any:
-    """Write it as one fraction without common factors, and sin² as 1 − cos²; then as short as may be.
+def _simplified(expression: Expr) -> Expr:
+    """Write it as one fraction without common factors, and sin² as 1 − cos².
 
-    So what is always 0 becomes 0, however it was written.
+    So what is always 0 becomes 0, however it was written. A short one with sines is made shorter.
     """
     from sympy import cancel, powsimp, sin, together, trigsimp
 
@@ -193,7 +196,7 @@ def _simplified(expression: Any) -> Any:
     return powsimp(found)
 
 
-def _check_length(expression: Any) -> None:
+def _check_length(expression: Expr) -> None:
     from sympy import preorder_traversal
 
     operations = expression.count_ops()
@@ -212,15 +215,15 @@ def _check_length(expression: Any) -> None:
         )
 
 
-def _without_squares(polynomial: Any) -> Any:
+def _without_squares(polynomial: Expr) -> Expr:
     """Replace sin² by 1 − cos²."""
     from sympy import cos, expand, sin
 
-    def with_cosines(power: Any) -> Any:
+    def with_cosines(power: Expr) -> Expr:
         (angle,), times = power.base.args, int(power.exp)
         return (1 - cos(angle) ** 2) ** (times // 2) * sin(angle) ** (times % 2)
 
-    def is_square(node: Any) -> bool:
+    def is_square(node: Basic) -> bool:
         is_power = node.is_Pow and isinstance(node.base, sin) and node.exp.is_Integer
         return bool(is_power and node.exp >= 2)
 
