@@ -245,6 +245,14 @@ class Layout(StrEnum):
     COLUMN_MAJOR = "column-major"
 
 
+class Numbers(StrEnum):
+    """How a number is written for people: 1/3 and √3/2, or 0.333333 and 0.866025, or both."""
+
+    EXACT = "exact"
+    DECIMAL = "decimal"
+    BOTH = "both"
+
+
 class Format(StrEnum):
     """The formats that a report can be written in."""
 

@@ -50,6 +50,13 @@ class Numeral:
 
 
 @dataclass(frozen=True)
+class Words:
+    """Plain words where a letter would stand."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class Sign:
     """An operator, a relation, a comma."""
 
@@ -101,7 +108,7 @@ class Grid:
     rows: tuple[tuple[Node, ...], ...]
 
 
-Node = Name | Numeral | Sign | Row | Power | Quotient | Root | Fence | Grid
+Node = Name | Numeral | Words | Sign | Row | Power | Quotient | Root | Fence | Grid
 TypedRows = tuple[tuple[str, ...], ...]
 
 

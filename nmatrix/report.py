@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar, overload
 
-from nmatrix.enums import Severity
+from nmatrix.enums import Numbers, Severity
 from nmatrix.errors import NMatrixError, spelled
 from nmatrix.surds import Surd
 
@@ -29,6 +29,7 @@ Matrix = tuple[Vector, ...]
 Shown = Number | Surd  # what a writer can print, to the last digit if need be
 ShownVector = tuple[Shown, ...]
 ShownMatrix = tuple[ShownVector, ...]
+LARGEST_MATRIX = 8  # rows and columns: the eight corners of a box
 
 
 @dataclass(frozen=True)
@@ -316,7 +317,8 @@ class Report:
     of rows by nature, such as the grades of a class: as CSV it is written as that table.
     `findings` are the faults that a check of files met. `glsl` is code that a shader needs beside
     the numbers. `brief` is what text shows unless all is asked for; the first `about` remarks tell
-    what the answer is of, and are shown with it whatever room there is.
+    what the answer is of, and are shown with it whatever room there is. `numbers` is how people
+    read its numbers unless they say.
     """
 
     command: str
@@ -329,6 +331,7 @@ class Report:
     glsl: str = ""
     brief: Brief | None = None
     about: int = 0
+    numbers: Numbers = Numbers.DECIMAL
 
     def spelled(self, spell: Callable[[str], str]) -> Report:
         """Spell the names of quantities in sentences and remarks as the caller types them."""

@@ -1,7 +1,7 @@
 """Matrices, vectors, formulas and tables drawn in characters, for people.
 
 A matrix has box brackets, aligned points, named axes, and a bar before t, the translation column
-of an affine 4×4. Columns of a table are aligned and fit the width: long sentences are wrapped
+of an affine 4×4; fractions and roots end where a whole number would. Columns of a table are aligned and fit the width: long sentences are wrapped
 inside their cells.
 """
 
@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from itertools import chain
 from textwrap import TextWrapper, wrap
 
+from nmatrix.enums import Numbers
 from nmatrix.linear.rational import is_affine
-from nmatrix.output.numbers import significant
-from nmatrix.output.style import AXES, Line, Span, Style, plain, width
+from nmatrix.output.exact import exact_and_decimal, relation, written
+from nmatrix.output.style import AXES, Line, Span, Style, plain, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
-from nmatrix.report import Formula, ShownMatrix, ShownVector
+from nmatrix.report import Formula, Shown, ShownMatrix, ShownVector
 
 GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
@@ -33,10 +35,14 @@ BARS = {Charset.UNICODE: "│", Charset.ASCII: "|"}
 def aligned(texts: Sequence[str]) -> list[str]:
     """Pad numbers to one width, with their decimal points under each other.
 
+    What has no point ends before that place.
+
     Examples
     --------
     >>> aligned(["0", "-1.5", "10"])
     [' 0  ', '-1.5', '10  ']
+    >>> aligned(["√3/2", "-1/2", "0.25"])
+    ['√3/2   ', '-1/2   ', '   0.25']
     """
     parts = [_at_point(text) for text in texts]
     left = max(len(whole) for whole, _ in parts)
@@ -58,6 +64,9 @@ def _brackets(rows: int, charset: Charset) -> list[tuple[str, str]]:
 def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
     """Draw a matrix; one too wide is cut between its columns.
 
+    Where both exact numbers and decimals are wanted, the matrix of decimals stands beside, or
+    below.
+
     Examples
     --------
     >>> from nmatrix.output.style import render
@@ -66,10 +75,13 @@ def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
     ⎡ 1  0   ⎤
     ⎣ 0  0.5 ⎦
     """
-    columns = _columns(matrix, options.digits, aligned)
+    if options.numbers is Numbers.BOTH:
+        exact, decimal = (draw_matrix(matrix, one) for one in exact_and_decimal(options))
+        return _side_by_side(exact, decimal, relation(chain(*matrix), options.digits), options)
+    columns = _columns(matrix, options, aligned)
     groups = _groups(columns, options.width)
     if len(groups) > 1:
-        columns = _columns(matrix, options.digits, _right)
+        columns = _columns(matrix, options, _right)
         groups = _groups(columns, options.width)
     lines: list[Line] = []
     for group in groups:
@@ -79,21 +91,53 @@ def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
 
 def draw_vector(vector: ShownVector, options: OutputOptions) -> list[Line]:
     """Draw a vector in one row, or as a column where the row would be too wide."""
-    texts = [significant(entry, options.digits) for entry in vector]
-    row: list[Span] = [Span("(")]
-    for place, text in enumerate(texts):
-        row += [Span(GAP if place else " "), _number(text)]
-    row.append(Span(" )"))
-    if width(tuple(row)) + len(GAP) <= options.width:
-        return [tuple(row)]
+    row = _row(vector, options)
+    if width(row) + len(GAP) <= options.width:
+        return [row]
     return draw_matrix(tuple((entry,) for entry in vector), options)
 
 
+def _row(vector: ShownVector, options: OutputOptions) -> Line:
+    if options.numbers is Numbers.BOTH:
+        exact, decimal = (_row(vector, one) for one in exact_and_decimal(options))
+        sign = relation(vector, options.digits)
+        return exact if sign is None else (*exact, _between(sign, options), *decimal)
+    spans = [Span("(")]
+    for place, entry in enumerate(vector):
+        spans += [Span(GAP if place else " "), _number(_text(entry, options))]
+    return (*spans, Span(" )"))
+
+
+def _side_by_side(
+    exact: list[Line], decimal: list[Line], sign: str | None, options: OutputOptions
+) -> list[Line]:
+    """Put two drawings of a matrix side by side, or one below the other where they are too wide."""
+    if sign is None:
+        return exact
+    between = _between(sign, options)
+    left, right = max(map(width, exact)), max(map(width, decimal))
+    if len(exact) != len(decimal) or len(GAP) + left + len(between.text) + right > options.width:
+        return [*exact, (between,), *decimal]
+    middle, gap = len(exact) // 2, Span(" " * len(between.text))
+    return [
+        (*one, Span(" " * (left - width(one))), between if place == middle else gap, *other)
+        for place, (one, other) in enumerate(zip(exact, decimal, strict=True))
+    ]
+
+
+def _between(sign: str, options: OutputOptions) -> Span:
+    return Span(f" {spelled(sign, options.charset)} ", Style.DIM)
+
+
+def _text(entry: Shown, options: OutputOptions) -> str:
+    return spelled(written(entry, options), options.charset)
+
+
 def _columns(
-    matrix: ShownMatrix, digits: int, align: Callable[[Sequence[str]], list[str]]
+    matrix: ShownMatrix, options: OutputOptions, align: Callable[[Sequence[str]], list[str]]
 ) -> list[list[str]]:
     columns = zip(*matrix, strict=True)
-    return [align([significant(entry, digits) for entry in column]) for column in columns]
+    return [align([_text(entry, options) for entry in column]) for column in columns]
 
 
 def _right(texts: Sequence[str]) -> list[str]:
@@ -117,7 +161,7 @@ def _draw_group(
     matrix: ShownMatrix, columns: list[list[str]], group: range, charset: Charset
 ) -> list[Line]:
     barred = 3 if is_affine(matrix) and group[0] < 3 <= group[-1] else None
-    named = len(matrix) >= 3 and len(columns) == len(matrix)
+    named = 3 <= len(matrix) == len(columns) <= len(AXIS_NAMES)
     names = "xyzt" if is_affine(matrix) else AXIS_NAMES
     lines = [_header(columns, group, barred, names)] if named else []
     for place, (opening, closing) in enumerate(_brackets(len(matrix), charset)):

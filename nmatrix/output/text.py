@@ -12,7 +12,8 @@ from itertools import groupby
 from textwrap import wrap
 
 from nmatrix.output.drawing import draw_formula, draw_matrix, draw_table, draw_vector
-from nmatrix.output.numbers import is_matrix, is_number, is_vector, significant
+from nmatrix.output.exact import written
+from nmatrix.output.numbers import is_matrix, is_number, is_vector
 from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import (
@@ -221,7 +222,7 @@ class _Writer:
             lines = draw_vector(value, replace(self.options, width=room))
             return [*lines[:-1], (*lines[-1], Span(unit))] if unit else lines
         if is_number(value):
-            return [plain(significant(value, self.options.digits) + unit)]
+            return [plain(self._spelled(written(value, self.options)) + unit)]
         if value is None:
             return [(Span("none", Style.DIM),)]
         return [plain(line) for line in self._wrapped(str(value) + unit, indent)] or [()]
@@ -240,7 +241,7 @@ class _Writer:
         if isinstance(cell, bool):
             return "yes" if cell else "no"
         if is_number(cell):
-            return significant(cell, self.options.digits)
+            return self._spelled(written(cell, self.options))
         if isinstance(cell, Formula):
             return self._spelled(draw_formula(cell))
         return self._spelled(str(cell)).replace("\n", " ")

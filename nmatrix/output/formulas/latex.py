@@ -21,7 +21,9 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
+from nmatrix.output.formulas.latex_words import escaped
 
 SIGNS = {  # a sign that is missing here is a fault of ours, and not to be printed as it is
     APART: r",\; ",
@@ -36,6 +38,7 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "≠": r" \neq ",
     "≤": r" \le ",
     "≥": r" \ge ",
+    "≈": r" \approx ",
     "<": " < ",
     ">": " > ",
     "→": r" \to ",
@@ -43,7 +46,7 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "⇔": r" \;\Leftrightarrow\; ",
     "°": r"^\circ",
 }
-LETTERS = {"κ": r"\kappa", "θ": r"\theta", "σ": r"\sigma", "λ": r"\lambda", "π": r"\pi"}
+LETTERS = {"κ": r"\kappa", "θ": r"\theta", "σ": r"\sigma", "λ": r"\lambda", "π": r"\pi", "∞": r"\infty"}
 EXPONENTS = str.maketrans({"⊤": r"\mathsf T", "′": r"\prime", "−": "-"})
 
 
@@ -61,6 +64,8 @@ def latex(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = rf"\text{{{escaped(text)}}}"
         case Sign(text):
             found = SIGNS[text]
         case Row(items):

@@ -19,8 +19,10 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
+NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 WIDE = '<mspace width="1em"></mspace>'
 
 
@@ -37,7 +39,9 @@ def mathml(node: Node) -> str:
         case Name():
             found = _name(node)
         case Numeral(text):
-            found = f"<mn>{escape(text)}</mn>"
+            found = f"<mn>{escape(text.replace('-', '−'))}</mn>"
+        case Words(text):
+            found = f"<mtext>{escape(text)}</mtext>"
         case Sign(text):
             found = f"<mo>,</mo>{WIDE}" if text == APART else f"<mo>{escape(text)}</mo>"
         case Row(items):
@@ -56,10 +60,19 @@ def mathml(node: Node) -> str:
     return found
 
 
-def equation(body: str, said: str) -> str:
-    """Put elements on a line of their own, with the sentence that is heard in their place."""
-    head = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
+def equation(body: str, said: str, key: str = "") -> str:
+    """Put elements on a line of their own, with the sentence that is heard in their place.
+
+    A key names the quantity to programs.
+    """
+    named = f' data-key="{escape(key)}"' if key else ""
+    head = f'<math display="block" xmlns="{NAMESPACE}"{named}'
     return f'{head} alttext="{escape(said)}">{body}</math>'
+
+
+def inline(body: str, said: str) -> str:
+    """Put elements among words, with what is heard in their place."""
+    return f'<math xmlns="{NAMESPACE}" alttext="{escape(said)}">{body}</math>'
 
 
 def matrix(cells: Sequence[Sequence[str]]) -> str:

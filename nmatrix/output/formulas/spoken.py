@@ -16,6 +16,7 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
 SIGNS = {
@@ -25,6 +26,7 @@ SIGNS = {
     "⇔": "exactly if",
     "≤": "is at most",
     "≥": "is at least",
+    "≈": "is about",
     "<": "is less than",
     ">": "is greater than",
     "+": "plus",
@@ -48,7 +50,7 @@ POWERS = {
     "−2": "to the minus two",
     "s": "to the s",
 }
-LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi"}
+LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi", "∞": "infinity"}
 FUNCTIONS = {
     "det": "the determinant of",
     "tan": "tangent of",
@@ -74,6 +76,8 @@ def spoken(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = text
         case Sign(text):
             found = SIGNS.get(text, text)
         case Row(items):
@@ -83,7 +87,7 @@ def spoken(node: Node) -> str:
         case Quotient(top, bottom):
             found = f"{_grouped(top)} over {_grouped(bottom)}"
         case Root(inside):
-            found = f"the root of {_grouped(inside)}"
+            found = _root(inside)
         case Fence(inside, bars):
             found = f"the length of {_grouped(inside)}" if bars else _grouped(inside)
         case Grid(rows):
@@ -99,8 +103,11 @@ def _name(name: Name) -> str:
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
-    """Read each piece aloud; a length after another thing multiplies it."""
+    """Read each piece aloud; a length after another thing, or × after a number, multiplies it."""
     for i, item in enumerate(items):
+        if i and item == Sign("×") and isinstance(items[i - 1], Numeral):
+            yield "times"
+            continue
         if i and _is_length(item) and not isinstance(items[i - 1], Sign):
             yield "times"
         yield spoken(item)
@@ -122,6 +129,11 @@ def _power(base: Node, exponent: str) -> str:
     return f"{_whole(base)} {said}"
 
 
+def _root(inside: Node) -> str:
+    """Read a root aloud; of a number it needs no words between."""
+    return f"root {inside.text}" if isinstance(inside, Numeral) else f"the root of {_grouped(inside)}"
+
+
 def _whole(node: Node) -> str:
     """Read a base aloud so that its end is heard before the exponent."""
     if isinstance(node, Fence) and isinstance(node.inside, Row):
@@ -140,14 +152,3 @@ def _grid(rows: tuple[tuple[Node, ...], ...]) -> str:
         return f"the vector {', '.join(spoken(row[0]) for row in rows)}"
     lines = "; ".join(", ".join(map(spoken, row)) for row in rows)
     return f"the {len(rows)} by {len(rows[0])} matrix with rows {lines}"
-
-
-def matrix_in_words(name: str, cells: Sequence[Sequence[str]]) -> str:
-    """Read a matrix of printed numbers aloud.
-
-    Examples
-    --------
-    >>> matrix_in_words("M", [["1", "0"], ["0", "2"]])
-    'M is the matrix with rows 1, 0; 0, 2'
-    """
-    return f"{name} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"

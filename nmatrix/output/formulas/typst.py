@@ -18,6 +18,7 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
 SIGNS = {
@@ -29,6 +30,7 @@ SIGNS = {
     "⇔": "<=>",
     "≤": "<=",
     "≥": ">=",
+    "≈": "approx",
 }
 ESCAPED = '#$"\\_*`~@&;,'
 EXPONENTS = str.maketrans({"⊤": " top", "′": "prime", "−": "-"})
@@ -48,6 +50,8 @@ def typst(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = quoted(text)
         case Sign(text):
             found = SIGNS.get(text, f"\\{text}" if text in ESCAPED else text)
         case Row(items):
@@ -77,10 +81,22 @@ def matrix(cells: Sequence[Sequence[str]]) -> str:
     return f'mat(delim: "[", {rows})'
 
 
+def quoted(text: str) -> str:
+    r"""Write text as a string of Typst.
+
+    Examples
+    --------
+    >>> print(quoted('a "b"'))
+    "a \"b\""
+    """
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
 def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if below:
         return f"{letter}_{below}"
     if letter in OPERATORS or len(letter) == 1:
         return letter
-    return f'op("{letter}")' if letter in FUNCTIONS else f'"{letter}"'
+    return f"op({quoted(letter)})" if letter in FUNCTIONS else quoted(letter)
