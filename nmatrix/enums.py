@@ -427,3 +427,19 @@ class AxisName(StrEnum):
     UNREAL = "unreal"
     OPENCV = "opencv"
     ROS = "ros"
+
+
+class DeterminantBy(StrEnum):
+    """The ways to work a determinant out on paper."""
+
+    EXPANSION = "expansion"
+    SARRUS = "sarrus"
+    ELIMINATION = "elimination"
+
+
+class InverseBy(StrEnum):
+    """The ways to work an inverse out on paper; by blocks it is for affine matrices."""
+
+    ADJUGATE = "adjugate"
+    GAUSS = "gauss"
+    BLOCKS = "blocks"

@@ -1,7 +1,8 @@
 """A formula as a tree, read from the line that a person would type.
 
-The line is what `derive` prints as text: `(A t)ᵀ (N n)`, `tan θ = (κ − 1/κ) / 2`, `√3/2`. A slash
-takes what stands directly before and after it; a function's name takes what follows it.
+The line is what text shows: `(A t)ᵀ (N n)`, `tan θ = (κ − 1/κ) / 2`, `√3/2`. A slash takes what
+stands directly before and after it, a number before a root with that root, as in `3√2/4`; a
+function's name takes what follows it. A column of `|` in a matrix is the bar of [A | I].
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ OPERATORS = ("det", "tan", "sin", "cos", "arctan", "max")  # which LaTeX and Typ
 FUNCTIONS = (*OPERATORS, "sign", "rank", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"
+BAR = "|"  # in every cell of a column: no numbers, but the line between two blocks
+GAP = "  "  # between two columns of a drawn matrix
 _ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")
 _TOKEN = re.compile(
     rf",\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"
@@ -103,9 +106,10 @@ class Fence:
 
 @dataclass(frozen=True)
 class Grid:
-    """A matrix."""
+    """A matrix; `bar` is how many columns stand before its vertical line, 0 where it has none."""
 
     rows: tuple[tuple[Node, ...], ...]
+    bar: int = 0
 
 
 Node = Name | Numeral | Words | Sign | Row | Power | Quotient | Root | Fence | Grid
@@ -134,9 +138,42 @@ def parse_parts(parts: Sequence[str | TypedRows]) -> Row:
             line += part
             continue
         found += _line(line)
-        found.append(Grid(tuple(tuple(map(parse, row)) for row in part)))
+        found.append(_grid(part))
         line = ""
     return Row((*found, *_line(line)))
+
+
+def _grid(rows: TypedRows) -> Grid:
+    bar = bar_of(rows)
+    cells = (row[:bar] + row[bar + 1 :] if bar else row for row in rows)
+    return Grid(tuple(tuple(map(parse, row)) for row in cells), bar)
+
+
+def bar_of(rows: TypedRows) -> int:
+    """Find the column of a typed matrix that is its bar; 0 where it has none.
+
+    Examples
+    --------
+    >>> bar_of((("1", "2", "|", "5"), ("3", "4", "|", "6")))
+    2
+    """
+    return next((i for i, column in enumerate(zip(*rows, strict=True)) if {*column} == {BAR}), 0)
+
+
+def columns_of(parts: Sequence[str | TypedRows]) -> int:
+    """Count the characters of the widest line of drawn parts that stand side by side.
+
+    Examples
+    --------
+    >>> columns_of(("A = ", (("1", "0"), ("0", "−2"))))
+    13
+    """
+    return sum(len(part) if isinstance(part, str) else _columns(part) for part in parts)
+
+
+def _columns(rows: TypedRows) -> int:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return sum(widths) + len(GAP) * (len(widths) - 1) + len("[  ]")
 
 
 def _line(text: str) -> list[Node]:
@@ -179,13 +216,21 @@ def _plain_piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
         inside, rest = _plain_piece(rest)
         return Root(_bare(inside)), rest
     if head[0].isdigit():
-        return Numeral(head), rest
+        return _number(head, rest)
     if head in FUNCTIONS and rest and rest[0][0] not in f")|=,{RAISED}":
         argument, rest = _piece(rest)
         return Row((Name(head), argument)), rest
     if head[0].isalpha():
         return Name(head), rest
     return Sign(APART if head.startswith(",") and head != "," else head), rest
+
+
+def _number(head: str, rest: Sequence[str]) -> tuple[Node, Sequence[str]]:
+    """Read a number, with the root that it stands before: 3√2 is one piece."""
+    if not (rest and rest[0] == "√"):
+        return Numeral(head), rest
+    root, rest = _plain_piece(rest)
+    return Row((Numeral(head), root)), rest
 
 
 def _joined(items: Sequence[Node]) -> Node:

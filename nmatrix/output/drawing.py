@@ -13,16 +13,24 @@ from itertools import chain
 from textwrap import TextWrapper, wrap
 
 from nmatrix.enums import Numbers
+from nmatrix.formula import GAP, TypedRows, bar_of, columns_of
 from nmatrix.linear.rational import is_affine
 from nmatrix.output.exact import exact_and_decimal, relation, written
 from nmatrix.output.style import AXES, Line, Span, Style, plain, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import Formula, Shown, ShownMatrix, ShownVector
 
-GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
 _WORDS = re.compile(r"\s+|\S+")
 _NAMES = re.compile("/*[^/]+/*|/+")  # of a path, each with its separator
+_BREAKS = tuple(  # where a formula may go on below: first before a statement, last before a term
+    map(
+        re.compile,
+        (r"(?<!\s)(?= +⇒ )|(?<=,  )", r"(?<!\s)(?= [=≈] )", r"(?<!\s)(?= [+−·→] (?!det ))"),
+    )
+)
+HANGING = "    "  # before what goes on below
+FORMULA = 78  # columns of a formula: with its indentation a line of 80
 NARROWEST = 8  # columns that a wrapped cell of a table keeps
 AXIS_NAMES = "xyzw"
 BRACKETS = {  # of one row; of the first, a middle and the last of several
@@ -201,8 +209,10 @@ def _number(text: str) -> Span:
     return Span(text, Style.DIM if text.strip() == "0" else Style.PLAIN)
 
 
-def draw_formula(formula: Formula) -> str:
+def draw_formula(formula: Formula, width: int = FORMULA) -> str:
     """Draw a formula as it was typed, with tall brackets around its matrices.
+
+    What is wider than `width` goes on below, from a sign between two of its terms.
 
     Examples
     --------
@@ -210,7 +220,46 @@ def draw_formula(formula: Formula) -> str:
     A = ⎡ 1   0 ⎤
         ⎣ 0  −2 ⎦
     """
-    blocks = [[part] if isinstance(part, str) else _drawn_cells(part) for part in formula.parts]
+    return "\n".join(map(_drawn_band, _bands(formula.parts, width, _BREAKS)))
+
+
+def _bands(
+    parts: Sequence[str | TypedRows], width: int, breaks: Sequence[re.Pattern[str]]
+) -> list[list[str | TypedRows]]:
+    """Cut parts into bands that fit, between statements if that does, else before weaker signs."""
+    bands: list[list[str | TypedRows]] = []
+    for group in _unbroken(parts, breaks[0]):
+        head, *rest = group
+        hung = [HANGING, head.lstrip() if isinstance(head, str) else head, *rest]
+        if bands and columns_of((*bands[-1], *group)) <= width:
+            bands[-1] += group
+        elif columns_of(hung if bands else group) <= width or len(breaks) == 1:
+            bands.append(hung if bands else group)
+        else:
+            bands += _bands(hung if bands else group, width, breaks[1:])
+    return bands
+
+
+def _unbroken(
+    parts: Sequence[str | TypedRows], sign: re.Pattern[str]
+) -> list[list[str | TypedRows]]:
+    """Cut parts before the signs that a line may begin with, outside of parentheses."""
+    groups: list[list[str | TypedRows]] = [[]]
+    depth = 0
+    for part in parts:
+        pieces = sign.split(part) if isinstance(part, str) else [part]
+        for place, piece in enumerate(pieces):
+            if place and not depth:
+                groups.append([])
+            groups[-1].append(piece)
+            if isinstance(piece, str):
+                depth += piece.count("(") - piece.count(")")
+    return [group for group in groups if group != [""]]
+
+
+def _drawn_band(parts: Sequence[str | TypedRows]) -> str:
+    """Draw what stands side by side, each matrix with its middle on the line of the text."""
+    blocks = [[part] if isinstance(part, str) else _drawn_cells(part) for part in parts]
     height = max(map(len, blocks))
     padded = []
     for block in blocks:
@@ -222,13 +271,19 @@ def draw_formula(formula: Formula) -> str:
     return "\n".join("".join(line).rstrip() for line in zip(*padded, strict=True))
 
 
-def _drawn_cells(cells: Sequence[Sequence[str]]) -> list[str]:
+def _drawn_cells(cells: TypedRows) -> list[str]:
+    bar = bar_of(cells)
     rows = zip(*map(_right, zip(*cells, strict=True)), strict=True)
     around = _brackets(len(cells), Charset.UNICODE)
     return [
-        f"{opening} {GAP.join(row)} {closing}"
+        f"{opening} {GAP.join(_barred(row, bar))} {closing}"
         for row, (opening, closing) in zip(rows, around, strict=True)
     ]
+
+
+def _barred(row: Sequence[str], bar: int) -> Sequence[str]:
+    """Draw the bar of [A | I] in the place of its cells."""
+    return (*row[:bar], BARS[Charset.UNICODE], *row[bar + 1 :]) if bar else row
 
 
 def draw_table(

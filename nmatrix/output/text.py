@@ -247,10 +247,16 @@ class _Writer:
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:
-        text = self._spelled(draw_formula(block))
-        if "\n" in text:
-            return [(INDENT, Span(line)) for line in text.splitlines()]
-        return [(INDENT, Span(line)) for line in self._wrapped(text, 2)]
+        lines = self._spelled(draw_formula(block, self.options.width - 2)).splitlines()
+        if not all(isinstance(part, str) for part in block.parts):
+            return [(INDENT, Span(line)) for line in lines]
+        return [(INDENT, Span(piece)) for line in lines for piece in self._hung(line)]
+
+    def _hung(self, line: str) -> list[str]:
+        """Wrap a line of a formula where no sign broke it, below its first word."""
+        indent = line[: len(line) - len(line.lstrip())]
+        room = max(self.options.width - 2, 10)
+        return wrap(line.strip(), room, initial_indent=indent, subsequent_indent=indent) or [""]
 
     def _step(self, block: Step) -> list[Line]:
         mark = MARKS[self.options.charset, block.verified]

@@ -42,6 +42,8 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "<": " < ",
     ">": " > ",
     "→": r" \to ",
+    "←": r" \leftarrow ",
+    "↔": r" \leftrightarrow ",
     "⇒": r" \;\Rightarrow\; ",
     "⇔": r" \;\Leftrightarrow\; ",
     "°": r"^\circ",
@@ -79,8 +81,9 @@ def latex(node: Node) -> str:
             found = rf"\sqrt{{{latex(inside)}}}"
         case Fence(inside, bars):
             found = f"|{latex(inside)}|" if bars else f"({latex(inside)})"
-        case Grid(rows):
-            found = bmatrix([list(map(latex, row)) for row in rows])
+        case Grid(rows, bar):
+            cells = [list(map(latex, row)) for row in rows]
+            found = _augmented(cells, bar) if bar else bmatrix(cells)
     return found
 
 
@@ -95,8 +98,18 @@ def bmatrix(cells: Sequence[Sequence[str]]) -> str:
       0 & 2
     \end{bmatrix}
     """
-    body = " \\\\\n".join("  " + " & ".join(row) for row in cells)
-    return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
+    return f"\\begin{{bmatrix}}\n{_body(cells)}\n\\end{{bmatrix}}"
+
+
+def _augmented(cells: Sequence[Sequence[str]], bar: int) -> str:
+    """Put printed cells into square brackets, with a line behind so many columns."""
+    columns = f"{'c' * bar}|{'c' * (len(cells[0]) - bar)}"
+    begin, end = rf"\left[\begin{{array}}{{{columns}}}", r"\end{array}\right]"
+    return f"{begin}\n{_body(cells)}\n{end}"
+
+
+def _body(cells: Sequence[Sequence[str]]) -> str:
+    return " \\\\\n".join("  " + " & ".join(row) for row in cells)
 
 
 def _name(name: Name) -> str:

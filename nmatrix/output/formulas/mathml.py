@@ -55,8 +55,8 @@ def mathml(node: Node) -> str:
         case Fence(inside, bars):
             left, right = ("|", "|") if bars else ("(", ")")
             found = f"<mrow><mo>{left}</mo>{mathml(inside)}<mo>{right}</mo></mrow>"
-        case Grid(rows):
-            found = matrix([list(map(mathml, row)) for row in rows])
+        case Grid(rows, bar):
+            found = matrix([list(map(mathml, row)) for row in rows], bar)
     return found
 
 
@@ -75,15 +75,20 @@ def inline(body: str, said: str) -> str:
     return f'<math xmlns="{NAMESPACE}" alttext="{escape(said)}">{body}</math>'
 
 
-def matrix(cells: Sequence[Sequence[str]]) -> str:
-    """Put printed cells into square brackets.
+def matrix(cells: Sequence[Sequence[str]], bar: int = 0) -> str:
+    """Put printed cells into square brackets, with a line behind so many columns.
 
     Examples
     --------
     >>> matrix([["<mn>1</mn>"]])
     '<mrow><mo>[</mo><mtable><mtr><mtd><mn>1</mn></mtd></mtr></mtable><mo>]</mo></mrow>'
     """
-    rows = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in cells)
+    line = ' style="border-left: 1px solid"'
+    opened = [f"<mtd{line if place == bar > 0 else ''}>" for place in range(len(cells[0]))]
+    rows = "".join(
+        f"<mtr>{''.join(f'{td}{cell}</mtd>' for td, cell in zip(opened, row, strict=True))}</mtr>"
+        for row in cells
+    )
     return f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
 
 

@@ -38,6 +38,8 @@ SIGNS = {
     APART: ",",
     "/": "over",
     "→": "becomes",
+    "←": "becomes",
+    "↔": "changes places with",
     "°": "degrees",
 }
 POWERS = {
@@ -90,8 +92,8 @@ def spoken(node: Node) -> str:
             found = _root(inside)
         case Fence(inside, bars):
             found = f"the length of {_grouped(inside)}" if bars else _grouped(inside)
-        case Grid(rows):
-            found = _grid(rows)
+        case Grid(rows, bar):
+            found = _grid(rows, bar)
     return found
 
 
@@ -147,8 +149,12 @@ def _grouped(node: Node) -> str:
     return f"the group {spoken(node)} end of group," if is_long else spoken(node)
 
 
-def _grid(rows: tuple[tuple[Node, ...], ...]) -> str:
+def _grid(rows: tuple[tuple[Node, ...], ...], bar: int) -> str:
     if len(rows[0]) == 1:
         return f"the vector {', '.join(spoken(row[0]) for row in rows)}"
-    lines = "; ".join(", ".join(map(spoken, row)) for row in rows)
+    lines = "; ".join(_said(row[:bar]) + " bar " * (bar > 0) + _said(row[bar:]) for row in rows)
     return f"the {len(rows)} by {len(rows[0])} matrix with rows {lines}"
+
+
+def _said(cells: Sequence[Node]) -> str:
+    return ", ".join(map(spoken, cells))

@@ -26,11 +26,13 @@ SIGNS = {
     "·": "dot",
     "×": "times",
     "≠": "!=",
+    "←": "<-",
+    "↔": "<->",
+    "≈": "approx",
     "⇒": "=>",
     "⇔": "<=>",
     "≤": "<=",
     "≥": ">=",
-    "≈": "approx",
 }
 ESCAPED = '#$"\\_*`~@&;,'
 EXPONENTS = str.maketrans({"⊤": " top", "′": "prime", "−": "-"})
@@ -64,13 +66,13 @@ def typst(node: Node) -> str:
             found = f"sqrt({typst(inside)})"
         case Fence(inside, bars):
             found = f"abs({typst(inside)})" if bars else f"({typst(inside)})"
-        case Grid(rows):
-            found = matrix([list(map(typst, row)) for row in rows])
+        case Grid(rows, bar):
+            found = matrix([list(map(typst, row)) for row in rows], bar)
     return found
 
 
-def matrix(cells: Sequence[Sequence[str]]) -> str:
-    """Put printed cells into square brackets.
+def matrix(cells: Sequence[Sequence[str]], bar: int = 0) -> str:
+    """Put printed cells into square brackets, with a line behind so many columns.
 
     Examples
     --------
@@ -78,7 +80,8 @@ def matrix(cells: Sequence[Sequence[str]]) -> str:
     'mat(delim: "[", 1, 0; 0, 2)'
     """
     rows = "; ".join(", ".join(row) for row in cells)
-    return f'mat(delim: "[", {rows})'
+    line = f"augment: #{bar}, " if bar else ""
+    return f'mat(delim: "[", {line}{rows})'
 
 
 def quoted(text: str) -> str:
