@@ -11,13 +11,13 @@ from typing import assert_never
 
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.handbook import FORMATS, USAGE, page
+from nmatrix.calculator.names import other_meaning
 from nmatrix.calculator.session import (
     Files,
     NoFiles,
     Reply,
     Session,
     Settings,
-    other_meaning,
 )
 from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
 from nmatrix.calculator.values import Value, ValueKind, as_strings
@@ -56,7 +56,9 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
         return session, Reply(error=error, at=asked.at)
 
 
-def _ordered(keyword: Keyword, session: Session, asked: Statement, files: Files) -> Outcome:  # noqa: C901 - one branch for each keyword
+def _ordered(  # noqa: PLR0911 - one branch for each
+    keyword: Keyword, session: Session, asked: Statement, files: Files
+) -> Outcome:
     match keyword:
         case Keyword.HELP:
             return session, Reply(page(asked.text))

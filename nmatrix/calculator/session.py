@@ -11,19 +11,17 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from nmatrix.calculator.answer import value_report
-from nmatrix.calculator.evaluate import CONSTANTS, Calculation, calculate
+from nmatrix.calculator.evaluate import Calculation, calculate
 from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.statements import Keyword, Statement, is_matrix, without_comments
+from nmatrix.calculator.names import ANSWERS, value_of
+from nmatrix.calculator.statements import Statement, is_matrix, without_comments
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.enums import Format, InverseBy, Layout, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
-from nmatrix.linear.rational import RationalMatrix
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.report import Report
-
-ANSWERS = ("ans", "ans2")  # the last value of an expression, and the one before
 
 
 class Files(Protocol):
@@ -45,7 +43,7 @@ class NoFiles:
         """Refuse to read a file."""
         raise IllegalValueError(f"load ({name[:40]})", "a loaded file loads no other", "load both")
 
-    def write(self, name: str, text: str, *, force: bool) -> None:  # noqa: ARG002 - nothing is written
+    def write(self, name: str, text: str, *, force: bool) -> None:
         """Refuse to write a file."""
         raise IllegalValueError(f"save ({name[:40]})", "a loaded file writes none", "write it here")
 
@@ -104,7 +102,7 @@ class Session:
         IllegalValueError, NoAnswerError
             Where the expression does.
         """
-        found = self._calculation(asked.text)
+        found = self.calculation(asked.text)
         name = asked.name or ANSWERS[0]
         names = {**self.names, name: found.value}
         if asked.name is None and ANSWERS[0] in self.names:
@@ -122,8 +120,14 @@ class Session:
         entered = (*self.entered, asked.whole)
         return replace(self, entered=entered, before=self, **fields)  # type: ignore[arg-type]  # its own
 
-    def _calculation(self, text: str) -> Calculation:
-        """Compute an expression, or read a matrix in a notation that is none."""
+    def calculation(self, text: str) -> Calculation:
+        """Compute an expression, or read a matrix in a notation that is none.
+
+        Raises
+        ------
+        CalculatorError, NoValueError
+            As `calculate` does.
+        """
         if is_matrix(text):
             return self._read(text)
         try:
@@ -137,31 +141,5 @@ class Session:
 
     def _read(self, text: str) -> Calculation:
         found = matrix_literal(without_comments(text), self.settings.layout)
-        value = _value_of(found.rows_exact).kept_by(self.settings.arithmetic)
+        value = value_of(found.rows_exact).kept_by(self.settings.arithmetic)
         return Calculation(text, value, self.settings.arithmetic, (), found.remarks)
-
-
-def _value_of(rows: RationalMatrix) -> Value:
-    """Make a number, a vector (of one row or one column) or a matrix."""
-    if len(rows[0]) == 1:
-        rows = (tuple(row[0] for row in rows),)
-    if len(rows) == 1:
-        return Value(rows[0][0] if len(rows[0]) == 1 else rows[0])
-    return Value(rows)
-
-
-def other_meaning(name: str) -> str:
-    """Tell what else a name means, so that no value may have it; empty if it is free.
-
-    Examples
-    --------
-    >>> other_meaning("det"), other_meaning("M")
-    ('it is a function', '')
-    """
-    others = {
-        "it is a function": FUNCTIONS,
-        "it begins a statement": list(Keyword),
-        "it is a number": CONSTANTS,
-        "it is the last value, or the one before": ANSWERS,
-    }
-    return next((told for told, names in others.items() if name in names), "")

@@ -1,7 +1,7 @@
 """The statements of a session: where each begins and ends in a text, and what it asks for.
 
-A statement is a line, or several: one goes on until its brackets close, and a matrix without brackets
-until an empty line, so that what other programs print may be pasted behind `M =`.
+A statement is a line, or several: one goes on until its brackets close, and a matrix without
+brackets until an empty line, so that what other programs print may be pasted behind `M =`.
 """
 
 from __future__ import annotations

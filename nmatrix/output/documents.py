@@ -186,8 +186,8 @@ def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901, PLR0912  # one
 
 def _quantity(block: Quantity, dialect: Dialect) -> str:
     value = block.value
-    if is_matrix(value) or is_vector(value):
-        rows = value if is_matrix(value) else tuple((entry,) for entry in value)
+    rows = _rows(value)
+    if rows is not None:
         name, about = label(block.key, block.title)
         return dialect.matrix(block.key, about, _equation(name, rows, dialect.options))
     shown = _cell(value, dialect)
@@ -195,6 +195,13 @@ def _quantity(block: Quantity, dialect: Dialect) -> str:
         left = (*_pieces(parse(symbol)), Sign(SAME))
         shown = dialect.inline(Row((*left, *_pieces(formula_of(value, dialect.options)))))
     return dialect.scalar(block.title or block.key, shown + dialect.words(block.unit))
+
+
+def _rows(value: object) -> ShownMatrix | None:
+    """Take a matrix as it is and a vector as one column."""
+    if is_matrix(value):
+        return value
+    return tuple((entry,) for entry in value) if is_vector(value) else None
 
 
 def _equation(name: Node, rows: ShownMatrix, options: OutputOptions) -> Node:

@@ -73,7 +73,8 @@ def relation(values: Iterable[Shown], digits: int) -> str | None:
 
 
 def _line(exact: Fraction | Surd) -> str:
-    return str(exact).replace("−", "-")  # as every decimal beside it has it
+    """Write it without blanks, which part the numbers of a row, and with a decimal's minus."""
+    return str(exact).replace("−", "-").replace(" ", "")
 
 
 def _decimal(text: str) -> Node:

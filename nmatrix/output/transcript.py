@@ -1,4 +1,4 @@
-"""A session of the calculator as text: each statement behind its prompt, and below what it comes to.
+"""A session of the calculator as text: each statement behind its prompt, its answer below.
 
 A terminal, a file, a pipe and Python run statements by `turn`, so that their transcripts are alike.
 """
@@ -28,7 +28,7 @@ from nmatrix.output.files import write_file
 from nmatrix.output.style import Span, Style, render, spelled
 from nmatrix.output.style import printable as without_controls
 from nmatrix.output.write import OutputOptions, write
-from nmatrix.reading.files import decoded, existing_file, file_bytes
+from nmatrix.reading.files import decoded, file_bytes
 from nmatrix.report import Code, Report, Value
 
 PROMPT, MORE = "> ", "  "
@@ -128,7 +128,7 @@ def echo(statement: str) -> str:
     >>> echo("A = [1 2\n3 4]")
     '> A = [1 2\n  3 4]\n'
     """
-    first, *more = without_controls(statement).split("\n")
+    first, *more = without_controls(statement.replace("\t", " ")).split("\n")
     lines = (PROMPT + first, *(MORE + line for line in more))
     return "".join(f"{line.rstrip()}\n" for line in lines)
 
@@ -212,14 +212,14 @@ def run(
 
 
 def transcript(session: Session, text: str, options: OutputOptions, files: Files) -> Report:
-    """Report a run of statements: the transcript, the names at its end, and every error.
+    r"""Report a run of statements: the transcript, the names at its end, and every error.
 
     The report ends in the first error, and the run goes on behind it.
 
     Examples
     --------
     >>> from nmatrix.calculator.session import NoFiles
-    >>> report = transcript(Session({}), "a = 1/2\\na + b", OutputOptions(), NoFiles())
+    >>> report = transcript(Session({}), "a = 1/2\na + b", OutputOptions(), NoFiles())
     >>> print(report.blocks[0].text.splitlines()[3], str(report.failure)[:14])
           ^ line 2: name b
     """

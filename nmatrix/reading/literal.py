@@ -24,15 +24,16 @@ from nmatrix.linear.rational import (
 from nmatrix.reading.contents import Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
 from nmatrix.reading.numbers import fraction
+from nmatrix.reading.roots import has_root, root_number
+from nmatrix.report import LARGEST_MATRIX
 
-LARGEST = 4  # rows and columns
 SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
 BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
 
 
 @dataclass(frozen=True)
 class MatrixLiteral:
-    """A matrix of at most 4×4 entries and where it came from.
+    """A matrix of at most 8×8 entries and where it came from.
 
     `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `digits` are
     those that were typed; `exact` numbers are known as they are, however many digits they have;
@@ -189,15 +190,19 @@ def _squared(tokens: Tokens, source: str) -> Tokens:
         flat = [text for row in tokens for text in row]
         side = SQUARES[len(flat)]
         return [flat[start : start + side] for start in range(0, len(flat), side)]
-    if max(count, len(tokens)) > LARGEST:
+    if max(count, len(tokens)) > LARGEST_MATRIX:
         raise _misshapen(count, len(tokens), source)
     return tokens
 
 
 def _misshapen(count: int, height: int, source: str) -> IllegalValueError:
     if 1 not in (count, height):
-        return unreadable(source, f"it has {height} rows of {count} numbers", "use at most 4×4")
-    total = count * height
+        most = f"use at most {LARGEST_MATRIX}×{LARGEST_MATRIX}"
+        return unreadable(source, f"it has {height} rows of {count} numbers", most)
+    return _miscounted(count * height, source)
+
+
+def _miscounted(total: int, source: str) -> IllegalValueError:
     why = f"it holds {counted(total, 'number')}, a matrix has 9 or 16"
     next_step = "give them all" if total < max(SQUARES) else "leave out what is not an entry"
     return unreadable(source, why, next_step)
@@ -205,12 +210,14 @@ def _misshapen(count: int, height: int, source: str) -> IllegalValueError:
 
 def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
     name = f"row {place[0] + 1}, column {place[1] + 1} of {source}"
-    return fraction(BARE_POINT.sub("", text), name)
+    return root_number(text, name) if has_root(text) else fraction(BARE_POINT.sub("", text), name)
 
 
 def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:
     if matrix.shape != (4, 4):
         height, width = matrix.shape
+        if 1 in matrix.shape:
+            raise _miscounted(height * width, matrix.source)
         raise unreadable(matrix.source, f"it has {height} × {width} entries", f"give {takes}")
 
 
