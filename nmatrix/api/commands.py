@@ -58,14 +58,14 @@ def calc(
     ans  8
     """
     from nmatrix.calculator.answer import report
-    from nmatrix.calculator.names import names_of, with_name
+    from nmatrix.calculator.names import EVERY_NAME, names_of, with_name
     from nmatrix.calculator.session import Session, Settings
     from nmatrix.calculator.values import Arithmetic
     from nmatrix.output.transcript import Disk, is_session, transcript
     from nmatrix.output.write import OutputOptions
 
     typed = text(expression, "expression")
-    names = names_of(setup_values(setup), typed)
+    names = names_of(setup_values(setup), EVERY_NAME if is_session(typed) else typed)
     for name, value in _mapping({} if let is None else let, "let").items():
         rows = (
             ((Fraction(number(value, name)),),)

@@ -16,6 +16,7 @@ from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
 SCENE_NAMES = ("M", "V", "P")
+EVERY_NAME = " ".join(SCENE_NAMES)  # the text of those who may ask for all of them
 ANSWERS = ("ans", "ans2")  # the last value of an expression, and the one before
 
 

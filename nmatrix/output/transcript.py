@@ -229,13 +229,8 @@ def transcript(session: Session, text: str, options: OutputOptions, files: Files
     failed = [placed(one.error, f"line {line}") for line, one in done if one.error is not None]
     data: dict[str, Value] = {
         "names": {name: _known(value) for name, value in last.names.items()},
-        "statements": [
-            {
-                "statement": one.statement,
-                "error": None if one.error is None else one.error.spelled(_spell),
-            }
-            for _, one in done
-        ],
+        "statements": [one.statement for _, one in done],
+        "errors": [error.spelled(_spell) for error in failed],
     }
     return Report("calc", data, (Code("text", written),), failure=_first(failed))
 
