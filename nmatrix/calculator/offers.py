@@ -55,19 +55,15 @@ def _beginning(begun: str, words: Iterable[str]) -> Offer:
 
 def _following(keyword: Keyword, others: list[str], names: Iterable[str]) -> Iterable[str]:
     """List what may stand behind a keyword and the words after it."""
-    match keyword, others:
-        case Keyword.HELP, []:
-            return (*FUNCTIONS, *Keyword)
-        case Keyword.SHOW, []:
-            return names
-        case Keyword.SHOW, [_]:
-            return ("as",)
-        case Keyword.SHOW, [_, "as"]:
-            return FORMATS
-        case Keyword.STEPS, []:
-            return ("on", "off", "by")
-        case Keyword.STEPS, ["by"]:
-            return InverseBy
-        case Keyword.NUMBERS, []:
-            return Numbers
-    return ()
+    known: dict[tuple[str, ...], Iterable[str]] = {
+        (Keyword.HELP,): (*FUNCTIONS, *Keyword),
+        (Keyword.SHOW,): names,
+        (Keyword.SHOW, "as"): FORMATS,
+        (Keyword.STEPS,): ("on", "off", "by"),
+        (Keyword.STEPS, "by"): InverseBy,
+        (Keyword.NUMBERS,): Numbers,
+    }
+    if keyword is Keyword.SHOW and len(others) == 1:
+        return ("as",)
+    shown = others[1:] if keyword is Keyword.SHOW else others  # behind the name that is shown
+    return known.get((keyword, *shown), ())

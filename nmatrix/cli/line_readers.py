@@ -6,10 +6,11 @@ All three keep one history, and take a paste as if it were typed line by line.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Protocol
 
 from nmatrix.calculator.offers import Offer, offers
@@ -111,12 +112,12 @@ def completed(names: Iterable[str], before: str) -> Offer:
     if not offer.is_file:
         return offer
     folder, slash, begun = offer.begun.rpartition("/")
-    found: list[str] = []
     with suppress(OSError, ValueError, RuntimeError):
-        for one in sorted(Path(folder + slash or ".").expanduser().iterdir()):
-            if one.name.startswith(begun) and one.name.isprintable():
-                found.append(f"{folder}{slash}{one.name}{'/' if one.is_dir() else ''}")
-    return Offer(offer.begun, tuple(found), is_file=True)
+        there = sorted(Path(folder + slash or ".").expanduser().iterdir())
+        found = (one for one in there if one.name.startswith(begun) and one.name.isprintable())
+        words = (f"{folder}{slash}{one.name}{'/' if one.is_dir() else ''}" for one in found)
+        return Offer(offer.begun, tuple(words), is_file=True)
+    return Offer(offer.begun, is_file=True)
 
 
 class _PlainReader:
@@ -126,12 +127,12 @@ class _PlainReader:
         self.history = history
         self.names: tuple[str, ...] = ()
         self.offered: tuple[str, ...] = ()
+        self.waiting = ""  # a line that begins the next statement
         try:
             import readline
         except ImportError:  # Windows
             return
         self.readline = readline
-        readline.set_auto_history(True)
         for one in history.statements():
             for line in one.split("\n"):
                 readline.add_history(line)
@@ -145,12 +146,30 @@ class _PlainReader:
 
     def read(self, names: Iterable[str]) -> str:
         self.names = tuple(names)
-        text = input(PROMPT)
-        while is_open(text):
-            text += f"\n{input(MORE)}"
+        lines, self.waiting = [self._begun()], ""
+        while is_open("\n".join(lines)):
+            line = input(MORE)
+            if len(list(statements([*lines, line]))) > 1:
+                self._wait(line)
+                break
+            lines.append(line)
+        text = "\n".join(lines)
         if text.strip():
             self.history.keep(text)
         return text
+
+    def _begun(self) -> str:
+        if not self.waiting:
+            return input(PROMPT)
+        print(f"{PROMPT}{self.waiting}")
+        return self.waiting
+
+    def _wait(self, line: str) -> None:
+        """Take a line off the screen, and show it again as the beginning of the next statement."""
+        rows = -(-(len(MORE) + len(line) or 1) // get_terminal_size().columns)
+        if os.environ.get("TERM") != "dumb":
+            print(f"\x1b[{rows}A\r\x1b[J", end="", flush=True)
+        self.waiting = line
 
     def end_line(self) -> None:
         print()
@@ -226,7 +245,7 @@ def _keys() -> KeyBindings:
         (_, first), *others = statements(buffer.text.split("\n"))
         if others:  # a line that goes on with nothing is a statement of its own
             rest = "\n".join(one for _, one in others)
-            event.key_processor.feed_multiple([*_presses(rest), *_presses("\n")[1:]], first=True)
+            event.key_processor.feed_multiple(_presses(f"{rest}\n"), first=True)
             buffer.text = first
         elif is_open(buffer.text):
             buffer.insert_text("\n")
