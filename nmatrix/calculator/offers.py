@@ -50,7 +50,7 @@ def offers(names: Iterable[str], before: str) -> Offer:
 
 
 def _beginning(begun: str, words: Iterable[str]) -> Offer:
-    return Offer(begun, tuple(sorted({one for one in words if one.startswith(begun)})))
+    return Offer(begun, tuple(sorted({str(one) for one in words if one.startswith(begun)})))
 
 
 def _following(keyword: Keyword, others: list[str], names: Iterable[str]) -> Iterable[str]:

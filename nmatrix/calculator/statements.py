@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from nmatrix.calculator.tokens import LONGEST
+from nmatrix.reading.notations import has_no_brackets
 
 
 class Keyword(StrEnum):
@@ -52,10 +53,6 @@ _ROW = re.compile(
     rf"\s*{_NUMBER}(?:\s*[,;]\s*|\s+){_NUMBER}(?:(?:\s*[,;]\s*|\s+){_NUMBER})*[\s,;]*"
 )
 _SUM = re.compile(r"[^\s,;]+(?:\s+[+\-−]\S+)+\s*")
-# What frames, headings and the names of fields begin, and what a report's table does.
-_FRAMED = re.compile(
-    r"\s*(?:[|│┃┌⎡⎛]|\[,1\]|Matrix \(float[234]x|[234]×[234] |[em]00\s?[:=]|key,row,column,value)"
-)
 _OPENING = re.compile(r'\\begin\{|\\end\{|[\[({]|[\])}]|<(?=Matrix)|>|"[^"]*"|#.*')
 _LATEX = re.compile(r"\\(?:begin|end)\{\w*\}")
 
@@ -87,7 +84,7 @@ class _Growing:
         self.lines.append(line)
         self.length += len(line) + 1
         if self.is_empty:
-            self.is_framed = _FRAMED.match(content) is not None
+            self.is_framed = has_no_brackets(content.lstrip())
             self.is_bare = self.is_framed or _is_open_row(content)
             self.is_empty = not _COMMENT.sub("", content).strip()
         self.depth = _depth_after(content, self.depth)
@@ -204,7 +201,7 @@ def is_matrix(text: str) -> bool:
     >>> [is_matrix(text) for text in ("1 2; 3 4", "| 1 0 |", "2 - 1")]
     [True, True, False]
     """
-    return _FRAMED.match(text) is not None or is_row(without_comments(text.split("\n")[0]))
+    return has_no_brackets(text) or is_row(without_comments(text.split("\n")[0]))
 
 
 def without_comments(text: str) -> str:
