@@ -1,25 +1,24 @@
-"""`nmatrix calc`: the value of an expression, its exact fractions, and the steps if asked for."""
+"""The value of an expression, exactly where it is exact, and the steps if asked for."""
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Iterator
 from math import isinf
 
 from nmatrix.calculator.evaluate import Calculation
 from nmatrix.calculator.numbers import Float64, Interval
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
+from nmatrix.enums import Numbers
 from nmatrix.errors import counted
-from nmatrix.linear.rounding import short_text
 from nmatrix.report import Block, Heading, Quantity, Report, Text
 from nmatrix.report import Value as JsonValue
 
-READABLE = 10**6  # larger denominators come from floats, and mean nothing to a person
 ROUNDED = "Every product, sum, quotient and root was rounded to float64."
 OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
 
 
 def report(calculation: Calculation, *, with_steps: bool) -> Report:
-    """Report a calculation; `exact` holds fractions where the value is rational."""
+    """Report a calculation; `exact` holds fractions and roots where no number was rounded."""
     value = calculation.value
     steps: list[JsonValue] | None = None
     if with_steps:
@@ -35,38 +34,43 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
         "exact": as_strings(value.entries) if value.exact else None,  # type: ignore[dict-item]
         "steps": steps,
     }
-    blocks: list[Block] = [Heading(calculation.expression)]
-    if with_steps:
-        for i, step in enumerate(calculation.steps):
-            blocks += [Text(f"{step.expression}: {step.rule}")]
-            blocks += [Quantity(f"steps.{i}.value", step.value.shown, f"step {i + 1}")]
-    blocks.append(Quantity("value", value.shown, "value"))
-    denominators = [x.denominator for x in value.numbers if isinstance(x, Fraction)]
-    if value.exact and 1 < max(denominators) <= READABLE:
-        blocks.append(Text(f"exactly: {_fractions(value)}"))
-    remarks = (*calculation.remarks, *_remarks(value, calculation.arithmetic))
-    return Report("calc", data, tuple(blocks), remarks)
+    blocks = (
+        Heading(calculation.expression),
+        *(_steps(calculation) if with_steps else ()),
+        _quantity("value", value),
+    )
+    return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
 
 
-def _fractions(value: Value) -> str:
-    if value.kind is ValueKind.MATRIX:
-        return "; ".join(" ".join(map(str, row)) for row in value.matrix)
-    return " ".join(map(str, value.numbers))
+def value_report(name: str, calculation: Calculation, *, with_steps: bool) -> Report:
+    """Report a value under the name that a session keeps it by."""
+    value = calculation.value
+    blocks = (*(_steps(calculation) if with_steps else ()), _quantity(name, value))
+    remarks = _remarks(calculation)
+    return Report("calc", {name: value.shown}, blocks, remarks, numbers=Numbers.EXACT)
 
 
-def _remarks(value: Value, arithmetic: Arithmetic) -> list[str]:
-    if arithmetic is Arithmetic.FLOAT:
+def _quantity(name: str, value: Value) -> Quantity:
+    if value.kind is ValueKind.TRUTH:
+        return Quantity(name, "yes" if value.entries else "no")
+    return Quantity(name, value.shown)
+
+
+def _steps(calculation: Calculation) -> Iterator[Block]:
+    """Write the operations in turn, each with its rule and its value."""
+    for i, step in enumerate(calculation.steps):
+        yield Text(f"{step.expression}: {step.rule}")
+        yield Quantity(f"steps.{i}.value", step.value.shown, f"step {i + 1}")
+
+
+def _remarks(calculation: Calculation) -> tuple[str, ...]:
+    """Tell what is known of a value that is not exact, behind what was remarked on its way."""
+    value, told = calculation.value, list(calculation.remarks)
+    if calculation.arithmetic is Arithmetic.FLOAT:
         overflowed = any(isinstance(x, Float64) and isinf(x.value) for x in value.numbers)
-        return [ROUNDED, OVERFLOWED] if overflowed else [ROUNDED]
-    intervals = [x for x in value.numbers if isinstance(x, Interval)]
-    digits = [x.digits for x in intervals if x.digits]
-    remarks = []
+        told += [ROUNDED, OVERFLOWED] if overflowed else [ROUNDED]
+    digits = [x.digits for x in value.numbers if isinstance(x, Interval)]
     if digits:
         known = counted(min(digits), "digit is", "digits are")
-        remarks.append(f"A root or a sine in it is irrational: {known} known.")
-    if len(digits) < len(intervals):
-        within = short_text(max(x.farthest for x in intervals if not x.digits), 2)
-        remarks.append(
-            f"Roots or sines cancel: what is shown as 0 is within {within} of it, and may differ."
-        )
-    return remarks
+        told.append(f"A number in it is irrational: {known} known.")
+    return tuple(told)

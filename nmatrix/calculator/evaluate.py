@@ -108,7 +108,7 @@ class _Evaluation:
             case Turn():
                 return self._kept(node, Value(node.degrees))
             case Pasted():
-                rows = tuple(tuple(map(fraction, row)) for row in node.rows)
+                rows = tuple(tuple(map(_entry, row)) for row in node.rows)
                 return self._kept(node, Value(rows if len(rows) > 1 else rows[0]))
             case Name():
                 return self._name(node)
@@ -138,7 +138,7 @@ class _Evaluation:
 
     def _numeral(self, node: Numeral) -> Value:
         try:
-            return self._kept(node, Value(fraction(BARE_POINT.sub("", node.text))))
+            return self._kept(node, Value(_entry(node.text)))
         except IllegalValueError as error:
             if isinstance(error, CalculatorError):
                 raise
@@ -324,3 +324,8 @@ class _Evaluation:
             return value.kept_by(self.arithmetic)
         except (IllegalValueError, NoAnswerError) as error:
             raise self._error(node.start, "value", error) from None
+
+
+def _entry(text: str) -> Fraction:
+    """Read a number of another program, which may print 1. for 1."""
+    return fraction(BARE_POINT.sub("", text))

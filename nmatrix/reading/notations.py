@@ -57,6 +57,20 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
     return NOTATIONS[-1], NOTATIONS[-1].read(candidate, source)
 
 
+def has_no_brackets(text: str) -> bool:
+    """Recognise the first line of a matrix that no bracket holds together: a frame, fields, a table.
+
+    Examples
+    --------
+    >>> has_no_brackets("| 1 0 |"), has_no_brackets("e00: 1"), has_no_brackets("{e00: 1")
+    (True, True, False)
+    """
+    found = _signed(text, NOTATIONS[:-1])
+    if found is None or text.startswith("{"):
+        return False
+    return found.read in (rows.framed_rows, places.fields, places.csv_report)
+
+
 def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
     """Read a matrix in brackets within a longer text, as rows, and find where it ends.
 

@@ -375,8 +375,10 @@ def test_a_built_entry_beyond_every_float_is_null_and_shown_in_text(nmatrix) -> 
     assert nmatrix("world --scale 1e309 1 1").code == 2
 
 
-def test_the_rank_of_an_irrational_matrix_is_refused(nmatrix) -> None:
-    found = nmatrix("calc 'rank(rotate_x(30).T @ rotate_x(30) - identity(4))'")
+def test_the_rank_of_a_matrix_of_roots_is_exact_and_of_other_irrationals_refused(nmatrix) -> None:
+    line = "calc 'rank(rotate_x({0}).T @ rotate_x({0}) - identity(4))' -f json"
+    assert nmatrix(line.format(30)).data["exact"] == "0"
+    found = nmatrix(line.format(20))
     assert found.code == 3
     assert found.is_one_line
     assert nmatrix("calc 'rank(rotate_x(90))' -f json").data["exact"] == "4"

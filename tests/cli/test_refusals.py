@@ -23,7 +23,7 @@ from nmatrix.cli.catalogue import COMMANDS
         ("view --handed=up", "--handed (up)", "try right"),
         ("world extra", "argument (extra)", "leave it out"),
         ("normal '1 0 0; 0 1 0; 0 0 1' more", "argument (more)", "leave it out"),
-        ("calc", "EXPRESSION", "try nmatrix calc"),
+        ("identify", "MATRIX", "try nmatrix identify"),
         ("calc M --stpes", "option (--stpes)", "did you mean --steps?"),
         ("calc --stpes M", "option (--stpes)", "did you mean --steps?"),
         ("calc M -M", "option (-M)", "see --help"),
