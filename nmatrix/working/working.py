@@ -73,8 +73,9 @@ def short(value: object) -> str:
     >>> short(Fraction(-1, 2)), short(Fraction(2, 30000001)), short(Fraction(10) ** 400)
     ('−1/2', '6.66667·10⁻⁸', '10⁴⁰⁰')
     """
-    is_number = isinstance(value, Fraction | Surd)
-    return decimal(value) if is_number and not _reads_well(value) else written(value)
+    if isinstance(value, Fraction | Surd) and not _reads_well(value):
+        return decimal(value)
+    return written(value)
 
 
 def _reads_well(value: Fraction | Surd) -> bool:
@@ -117,8 +118,20 @@ def middle(value: int | Fraction | Surd) -> Fraction:
     return Fraction(value)
 
 
-def stands_for(value: int | float | Fraction) -> Fraction | Surd:
-    """Find the short number that a float was meant to be, or keep the one that it is.
+def as_typed(value: float | Fraction) -> Fraction:
+    """Find the short fraction that a float was meant to be, or keep the one that it is.
+
+    Examples
+    --------
+    >>> print(as_typed(0.1), as_typed(1 / 3), as_typed(Fraction(2, 7)))
+    1/10 1/3 2/7
+    """
+    found = stands_for(value)
+    return found if isinstance(found, Fraction) else Fraction(value)
+
+
+def stands_for(value: float | Fraction) -> Entry:
+    """Find the short number, perhaps a root, that an entry of a matrix was meant to be.
 
     Examples
     --------
@@ -400,7 +413,9 @@ def in_one_line(first: Step, second: Step, because: str) -> Step:
     ('v = ', (('1 + 2',),), ' = ', (('3',),))
     """
     (head, *parts), (other, *more) = first.formula.parts, second.formula.parts
-    joined = (head, *parts, " = ", *more) if head == other else (f"{head},  {other}", *more)
+    joined = (
+        (head, *parts, " = ", *more) if head.startswith(other) else (f"{head},  {other}", *more)
+    )
     return Step(Formula(joined), because, first.verified and second.verified)
 
 
