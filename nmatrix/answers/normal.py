@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
+from nmatrix.answers.steps import of_normals, with_steps
 from nmatrix.enums import NormalRule, NormalStatus, Space
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import (
@@ -43,7 +45,7 @@ class NormalRequest:
     method: NormalRule = NormalRule.EXACT
 
 
-def normal(setup: Setup, request: NormalRequest) -> Report:
+def normal(setup: Setup, request: NormalRequest, *, steps: bool = False) -> Report:
     """Answer with the normal matrix of S · M, and with the normals through it.
 
     Examples
@@ -75,7 +77,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         *transform_blocks(found),
         *(block for i, one in enumerate(answered) for block in one.blocks(i)),
     )
-    return Report(
+    report = Report(
         "normal",
         data,
         blocks,
@@ -83,6 +85,8 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         _failure(found, answered),
         brief=_brief(request, Quantity("normal_matrix", matrix, title), found, answered),
     )
+    asked = partial(of_normals, setup, request.space, request.method, request.normals)
+    return with_steps(report, asked if steps else None)
 
 
 def _brief(

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
+from functools import partial
 from math import inf
 
 from nmatrix.answers.depth import NOTHING_ASKED, DepthRequest, DepthTable
 from nmatrix.answers.identify import because, described, reading_data
+from nmatrix.answers.steps import of_projection, with_steps
 from nmatrix.enums import ClipY, DepthRange, Projected
 from nmatrix.errors import quantity
 from nmatrix.linear.angle import DEGREES, arctangent
@@ -46,7 +48,7 @@ _WHERE = {
 }
 
 
-def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
+def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED, *, steps: bool = False) -> Report:
     """Answer with the projection matrix of a scene; of a given one, with what its entries say.
 
     Examples
@@ -90,7 +92,8 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
         (*(() if own else ("the matrix",)), *((GAPS,) if table.steps is not None else ())),
         SCREEN + max(len(table.pairs or ()) - FEW, 0),
     )
-    return Report("projection", data, blocks, remarks, glsl=table.glsl, brief=brief)
+    report = Report("projection", data, blocks, remarks, glsl=table.glsl, brief=brief)
+    return with_steps(report, partial(of_projection, setup) if steps else None)
 
 
 def _readings(lens: Lens) -> tuple[Reading, ...] | None:

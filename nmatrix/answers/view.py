@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from nmatrix.answers.identify import camera_numbers, reading_data
+from nmatrix.answers.steps import of_view, with_steps
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
@@ -30,8 +32,8 @@ from nmatrix.report import (
 from nmatrix.scene.setup import Setup
 
 
-def view(setup: Setup) -> Report:
-    """Answer with the view matrix of a scene, also as R · T.
+def view(setup: Setup, *, steps: bool = False) -> Report:
+    """Answer with the view matrix of a scene, also as R · T; its steps are for who asks.
 
     Examples
     --------
@@ -81,7 +83,8 @@ def view(setup: Setup) -> Report:
         remarks.append(_NO_HAND)
     told = shown | {key: matrix for key, matrix in elsewhere.items() if matrix is not None}
     blocks = _blocks(told, found, readings)
-    return Report("view", data, blocks, tuple(remarks), brief=_brief(blocks))
+    report = Report("view", data, blocks, tuple(remarks), brief=_brief(blocks))
+    return with_steps(report, partial(of_view, setup) if steps else None)
 
 
 def _brief(blocks: Sequence[Block]) -> Brief:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, replace
+from functools import partial
 
+from nmatrix.answers.steps import of_world, with_steps
 from nmatrix.enums import Convention
 from nmatrix.lessons.map_sentences import (
     transform_blocks,
@@ -18,8 +20,8 @@ from nmatrix.report import Block, Brief, Cells, Heading, Quantity, Report, Table
 from nmatrix.scene.setup import Setup
 
 
-def world(setup: Setup) -> Report:
-    """Answer with the world matrix of a scene.
+def world(setup: Setup, *, steps: bool = False) -> Report:
+    """Answer with the world matrix of a scene; its steps are for who asks for them.
 
     Examples
     --------
@@ -56,7 +58,8 @@ def world(setup: Setup) -> Report:
         blocks += [Heading(f"Parts, {how}"), parts_table(parts)]
         remarks += parts_remarks(parts)
     brief = _brief(setup, blocks, found, parts)
-    return Report("world", data, tuple(blocks), tuple(remarks), brief=brief)
+    report = Report("world", data, tuple(blocks), tuple(remarks), brief=brief)
+    return with_steps(report, partial(of_world, setup) if steps else None)
 
 
 def _brief(

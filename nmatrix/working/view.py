@@ -15,7 +15,6 @@ from nmatrix.linear.view import looking_along
 from nmatrix.report import Step
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.measured_view import OTHER_AXES, Extrinsics, MeasuredView
-from nmatrix.surds import TooManyRootsError
 from nmatrix.working.inverses import affine, inverse
 from nmatrix.working.products import difference, product
 from nmatrix.working.vectors import crossed, unit
@@ -29,6 +28,7 @@ from nmatrix.working.working import (
     Working,
     as_typed,
     cells_or_entries,
+    exactly_or_near,
     identity,
     in_one_line,
     stands_for,
@@ -86,10 +86,7 @@ def look_at(
     0 0 1 -5
     """
     e, c, upward = map(rational_vector, (eye, target, up))
-    try:
-        return _look_at(e, c, upward, handed, SHORT)
-    except TooManyRootsError:
-        return _look_at(e, c, upward, handed, NEAR)
+    return exactly_or_near(lambda by: _look_at(e, c, upward, handed, by))
 
 
 def _look_at(eye: Vector, target: Vector, up: Vector, handed: Handedness, by: Notation) -> Working:

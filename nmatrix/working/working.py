@@ -16,7 +16,7 @@ from nmatrix.formula import LOWERED, RAISED, columns_of
 from nmatrix.linear import rational
 from nmatrix.linear.rounding import inverse_root, nearest, short_text
 from nmatrix.report import Formula, Step
-from nmatrix.surds import Surd, is_short, root, short_number
+from nmatrix.surds import Surd, TooManyRootsError, is_short, root, short_number
 
 Entry = Any  # it has + − · /, and nothing else is asked of it
 Vector = Sequence[Entry]
@@ -70,8 +70,8 @@ def short(value: object) -> str:
 
     Examples
     --------
-    >>> short(Fraction(-1, 2)), short(Fraction(2, 30000001)), short(Fraction(10) ** 400)
-    ('−1/2', '6.66667·10⁻⁸', '10⁴⁰⁰')
+    >>> short(Fraction(-1, 2)), short(Fraction(2, 3 * 10**13 + 1)), short(Fraction(10) ** 400)
+    ('−1/2', '6.66667·10⁻¹⁴', '10⁴⁰⁰')
     """
     if isinstance(value, Fraction | Surd) and not _reads_well(value):
         return decimal(value)
@@ -247,6 +247,24 @@ def _as_it_is(value: Entry) -> Entry:
     return value
 
 
+def exact_root(square: Entry) -> Fraction | Surd:
+    """Take a square root that is a number times one root.
+
+    Raises
+    ------
+    TooManyRootsError
+        For the root of a sum of roots, and where nobody knows the square factors.
+
+    Examples
+    --------
+    >>> print(exact_root(Fraction(3, 4)))
+    √3/2
+    """
+    if isinstance(square, Surd):
+        raise TooManyRootsError("the root of a sum of roots")
+    return root(square)
+
+
 @dataclass(frozen=True)
 class Notation:
     """How entries are written, and what is known of them.
@@ -268,7 +286,7 @@ class Notation:
     write: Callable[[Entry], str] = written
     is_zero: Callable[[Entry], bool] = _equals_zero
     tidy: Callable[[Entry], Entry] = _as_it_is
-    root: Callable[[Entry], Entry] = root
+    root: Callable[[Entry], Entry] = exact_root
     agree: Callable[[Entry, Entry], bool] | None = None
 
     def same(self, a: Entry, b: Entry) -> bool:
@@ -367,6 +385,20 @@ class Working:
     value: Any
 
 
+def exactly_or_near(make: Callable[[Notation], Working]) -> Working:
+    """Work something out with roots if they can be written down, else with numbers of 130 bits.
+
+    Examples
+    --------
+    >>> exactly_or_near(lambda by: Working((), by is SHORT)).value
+    True
+    """
+    try:
+        return make(SHORT)
+    except TooManyRootsError:
+        return make(NEAR)
+
+
 def is_matrix(value: Sequence[Any]) -> bool:
     """Tell a matrix from a vector."""
     return not isinstance(value[0], str) and isinstance(value[0], Sequence)
@@ -413,10 +445,11 @@ def in_one_line(first: Step, second: Step, because: str) -> Step:
     ('v = ', (('1 + 2',),), ' = ', (('3',),))
     """
     (head, *parts), (other, *more) = first.formula.parts, second.formula.parts
-    joined = (
-        (head, *parts, " = ", *more) if head.startswith(other) else (f"{head},  {other}", *more)
-    )
-    return Step(Formula(joined), because, first.verified and second.verified)
+    if str(head).startswith(str(other)):
+        joined = Formula((head, *parts, " = ", *more))
+    else:
+        joined = Formula((f"{head},  {other}", *more))
+    return Step(joined, because, first.verified and second.verified)
 
 
 def cells_or_entries(

@@ -31,6 +31,7 @@ from nmatrix.working.working import (
     as_typed,
     chain,
     decimal,
+    exactly_or_near,
     identity,
     middle,
     squared,
@@ -73,7 +74,12 @@ def world_matrix(world: World) -> Working:
     if world.matrix is not None:
         given: Matrix = tuple(tuple(map(stands_for, row)) for row in world.matrix)
         return Working((_part("M", given, "the whole matrix, as it is given", SHORT),), given)
-    by = SHORT if _has_roots(world) else NEAR
+    if _has_roots(world):
+        return exactly_or_near(lambda by: _of_parts(world, by))
+    return _of_parts(world, NEAR)
+
+
+def _of_parts(world: World, by: Notation) -> Working:
     steps, factors = _rotation(world, by)
     scale, shear, t = (
         tuple(map(as_typed, one)) for one in (world.scale, world.shear, world.translate)
