@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
-from nmatrix.answers.steps import of_normals, with_steps
 from nmatrix.enums import NormalRule, NormalStatus, Space
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import (
@@ -69,6 +67,7 @@ def normal(setup: Setup, request: NormalRequest, *, steps: bool = False) -> Repo
         "cofactor_matrix": linear_map.cofactor_matrix,
         **transform_data(found),
         "normals": [one.data for one in answered],
+        "steps": None,
     }
     blocks = (
         Heading(f"Normal matrix: object to {request.space} space"),
@@ -85,8 +84,11 @@ def normal(setup: Setup, request: NormalRequest, *, steps: bool = False) -> Repo
         _failure(found, answered),
         brief=_brief(request, Quantity("normal_matrix", matrix, title), found, answered),
     )
-    asked = partial(of_normals, setup, request.space, request.method, request.normals)
-    return with_steps(report, asked if steps else None)
+    if steps:
+        from nmatrix.answers.steps import of_normals, with_steps  # most answers are without
+
+        return with_steps(report, of_normals(setup, request.space, request.method, request.normals))
+    return report
 
 
 def _brief(

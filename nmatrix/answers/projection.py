@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
-from functools import partial
 from math import inf
 
 from nmatrix.answers.depth import NOTHING_ASKED, DepthRequest, DepthTable
 from nmatrix.answers.identify import because, described, reading_data
-from nmatrix.answers.steps import of_projection, with_steps
 from nmatrix.enums import ClipY, DepthRange, Projected
 from nmatrix.errors import quantity
 from nmatrix.linear.angle import DEGREES, arctangent
@@ -74,6 +72,7 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED, *, steps: bool
         "intrinsics": intrinsics,
         "readings": None if readings is None else [reading_data(one) for one in readings],
         **table.data,
+        "steps": None,
     }
     shown = Quantity("clip_from_camera", P, "P")
     told = (Verdict(_verdict(lens)),) if readings is None else tuple(_told(readings))
@@ -93,7 +92,11 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED, *, steps: bool
         SCREEN + max(len(table.pairs or ()) - FEW, 0),
     )
     report = Report("projection", data, blocks, remarks, glsl=table.glsl, brief=brief)
-    return with_steps(report, partial(of_projection, setup) if steps else None)
+    if steps:
+        from nmatrix.answers.steps import of_projection, with_steps  # most answers are without
+
+        return with_steps(report, of_projection(setup))
+    return report
 
 
 def _readings(lens: Lens) -> tuple[Reading, ...] | None:

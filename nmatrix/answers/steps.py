@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import chain
@@ -43,24 +43,18 @@ class Part:
     steps: Sequence[Step]
 
 
-Parts = Callable[[], Sequence[Part]]
-
-
-def with_steps(report: Report, parts: Parts | None) -> Report:
-    """Add the steps to an answer, at its end, in all of it and in its short form.
-
-    Without parts the key `steps` is None.
+def with_steps(report: Report, parts: Sequence[Part]) -> Report:
+    """Add steps to an answer, at its end, in all of it and in its short form.
 
     Examples
     --------
-    >>> with_steps(Report("world", {}, ()), None).data
-    {'steps': None}
+    >>> line = SHORT.step("1 + 1 = 2", because="the sum", proved=True)
+    >>> answer = with_steps(Report("calc", {}, ()), [Part("The sum", (line,))])
+    >>> answer.data["steps"] == (line,), answer.blocks[0].text
+    (True, 'The sum, step by step')
     """
-    if parts is None:
-        return replace(report, data={**report.data, "steps": None})
-    found = parts()
-    steps = tuple(chain.from_iterable(one.steps for one in found))
-    blocks = tuple(_blocks(found))
+    steps = tuple(chain.from_iterable(one.steps for one in parts))
+    blocks = tuple(_blocks(parts))
     brief = report.brief
     if brief is not None:  # who asks for the steps has asked for more than a screen
         brief = replace(brief, blocks=(*brief.blocks, *blocks), lines=maxsize)

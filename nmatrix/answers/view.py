@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 
 from nmatrix.answers.identify import camera_numbers, reading_data
-from nmatrix.answers.steps import of_view, with_steps
 from nmatrix.enums import Handedness
 from nmatrix.errors import NoAnswerError, quantity
 from nmatrix.lessons.map_sentences import transform_remarks, verdict
@@ -74,6 +72,7 @@ def view(setup: Setup, *, steps: bool = False) -> Report:
         "mirrored": found.mirrored,
         "readings": [reading_data(one) for one in readings] if given else None,
         **elsewhere,
+        "steps": None,
     }
     remarks = [*placed.remarks, *transform_remarks(found)]
     whole = setup.view.typed_matrix is not None
@@ -84,7 +83,11 @@ def view(setup: Setup, *, steps: bool = False) -> Report:
     told = shown | {key: matrix for key, matrix in elsewhere.items() if matrix is not None}
     blocks = _blocks(told, found, readings)
     report = Report("view", data, blocks, tuple(remarks), brief=_brief(blocks))
-    return with_steps(report, partial(of_view, setup) if steps else None)
+    if steps:
+        from nmatrix.answers.steps import of_view, with_steps  # most answers are without
+
+        return with_steps(report, of_view(setup))
+    return report
 
 
 def _brief(blocks: Sequence[Block]) -> Brief:

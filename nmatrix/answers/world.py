@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, replace
-from functools import partial
 
-from nmatrix.answers.steps import of_world, with_steps
 from nmatrix.enums import Convention
 from nmatrix.lessons.map_sentences import (
     transform_blocks,
@@ -43,6 +41,7 @@ def world(setup: Setup, *, steps: bool = False) -> Report:
         "needs_inverse_transpose": found.needs_inverse_transpose,
         "worst_angle_without_deg": found.worst_angle_deg,
         "parts": None if parts is None else parts_data(parts),
+        "steps": None,
     }
     blocks: list[Block] = [
         Heading("World matrix: world from object, M = T · R · S · H"),
@@ -59,7 +58,11 @@ def world(setup: Setup, *, steps: bool = False) -> Report:
         remarks += parts_remarks(parts)
     brief = _brief(setup, blocks, found, parts)
     report = Report("world", data, tuple(blocks), tuple(remarks), brief=brief)
-    return with_steps(report, partial(of_world, setup) if steps else None)
+    if steps:
+        from nmatrix.answers.steps import of_world, with_steps  # most answers are without
+
+        return with_steps(report, of_world(setup))
+    return report
 
 
 def _brief(
