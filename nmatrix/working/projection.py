@@ -24,6 +24,7 @@ from nmatrix.working.working import (
     Notation,
     Vector,
     Working,
+    as_typed,
     chain,
     decimal,
     stands_for,
@@ -58,7 +59,7 @@ def projection_matrix(lens: Lens) -> Working:
 
 def _tangent(lens: Lens) -> Entry | None:
     """Find the tangent of half the field of view where it is a sum of roots."""
-    half = stands_for(lens.fov_degrees) / 2
+    half = as_typed(lens.fov_degrees) / 2
     s, c = sine(half), sine(90 - half)
     return None if s is None or c is None or not c else s / c
 
@@ -111,11 +112,14 @@ class _Derivation:
 
     def _sides_at_one(self) -> tuple[Step, Vector]:
         if self.lens.frustum is not None:
-            window, n = self.lens.frustum, stands_for(self.lens.near)
-            near = tuple(map(stands_for, (window.left, window.right, window.bottom, window.top)))
+            window, n = self.lens.frustum, as_typed(self.lens.near)
+            near = tuple(map(as_typed, (window.left, window.right, window.bottom, window.top)))
             sides = self.by.scaled(near, ONE / n)
             texts = (
-                chain(name, (f"{self.by.write(a)}/{_below(self.by.write(n))}", self.by.write(b)))
+                chain(
+                    name,
+                    (f"{_above(self.by.write(a))}/{_below(self.by.write(n))}", self.by.write(b)),
+                )
                 for name, a, b in zip("lrbt", near, sides, strict=True)
             )
             about = "the sides of the rectangle at near, over its distance n"
@@ -123,7 +127,7 @@ class _Derivation:
             return self.by.step(",  ".join(texts), because=about, proved=proved), sides
         measured = self.lens.measured_sides
         if measured is not None:
-            sides = tuple(map(stands_for, measured))
+            sides = tuple(map(as_typed, measured))
             told = zip("lrbt", sides, strict=True)
             line = ",  ".join(f"{name} = {self.by.write(side)}" for name, side in told)
             about = "the sides of what the camera sees at distance 1, as it was measured"
@@ -132,7 +136,7 @@ class _Derivation:
 
     def _by_angle(self) -> tuple[Step, Vector]:
         """Find the sides of a field of view: t = tan(fov/2), r = aspect · t."""
-        fov, aspect = stands_for(self.lens.fov_degrees), stands_for(self.lens.aspect_ratio)
+        fov, aspect = as_typed(self.lens.fov_degrees), as_typed(self.lens.aspect_ratio)
         known, near = _tangent(self.lens), Angle.degrees(fov / 2)
         t = near.sine / near.cosine if known is None else known
         r = self.by.tidy(aspect * t)
@@ -150,7 +154,7 @@ class _Derivation:
     def _parallel_sides(self) -> tuple[list[Step], Vector]:
         window = self.lens.ortho
         assert window is not None  # who calls has looked
-        sides = tuple(map(stands_for, (window.left, window.right, window.bottom, window.top)))
+        sides = tuple(map(as_typed, (window.left, window.right, window.bottom, window.top)))
         told = zip("lrbt", sides, strict=True)
         line = ",  ".join(f"{name} = {self.by.write(side)}" for name, side in told)
         about = "the sides of the box, which are the same at every distance"
@@ -190,9 +194,9 @@ class _Derivation:
     def _depth(self) -> tuple[list[Step], tuple[Fraction, Fraction]]:
         """Solve p + q/n = D at near, p + q/f = D at far; 1/f is 0 for a far at infinity."""
         at_near, at_far = NDC_DEPTH[self.lens.clip.depth]
-        n, write = stands_for(self.lens.near), self.by.write
+        n, write = as_typed(self.lens.near), self.by.write
         over_n = ONE / n
-        over_f = ZERO if self.lens.far == inf else ONE / stands_for(self.lens.far)
+        over_f = ZERO if self.lens.far == inf else ONE / as_typed(self.lens.far)
         q = (at_near - at_far) / (over_n - over_f)
         p = at_far - q * over_f
         at_n = f"p + q/n = p + {self.by.factor(over_n)} q = {write(at_near)}"
@@ -231,7 +235,7 @@ class _Derivation:
     def _parallel_depth(self) -> tuple[list[Step], tuple[Fraction, Fraction]]:
         """Solve p n + q = D at near, p f + q = D at far."""
         at_near, at_far = NDC_DEPTH[self.lens.clip.depth]
-        n, f, write = stands_for(self.lens.near), stands_for(self.lens.far), self.by.write
+        n, f, write = as_typed(self.lens.near), as_typed(self.lens.far), self.by.write
         p = (at_far - at_near) / (f - n)
         q = at_near - p * n
         at_n, at_f = (
@@ -258,7 +262,7 @@ class _Derivation:
                 ("left lower corner at far", lens.far, left, bottom, (-ONE, -y, at_far, ONE))
             )
         return [
-            self._check(P, name, stands_for(distance), (x, up), ndc)
+            self._check(P, name, as_typed(distance), (x, up), ndc)
             for name, distance, x, up, ndc in corners
         ]
 

@@ -7,16 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 from nmatrix.enums import CameraAxes, Convention, Handedness
 from nmatrix.errors import NoAnswerError
-from nmatrix.linear.rational import ONE, ZERO
+from nmatrix.linear.rational import ONE, ZERO, rational_vector
 from nmatrix.linear.view import looking_along
 from nmatrix.report import Step
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.measured_view import OTHER_AXES, Extrinsics, MeasuredView
-from nmatrix.surds import TooManyRootsError
 from nmatrix.working.inverses import affine, inverse
 from nmatrix.working.products import difference, product
 from nmatrix.working.vectors import crossed, unit
@@ -28,7 +26,9 @@ from nmatrix.working.working import (
     Proof,
     Vector,
     Working,
+    as_typed,
     cells_or_entries,
+    exactly_or_near,
     identity,
     in_one_line,
     stands_for,
@@ -57,10 +57,10 @@ def view_matrix(view: View) -> Working:
         return Working((SHORT.step("V = ", V, because=about, proved=True),), V)
     if view.measured is not None:
         return _measured(view.measured)
-    eye = tuple(map(stands_for, view.eye))
+    eye = tuple(map(as_typed, view.eye))
     if view.angles is not None:
         return _first_person(eye, view.angles, view.convention)
-    target, up = (tuple(map(stands_for, one)) for one in (view.target, view.up))
+    target, up = (tuple(map(as_typed, one)) for one in (view.target, view.up))
     return look_at(eye, target, up, view.handed)
 
 
@@ -85,23 +85,20 @@ def look_at(
     >>> print(*found.value[2])
     0 0 1 -5
     """
-    e, c, upward = (tuple(map(Fraction, one)) for one in (eye, target, up))
-    try:
-        return _look_at(e, c, upward, handed, SHORT)
-    except TooManyRootsError:
-        return _look_at(e, c, upward, handed, NEAR)
+    e, c, upward = map(rational_vector, (eye, target, up))
+    return exactly_or_near(lambda by: _look_at(e, c, upward, handed, by))
 
 
 def _look_at(eye: Vector, target: Vector, up: Vector, handed: Handedness, by: Notation) -> Working:
     towards = difference(target, eye, ("c", "e"), "d", by)
-    d = towards.value
+    d = tuple(towards.value)
     if not any(d):
         raise NoAnswerError(
             "eye and target",
             "they coincide, so there is no direction to look in",
             "move one of them",
         )
-    stand_in = looking_along(eye, d, up, handed).stand_in
+    stand_in = looking_along(rational_vector(eye), d, rational_vector(up), handed).stand_in
     ahead = unit(d, "d", "f", by)
     first: list[Step] = [*_whole(towards.steps, "from the eye to the target")]
     first += _whole(ahead.steps, "that direction, with length 1")
@@ -110,12 +107,10 @@ def _look_at(eye: Vector, target: Vector, up: Vector, handed: Handedness, by: No
         about = "up is parallel to f and says nothing about roll: this axis takes its place"
         first.append(by.step("up = ", up, because=about, proved=True))
     f, is_left = ahead.value, handed is Handedness.LEFT
-    sides, names = ((up, f), ("up", "f")) if is_left else ((f, up), ("f", "up"))
-    side = crossed(*sides, names, "s", by)
+    side = crossed(up, f, ("up", "f"), "s", by) if is_left else crossed(f, up, ("f", "up"), "s", by)
     right = unit(side.value, "s", "r", by)
     r = right.value
-    uppers, others = ((f, r), ("f", "r")) if is_left else ((r, f), ("r", "f"))
-    upper = crossed(*uppers, others, "u", by)
+    upper = crossed(f, r, ("f", "r"), "u", by) if is_left else crossed(r, f, ("r", "f"), "u", by)
     third = f if is_left else by.scaled(f, -ONE)
     first += _whole(side.steps, "to the right: perpendicular to f and to up")
     first += _whole(right.steps, "the camera's right, with length 1")
@@ -126,9 +121,9 @@ def _look_at(eye: Vector, target: Vector, up: Vector, handed: Handedness, by: No
 
 def _whole(steps: Sequence[Step], because: str) -> tuple[Step, ...]:
     """Write an operation on one line: what it is, its cells, its result."""
-    if len(steps) == 3:  # its operands stand before, under the same name
-        steps = (in_one_line(steps[0], steps[2], because),)
-    return (in_one_line(*steps, because),) if len(steps) == 2 else tuple(steps)
+    if len(steps) > 3:  # so wide that each entry has a line
+        return tuple(steps)
+    return (in_one_line(steps[0], steps[-1], because),)
 
 
 @dataclass(frozen=True)
@@ -167,7 +162,7 @@ def _placed(R: Block, eye: Vector, steps: Sequence[Step], by: Notation) -> Worki
 
 def _first_person(eye: Vector, angles: FirstPerson, convention: Convention) -> Working:
     """Turn the world back by the angles: V = Rz(−roll) Rx(−elevation) Ry(−angle) T(−e)."""
-    roll, elevation, angle = map(stands_for, (angles.roll, angles.elevation, angles.angle))
+    roll, elevation, angle = map(as_typed, (angles.roll, angles.elevation, angles.angle))
     sideways = angle if convention is Convention.POLIMI else -angle
     turns = [("Z", -roll), ("X", -elevation), ("Y", sideways)]
     by = SHORT if all(has_roots(one) for _, one in turns) else NEAR
@@ -181,10 +176,12 @@ def _measured(measured: MeasuredView) -> Working:
     """Turn a pose round, and half a turn about x where its axes are those of computer vision."""
     given = tuple(tuple(map(stands_for, row)) for row in measured.matrix)
     name, inner = "E", given
-    steps = (SHORT.step("E = ", given, because="[R t], as it is given", proved=True),)
+    steps: tuple[Step, ...] = (
+        SHORT.step("E = ", given, because="[R t], as it is given", proved=True),
+    )
     if not isinstance(measured, Extrinsics):
-        found = inverse(given, "W", by=SHORT)
-        steps, name, inner = found.steps, "W⁻¹", found.value
+        back = inverse(given, "W", by=SHORT)
+        steps, name, inner = back.steps, "W⁻¹", back.value
         if measured.axes is CameraAxes.OPENGL:
             last = SHORT.step("V = W⁻¹ = ", inner, because="the pose turned round", proved=True)
             return Working((*steps, last), inner)

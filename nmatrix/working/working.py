@@ -12,11 +12,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from nmatrix.formula import LOWERED, RAISED, columns_of
+from nmatrix.formula import LOWERED, RAISED
 from nmatrix.linear import rational
 from nmatrix.linear.rounding import inverse_root, nearest, short_text
 from nmatrix.report import Formula, Step
-from nmatrix.surds import Surd, is_short, root, short_number
+from nmatrix.surds import Surd, TooManyRootsError, is_short, root, short_number
+from nmatrix.typed_rows import columns_of
 
 Entry = Any  # it has + − · /, and nothing else is asked of it
 Vector = Sequence[Entry]
@@ -70,11 +71,12 @@ def short(value: object) -> str:
 
     Examples
     --------
-    >>> short(Fraction(-1, 2)), short(Fraction(2, 30000001)), short(Fraction(10) ** 400)
-    ('−1/2', '6.66667·10⁻⁸', '10⁴⁰⁰')
+    >>> short(Fraction(-1, 2)), short(Fraction(2, 3 * 10**13 + 1)), short(Fraction(10) ** 400)
+    ('−1/2', '6.66667·10⁻¹⁴', '10⁴⁰⁰')
     """
-    is_number = isinstance(value, Fraction | Surd)
-    return decimal(value) if is_number and not _reads_well(value) else written(value)
+    if isinstance(value, Fraction | Surd) and not _reads_well(value):
+        return decimal(value)
+    return written(value)
 
 
 def _reads_well(value: Fraction | Surd) -> bool:
@@ -117,8 +119,20 @@ def middle(value: int | Fraction | Surd) -> Fraction:
     return Fraction(value)
 
 
-def stands_for(value: int | float | Fraction) -> Fraction | Surd:
-    """Find the short number that a float was meant to be, or keep the one that it is.
+def as_typed(value: float | Fraction) -> Fraction:
+    """Find the short fraction that a float was meant to be, or keep the one that it is.
+
+    Examples
+    --------
+    >>> print(as_typed(0.1), as_typed(1 / 3), as_typed(Fraction(2, 7)))
+    1/10 1/3 2/7
+    """
+    found = stands_for(value)
+    return found if isinstance(found, Fraction) else Fraction(value)
+
+
+def stands_for(value: float | Fraction) -> Entry:
+    """Find the short number, perhaps a root, that an entry of a matrix was meant to be.
 
     Examples
     --------
@@ -234,6 +248,24 @@ def _as_it_is(value: Entry) -> Entry:
     return value
 
 
+def exact_root(square: Entry) -> Fraction | Surd:
+    """Take a square root that is a number times one root.
+
+    Raises
+    ------
+    TooManyRootsError
+        For the root of a sum of roots, and where nobody knows the square factors.
+
+    Examples
+    --------
+    >>> print(exact_root(Fraction(3, 4)))
+    √3/2
+    """
+    if isinstance(square, Surd):
+        raise TooManyRootsError("the root of a sum of roots")
+    return root(square)
+
+
 @dataclass(frozen=True)
 class Notation:
     """How entries are written, and what is known of them.
@@ -255,7 +287,7 @@ class Notation:
     write: Callable[[Entry], str] = written
     is_zero: Callable[[Entry], bool] = _equals_zero
     tidy: Callable[[Entry], Entry] = _as_it_is
-    root: Callable[[Entry], Entry] = root
+    root: Callable[[Entry], Entry] = exact_root
     agree: Callable[[Entry, Entry], bool] | None = None
 
     def same(self, a: Entry, b: Entry) -> bool:
@@ -354,6 +386,20 @@ class Working:
     value: Any
 
 
+def exactly_or_near(make: Callable[[Notation], Working]) -> Working:
+    """Work something out with roots if they can be written down, else with numbers of 130 bits.
+
+    Examples
+    --------
+    >>> exactly_or_near(lambda by: Working((), by is SHORT)).value
+    True
+    """
+    try:
+        return make(SHORT)
+    except TooManyRootsError:
+        return make(NEAR)
+
+
 def is_matrix(value: Sequence[Any]) -> bool:
     """Tell a matrix from a vector."""
     return not isinstance(value[0], str) and isinstance(value[0], Sequence)
@@ -400,8 +446,11 @@ def in_one_line(first: Step, second: Step, because: str) -> Step:
     ('v = ', (('1 + 2',),), ' = ', (('3',),))
     """
     (head, *parts), (other, *more) = first.formula.parts, second.formula.parts
-    joined = (head, *parts, " = ", *more) if head == other else (f"{head},  {other}", *more)
-    return Step(Formula(joined), because, first.verified and second.verified)
+    if str(head).startswith(str(other)):
+        joined = Formula((head, *parts, " = ", *more))
+    else:
+        joined = Formula((f"{head},  {other}", *more))
+    return Step(joined, because, first.verified and second.verified)
 
 
 def cells_or_entries(

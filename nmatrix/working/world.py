@@ -28,8 +28,10 @@ from nmatrix.working.working import (
     Notation,
     Vector,
     Working,
+    as_typed,
     chain,
     decimal,
+    exactly_or_near,
     identity,
     middle,
     squared,
@@ -70,21 +72,26 @@ def world_matrix(world: World) -> Working:
     [1, 2, 3, 1]
     """
     if world.matrix is not None:
-        M = tuple(tuple(map(stands_for, row)) for row in world.matrix)
-        return Working((_part("M", M, "the whole matrix, as it is given", SHORT),), M)
-    by = SHORT if _has_roots(world) else NEAR
+        given: Matrix = tuple(tuple(map(stands_for, row)) for row in world.matrix)
+        return Working((_part("M", given, "the whole matrix, as it is given", SHORT),), given)
+    if _has_roots(world):
+        return exactly_or_near(lambda by: _of_parts(world, by))
+    return _of_parts(world, NEAR)
+
+
+def _of_parts(world: World, by: Notation) -> Working:
     steps, factors = _rotation(world, by)
     scale, shear, t = (
-        tuple(map(stands_for, one)) for one in (world.scale, world.shear, world.translate)
+        tuple(map(as_typed, one)) for one in (world.scale, world.shear, world.translate)
     )
-    if scale != (1, 1, 1):
+    if any(one != 1 for one in scale):
         factors.append(("S", diagonal(scale)))
         steps.append(_part(*factors[-1], "the scale: three numbers on the diagonal", by))
     if any(shear):
         factors.append(("H", shear_matrix(shear)))
         steps.append(_part(*factors[-1], "the shear: x moves along with y and z, y with z", by))
-    A, name, products = _multiplied(factors, by)
-    moved, M = _moved(A, t, name, by)
+    block, name, products = _multiplied(factors, by)
+    moved, M = _moved(block, t, name, by)
     volume = prod(scale, start=Fraction(1))
     factors_of_det = "·".join(by.factor(s, is_first=not i) for i, s in enumerate(scale))
     check = by.step(
@@ -104,13 +111,14 @@ def _has_roots(world: World) -> bool:
     if world.quaternion is not None:
         return True
     degrees = world.rotate_degrees if world.axis_angle is None else world.axis_angle[3:]
-    return all(_exact_angle(angle) is not None for angle in map(stands_for, degrees))
+    return all(_exact_angle(angle) is not None for angle in map(as_typed, degrees))
 
 
 def _exact_angle(degrees: Fraction) -> Angle | None:
     s, c = sine(degrees), sine(90 - degrees)
-    # An Angle is a sine and a cosine; the builders only multiply and add them.
-    return None if s is None or c is None else Angle(s, c)
+    if s is None or c is None:
+        return None
+    return Angle(s, c)  # type: ignore[arg-type]  # the builders only multiply and add them
 
 
 def _angle(degrees: Fraction) -> Angle:
@@ -120,11 +128,11 @@ def _angle(degrees: Fraction) -> Angle:
 def _rotation(world: World, by: Notation) -> tuple[list[Step], Factors]:
     """Work out the rotation: its steps, and R itself if it turns anything."""
     if world.quaternion is not None:
-        return _by_quaternion(tuple(map(stands_for, world.quaternion)), by)
+        return _by_quaternion(tuple(map(as_typed, world.quaternion)), by)
     if world.axis_angle is not None:
-        *axis, angle = map(stands_for, world.axis_angle)
+        *axis, angle = map(as_typed, world.axis_angle)
         return _by_axis(tuple(axis), angle, by)
-    turns = sequence(tuple(map(stands_for, world.rotate_degrees)), world.order, world.convention)
+    turns = sequence(tuple(map(as_typed, world.rotate_degrees)), world.order, world.convention)
     return turned([(axis, degrees) for axis, degrees in turns if degrees], by)
 
 
