@@ -37,12 +37,41 @@ SINES = {
     Fraction(90): Fraction(1),
 }
 
+# A sine whose square is one of these belongs to so many degrees: sin² θ = (1 − cos 2θ)/2.
+DEGREES_BY_SQUARE = {
+    (1 + sign * sine) / 2: (90 + sign * turned) / 2
+    for turned, sine in SINES.items()
+    for sign in (1, -1)
+}
+
 Exact = int | Fraction | Surd
 PI_ENDS = (PI - Fraction(1, 10**60), PI + Fraction(1, 10**60))
 
 
+class Ordered:
+    """Numbers that compare where what is known of their difference decides it.
+
+    Raises
+    ------
+    NoAnswerError
+        From a comparison that it leaves open.
+    """
+
+    def __lt__(self, other: Exact | Number) -> bool:
+        return is_negative(self - other)  # type: ignore[operator]  # numbers that meet
+
+    def __gt__(self, other: Exact | Number) -> bool:
+        return is_negative(other - self)  # type: ignore[operator]  # numbers that meet
+
+    def __le__(self, other: Exact | Number) -> bool:
+        return not self > other
+
+    def __ge__(self, other: Exact | Number) -> bool:
+        return not self < other
+
+
 @dataclass(frozen=True, eq=False)
-class Interval:
+class Interval(Ordered):
     """A number between two bounds, `low` < `high`, and no more is known of it.
 
     Examples
@@ -57,6 +86,11 @@ class Interval:
 
     def __neg__(self) -> Interval:
         return Interval(-self.high, -self.low)
+
+    def __abs__(self) -> Fraction | Interval:
+        if self.low < 0 < self.high:
+            return enclosed(Fraction(0), self.farthest)
+        return -self if self.high <= 0 else self
 
     def __add__(self, other: Exact | Interval) -> Fraction | Interval:
         low, high = _ends(other)
@@ -115,7 +149,7 @@ class Interval:
 
 
 @dataclass(frozen=True, eq=False)
-class Float64:
+class Float64(Ordered):
     """A float64: every operation is rounded, and what overflows is infinite, as in a program.
 
     Raises
@@ -141,6 +175,9 @@ class Float64:
 
     def __neg__(self) -> Float64:
         return Float64(-self.value)
+
+    def __abs__(self) -> Float64:
+        return Float64(abs(self.value))
 
     def __add__(self, other: Exact | Float64) -> Float64:
         return Float64(self.value + float64(other).value)
@@ -168,14 +205,14 @@ class Float64:
 
 
 @dataclass(frozen=True, eq=False)
-class PiMultiple:
+class PiMultiple(Ordered):
     """A fraction times π: as an angle it is in radians, and exact.
 
     Examples
     --------
     >>> half = PiMultiple(Fraction(1, 2))
     >>> (half + half / 3).times, half / half, (half * half).digits
-    (Fraction(2, 3), Fraction(1, 1), 59)
+    (Fraction(2, 3), Fraction(1, 1), 60)
     """
 
     times: Fraction
@@ -188,6 +225,9 @@ class PiMultiple:
 
     def __neg__(self) -> PiMultiple:
         return PiMultiple(-self.times)
+
+    def __abs__(self) -> PiMultiple:
+        return PiMultiple(abs(self.times))
 
     def __add__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
         if not isinstance(other, PiMultiple):
@@ -261,6 +301,11 @@ def is_negative(x: Number) -> bool:
     return x.value < 0 if isinstance(x, Float64) else _ends(x)[1] <= 0
 
 
+def may_be_positive(x: Number) -> bool:
+    """Tell whether what is known of a number leaves it above 0, or 0."""
+    return x.value >= 0 if isinstance(x, Float64) else _ends(x)[1] >= 0
+
+
 def size(x: Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
     if isinstance(x, Interval | Surd | PiMultiple):
@@ -326,7 +371,7 @@ def enclosed(low: Fraction, high: Fraction) -> Fraction | Interval:
 
 
 def root(square: Number) -> Number:
-    """Take a square root: exact of a fraction, known to 280 bits of any other number.
+    """Take a square root: exact where it is a sum of roots, else known to 280 bits.
 
     Of an interval only the part from 0 upwards can be a square.
 
@@ -334,14 +379,31 @@ def root(square: Number) -> Number:
     --------
     >>> print(root(Fraction(9, 4)), root(Fraction(3, 4)), root(Float64(2.0)).value)
     3/2 √3/2 1.4142135623730951
+    >>> print(root(2 + exact_root(3)))
+    (√2 + √6)/2
     """
     if isinstance(square, Float64):
         return Float64(math.sqrt(square.value))
-    if isinstance(square, Fraction):
-        with suppress(TooManyRootsError):
+    with suppress(TooManyRootsError):
+        if isinstance(square, Fraction):
             return exact_root(square)
+        if isinstance(square, Surd) and (found := _unnested(square)) is not None:
+            return found
     low, high = _ends(square)
     return enclosed(_root_ends(max(low, Fraction(0)))[0], _root_ends(high)[1])
+
+
+def _unnested(square: Surd) -> Exact | None:
+    """Write √(a + q√d) as √((a + c)/2) ± √((a − c)/2), where c = √(a² − q²d) is rational."""
+    if len(square.terms) > 2 or (square.terms[0][0] != 1):
+        return None
+    (_, a), (d, q) = square.terms
+    rest = a * a - q * q * d
+    c = exact_root(rest) if rest >= 0 else None
+    if not isinstance(c, Fraction) or a < c:
+        return None
+    larger, smaller = exact_root((a + c) / 2), exact_root((a - c) / 2)
+    return larger + smaller if q > 0 else larger - smaller
 
 
 def angle(degrees: Number) -> Angle:
@@ -352,7 +414,7 @@ def angle(degrees: Number) -> Angle:
     Examples
     --------
     >>> print(angle(Fraction(30)).cosine, angle(Fraction(75)).sine, angle(Fraction(1)).sine.digits)
-    √3/2 (√2 + √6)/4 38
+    √3/2 (√2 + √6)/4 39
     """
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
@@ -363,24 +425,50 @@ def angle(degrees: Number) -> Angle:
 
 
 def degrees_of(sine: Number, cosine: Number) -> Number:
-    """Measure an angle up to 180° in degrees, by its sine and cosine times any common factor.
+    """Measure an angle in degrees, over −180 to 180, by its sine and cosine times any one factor.
 
-    Over a box of sines and cosines it is greatest and least at corners.
+    Raises
+    ------
+    NoAnswerError
+        For two zeros, and where what is known leaves open if they are, or on which side of the
+        half turn they lie.
 
     Examples
     --------
-    >>> degrees_of(Fraction(0), Fraction(-7)), degrees_of(Float64(1.0), Float64(1.0)).value
-    (Fraction(180, 1), 45.0)
+    >>> print(degrees_of(Fraction(0), Fraction(-7)), degrees_of(exact_root(3), Fraction(-1)))
+    180 120
+    >>> degrees_of(Float64(1.0), Float64(1.0)).value
+    45.0
     """
-    if isinstance(sine, Float64) and isinstance(cosine, Float64):
-        return Float64(math.degrees(math.atan2(sine.value, cosine.value)))
-    corners = [
-        end
-        for y in _ends(sine)  # type: ignore[arg-type]  # floats meet no other numbers
-        for x in _ends(cosine)  # type: ignore[arg-type]
-        for end in _degrees_ends(y, x)
-    ]
+    if isinstance(sine, Float64) or isinstance(cosine, Float64):
+        return Float64(math.degrees(math.atan2(float64(sine).value, float64(cosine).value)))
+    if isinstance(sine, Fraction | Surd) and isinstance(cosine, Fraction | Surd):
+        sharp = exact_degrees(sine * sine, cosine * cosine)
+        if sharp is not None:
+            return _turned(sharp, sine, cosine)
+    (low, high), (left, right) = _ends(sine), _ends(cosine)
+    if low <= 0 <= high and left <= 0 <= right and is_zero(sine) and is_zero(cosine):
+        raise NoAnswerError("the angle of 0 and 0", "they point nowhere", "use other numbers")
+    if low < 0 <= high and left <= 0:
+        is_zero(sine)  # which refuses what may be a half turn to either side
+    # Over a box of sines and cosines the angle is greatest and least at corners.
+    corners = [end for y in (low, high) for x in (left, right) for end in _degrees_ends(y, x)]
     return enclosed(min(corners), max(corners))
+
+
+def exact_degrees(sine_square: Exact, cosine_square: Exact) -> Fraction | None:
+    """Tell an angle up to 90° by its squared sine and cosine, times any one factor.
+
+    None where it is no rational number of degrees: there are no others whose squares are sums of
+    roots.
+    """
+    total = sine_square + cosine_square
+    return DEGREES_BY_SQUARE.get(sine_square / total) if total else None  # type: ignore[arg-type]  # a fraction or a surd
+
+
+def _turned(sharp: Fraction, sine: Exact, cosine: Exact) -> Fraction:
+    size = sharp if cosine >= 0 else 180 - sharp
+    return size if sine >= 0 else -size
 
 
 def _ends(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
@@ -420,6 +508,9 @@ def _sine(degrees: Exact | Interval) -> Exact | Interval:
 
 
 def _degrees_ends(sine: Fraction, cosine: Fraction) -> tuple[Fraction, Fraction]:
+    if sine < 0:
+        low, high = _degrees_ends(-sine, cosine)
+        return -high, -low
     if not cosine:
         return Fraction(90), Fraction(90)
     sharp = arctangent(sine / abs(cosine)) * DEGREES
