@@ -69,6 +69,9 @@ class Ordered:
     def __ge__(self, other: Exact | Number) -> bool:
         return not self < other
 
+    def __float__(self) -> float:
+        return float64(self).value  # type: ignore[arg-type]  # it is one of the numbers
+
 
 @dataclass(frozen=True, eq=False)
 class Interval(Ordered):

@@ -26,7 +26,7 @@ from nmatrix.enums import (
 )
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant, exactly
 from nmatrix.linear.values import read_fields, real
 
 Sides = tuple[Fraction, Fraction, Fraction, Fraction]  # left, right, bottom, top
@@ -131,15 +131,8 @@ class Window:
         read_fields(self, left=real, right=real, bottom=real, top=real)
 
     def checked(self) -> Sides:
-        """Return the four sides exactly.
-
-        Raises
-        ------
-        NoAnswerError
-            If two of them coincide and the window encloses nothing.
-        """
+        """Return the four sides exactly."""
         left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
-        _check_extent((left, right, bottom, top))
         return left, right, bottom, top
 
 
@@ -204,7 +197,7 @@ def _focal_lengths(half_fov_y: Angle, aspect: float | Fraction) -> tuple[Fractio
         )
     check_aspect(aspect)
     focal = half_fov_y.cosine / half_fov_y.sine
-    return focal / Fraction(aspect), focal
+    return focal / exactly(aspect), focal
 
 
 def _perspective_rows(
@@ -234,8 +227,8 @@ def frustum(
     >>> print(*frustum(Window(0, 2, -1, 1), 1.0, inf)[0])
     1 0 1 0
     """
-    return _through(
-        window.checked(), Fraction(near), perspective_depth(near, far, clip.depth), clip
+    return through(
+        window.checked(), exactly(near), perspective_depth(near, far, clip.depth), clip
     )
 
 
@@ -257,14 +250,14 @@ def perspective_through(
     >>> perspective_through(sides, 3.0, inf) == frustum(Window(0, 6, -3, 3), 3.0, inf)
     True
     """
-    _check_extent(sides)
-    return _through(sides, ONE, perspective_depth(near, far, clip.depth), clip)
+    return through(sides, ONE, perspective_depth(near, far, clip.depth), clip)
 
 
-def _through(
+def through(
     sides: Sides, distance: Fraction, depth_row: tuple[Fraction, Fraction], clip: ClipSpace
 ) -> RationalMatrix:
     """Build a perspective matrix of a rectangle at a distance, and of its z row."""
+    _check_extent(sides)
     left, right, bottom, top = sides
     width, height = right - left, top - bottom
     return _perspective_rows(
@@ -317,8 +310,14 @@ def orthographic(
     >>> print(*orthographic(Window(-2, 2, -1, 1), -1.0, 1.0)[2])
     0 0 -1 0
     """
-    left, right, bottom, top = window.checked()
-    slope, offset = orthographic_depth(near, far, clip.depth)
+    return parallel(window.checked(), orthographic_depth(near, far, clip.depth), clip)
+
+
+def parallel(sides: Sides, depth_row: tuple[Fraction, Fraction], clip: ClipSpace) -> RationalMatrix:
+    """Build an orthographic matrix of the sides of its box, and of its z row."""
+    _check_extent(sides)
+    left, right, bottom, top = sides
+    slope, offset = depth_row
     y = clip.y_sign
     return (
         (2 / (right - left), ZERO, ZERO, -(right + left) / (right - left)),
@@ -351,16 +350,16 @@ def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fract
     """
     if not near > 0:
         raise IllegalValueError(
-            f"near ({near:g})",
+            f"near ({float(near):g})",
             "a perspective view needs a near plane in front of the eye",
             f"try {quantity('near')} 0.1",
         )
     check_near_far(near, far)
     at_near, at_far = NDC_DEPTH[depth]
-    n = Fraction(near)
+    n = exactly(near)
     if far == inf:
         return Fraction(at_far), (at_near - at_far) * n
-    f = Fraction(far)
+    f = exactly(far)
     return (at_far * f - at_near * n) / (f - n), (at_near - at_far) * f * n / (f - n)
 
 
@@ -374,7 +373,7 @@ def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Frac
             f"give a finite {quantity('far')}",
         )
     at_near, at_far = NDC_DEPTH[depth]
-    n, f = Fraction(near), Fraction(far)
+    n, f = exactly(near), exactly(far)
     return (at_far - at_near) / (f - n), (at_near * f - at_far * n) / (f - n)
 
 
@@ -382,13 +381,13 @@ def check_near_far(near: float, far: float) -> None:
     """Refuse near beyond far, and near at far."""
     if near == far:
         raise NoAnswerError(
-            f"near and far ({near:g} and {far:g})",
+            f"near and far ({float(near):g} and {float(far):g})",
             "they coincide, so depth has no range",
             "move one of them",
         )
     if not near < far:
         raise IllegalValueError(
-            f"near and far ({near:g} and {far:g})",
+            f"near and far ({float(near):g} and {float(far):g})",
             "near must be the smaller one",
             f"swap them; for 1 at near and 0 at far use {quantity('depth')} reversed",
         )
