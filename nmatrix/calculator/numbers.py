@@ -96,7 +96,7 @@ class Interval(Ordered):
         return -self if self.high <= 0 else self
 
     def __add__(self, other: Exact | Interval) -> Fraction | Interval:
-        low, high = _ends(other)
+        low, high = bounds(other)
         return enclosed(self.low + low, self.high + high)
 
     def __sub__(self, other: Exact | Interval) -> Fraction | Interval:
@@ -106,7 +106,7 @@ class Interval(Ordered):
         return -self + other
 
     def __mul__(self, other: Exact | Interval) -> Fraction | Interval:
-        products = [one * end for one in _ends(self) for end in _ends(other)]
+        products = [one * end for one in bounds(self) for end in bounds(other)]
         return enclosed(min(products), max(products))
 
     def __truediv__(self, other: Exact | Interval) -> Fraction | Interval:
@@ -301,18 +301,18 @@ def is_negative(x: Number) -> bool:
     """
     if is_zero(x):
         return False
-    return x.value < 0 if isinstance(x, Float64) else _ends(x)[1] <= 0
+    return x.value < 0 if isinstance(x, Float64) else bounds(x)[1] <= 0
 
 
 def may_be_positive(x: Number) -> bool:
     """Tell whether what is known of a number leaves it above 0, or 0."""
-    return x.value >= 0 if isinstance(x, Float64) else _ends(x)[1] >= 0
+    return x.value >= 0 if isinstance(x, Float64) else bounds(x)[1] >= 0
 
 
 def size(x: Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
     if isinstance(x, Interval | Surd | PiMultiple):
-        return max(map(abs, _ends(x)))
+        return max(map(abs, bounds(x)))
     return abs(x.value) if isinstance(x, Float64) else abs(x)
 
 
@@ -324,7 +324,7 @@ def bits_of(x: Number) -> int:
         return max(max(d.bit_length(), bits_of(q)) for d, q in x.terms)
     if isinstance(x, PiMultiple):
         return bits_of(x.times)
-    return max(n.bit_length() for end in _ends(x) for n in end.as_integer_ratio())
+    return max(n.bit_length() for end in bounds(x) for n in end.as_integer_ratio())
 
 
 def shown(x: Number) -> Fraction | Surd | float:
@@ -357,7 +357,7 @@ def float64(x: Exact | Number) -> Float64:
     """Round a number to the nearest float64, to infinity beyond the largest."""
     if isinstance(x, Float64):
         return x
-    low, high = _ends(x)
+    low, high = bounds(x)
     middle = (low + high) / 2
     try:
         return Float64(nearest(middle))
@@ -392,7 +392,7 @@ def root(square: Number) -> Number:
             return exact_root(square)
         if isinstance(square, Surd) and (found := _unnested(square)) is not None:
             return found
-    low, high = _ends(square)
+    low, high = bounds(square)
     return enclosed(_root_ends(max(low, Fraction(0)))[0], _root_ends(high)[1])
 
 
@@ -422,9 +422,13 @@ def angle(degrees: Number) -> Angle:
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
-    if isinstance(degrees, PiMultiple):
-        degrees = degrees.times * 180
+    degrees = in_degrees(degrees)
     return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
+
+
+def in_degrees(turned: Number) -> Number:
+    """Tell an angle in degrees: a multiple of π is in radians, all else in degrees already."""
+    return turned.times * 180 if isinstance(turned, PiMultiple) else turned
 
 
 def degrees_of(sine: Number, cosine: Number) -> Number:
@@ -445,11 +449,11 @@ def degrees_of(sine: Number, cosine: Number) -> Number:
     """
     if isinstance(sine, Float64) or isinstance(cosine, Float64):
         return Float64(math.degrees(math.atan2(float64(sine).value, float64(cosine).value)))
-    if isinstance(sine, Fraction | Surd) and isinstance(cosine, Fraction | Surd):
-        sharp = exact_degrees(sine * sine, cosine * cosine)
-        if sharp is not None:
-            return _turned(sharp, sine, cosine)
-    (low, high), (left, right) = _ends(sine), _ends(cosine)
+    sharp = exact_degrees(sine * sine, cosine * cosine)
+    if sharp is not None:
+        turned = 180 - sharp if cosine < 0 else sharp
+        return -turned if sine < 0 else turned
+    (low, high), (left, right) = bounds(sine), bounds(cosine)
     if low <= 0 <= high and left <= 0 <= right and is_zero(sine) and is_zero(cosine):
         raise NoAnswerError("the angle of 0 and 0", "they point nowhere", "use other numbers")
     if low < 0 <= high and left <= 0:
@@ -459,22 +463,31 @@ def degrees_of(sine: Number, cosine: Number) -> Number:
     return enclosed(min(corners), max(corners))
 
 
-def exact_degrees(sine_square: Exact, cosine_square: Exact) -> Fraction | None:
+def exact_degrees(sine_square: Number, cosine_square: Number) -> Fraction | None:
     """Tell an angle up to 90° by its squared sine and cosine, times any one factor.
 
-    None where it is no rational number of degrees: there are no others whose squares are sums of
-    roots.
+    None where one of them is no sum of roots, or the angle no rational number of degrees: no other
+    such angles have squares that are sums of roots.
+
+    Examples
+    --------
+    >>> print(exact_degrees(Fraction(1), Fraction(3)), exact_degrees(Fraction(1), Fraction(2)))
+    30 None
     """
+    if not all(isinstance(square, Fraction | Surd) for square in (sine_square, cosine_square)):
+        return None
     total = sine_square + cosine_square
-    return DEGREES_BY_SQUARE.get(sine_square / total) if total else None  # type: ignore[arg-type]  # a fraction or a surd
+    return DEGREES_BY_SQUARE.get(sine_square / total) if total else None
 
 
-def _turned(sharp: Fraction, sine: Exact, cosine: Exact) -> Fraction:
-    size = sharp if cosine >= 0 else 180 - sharp
-    return size if sine >= 0 else -size
+def bounds(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
+    """Tell between which two fractions a number lies; they are equal where it is one itself.
 
-
-def _ends(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
+    Examples
+    --------
+    >>> bounds(Fraction(1, 2)) == (Fraction(1, 2), Fraction(1, 2))
+    True
+    """
     if isinstance(x, PiMultiple):
         x = x.between
     if isinstance(x, Interval):
@@ -497,8 +510,8 @@ def _root_ends(square: Fraction) -> tuple[Fraction, Fraction]:
 
 def _sine(degrees: Exact | Interval) -> Exact | Interval:
     if not isinstance(degrees, Fraction):
-        low, high = _ends(degrees)
-        least, most = _ends(_sine((low + high) / 2))
+        low, high = bounds(degrees)
+        least, most = bounds(_sine((low + high) / 2))
         change = (high - low) / 2 / SLOWEST
         return enclosed(least - change, most + change)
     turned = degrees % 360

@@ -178,7 +178,7 @@ def quaternion_of(R: RationalMatrix) -> RationalVector:
 def quaternion_products(
     R: RationalMatrix, add: Callable[[Fraction, Fraction], Fraction]
 ) -> RationalMatrix:
-    """Multiply the components of a rotation's unit quaternion in pairs: 4 qᵢ qⱼ, x first, w last."""
+    """Multiply the components of a rotation's unit quaternion in pairs, 4 qᵢ qⱼ; w comes last."""
     squares = [
         1 + R[0][0] - R[1][1] - R[2][2],
         1 - R[0][0] + R[1][1] - R[2][2],
@@ -196,7 +196,10 @@ def quaternion_products(
 
 
 def largest_component(products: RationalMatrix, size: Callable[..., Any] = Fraction) -> int:
-    """Find the largest component; a tie goes to w, so that a plain rotation keeps its half angle."""
+    """Find the largest component of a quaternion, of some of one size w if it is one of them.
+
+    A plain rotation keeps its half angle so.
+    """
     return max((3, 0, 1, 2), key=lambda i: size(products[i][i]))
 
 

@@ -227,9 +227,7 @@ def frustum(
     >>> print(*frustum(Window(0, 2, -1, 1), 1.0, inf)[0])
     1 0 1 0
     """
-    return through(
-        window.checked(), exactly(near), perspective_depth(near, far, clip.depth), clip
-    )
+    return through(window.checked(), exactly(near), perspective_depth(near, far, clip.depth), clip)
 
 
 def perspective_through(

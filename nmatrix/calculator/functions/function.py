@@ -138,16 +138,9 @@ class Function:
             arguments = [_gathered(arguments)]
         if len(arguments) > len(self.parameters):
             raise self._refusal(arguments)
-        found: dict[str, Argument] = {}
-        for parameter, argument in zip(self.parameters, arguments, strict=False):
-            found[parameter.name] = argument
+        found = dict(zip((one.name for one in self.parameters), arguments, strict=False))
         for name, argument in named.items():
-            known = [one.name for one in self.parameters]
-            if name not in known:
-                step = did_you_mean(name, known, f"it takes {', '.join(known)}")
-                raise ArgumentError(argument, f"{name}=", "there is no such argument", step)
-            if name in found:
-                raise ArgumentError(argument, f"{name}=", "it is given twice", "leave one out")
+            self._check_named(name, argument, found)
             found[name] = argument
         bound = []
         for parameter in self.parameters:
@@ -160,6 +153,14 @@ class Function:
                 raise self._refusal_of(parameter, given)
             bound.append(given)
         return tuple(bound)
+
+    def _check_named(self, name: str, argument: Argument, found: Mapping[str, Argument]) -> None:
+        known = [one.name for one in self.parameters]
+        if name not in known:
+            step = did_you_mean(name, known, f"it takes {', '.join(known)}")
+            raise ArgumentError(argument, f"{name}=", "there is no such argument", step)
+        if name in found:
+            raise ArgumentError(argument, f"{name}=", "it is given twice", "leave one out")
 
     def _refusal(self, arguments: Sequence[Argument]) -> IllegalValueError:
         wanted = " and ".join(one.wanted for one in self.parameters if not one.may_be_left_out)
