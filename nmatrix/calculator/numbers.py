@@ -58,10 +58,10 @@ class Ordered:
     """
 
     def __lt__(self, other: Exact | Number) -> bool:
-        return is_negative(self - other)  # type: ignore[operator]  # numbers that meet
+        return is_negative(self - other)  # type: ignore[operator]  # each kind subtracts
 
     def __gt__(self, other: Exact | Number) -> bool:
-        return is_negative(other - self)  # type: ignore[operator]  # numbers that meet
+        return is_negative(-(self - other))  # type: ignore[operator]  # each kind subtracts
 
     def __le__(self, other: Exact | Number) -> bool:
         return not self > other
@@ -266,7 +266,7 @@ class PiMultiple(Ordered):
 Number = Fraction | Surd | Interval | PiMultiple | Float64
 
 
-def is_zero(x: Number) -> bool:
+def is_zero(x: Exact | Number) -> bool:
     """Decide if a number is 0.
 
     Raises
@@ -291,7 +291,7 @@ def is_zero(x: Number) -> bool:
     return False
 
 
-def is_negative(x: Number) -> bool:
+def is_negative(x: Exact | Number) -> bool:
     """Decide if a number is below 0.
 
     Raises
@@ -304,16 +304,17 @@ def is_negative(x: Number) -> bool:
     return x.value < 0 if isinstance(x, Float64) else bounds(x)[1] <= 0
 
 
-def may_be_positive(x: Number) -> bool:
+def may_be_positive(x: Exact | Number) -> bool:
     """Tell whether what is known of a number leaves it above 0, or 0."""
     return x.value >= 0 if isinstance(x, Float64) else bounds(x)[1] >= 0
 
 
-def size(x: Number) -> Fraction | float:
+def size(x: Exact | Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
-    if isinstance(x, Interval | Surd | PiMultiple):
-        return max(map(abs, bounds(x)))
-    return abs(x.value) if isinstance(x, Float64) else abs(x)
+    if isinstance(x, Float64):
+        return abs(x.value)
+    low, high = bounds(x)
+    return max(-low, high)
 
 
 def bits_of(x: Number) -> int:
@@ -373,7 +374,7 @@ def enclosed(low: Fraction, high: Fraction) -> Fraction | Interval:
     return Interval(math.floor(low * grid) / grid, math.ceil(high * grid) / grid)
 
 
-def root(square: Number) -> Number:
+def root(square: Exact | Number) -> Number:
     """Take a square root: exact where it is a sum of roots, else known to 280 bits.
 
     Of an interval only the part from 0 upwards can be a square.
@@ -396,7 +397,7 @@ def root(square: Number) -> Number:
     return enclosed(_root_ends(max(low, Fraction(0)))[0], _root_ends(high)[1])
 
 
-def _unnested(square: Surd) -> Exact | None:
+def _unnested(square: Surd) -> Fraction | Surd | None:
     """Write √(a + q√d) as √((a + c)/2) ± √((a − c)/2), where c = √(a² − q²d) is rational."""
     if len(square.terms) > 2 or (square.terms[0][0] != 1):
         return None
@@ -409,7 +410,7 @@ def _unnested(square: Surd) -> Exact | None:
     return larger + smaller if q > 0 else larger - smaller
 
 
-def angle(degrees: Number) -> Angle:
+def angle(degrees: Exact | Number) -> Angle:
     """Make the angle of so many degrees, of a multiple of π in radians.
 
     Its sine and cosine are of the same kind of number.
@@ -422,7 +423,8 @@ def angle(degrees: Number) -> Angle:
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
-    degrees = in_degrees(degrees)
+    if isinstance(degrees, PiMultiple):
+        degrees = in_degrees(degrees)
     return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
 
 
@@ -431,7 +433,7 @@ def in_degrees(turned: Number) -> Number:
     return turned.times * 180 if isinstance(turned, PiMultiple) else turned
 
 
-def degrees_of(sine: Number, cosine: Number) -> Number:
+def degrees_of(sine: Exact | Number, cosine: Exact | Number) -> Number:
     """Measure an angle in degrees, over −180 to 180, by its sine and cosine times any one factor.
 
     Raises
@@ -463,7 +465,7 @@ def degrees_of(sine: Number, cosine: Number) -> Number:
     return enclosed(min(corners), max(corners))
 
 
-def exact_degrees(sine_square: Number, cosine_square: Number) -> Fraction | None:
+def exact_degrees(sine_square: Exact | Number, cosine_square: Exact | Number) -> Fraction | None:
     """Tell an angle up to 90° by its squared sine and cosine, times any one factor.
 
     None where one of them is no sum of roots, or the angle no rational number of degrees: no other
@@ -474,13 +476,15 @@ def exact_degrees(sine_square: Number, cosine_square: Number) -> Fraction | None
     >>> print(exact_degrees(Fraction(1), Fraction(3)), exact_degrees(Fraction(1), Fraction(2)))
     30 None
     """
-    if not all(isinstance(square, Fraction | Surd) for square in (sine_square, cosine_square)):
+    if not isinstance(sine_square, Fraction | Surd) or not isinstance(
+        cosine_square, Fraction | Surd
+    ):
         return None
     total = sine_square + cosine_square
     return DEGREES_BY_SQUARE.get(sine_square / total) if total else None
 
 
-def bounds(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
+def bounds(x: Exact | Number) -> tuple[Fraction, Fraction]:
     """Tell between which two fractions a number lies; they are equal where it is one itself.
 
     Examples
@@ -494,7 +498,8 @@ def bounds(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
         return x.low, x.high
     if isinstance(x, Surd):
         return x.between()
-    return Fraction(x), Fraction(x)
+    exact = Fraction(x.value if isinstance(x, Float64) else x)
+    return exact, exact
 
 
 def _magnitude(x: Fraction) -> int:

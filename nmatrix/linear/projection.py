@@ -8,7 +8,7 @@ near, far and the sides lie exactly where they were put; who shows a matrix roun
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -130,10 +130,9 @@ class Window:
     def __post_init__(self) -> None:
         read_fields(self, left=real, right=real, bottom=real, top=real)
 
-    def checked(self) -> Sides:
+    def sides(self, read: Callable[[float], Fraction] = Fraction) -> Sides:
         """Return the four sides exactly."""
-        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
-        return left, right, bottom, top
+        return read(self.left), read(self.right), read(self.bottom), read(self.top)
 
 
 DEFAULT_CLIP_SPACE = ClipSpace()
@@ -148,8 +147,8 @@ CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 def perspective(
     half_fov_y: Angle,
     aspect: float | Fraction,
-    near: float,
-    far: float,
+    near: float | Fraction,
+    far: float | Fraction,
     clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> RationalMatrix:
     """Build the projection of a symmetric perspective view.
@@ -218,7 +217,10 @@ def _perspective_rows(
 
 
 def frustum(
-    window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+    window: Window,
+    near: float | Fraction,
+    far: float | Fraction,
+    clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> RationalMatrix:
     """Build the projection of a perspective view through any rectangle of the near plane.
 
@@ -227,34 +229,26 @@ def frustum(
     >>> print(*frustum(Window(0, 2, -1, 1), 1.0, inf)[0])
     1 0 1 0
     """
-    return through(window.checked(), exactly(near), perspective_depth(near, far, clip.depth), clip)
-
-
-def perspective_through(
-    sides: Sides, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
-) -> RationalMatrix:
-    """Build the projection of a perspective view through any rectangle at distance 1.
-
-    Raises
-    ------
-    IllegalValueError
-        For a near that is not positive, near > far.
-    NoAnswerError
-        For near = far, and if two opposite sides coincide.
-
-    Examples
-    --------
-    >>> sides = tuple(map(Fraction, (0, 2, -1, 1)))
-    >>> perspective_through(sides, 3.0, inf) == frustum(Window(0, 6, -3, 3), 3.0, inf)
-    True
-    """
-    return through(sides, ONE, perspective_depth(near, far, clip.depth), clip)
+    return through(window.sides(), exactly(near), perspective_depth(near, far, clip.depth), clip)
 
 
 def through(
     sides: Sides, distance: Fraction, depth_row: tuple[Fraction, Fraction], clip: ClipSpace
 ) -> RationalMatrix:
-    """Build a perspective matrix of a rectangle at a distance, and of its z row."""
+    """Build a perspective matrix of any rectangle at a distance, and of its z row.
+
+    Raises
+    ------
+    NoAnswerError
+        If two opposite sides coincide and the window encloses nothing.
+
+    Examples
+    --------
+    >>> sides = tuple(map(Fraction, (0, 2, -1, 1)))
+    >>> row = perspective_depth(3.0, inf, DepthRange.MINUS_ONE_TO_ONE)
+    >>> through(sides, ONE, row, ClipSpace()) == frustum(Window(0, 6, -3, 3), 3.0, inf)
+    True
+    """
     _check_extent(sides)
     left, right, bottom, top = sides
     width, height = right - left, top - bottom
@@ -299,7 +293,10 @@ def _check_extent(sides: Sides) -> None:
 
 
 def orthographic(
-    window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+    window: Window,
+    near: float | Fraction,
+    far: float | Fraction,
+    clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> RationalMatrix:
     """Build the projection of a parallel view; near may be zero or behind the camera.
 
@@ -308,7 +305,7 @@ def orthographic(
     >>> print(*orthographic(Window(-2, 2, -1, 1), -1.0, 1.0)[2])
     0 0 -1 0
     """
-    return parallel(window.checked(), orthographic_depth(near, far, clip.depth), clip)
+    return parallel(window.sides(), orthographic_depth(near, far, clip.depth), clip)
 
 
 def parallel(sides: Sides, depth_row: tuple[Fraction, Fraction], clip: ClipSpace) -> RationalMatrix:
@@ -341,7 +338,9 @@ def is_lens(rows: Sequence[Sequence[float | Fraction]]) -> bool:
     return (w[2], w[3]) == (0, 1) and bool(z[2]) and not (x[2] or y[2])
 
 
-def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
+def perspective_depth(
+    near: float | Fraction, far: float | Fraction, depth: DepthRange
+) -> tuple[Fraction, Fraction]:
     """Return a and c of the z row, so that a + c/z is `NDC_DEPTH` at z = near and at z = far.
 
     For an infinite far a is the depth there itself: the limit of the same formula.
@@ -361,7 +360,9 @@ def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fract
     return (at_far * f - at_near * n) / (f - n), (at_near - at_far) * f * n / (f - n)
 
 
-def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
+def orthographic_depth(
+    near: float | Fraction, far: float | Fraction, depth: DepthRange
+) -> tuple[Fraction, Fraction]:
     """Return a and c of the z row of a parallel view: a·z + c is `NDC_DEPTH` at near and far."""
     check_near_far(near, far)
     if far == inf:
@@ -375,7 +376,7 @@ def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Frac
     return (at_far - at_near) / (f - n), (at_near * f - at_far * n) / (f - n)
 
 
-def check_near_far(near: float, far: float) -> None:
+def check_near_far(near: float | Fraction, far: float | Fraction) -> None:
     """Refuse near beyond far, and near at far."""
     if near == far:
         raise NoAnswerError(

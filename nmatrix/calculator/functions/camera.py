@@ -37,10 +37,9 @@ from nmatrix.linear.viewport import WINDOW_DEPTH, window_from_ndc
 INFINITE = "inf"
 LARGEST_SIDE = 10**9  # of a window, in pixels
 LARGEST_SIZE = 10**300  # of a distance: errors show it as a float
-DEPTHS, HANDS, ORIGINS = (
-    {one.value.replace("-", "_"): one for one in words}
-    for words in (DepthRange, Handedness, WindowOrigin)
-)
+DEPTHS = {one.value.replace("-", "_"): one for one in DepthRange}
+HANDS = {one.value: one for one in Handedness}
+ORIGINS = {one.value.replace("-", "_"): one for one in WindowOrigin}
 UPRIGHT = Value((ZERO, ONE, ZERO))
 USUAL_DEPTH, USUAL_HAND, USUAL_ORIGIN = (
     one.value.replace("-", "_")
@@ -150,9 +149,10 @@ def _perspective(fov: Value, aspect: Value, near: Value, far: Value | str, *word
         why = "width over height is above 0"
         raise ArgumentError(aspect, "the aspect", why, "try 16/9")
     _depth_row(near, far, words[0], projection.perspective_depth)
-    half = angle(in_degrees(fov.scalar) / 2)
-    distances = _distance(near), _distance(far)
-    return Value(projection.perspective(half, _distance(aspect), *distances, _clip(*words)))
+    half = angle(Value(in_degrees(fov.scalar)).scalar / 2)
+    clip = _clip(*words)
+    shape, *ends = map(_distance, (aspect, near, far))
+    return Value(projection.perspective(half, shape, ends[0], ends[1], clip))
 
 
 def _sides(given: Sequence[Value]) -> projection.Sides:
@@ -179,7 +179,7 @@ def _ortho(*given: Arguments) -> Value:
 def _viewport(width: Value, height: Value, depth: str, origin: str) -> Value:
     sides = [whole(one, LARGEST_SIDE, "a side in pixels", least=1) for one in (width, height)]
     clip = ClipSpace(depth=DEPTHS[depth], origin=ORIGINS[origin])
-    return Value(window_from_ndc(*sides, clip))
+    return Value(window_from_ndc(sides[0], sides[1], clip))
 
 
 def _project(p: Value) -> Value:

@@ -74,8 +74,9 @@ def echelon(A: RationalMatrix, columns: int | None = None) -> Echelon:
         pivot = _pivot(rows, done, column, exact=exact)
         if pivot is None:
             continue
-        for swapped in (rows, factors, order):
-            swapped[done], swapped[pivot] = swapped[pivot], swapped[done]  # type: ignore[index]  # lists all
+        for swapped in (rows, factors):
+            swapped[done], swapped[pivot] = swapped[pivot], swapped[done]
+        order[done], order[pivot] = order[pivot], order[done]
         head = rows[done]
         for i in range(done + 1, height):
             factor = rows[i][column] / head[column]

@@ -94,7 +94,7 @@ def _extreme(choose: Callable[..., Number]) -> Callable[[Value], Value]:
         for x in v.vector[1:]:
             if isinstance(found, Interval) or isinstance(x, Interval):
                 (a, b), (c, d) = bounds(found), bounds(x)
-                found = enclosed(choose(a, c), choose(b, d))  # type: ignore[assignment,arg-type]  # with its operators
+                found = enclosed(choose(a, c), choose(b, d))
             else:
                 found = choose(found, x)  # type: ignore[assignment]  # one of the two
         return Value(found)

@@ -15,6 +15,7 @@ from itertools import combinations, pairwise
 from math import gcd, lcm
 
 from nmatrix.calculator.numbers import Number, bounds, enclosed, root, size
+from nmatrix.calculator.values import Value
 from nmatrix.surds import Surd
 
 Polynomial = tuple[Fraction, ...]  # the coefficients, that of the highest power last
@@ -38,7 +39,13 @@ def real_roots(polynomial: Sequence[Fraction]) -> list[tuple[Number, int]]:
         for factor, times in _without_squares(_trimmed(polynomial))
         for one in _simple_roots(factor)
     ]
-    return sorted(found, key=lambda one: sum(bounds(one[0])), reverse=True)
+    return sorted(found, key=lambda one: middle(one[0]), reverse=True)
+
+
+def middle(x: Number) -> Fraction:
+    """Take the middle between the bounds of a number."""
+    low, high = bounds(x)
+    return (low + high) / 2
 
 
 def value_at(p: Polynomial, x: Fraction) -> Fraction:
@@ -115,14 +122,14 @@ def _simple_roots(p: Polynomial) -> Iterator[Number]:
         return
     near = [_refined(p, *ends, BITS + _candidate_bits(p)) for ends in isolated]
     for ends in list(near):
-        guess = _guessed(p, sum(ends) / 2)
+        guess = _guessed(p, (ends[0] + ends[1]) / 2)
         if value_at(p, guess) == 0:
             yield guess
             near.remove(ends)
             p = divided(p, (-guess, Fraction(1)))[0]
     for one, other in combinations(list(near), 2):
         if one in near and other in near and len(p) > 3:
-            x, y = sum(one) / 2, sum(other) / 2
+            x, y = ((low + high) / 2 for low, high in (one, other))
             factor = (_guessed(p, x * y), -_guessed(p, x + y), Fraction(1))
             quotient, rest = divided(p, factor)
             if not rest:
@@ -145,7 +152,7 @@ def _of_low_degree(p: Polynomial) -> Iterator[Number]:
             yield -b / (2 * a)
         elif square > 0:
             for sign in (1, -1):
-                yield (sign * root(square) - b) / (2 * a)  # type: ignore[operator]  # numbers that meet
+                yield (sign * Value(root(square)).scalar - b) / (2 * a)
 
 
 def _candidate_bits(p: Polynomial) -> int:
@@ -211,12 +218,12 @@ def _refined(p: Polynomial, low: Fraction, high: Fraction, bits: int) -> tuple[F
     """Narrow the bounds of one root, by twice as many bits each time that a secant hits well."""
     rises = value_at(p, high) > 0
     leap = 2
-    target = Fraction(1, 2**bits) * max(1, abs(low), abs(high))
+    target = Fraction(1, 2**bits) * max(Fraction(1), abs(low), abs(high))
     while high - low > target:
         parts = 1 << leap
         step = (high - low) / parts
         at_low, at_high = value_at(p, low), value_at(p, high)
-        share = sum(bounds(at_low / (at_low - at_high))) / 2
+        share = middle(at_low / (at_low - at_high))
         place = min(parts - 1, int(share * parts))
         left = low + place * step
         ends = [value_at(p, left), value_at(p, left + step)]

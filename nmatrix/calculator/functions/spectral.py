@@ -19,7 +19,7 @@ from nmatrix.calculator.functions.function import (
     require_square,
     word,
 )
-from nmatrix.calculator.functions.roots import real_roots
+from nmatrix.calculator.functions.roots import middle, real_roots
 from nmatrix.calculator.numbers import (
     Float64,
     Number,
@@ -58,7 +58,7 @@ def _eigenvalues(A: Value) -> Value:
     if not found:
         why = "it turns every vector of the plane, or of each of its planes"
         raise NoAnswerForArgumentError(A, "no eigenvalue is a real number", why, "use another")
-    return Value(tuple(one for one, times in found for _ in range(times)))  # type: ignore[arg-type]  # numbers
+    return Value(tuple(one for one, times in found for _ in range(times)))
 
 
 def _eigenvalues_remarks(A: Value) -> list[str]:
@@ -83,7 +83,7 @@ def spectrum(A: RationalMatrix) -> tuple[tuple[Number, int], ...]:
         for one, times in _of_block(block):
             place = next((i for i, (other, _) in found.items() if _is_same(one, other)), len(found))
             found[place] = (one, times + found.get(place, (one, 0))[1])
-    return tuple(sorted(found.values(), key=lambda one: sum(bounds(one[0])), reverse=True))
+    return tuple(sorted(found.values(), key=lambda one: middle(one[0]), reverse=True))
 
 
 def _is_same(one: Number, other: Number) -> bool:
@@ -177,7 +177,7 @@ def singular(A: RationalMatrix) -> list[Number]:
 
 def _singular_values(A: Value) -> Value:
     _checked(A, "singular values")
-    return Value(tuple(singular(A.matrix)))  # type: ignore[arg-type]  # numbers
+    return Value(tuple(singular(A.matrix)))
 
 
 def _polar(A: Value, part: str) -> Value:
@@ -197,7 +197,7 @@ def _polar(A: Value, part: str) -> Value:
     distinct = [one for one, _ in spectrum(B)]
     roots = [root(one) for one in distinct]
     weights = [1 / one for one in roots] if is_rotation else roots
-    found = _interpolated(B, distinct, weights)  # type: ignore[arg-type]  # numbers
+    found = _interpolated(B, distinct, weights)
     return Value(rational.product(M, found) if is_rotation else found)
 
 

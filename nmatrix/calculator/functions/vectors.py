@@ -27,7 +27,7 @@ from nmatrix.calculator.numbers import (
     is_zero,
     root,
 )
-from nmatrix.calculator.operators import cross, dot
+from nmatrix.calculator.operators import cross, dot, together
 from nmatrix.calculator.values import Value, ValueKind, each
 from nmatrix.linear import rational
 from nmatrix.linear.affine import cross_matrix
@@ -130,13 +130,7 @@ def _lerp(a: Value, b: Value, t: Value) -> Value:
     require_alike(a, b)
     back = 1 - t.scalar
     start, end = each(a.entries, lambda x: back * x), each(b.entries, lambda x: t.scalar * x)
-    return Value(_sum(start, end))
-
-
-def _sum(a: object, b: object) -> object:
-    if isinstance(a, tuple) and isinstance(b, tuple):
-        return tuple(_sum(x, y) for x, y in zip(a, b, strict=True))
-    return a + b  # type: ignore[operator]  # numbers
+    return Value(together(start, end))
 
 
 def _slerp(a: Value, b: Value, t: Value) -> Value:
@@ -144,17 +138,17 @@ def _slerp(a: Value, b: Value, t: Value) -> Value:
     start, end = (normalized(v, "slerp with the zero vector") for v in (a, b))
     if len(start) == 4 and is_negative_or_open(rational.dot(start, end)):
         end = tuple(-x for x in end)  # the same turn, the shorter way
-    together = tuple(x + y for x, y in zip(start, end, strict=True))
-    if all(map(_is_known_zero, together)):
+    added = tuple(x + y for x, y in zip(start, end, strict=True))
+    if all(map(_is_known_zero, added)):
         why = "every great circle through them is as short"
         raise NoAnswerForArgumentError(b, "slerp between opposite ways", why, "name a way between")
     if t.scalar == HALF:
-        return Value(normalized(Value(together), "slerp between opposite ways"))
+        return Value(normalized(Value(added), "slerp between opposite ways"))
     apart = tuple(x - y for x, y in zip(end, start, strict=True))
     if all(map(_is_known_zero, apart)):
         return Value(start)
     # |end − start| = 2 sin(Ω/2) and |start + end| = 2 cos(Ω/2): no digit cancels.
-    squares = rational.dot(apart, apart), rational.dot(together, together)
+    squares = rational.dot(apart, apart), rational.dot(added, added)
     sharp = exact_degrees(*squares)
     whole = 2 * Value(degrees_of(*map(root, squares)) if sharp is None else sharp).scalar
     over = Value(root(squares[0] * squares[1])).scalar / 2
