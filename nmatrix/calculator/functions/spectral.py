@@ -194,8 +194,8 @@ def _polar(A: Value, part: str) -> Value:
     if len(M) == 2:
         return Value(_polar_of_two(M, is_rotation=is_rotation))
     B = rational.product(rational.transpose(M), M)
-    distinct = [one for one, _ in spectrum(B)]
-    roots = [root(one) for one in distinct]
+    distinct = Value(tuple(one for one, _ in spectrum(B))).vector
+    roots = Value(tuple(map(root, distinct))).vector
     weights = [1 / one for one in roots] if is_rotation else roots
     found = _interpolated(B, distinct, weights)
     return Value(rational.product(M, found) if is_rotation else found)
