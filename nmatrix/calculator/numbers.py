@@ -188,6 +188,9 @@ class Float64(Ordered):
     def __sub__(self, other: Exact | Float64) -> Float64:
         return Float64(self.value - float64(other).value)
 
+    def __rsub__(self, other: Exact) -> Float64:
+        return float64(other) - self
+
     def __mul__(self, other: Exact | Float64) -> Float64:
         return Float64(self.value * float64(other).value)
 

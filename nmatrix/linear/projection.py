@@ -378,6 +378,8 @@ def orthographic_depth(
 
 def check_near_far(near: float | Fraction, far: float | Fraction) -> None:
     """Refuse near beyond far, and near at far."""
+    if far == inf:
+        return
     if near == far:
         raise NoAnswerError(
             f"near and far ({float(near):g} and {float(far):g})",
