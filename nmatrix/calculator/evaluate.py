@@ -202,9 +202,17 @@ class _Evaluation:
         return self._step(node, value, rule)
 
     def _tried(
-        self, at: int, what: str, compute: Callable[..., T], values: Sequence[Argument | None]
+        self,
+        at: int,
+        what: str,
+        compute: Callable[..., T],
+        values: Sequence[Argument | None],
+        places: Mapping[int, int] | None = None,
     ) -> T:
-        """Compute with exact roots, or with their bounds where the roots grow too many."""
+        """Compute with exact roots, or with their bounds where the roots grow too many.
+
+        `places` tells where in the expression each argument stands, by its identity.
+        """
         try:
             try:
                 return compute(*values)
@@ -212,7 +220,8 @@ class _Evaluation:
                 bounds = (one.enclosed() if isinstance(one, Value) else one for one in values)
                 return compute(*bounds)
         except (IllegalValueError, NoAnswerError) as error:
-            raise self._error(at, what, error) from None
+            given = getattr(error, "given", None)
+            raise self._error((places or {}).get(id(given), at), what, error) from None
 
     def _power(self, node: Power) -> Value:
         base = self.value_of(node.base)
@@ -276,8 +285,13 @@ class _Evaluation:
                 why = "letters are kept in matrices up to 4×4: give them values"
                 raise self._fault(node, name, why)
         at = node.at if isinstance(node, (Member, Power)) else node.start
-        bound = self._tried(at, name, lambda: function.bound(arguments, named), [])
-        return self._step(node, self._tried(at, name, function.compute, bound), function.rule)
+        places = _places(node, [*arguments, *named.values()])
+        binding = partial(function.bound, arguments, named, self.names)
+        bound = self._tried(at, name, binding, [], places)
+        value = self._tried(at, name, function.compute, bound, places)
+        if function.remarks:
+            self.remarks += self._tried(at, name, function.remarks, bound, places)
+        return self._step(node, value, function.rule)
 
     def _remark_radians(self, node: Call, function: Function, arguments: list[Argument]) -> None:
         """Keep a remark on an angle that looks like radians, or is a multiple of π."""
@@ -329,3 +343,12 @@ class _Evaluation:
 def _entry(text: str) -> Fraction:
     """Read a number of another program, which may print 1. for 1."""
     return fraction(BARE_POINT.sub("", text))
+
+
+def _places(node: Node, given: Sequence[Argument]) -> dict[int, int]:
+    """Tell where each argument of a call stands, by the identity of its value."""
+    if not isinstance(node, Call):
+        return {}
+    written = [*node.arguments, *(one for _, one in node.named)]
+    pairs = list(zip(given, written, strict=False))
+    return {id(value): one.start for value, one in reversed(pairs)}

@@ -19,16 +19,17 @@ ALIKE = Fraction(5, 10**7)  # of the larger number: six digits are the same
 def _add(a: Value, b: Value) -> Computed:
     if a.shape != b.shape:
         raise IllegalValueError(f"{a.shape} and {b.shape}", "a sum needs equal sizes", "match them")
-    return _together(a.entries, b.entries), "entry by entry"
+    return together(a.entries, b.entries), "entry by entry"
 
 
 def _subtract(a: Value, b: Value) -> Computed:
     return _add(a, -b)
 
 
-def _together(a: Entries, b: Entries) -> Entries:
+def together(a: Entries, b: Entries) -> Entries:
+    """Add two values of one shape, entry by entry."""
     if isinstance(a, tuple) and isinstance(b, tuple):
-        return tuple(_together(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]  # same shape
+        return tuple(together(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]  # same shape
     return a + b  # type: ignore[operator,return-value]  # numbers that meet
 
 

@@ -26,6 +26,8 @@ from nmatrix.linear.rational import (
 from nmatrix.linear.rounding import integers, inverse_root, quotient
 from nmatrix.report import Number
 
+Real = TypeVar("Real", int, Fraction)
+
 AXES = "XYZ"
 Turn = TypeVar("Turn", int, float, Fraction, Angle)  # all can turn the other way
 CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
@@ -156,8 +158,8 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
     >>> to_floats(rotation_from_quaternion((0, 0, 1, 1)))
     ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     """
-    (x, y, z, w), _ = integers(quaternion)
-    square = x * x + y * y + z * z + w * w
+    components, _ = integers(quaternion)
+    square = sum(one * one for one in components)
     if square == 0:
         raise NoAnswerError(
             "quaternion (0 0 0 0)",
@@ -166,11 +168,19 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
         )
     return tuple(
         tuple(Fraction(entry, square) for entry in row)
-        for row in (
-            (square - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
-            (2 * (x * y + z * w), square - 2 * (x * x + z * z), 2 * (y * z - x * w)),
-            (2 * (x * z - y * w), 2 * (y * z + x * w), square - 2 * (x * x + y * y)),
-        )
+        for row in turned_by_quaternion(components, square)
+    )
+
+
+def turned_by_quaternion(
+    quaternion: Sequence[Real], square: Real
+) -> tuple[tuple[Real, Real, Real], ...]:
+    """Build the rotation of a quaternion x, y, z, w times the square of its length."""
+    x, y, z, w = quaternion
+    return (
+        (square - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+        (2 * (x * y + z * w), square - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+        (2 * (x * z - y * w), 2 * (y * z + x * w), square - 2 * (x * x + y * y)),
     )
 
 
@@ -195,8 +205,7 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
         raise NoAnswerError("axis (0 0 0)", "it has no direction", "try 0 1 0")
     angle = as_angle(turn)
     s, c = angle.sine * inverse_root(square), angle.cosine
-    x, y, z = a
-    crossed = ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
+    crossed = cross_matrix(a)
     along = (1 - c) / square
     return _known(
         tuple(
@@ -207,6 +216,21 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
             for i in range(3)
         )
     )
+
+
+def cross_matrix(a: RationalVector) -> RationalMatrix:
+    """Build [a]×, the matrix that takes v to a × v.
+
+    Examples
+    --------
+    >>> for row in cross_matrix((Fraction(1), Fraction(2), Fraction(3))):
+    ...     print(*row)
+    0 -3 2
+    3 0 -1
+    -2 1 0
+    """
+    x, y, z = a
+    return ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
 
 
 def sum_of_rounded(*terms: Fraction) -> Fraction:
