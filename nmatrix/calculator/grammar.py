@@ -8,6 +8,7 @@ two entries, and a sign with a blank before it and none behind begins the next o
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.tokens import Token, TokenKind, tokens
@@ -235,7 +236,7 @@ class _Parser:
         if not token.is_sign(")"):
             raise self.fault(opening.start, "(", "its ) is missing")
         self.brackets = outside
-        return inner
+        return replace(inner, start=opening.start, end=token.end)
 
     def listed(self, first: Node, depth: int) -> tuple[tuple[Node, ...], Token]:
         """Read the rest of a list (1, 2, 3)."""
