@@ -6,14 +6,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from nmatrix.calculator.functions import FUNCTIONS
+from nmatrix.calculator.meanings import SCENE
 from nmatrix.calculator.numbers import angle
 from nmatrix.calculator.values import Value
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
-
-SCENE_NAMES = ("M", "V", "P")
 
 
 def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[str, Value]:
@@ -24,11 +23,11 @@ def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[
     the floats that their commands show.
     """
     world = typed or setup.world
-    names = {"M": Value(world.exact_by(lambda degrees: angle(Fraction(degrees))))}
+    names = {"M": Value(world.exact_by(lambda degrees: angle(Fraction(degrees))), SCENE["M"])}
     if "V" in expression:
-        names["V"] = Value(setup.camera.camera_from_world)
+        names["V"] = Value(setup.camera.camera_from_world, SCENE["V"])
     if "P" in expression:
-        names["P"] = Value(setup.lens.clip_from_camera)
+        names["P"] = Value(setup.lens.clip_from_camera, SCENE["P"])
     return names
 
 
@@ -51,7 +50,7 @@ def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> di
             "it is NAME=MATRIX",
             f'try {quantity("let")} "A=1 0; 0 2"',
         )
-    if name in FUNCTIONS or name in SCENE_NAMES or name in names:
+    if name in FUNCTIONS or name in SCENE or name in names:
         raise IllegalValueError(
             f"{quantity('let')} {name}", "the name is taken", "choose another one"
         )

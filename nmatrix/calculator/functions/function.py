@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.calculator.meanings import Meaning
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.errors import IllegalValueError, did_you_mean
 
@@ -65,8 +64,6 @@ class Function:
         From the arguments to the value; raises `IllegalValueError` and `NoAnswerError`.
     working
         The steps by hand, where there is more than one.
-    meaning
-        The space or map that the result is, where the arguments tell it; refuses what has none.
     gathers
         Three numbers may stand for the one vector.
     """
@@ -78,7 +75,6 @@ class Function:
     example: str
     compute: Callable[..., Value]
     working: Callable[..., Working] | None = None
-    meaning: Callable[..., Meaning | None] | None = None
     gathers: bool = False
 
     def usage(self, name: str) -> str:

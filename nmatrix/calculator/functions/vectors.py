@@ -1,8 +1,7 @@
-"""Functions of vectors: lengths, angles, products, and the w that points and directions have."""
+"""Functions of vectors: lengths, angles, products."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 
 from nmatrix.calculator.functions.function import Function, require_size, vector
@@ -20,14 +19,6 @@ RATIONAL_ANGLES = {
     Fraction(3, 4): 30,
     Fraction(1): 0,
 }
-
-
-def _with_w(w: int) -> Callable[..., Value]:
-    def compute(v: Value) -> Value:
-        require_size(v, 3, "a vector of 3")
-        return Value((*v.vector, Fraction(w)))
-
-    return compute
 
 
 def _normalize(v: Value) -> Value:
@@ -65,22 +56,6 @@ def _angle(a: Value, b: Value) -> Value:
 
 
 FUNCTIONS: dict[str, Function] = {
-    "point": Function(
-        (vector(),),
-        "a point in homogeneous coordinates",
-        "w = 1: points move with the translation",
-        "(x, y, z) → (x, y, z, 1)",
-        "point([1, 2, 3])",
-        _with_w(1),
-    ),
-    "vector": Function(
-        (vector(),),
-        "a direction in homogeneous coordinates",
-        "w = 0: vectors do not",
-        "(x, y, z) → (x, y, z, 0)",
-        "vector([1, 2, 3])",
-        _with_w(0),
-    ),
     "normalize": Function(
         (vector(),),
         "the vector of length 1 in the same direction",
