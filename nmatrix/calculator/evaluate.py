@@ -7,13 +7,19 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
+from itertools import zip_longest
 from typing import TypeVar
 
-from nmatrix.calculator.faults import CalculatorError, NoValueError
+from nmatrix.calculator import function_rules, rules
+from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.functions.function import Argument, Function
+from nmatrix.calculator.functions.function import Argument, Function, Parameter
 from nmatrix.calculator.grammar import parse
+from nmatrix.calculator.homogeneous import settled, w_of, with_w
+from nmatrix.calculator.meanings import SCENE, Meaning
+from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
+from nmatrix.calculator.operands import Operand, RefusedError
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
 from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.tree import (
@@ -33,6 +39,7 @@ from nmatrix.calculator.tree import (
 )
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
+from nmatrix.linear import rational
 from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
@@ -68,14 +75,20 @@ class Calculation:
 
 
 def calculate(
-    expression: str, names: Names, arithmetic: Arithmetic = Arithmetic.EXACT
+    expression: str,
+    names: Names,
+    arithmetic: Arithmetic = Arithmetic.EXACT,
+    *,
+    untyped: bool = False,
 ) -> Calculation:
-    """Compute an expression over named matrices, exactly.
+    """Compute an expression over named matrices, exactly; `untyped` lets any two spaces meet.
 
     Raises
     ------
     CalculatorError
         For a fault in the expression, with a caret in front of it.
+    MeaningError
+        For an operation between spaces that do not meet, or kinds that do not go together.
     NoValueError
         For the inverse of a singular matrix, a division by zero, a direction of length zero.
 
@@ -85,9 +98,11 @@ def calculate(
     Fraction(-1, 2)
     """
     expression = expression.strip()
-    evaluation = _Evaluation(expression, names, arithmetic)
+    evaluation = _Evaluation(expression, names, arithmetic, untyped=untyped)
     value = evaluation.value_of(parse(expression, frozenset((*FUNCTIONS, *names))))
     evaluation.remark_letters(value)
+    if untyped:
+        value = Value(value.entries)
     steps, remarks = tuple(evaluation.steps), tuple(dict.fromkeys(evaluation.remarks))
     return Calculation(expression, value, arithmetic, steps, remarks)
 
@@ -97,9 +112,12 @@ class _Evaluation:
     expression: str
     names: Names
     arithmetic: Arithmetic
+    untyped: bool = False
+    advises: bool = True
     steps: list[CalculationStep] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     letters: set[str] = field(default_factory=set)
+    products: dict[int, Infix] = field(default_factory=dict)
 
     def value_of(self, node: Node) -> Value:  # noqa: C901, PLR0911 - one line for each kind
         match node:
@@ -188,18 +206,79 @@ class _Evaluation:
             return self._applied(node, "sqrt", [value], {})
         if value.kind is ValueKind.TRUTH:
             raise self._fault(node, node.sign, "it is for numbers, not for a comparison")
-        return -value if node.sign == "-" else value
+        if node.sign == "-":
+            return replace(-value, meaning=rules.negated(value.meaning))
+        return value
 
     def _infix(self, node: Infix) -> Value:
+        if node.sign == "@" and isinstance(node.left, Infix):
+            self.products[id(node.left)] = self.products.get(id(node), node)
         a, b = self.value_of(node.left), self.value_of(node.right)
+        operands = self._operand(node.left, a), self._operand(node.right, b)
+        found = partial(rules.meaning_of, node.sign, *operands)
+        meaning = self._meaning(node, node.sign, found, operands)
+        if node.sign in ("==", "≈"):
+            return self._comparison(node, operands)
+        value, rule = self._tried(node.at, node.sign, partial(binary, node.sign), (a, with_w(a, b)))
+        value = self._tried(node.at, node.sign, settled, [replace(value, meaning=meaning)])
+        return self._step(node, value, rule)
+
+    def _comparison(self, node: Infix, operands: tuple[Operand, Operand]) -> Value:
+        a, b = (one.value for one in operands)
+        told = rules.different_ways(*operands)
+        self.remarks += [told] if told and not self.untyped else []
         if node.sign == "==":
             return Value(self._tried(node.at, "==", equal, (a, b)))
-        if node.sign == "≈":
-            is_near, told = self._tried(node.at, "≈", nearly_equal, (a, b))
-            self.remarks.append(told)
-            return Value(is_near)
-        value, rule = self._tried(node.at, node.sign, partial(binary, node.sign), (a, b))
-        return self._step(node, value, rule)
+        is_near, told = self._tried(node.at, "≈", nearly_equal, (a, b))
+        self.remarks.append(told)
+        return Value(is_near)
+
+    def _operand(self, node: Node, value: Value) -> Operand:
+        return Operand(value, self._typed(node), node.start)
+
+    def _meaning(
+        self,
+        node: Node,
+        what: str,
+        found: Callable[[], Meaning | None],
+        operands: Sequence[Operand],
+    ) -> Meaning | None:
+        """Find what a result means, or refuse it with the nearest right form."""
+        try:
+            return found()
+        except RefusedError as refused:
+            if self.untyped:
+                return None
+            part = self._part(node, operands)
+            meant = {name: value.meaning for name, value in self.names.items()}
+            written = forms(refused, part, meant) if self.advises else ()
+            instead = next(filter(self._is_right, written), "")
+            at = node.at if isinstance(node, (Infix, Member, Power)) else node.start
+            raise MeaningError(self.expression, at, what, refused, instead) from None
+
+    def _part(self, node: Node, operands: Sequence[Operand]) -> Part:
+        """Take the part of the expression that a refusal is about: of products the whole chain."""
+        if not (isinstance(node, Infix) and node.sign == "@"):
+            return Part(self._typed(node), node.start, tuple(operands))
+        whole = self.products.get(id(node), node)
+        factors: list[Node] = [whole]
+        while isinstance(factors[0], Infix) and factors[0].sign == "@":
+            factors[:1] = [factors[0].left, factors[0].right]
+        quiet = replace(self, steps=[], remarks=[], products={}, advises=False)
+        found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+        rest = self.expression[node.end : whole.end]
+        return Part(self._typed(whole), whole.start, tuple(found), is_product=True, rest=rest)
+
+    def _is_right(self, form: str) -> bool:
+        """Try a form, over V and P too where these have no name yet."""
+        scene = {name: Value(rational.identity(4), led) for name, led in SCENE.items()}
+        names = scene | dict(self.names)
+        tried = _Evaluation(form, names, self.arithmetic, advises=False)
+        try:
+            tried.value_of(parse(form, frozenset((*FUNCTIONS, *names))))
+        except NMatrixError:
+            return False
+        return True
 
     def _tried(
         self,
@@ -230,8 +309,12 @@ class _Evaluation:
             return self._applied(node, name, [base], {})
         if base.kind is ValueKind.MATRIX and node.exponent < 0:
             base = self._applied(node, "inverse", [base], {})
+        operand = self._operand(node.base, base)
+        meaning = self._meaning(
+            node, "^", partial(rules.raised, operand, abs(node.exponent)), [operand]
+        )
         raised = partial(power, exponent=node.exponent, arithmetic=self.arithmetic)
-        value = self._tried(node.at, "^", raised, [base])
+        value = replace(self._tried(node.at, "^", raised, [base]), meaning=meaning)
         return value if abs(node.exponent) == 1 else self._step(node, value, "multiplied by itself")
 
     def _member(self, node: Member) -> Value:
@@ -246,6 +329,8 @@ class _Evaluation:
             if len(value.vector) < 3:
                 raise CalculatorError(self.expression, node.at, ".xyz", f"this is {value.shape}")
             return replace(value, entries=value.vector[:3])
+        if node.name == "w" and (w := w_of(value)) is not None:
+            return Value(w)
         place = COMPONENTS.index(node.name)
         if place >= len(value.vector):
             why = f"this is {value.shape}"
@@ -265,15 +350,23 @@ class _Evaluation:
                 raise self._fault(node, name, why)
             step = did_you_mean(name, FUNCTIONS, "help lists them")
             raise self._fault(node, f"function {name[:20]}", step)
-        arguments = [self._argument(one) for one in node.arguments]
-        named = {key: self._argument(one) for key, one in node.named}
+        taken = FUNCTIONS[name].parameters
+        by_name = {one.name: one for one in taken}
+        arguments = [
+            self._argument(one, parameter)
+            for one, parameter in zip_longest(node.arguments, taken[: len(node.arguments)])
+        ]
+        named = {key: self._argument(one, by_name.get(key)) for key, one in node.named}
         if len(named) < len(node.named):
             raise self._fault(node, name, "an argument is given twice")
         value = self._applied(node, name, arguments, named)
         self._remark_radians(node, FUNCTIONS[name], arguments)
         return value
 
-    def _argument(self, node: Node) -> Argument:
+    def _argument(self, node: Node, parameter: Parameter | None) -> Argument:
+        """Evaluate an argument; where only words are taken, a name is a word."""
+        if isinstance(node, Name) and parameter is not None and not parameter.kinds:
+            return node.name
         return node.word if isinstance(node, Word) else self.value_of(node)
 
     def _applied(
@@ -288,10 +381,37 @@ class _Evaluation:
         places = _places(node, [*arguments, *named.values()])
         binding = partial(function.bound, arguments, named, self.names)
         bound = self._tried(at, name, binding, [], places)
+        given = self._given(node, [*arguments, *named.values()], bound)
+        operands = [one for one in given if isinstance(one, Operand)]
+        found = partial(self._tried, at, name, partial(function_rules.meaning_of, name, given), [])
+        meaning = self._meaning(node, name, found, operands)
         value = self._tried(at, name, function.compute, bound, places)
         if function.remarks:
             self.remarks += self._tried(at, name, function.remarks, bound, places)
-        return self._step(node, value, function.rule)
+        return self._step(node, settled(replace(value, meaning=meaning)), function.rule)
+
+    def _given(
+        self, node: Node, arguments: Sequence[Argument], bound: Sequence[Argument | None]
+    ) -> list[Operand | str | None]:
+        """Give the values that a function takes the texts that they come from."""
+        match node:
+            case Call():
+                nodes = (*node.arguments, *(one for _, one in node.named))
+            case Member():
+                nodes = (node.value,)
+            case Power():
+                nodes = (node.base,)
+            case Prefix():
+                nodes = (node.operand,)
+        typed = {id(one): at for one, at in zip(arguments, nodes, strict=True)}
+        given: list[Operand | str | None] = []
+        for one in bound:
+            if isinstance(one, Value):
+                at = typed.get(id(one))
+                given.append(Operand(one) if at is None else self._operand(at, one))
+            else:
+                given.append(one)
+        return given
 
     def _remark_radians(self, node: Call, function: Function, arguments: list[Argument]) -> None:
         """Keep a remark on an angle that looks like radians, or is a multiple of π."""

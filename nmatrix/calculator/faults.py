@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
+from nmatrix.calculator.operands import RefusedError
+from nmatrix.errors import FrameError, IllegalValueError, NMatrixError, NoAnswerError
 
 WINDOW = 30  # characters shown on either side of the caret
 
@@ -37,6 +38,24 @@ class NoValueError(PlacedError, NoAnswerError):
     >>> print(NoValueError("1/0", 1, "/", "nothing is divided by 0"))
     / (character 2): nothing is divided by 0; see the caret: 1^/0
     """
+
+
+class MeaningError(PlacedError, FrameError):
+    """Numbers that fit and spaces that do not; it knows the mistake and the nearest right form.
+
+    Examples
+    --------
+    >>> print(MeaningError("V @ l", 2, "@", RefusedError("l is in camera space"), "l"))
+    @ (character 3): l is in camera space; write l; see the caret: V ^@ l
+    """
+
+    def __init__(
+        self, expression: str, position: int, what: str, refused: RefusedError, instead: str = ""
+    ) -> None:
+        named = f" (the mistake {refused.mistake})" if refused.mistake else ""
+        told = f"; write {instead}" if instead else ""
+        super().__init__(expression, position, what, f"{refused.why}{named}{told}")
+        self.instead, self.mistake = instead, refused.mistake
 
 
 def _caret(expression: str, at: int) -> str:

@@ -8,6 +8,7 @@ two entries, and a sign with a blank before it and none behind begins the next o
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.tokens import Token, TokenKind, tokens
@@ -234,7 +235,7 @@ class _Parser:
             inner = Bracket(opening.start, token.end, (rows,))
         self.closed(opening, token)
         self.brackets = outside
-        return inner
+        return replace(inner, start=opening.start, end=token.end)
 
     def closed(self, opening: Token, closing: Token) -> None:
         """Refuse what stands where the ) of a bracket belongs."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.calculator.evaluate import CONSTANTS
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.camera import LensValue, looking_at, window_depth
 from nmatrix.calculator.functions.rotations import about_axis, by_quaternion
+from nmatrix.calculator.meanings import SCENE
 from nmatrix.calculator.numbers import angle
 from nmatrix.calculator.statements import Keyword
 from nmatrix.calculator.values import Value
@@ -23,7 +25,7 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
-SCENE_NAMES = ("M", "V", "P")
+SCENE_NAMES = tuple(SCENE)
 EVERY_NAME = " ".join(SCENE_NAMES)  # the text of those who may ask for all of them
 ANSWERS = ("ans", "ans2")  # the last value of an expression, and the one before
 THROUGH_THE_LENS = ("P", "depth_of", "distance_of")
@@ -38,11 +40,11 @@ def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[
     setup. All three are exact: every number is the one that was typed, and roots and sines are
     those of the functions of the calculator.
     """
-    names = {"M": Value(_world(typed or setup.world))}
+    names = {"M": Value(_world(typed or setup.world), SCENE["M"])}
     if "V" in expression:
-        names["V"] = Value(_view(setup.view))
+        names["V"] = Value(_view(setup.view), SCENE["V"])
     if any(word in expression for word in THROUGH_THE_LENS):
-        names["P"] = _lens(setup.lens)
+        names["P"] = replace(_lens(setup.lens), meaning=SCENE["P"])
     return names
 
 
