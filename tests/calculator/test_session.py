@@ -59,7 +59,7 @@ def test_a_value_is_kept_under_its_name_and_the_last_two_without_one():
 
 def test_a_statement_that_fails_keeps_everything():
     session = after("a = 2", "a + 1")
-    for line in ("a = 1/0", "a = ", "a = q", "b = a +", "1 2 x", "show q", "digits 0", "load no"):
+    for line in ("a = 1/0", "a = ", "a = Q", "b = a +", "1 2 x", "show q", "digits 0", "load no"):
         refused(line, session)
     assert refused("1/0").exit_code == 3
     assert refused("1/").exit_code == 2
@@ -68,7 +68,7 @@ def test_a_statement_that_fails_keeps_everything():
 @pytest.mark.parametrize(
     ("line", "column"),
     [
-        ("2 + q", 4), ("  x = 2 + q", 10), ("x=1/0", 3), ("inverse([1 2; 2 4])", 0),
+        ("2 + Q", 4), ("  x = 2 + Q", 10), ("x=1/0", 3), ("inverse([1 2; 2 4])", 8),
         ("det = 3", 0), ("steps sideways", 6), ("show q", 5), ("[1 2", 0), ("digits", 0),
         ("x = 3 $ 4", 6),
     ],
@@ -82,14 +82,14 @@ def test_the_caret_stands_under_the_fault(line, column):
 
 
 def test_the_caret_of_a_statement_of_several_lines_stands_under_its_line():
-    lines = shown("a = [1 2", "3 q", "5 6]").splitlines()
-    assert lines[3:5] == ["  3 q", "    ^"]
+    lines = shown("a = [1 2", "3 Q", "5 6]").splitlines()
+    assert lines[3:5] == ["  3 Q", "    ^"]
 
 
 def test_the_caret_of_a_long_line_stands_under_the_part_that_is_shown():
-    line = "+".join(["1000"] * 20) + "+q+" + "+".join(["1000"] * 20)
+    line = "+".join(["1000"] * 20) + "+Q+" + "+".join(["1000"] * 20)
     part, caret, _ = shown(line).splitlines()[1:]
-    assert part[caret.index("^")] == "q"
+    assert part[caret.index("^")] == "Q"
     assert len(part) < 80
 
 
@@ -183,7 +183,7 @@ def test_a_difference_is_no_row():
 
 def test_statements_that_were_saved_make_the_same_session(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    lines = ("a = [1 2", "3 4]", "# remark", "b = 1 0", "0 1", "", "a @ b", "digits 4", "c = q",
+    lines = ("a = [1 2", "3 4]", "# remark", "b = 1 0", "0 1", "", "a @ b", "digits 4", "c = Q",
              "ans^2", "undo")  # fmt: skip
     [*_, (_, last)] = run(EMPTY, "\n".join((*lines, "save it.txt")), OutputOptions(), Disk())
     assert last.error is None
@@ -281,15 +281,15 @@ def test_statements_hold_every_line_once_and_in_order():
 
 
 def test_python_runs_the_same_lines():
-    text = "A = [2 1; 1 1]\ninverse(A)\nA @ ans\nx = q\nsteps on\ndet(A)\n"
+    text = "A = [2 1; 1 1]\ninverse(A)\nA @ ans\nx = Q\nsteps on\ndet(A)\n"
     session = Session(nmatrix_names())
     wanted = transcript(session, text, OutputOptions(), NoFiles()).blocks[0].text
     report = nmatrix.calc(text)
     assert str(report) == wanted
     assert report.data["names"]["A"] == [[2, 1], [1, 1]]
     assert report.data["errors"] == [
-        "line 4: name q (character 1): the names are M, V, P, A, ans, ans2, pi; "
-        "name = expression adds more; see the caret: ^q"
+        "line 4: name Q (character 1): the names are M, V, P, A, ans, ans2, pi; "
+        "name = expression adds more; see the caret: ^Q"
     ]
     assert report.failure.exit_code == 2
     assert nmatrix.calc("1/3").data["exact"] == "1/3"

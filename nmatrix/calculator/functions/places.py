@@ -16,7 +16,9 @@ from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 
 ANYTHING = tuple(kind for kind in ValueKind if kind is not ValueKind.TRUTH)
-SPACE = Parameter("space", is_optional=True, words=f"a space ({', '.join(Frame)})")
+SPACE = Parameter(
+    "space", is_optional=True, words=f"a space ({', '.join(Frame)})", choices=tuple(Frame)
+)
 
 
 def _with_w(w: int) -> Callable[..., Value]:
