@@ -11,13 +11,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from nmatrix.typed_rows import TypedRows, bar_of
+
 APART = ",  "  # between two statements, which stand further apart than two numbers
 OPERATORS = ("det", "tan", "sin", "cos", "arctan", "max")  # which LaTeX and Typst know by name
 FUNCTIONS = (*OPERATORS, "sign", "rank", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"
-BAR = "|"  # in every cell of a column: no numbers, but the line between two blocks
-GAP = "  "  # between two columns of a drawn matrix
 _ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")
 _TOKEN = re.compile(
     rf",\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"
@@ -113,7 +113,6 @@ class Grid:
 
 
 Node = Name | Numeral | Words | Sign | Row | Power | Quotient | Root | Fence | Grid
-TypedRows = tuple[tuple[str, ...], ...]
 
 
 def parse(text: str) -> Node:
@@ -147,33 +146,6 @@ def _grid(rows: TypedRows) -> Grid:
     bar = bar_of(rows)
     cells = (row[:bar] + row[bar + 1 :] if bar else row for row in rows)
     return Grid(tuple(tuple(map(parse, row)) for row in cells), bar)
-
-
-def bar_of(rows: TypedRows) -> int:
-    """Find the column of a typed matrix that is its bar; 0 where it has none.
-
-    Examples
-    --------
-    >>> bar_of((("1", "2", "|", "5"), ("3", "4", "|", "6")))
-    2
-    """
-    return next((i for i, column in enumerate(zip(*rows, strict=True)) if {*column} == {BAR}), 0)
-
-
-def columns_of(parts: Sequence[str | TypedRows]) -> int:
-    """Count the characters of the widest line of drawn parts that stand side by side.
-
-    Examples
-    --------
-    >>> columns_of(("A = ", (("1", "0"), ("0", "−2"))))
-    13
-    """
-    return sum(len(part) if isinstance(part, str) else _columns(part) for part in parts)
-
-
-def _columns(rows: TypedRows) -> int:
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return sum(widths) + len(GAP) * (len(widths) - 1) + len("[  ]")
 
 
 def _line(text: str) -> list[Node]:

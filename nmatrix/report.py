@@ -19,7 +19,8 @@ from nmatrix.errors import NMatrixError, spelled
 from nmatrix.surds import Surd
 
 if TYPE_CHECKING:
-    from nmatrix.formula import Row, TypedRows
+    from nmatrix.formula import Row
+    from nmatrix.typed_rows import TypedRows
 
 Entry = TypeVar("Entry", covariant=True)
 

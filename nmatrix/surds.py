@@ -199,6 +199,23 @@ def root(square: Rational) -> Fraction | Surd:
     return _sum([(inside, Fraction(outside, value.denominator))])
 
 
+def sine(degrees: Rational) -> Fraction | Surd | None:
+    """Find the sine of an angle if it is a sum of roots of fractions; None if it is none.
+
+    Of a rational number of degrees it is one for multiples of 15° and odd multiples of 18°, and
+    for no others.
+
+    Examples
+    --------
+    >>> print(sine(-60), sine(Fraction(75)), sine(20))
+    −√3/2 (√2 + √6)/4 None
+    """
+    turned = Fraction(degrees) % 360
+    sharp = min(turned % 180, 180 - turned % 180)
+    found = SINES.get(sharp)
+    return -found if found is not None and turned > 180 else found
+
+
 def is_short(value: object) -> TypeGuard[Fraction | Surd]:
     """Tell whether a number is exact and short enough to be read as one.
 
@@ -298,3 +315,16 @@ def _written(under: int, before: int, *, is_first: bool) -> str:
     sign = ("−" if before < 0 else "") if is_first else (" − " if before < 0 else " + ")
     factor = "" if abs(before) == 1 and under > 1 else str(abs(before))
     return f"{sign}{factor}{f'√{under}' if under > 1 else ''}"
+
+
+SINES: dict[Fraction, Fraction | Surd] = {
+    Fraction(0): Fraction(0),
+    Fraction(15): (root(6) - root(2)) / 4,
+    Fraction(18): (root(5) - 1) / 4,
+    Fraction(30): Fraction(1, 2),
+    Fraction(45): root(2) / 2,
+    Fraction(54): (root(5) + 1) / 4,
+    Fraction(60): root(3) / 2,
+    Fraction(75): (root(6) + root(2)) / 4,
+    Fraction(90): Fraction(1),
+}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -14,6 +15,7 @@ from nmatrix.calculator.functions.function import Argument, Function
 from nmatrix.calculator.grammar import parse
 from nmatrix.calculator.numbers import PiMultiple, shown
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.tree import (
     Bracket,
     Call,
@@ -29,17 +31,20 @@ from nmatrix.calculator.tree import (
     Turn,
     Word,
 )
-from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
 from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
 from nmatrix.surds import TooManyRootsError
+from nmatrix.working.working import written
 
 T = TypeVar("T")
 Names = Mapping[str, Value]
 CONSTANTS: dict[str, Value] = {"pi": Value(PiMultiple(Fraction(1)))}
 COMPONENTS = "xyzw"
+LETTERED = 16  # entries of a matrix that may hold letters
+LETTER = re.compile(r"[a-zα-ω][0-9]{0,2}")  # a name that may stay without a value
 
 
 @dataclass(frozen=True)
@@ -82,6 +87,7 @@ def calculate(
     expression = expression.strip()
     evaluation = _Evaluation(expression, names, arithmetic)
     value = evaluation.value_of(parse(expression, frozenset((*FUNCTIONS, *names))))
+    evaluation.remark_letters(value)
     steps, remarks = tuple(evaluation.steps), tuple(dict.fromkeys(evaluation.remarks))
     return Calculation(expression, value, arithmetic, steps, remarks)
 
@@ -93,6 +99,7 @@ class _Evaluation:
     arithmetic: Arithmetic
     steps: list[CalculationStep] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    letters: set[str] = field(default_factory=set)
 
     def value_of(self, node: Node) -> Value:  # noqa: C901, PLR0911 - one line for each kind
         match node:
@@ -147,18 +154,21 @@ class _Evaluation:
         if name in FUNCTIONS:
             usage = FUNCTIONS[name].usage(name)
             raise self._fault(node, name, f"it is a function: write {usage}")
+        if LETTER.fullmatch(name) and self.arithmetic is Arithmetic.EXACT:
+            self.letters.add(name)
+            return Value(Symbolic.letter(name))
         known = [*self.names, *CONSTANTS]
         listed = f"the names are {', '.join(known)}; {quantity('let')} adds more"
         why = did_you_mean(name, [*known, *FUNCTIONS], listed)
         raise self._fault(node, f"name {name[:20]}", why)
 
     def _bracket(self, node: Bracket) -> Value:
-        rows = [[self.value_of(entry) for entry in row[: LARGEST + 1]] for row in node.rows]
+        rows = [[self.value_of(entry) for entry in row] for row in node.rows]
         entries = [value for row in rows for value in row]
         kinds = {value.kind for value in entries}
         if kinds == {ValueKind.SCALAR}:
             if len({len(row) for row in rows}) > 1:
-                sizes = ", ".join(str(len(row)) for row in rows[:LARGEST])
+                sizes = ", ".join(str(len(row)) for row in rows)
                 raise self._fault(
                     node, "bracket", f"its rows have {sizes} numbers: make them equal"
                 )
@@ -170,8 +180,6 @@ class _Evaluation:
         else:
             why = "it holds numbers, or rows of equal length" if entries else "it is empty"
             raise self._fault(node, "bracket", why)
-        if max(len(numbers), len(numbers[0])) > LARGEST:
-            raise self._fault(node, "bracket", f"it has at most {LARGEST} rows and columns")
         return Value(numbers[0] if kinds == {ValueKind.SCALAR} and len(numbers) == 1 else numbers)
 
     def _prefix(self, node: Prefix) -> Value:
@@ -194,9 +202,17 @@ class _Evaluation:
         return self._step(node, value, rule)
 
     def _tried(
-        self, at: int, what: str, compute: Callable[..., T], values: Sequence[Argument | None]
+        self,
+        at: int,
+        what: str,
+        compute: Callable[..., T],
+        values: Sequence[Argument | None],
+        places: Mapping[int, int] | None = None,
     ) -> T:
-        """Compute with exact roots, or with their bounds where the roots grow too many."""
+        """Compute with exact roots, or with their bounds where the roots grow too many.
+
+        `places` tells where in the expression each argument stands, by its identity.
+        """
         try:
             try:
                 return compute(*values)
@@ -204,7 +220,8 @@ class _Evaluation:
                 bounds = (one.enclosed() if isinstance(one, Value) else one for one in values)
                 return compute(*bounds)
         except (IllegalValueError, NoAnswerError) as error:
-            raise self._error(at, what, error) from None
+            given = getattr(error, "given", None)
+            raise self._error((places or {}).get(id(given), at), what, error) from None
 
     def _power(self, node: Power) -> Value:
         base = self.value_of(node.base)
@@ -263,9 +280,18 @@ class _Evaluation:
         self, node: Node, name: str, arguments: list[Argument], named: Mapping[str, Argument]
     ) -> Value:
         function = FUNCTIONS[name]
+        for one in arguments:
+            if isinstance(one, Value) and one.letters and len(list(one.numbers)) > LETTERED:
+                why = "letters are kept in matrices up to 4×4: give them values"
+                raise self._fault(node, name, why)
         at = node.at if isinstance(node, (Member, Power)) else node.start
-        bound = self._tried(at, name, lambda: function.bound(arguments, named), [])
-        return self._step(node, self._tried(at, name, function.compute, bound), function.rule)
+        places = _places(node, [*arguments, *named.values()])
+        binding = partial(function.bound, arguments, named, self.names)
+        bound = self._tried(at, name, binding, [], places)
+        value = self._tried(at, name, function.compute, bound, places)
+        if function.remarks:
+            self.remarks += self._tried(at, name, function.remarks, bound, places)
+        return self._step(node, value, function.rule)
 
     def _remark_radians(self, node: Call, function: Function, arguments: list[Argument]) -> None:
         """Keep a remark on an angle that looks like radians, or is a multiple of π."""
@@ -286,6 +312,19 @@ class _Evaluation:
                 said = f"{node.function} takes degrees, but {looks}, {180 * found[1]} degrees."
                 self.remarks.append(said)
 
+    def remark_letters(self, value: Value) -> None:
+        """Keep a remark on names without a value, and on what must not be 0."""
+        if not self.letters:
+            return
+        many = len(self.letters) > 1
+        has = "have no values and stay letters" if many else "has no value and stays a letter"
+        self.remarks.append(f"{', '.join(sorted(self.letters))} {has}.")
+        symbolic = (one for one in value.numbers if isinstance(one, Symbolic))
+        below = dict.fromkeys(text for one in symbolic for text in one.denominators)
+        if below:
+            conditions = " and ".join(f"{written(text)} ≠ 0" for text in below)
+            self.remarks.append(f"It holds where {conditions}.")
+
     def _step(self, node: Node, value: Value, rule: str) -> Value:
         kept = self._kept(node, value)
         self.steps.append(CalculationStep(self._typed(node), kept, rule))
@@ -304,3 +343,12 @@ class _Evaluation:
 def _entry(text: str) -> Fraction:
     """Read a number of another program, which may print 1. for 1."""
     return fraction(BARE_POINT.sub("", text))
+
+
+def _places(node: Node, given: Sequence[Argument]) -> dict[int, int]:
+    """Tell where each argument of a call stands, by the identity of its value."""
+    if not isinstance(node, Call):
+        return {}
+    written = [*node.arguments, *(one for _, one in node.named)]
+    pairs = list(zip(given, written, strict=False))
+    return {id(value): one.start for value, one in reversed(pairs)}

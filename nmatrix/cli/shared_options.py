@@ -25,6 +25,9 @@ in_output = partial(Option, rich_help_panel="Output")
 
 ReadNumbers = Callable[..., Vector]  # `numbers`, or `fractions`
 
+StepsOption = Annotated[
+    bool, Option("--steps", help="Show line by line how the matrices come about.")
+]
 ConventionOption = Annotated[
     Convention | None,
     in_conventions("--convention", help="How angles make a matrix (default: standard)."),

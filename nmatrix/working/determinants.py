@@ -18,7 +18,8 @@ from nmatrix.working.working import (
     Working,
     added,
     cells_or_entries,
-    fits,
+    chain,
+    lines,
     lowered,
     transposed,
     without,
@@ -123,19 +124,9 @@ def _short_rule(A: Matrix, name: str, by: Notation) -> Working:
         3: "Sarrus: three products down to the right, minus three down to the left",
     }[n]
     proved = _known(A, value, by)
-    steps = [
-        by.step(f"{name} = {text}", because=because, proved=proved)
-        for text, because in zip(_lines(line), (about, "the products", "the sum"), strict=False)
-    ]
-    if n < 3 and fits(f"{name} = {' = '.join(_lines(line))}"):
-        whole = f"{name} = {' = '.join(_lines(line))}"
-        steps = [by.step(whole, because=about, proved=proved)]
-    return Working(tuple(steps), value)
-
-
-def _lines(texts: Sequence[str]) -> list[str]:
-    """Leave out what says the same as the line before."""
-    return [text for i, text in enumerate(texts) if i == 0 or text != texts[i - 1]]
+    return Working(
+        tuple(lines(name, line, (about, "the products", "the sum"), proved=proved)), value
+    )
 
 
 def sum_of(terms: Sequence[Product], by: Notation) -> tuple[tuple[str, str, str], Entry]:
@@ -173,9 +164,9 @@ def _signed(sign: int, text: str, *, is_first: bool) -> str:
 def _expanded(A: Matrix, name: str, by: Notation) -> Working:
     """Expand along the row or column with most zeros; each smaller determinant gets its lines."""
     n = len(A)
-    lines = [(_zeros(A[i], by), -i, "row") for i in range(n)]
-    lines += [(_zeros(line, by), -i, "column") for i, line in enumerate(transposed(A))]
-    _, minus, kind = max(lines, key=lambda one: (one[0], one[2] == "row", one[1]))
+    ways = [(_zeros(A[i], by), -i, "row") for i in range(n)]
+    ways += [(_zeros(line, by), -i, "column") for i, line in enumerate(transposed(A))]
+    _, minus, kind = max(ways, key=lambda one: (one[0], one[2] == "row", one[1]))
     k = -minus
     places = [(k, j) if kind == "row" else (j, k) for j in range(n)]
     places = [(i, j) for i, j in places if not by.is_zero(A[i][j])]
@@ -197,10 +188,7 @@ def _expanded(A: Matrix, name: str, by: Notation) -> Working:
         part = without(A, i, j)
         steps += _minor(part, minor_name, by)
     about = f"the entries {along} times their determinants, with the signs of the chessboard"
-    steps += [
-        by.step(f"det {name} = {text}", because=because, proved=proved)
-        for text, because in zip(_lines(texts), (about, "the products", "the sum"), strict=False)
-    ]
+    steps += lines(f"det {name}", texts, (about, "the products", "the sum"), proved=proved)
     return Working(tuple(steps), value)
 
 
@@ -322,10 +310,10 @@ def _minors(A: Matrix, value: Matrix, by: Notation, *, proved: bool) -> list[Ste
         for j in range(n):
             entry, part = f"D{lowered(i + 1, j + 1)}", without(A, i, j)
             terms = [one for one in _diagonals(part) if not any(map(by.is_zero, one[1]))]
-            texts = _lines(sum_of(terms, by)[0]) if terms else [by.write(value[i][j])]
+            texts = sum_of(terms, by)[0] if terms else [by.write(value[i][j])]
             where = f"{about.format(row=i + 1, column=j + 1)}; products with a 0 are left out"
             if len(terms) == len(_diagonals(part)):
                 where = about.format(row=i + 1, column=j + 1)
-            parts = (f"{entry} = det ", by.rows(part), f" = {' = '.join(texts)}")
+            parts = (f"{entry} = det ", by.rows(part), chain("", texts))
             steps.append(Step(Formula(parts), where, proved))
     return [*steps, by.step("D = ", value, because="the minors", proved=proved)]

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nmatrix.errors import NoAnswerError
-from nmatrix.formula import BAR
 from nmatrix.report import Formula, Step
+from nmatrix.typed_rows import BAR
 from nmatrix.working.working import (
     EXACT,
     ONE,

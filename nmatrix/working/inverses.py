@@ -7,7 +7,7 @@ from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.report import Step
 from nmatrix.working.determinants import EXPANDED, cofactors, sum_of
 from nmatrix.working.elimination import identity_beside
-from nmatrix.working.products import product
+from nmatrix.working.products import product, unit_check
 from nmatrix.working.working import (
     EXACT,
     ONE,
@@ -16,6 +16,7 @@ from nmatrix.working.working import (
     Notation,
     Vector,
     Working,
+    chain,
     identity,
     raised,
     transposed,
@@ -86,7 +87,7 @@ def inverse_transpose(A: Matrix, name: str = "A", by: Notation = EXACT) -> Worki
     named = raised(name, "⁻ᵀ")
     about = "the cofactors over the determinant"
     last, value = _over(f"{named} = C / det {name}", C.value, d, about, by)
-    check = _unit_line(transposed(A), value, (raised(name, "ᵀ"), named), by)
+    check = unit_check(transposed(A), value, (raised(name, "ᵀ"), named), by)
     return Working((*C.steps, found, last, check), value)
 
 
@@ -102,10 +103,10 @@ def determinant_by_cofactors(
     (('det A = 1·4 + 2·(−3) = 4 − 6 = −2',), -2)
     """
     texts, value = sum_of([(1, pair) for pair in zip(A[0], C[0], strict=True)], by)
-    shown = " = ".join(text for i, text in enumerate(texts) if i == 0 or text != texts[i - 1])
     column = by.dot([row[0] for row in A], [row[0] for row in C])
     about = "the first row times its cofactors"
-    return by.step(f"det {name} = {shown}", because=about, proved=by.same(value, column)), value
+    line = chain(f"det {name}", texts)
+    return by.step(line, because=about, proved=by.same(value, column)), value
 
 
 def _over(head: str, C: Matrix, d: Entry, because: str, by: Notation) -> tuple[Step, Matrix]:
@@ -117,18 +118,6 @@ def _over(head: str, C: Matrix, d: Entry, because: str, by: Notation) -> tuple[S
         return by.step(f"{head} = ", value, because=because, proved=proved), value
     text = by.factor(factor, is_first=True)
     return by.step(f"{head} = {text} · ", C, " = ", value, because=because, proved=proved), value
-
-
-def _unit_line(A: Matrix, B: Matrix, names: tuple[str, str], by: Notation) -> Step:
-    """Multiply what must give I, as the check of a calculation."""
-    found = by.product(A, B)
-    return by.step(
-        f"{names[0]} · {names[1]} = ",
-        found,
-        " = I",
-        because="the check",
-        proved=by.is_identity(found) and by.is_identity(by.product(B, A)),
-    )
 
 
 def _by_adjugate(A: Matrix, name: str, by: Notation) -> Working:
@@ -146,7 +135,7 @@ def _by_adjugate(A: Matrix, name: str, by: Notation) -> Working:
     )
     about = "the adjugate over the determinant"
     last, value = _over(f"{named} = Cᵀ / det {name}", turned, d, about, by)
-    check = _unit_line(A, value, (name, named), by)
+    check = unit_check(A, value, (name, named), by)
     return Working((*C.steps, line, adjugate, last, check), value)
 
 
@@ -158,7 +147,7 @@ def _by_gauss(A: Matrix, name: str, by: Notation) -> Working:
         raise _singular()
     value = tuple(tuple(row[n:]) for row in work.rows)
     named = raised(name, "⁻¹")
-    check = _unit_line(A, value, (name, named), by)
+    check = unit_check(A, value, (name, named), by)
     read = by.step(
         f"{named} = ",
         value,
@@ -191,7 +180,7 @@ def _by_blocks(M: Matrix, name: str, by: Notation) -> Working:
         because=f"{letter}⁻¹ is its block and −{letter}⁻¹ t its translation",
         proved=by.is_identity(by.product(value, M)),
     )
-    check = _unit_line(M, value, (name, named), by)
+    check = unit_check(M, value, (name, named), by)
     return Working((first, parts, *inner.steps[1:], *back.steps, last, check), value)
 
 

@@ -17,6 +17,7 @@ from nmatrix.working.working import (
     added,
     cells_or_entries,
     fits,
+    identity,
     is_matrix,
     raised,
     transposed,
@@ -94,6 +95,23 @@ def _named_sums(
 def _without_zeros(pairs: Sequence[tuple[Entry, Entry]], by: Notation) -> str:
     kept = [(a, b) for a, b in pairs if not (by.is_zero(a) or by.is_zero(b))]
     return by.products(kept) if kept else "0"
+
+
+def unit_check(
+    A: Matrix, B: Matrix, names: tuple[str, str], by: Notation = EXACT, because: str = "the check"
+) -> Step:
+    """Multiply what must give I: the last line of a calculation.
+
+    Examples
+    --------
+    >>> unit_check(((2, 0), (0, 1)), ((ONE / 2, 0), (0, 1)), ("A", "B")).verified
+    True
+    """
+    found = by.product(A, B)
+    proved = by.is_identity(found) and by.is_identity(by.product(B, A))
+    shown = identity(len(A)) if proved else found
+    end = " = I" if proved else ""
+    return by.step(f"{names[0]} · {names[1]} = ", shown, end, because=because, proved=proved)
 
 
 def chained(

@@ -12,10 +12,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from nmatrix.formula import LOWERED, RAISED, columns_of
+from nmatrix.formula import LOWERED, RAISED
 from nmatrix.linear import rational
+from nmatrix.linear.rounding import inverse_root, nearest, short_text
 from nmatrix.report import Formula, Step
-from nmatrix.surds import root
+from nmatrix.surds import Surd, TooManyRootsError, is_short, root, short_number
+from nmatrix.typed_rows import columns_of
 
 Entry = Any  # it has + − · /, and nothing else is asked of it
 Vector = Sequence[Entry]
@@ -24,6 +26,9 @@ Part = str | Sequence[Entry] | Matrix
 
 ONE = Fraction(1)
 COLUMNS = 78  # of a line: an indentation by two leaves eighty
+DIGITS = 6  # of a number that is no short fraction or root
+LARGEST, WIDEST = 10**8, 16  # of the whole numbers in a sum of roots; of its characters
+KNOWN = Fraction(1, 2**90)  # how far apart two numbers may be that are known to 130 bits
 _ROOT = re.compile(r"sqrt\((\d+)\)")
 _INDEX = re.compile(r"_(\d)")
 _ZEROS = re.compile(r"(/|(?<!\d))(\d*?[1-9])(0{15,})(?!\d)")
@@ -59,6 +64,86 @@ def _power_of_ten(number: re.Match[str]) -> str:
     if factor == "1":
         return slash + power
     return f"/({factor}*{power})" if slash else f"{factor}*{power}"
+
+
+def short(value: object) -> str:
+    """Write a short fraction or root as it is, and any other number in six digits.
+
+    Examples
+    --------
+    >>> short(Fraction(-1, 2)), short(Fraction(2, 3 * 10**13 + 1)), short(Fraction(10) ** 400)
+    ('−1/2', '6.66667·10⁻¹⁴', '10⁴⁰⁰')
+    """
+    if isinstance(value, Fraction | Surd) and not _reads_well(value):
+        return decimal(value)
+    return written(value)
+
+
+def _reads_well(value: Fraction | Surd) -> bool:
+    """Tell whether a number is exact and short enough for an entry of a matrix."""
+    if is_short(value):
+        return True
+    small = isinstance(value, Surd) and all(
+        max(abs(q.numerator), q.denominator, d) < LARGEST for d, q in value.terms
+    )
+    return small and len(str(value)) <= WIDEST
+
+
+def decimal(value: Fraction | Surd, digits: int = DIGITS) -> str:
+    """Write a number in so many digits, with a power of ten where it needs one.
+
+    Examples
+    --------
+    >>> decimal(Fraction(2, 3)), decimal(Fraction(-3, 10**8))
+    ('0.666667', '−3·10⁻⁸')
+    """
+    text = short_text(middle(value), digits).replace("-", "−")
+    mantissa, mark, exponent = text.partition("e")
+    if not mark:
+        return text
+    power = f"10{str(int(exponent.replace('−', '-'))).replace('-', '⁻').translate(_RAISED)}"
+    return mantissa.replace("1", power) if mantissa in ("1", "−1") else f"{mantissa}·{power}"
+
+
+def middle(value: int | Fraction | Surd) -> Fraction:
+    """Find the fraction in the middle of what is known of a number.
+
+    Examples
+    --------
+    >>> float(middle(root(2))), middle(3)
+    (1.4142135623730951, Fraction(3, 1))
+    """
+    if isinstance(value, Surd):
+        low, high = value.between()
+        return (low + high) / 2
+    return Fraction(value)
+
+
+def as_typed(value: float | Fraction) -> Fraction:
+    """Find the short fraction that a float was meant to be, or keep the one that it is.
+
+    Examples
+    --------
+    >>> print(as_typed(0.1), as_typed(1 / 3), as_typed(Fraction(2, 7)))
+    1/10 1/3 2/7
+    """
+    found = stands_for(value)
+    return found if isinstance(found, Fraction) else Fraction(value)
+
+
+def stands_for(value: float | Fraction) -> Entry:
+    """Find the short number, perhaps a root, that an entry of a matrix was meant to be.
+
+    Examples
+    --------
+    >>> print(stands_for(0.1), stands_for(3**0.5 / 2), stands_for(Fraction(1, 3)))
+    1/10 √3/2 1/3
+    """
+    exact = Fraction(value)
+    if is_short(exact) or Fraction(nearest(exact)) != exact:
+        return exact
+    found = short_number(float(exact))
+    return exact if found is None else found
 
 
 def lowered(*numbers: object) -> str:
@@ -107,7 +192,34 @@ def squared(text: str) -> str:
     >>> squared("3"), squared("−1/2")
     ('3²', '(−1/2)²')
     """
-    return f"{text}²" if text.isdigit() else f"({text})²"
+    return f"{text}²" if text.replace(".", "").isdigit() else f"({text})²"
+
+
+def chain(head: str, texts: Sequence[str]) -> str:
+    """Write `head = text = text`, and nothing twice.
+
+    Examples
+    --------
+    >>> chain("a · b", ["2·4 + 0·1", "8", "8"])
+    'a · b = 2·4 + 0·1 = 8'
+    """
+    return " = ".join((head, *without_repeats(texts)))
+
+
+def without_repeats(texts: Sequence[str]) -> list[str]:
+    """Leave out what says the same as the text before it."""
+    return [text for i, text in enumerate(texts) if i == 0 or text != texts[i - 1]]
+
+
+def lines(head: str, texts: Sequence[str], reasons: Sequence[str], *, proved: bool) -> list[Step]:
+    """Write equal expressions on one line, or each on its own where they find no room together."""
+    whole = chain(head, texts)
+    if fits(whole):
+        return [Step(Formula((whole,)), reasons[0], bool(proved))]
+    return [
+        Step(Formula((f"{head} = {text}",)), because, bool(proved))
+        for text, because in zip(without_repeats(texts), reasons, strict=False)
+    ]
 
 
 def added(texts: Iterable[str]) -> str:
@@ -136,6 +248,24 @@ def _as_it_is(value: Entry) -> Entry:
     return value
 
 
+def exact_root(square: Entry) -> Fraction | Surd:
+    """Take a square root that is a number times one root.
+
+    Raises
+    ------
+    TooManyRootsError
+        For the root of a sum of roots, and where nobody knows the square factors.
+
+    Examples
+    --------
+    >>> print(exact_root(Fraction(3, 4)))
+    √3/2
+    """
+    if isinstance(square, Surd):
+        raise TooManyRootsError("the root of a sum of roots")
+    return root(square)
+
+
 @dataclass(frozen=True)
 class Notation:
     """How entries are written, and what is known of them.
@@ -157,7 +287,7 @@ class Notation:
     write: Callable[[Entry], str] = written
     is_zero: Callable[[Entry], bool] = _equals_zero
     tidy: Callable[[Entry], Entry] = _as_it_is
-    root: Callable[[Entry], Entry] = root
+    root: Callable[[Entry], Entry] = exact_root
     agree: Callable[[Entry, Entry], bool] | None = None
 
     def same(self, a: Entry, b: Entry) -> bool:
@@ -232,7 +362,20 @@ class Notation:
         return Step(self.formula(*parts), because, bool(proved))
 
 
+def _near_root(square: Entry) -> Fraction:
+    exact = middle(square)
+    return exact * inverse_root(exact) if exact else exact
+
+
+def _are_near(a: Entry, b: Entry) -> bool:
+    one, other = middle(a), middle(b)
+    size = max(abs(one), abs(other)) if one and other else ONE
+    return abs(one - other) <= KNOWN * size
+
+
 EXACT = Notation()
+SHORT = Notation(short)  # as exact, but long numbers are shown in six digits
+NEAR = Notation(short, root=_near_root, agree=_are_near)  # of numbers that are known to 130 bits
 
 
 @dataclass(frozen=True)
@@ -241,6 +384,20 @@ class Working:
 
     steps: tuple[Step, ...]
     value: Any
+
+
+def exactly_or_near(make: Callable[[Notation], Working]) -> Working:
+    """Work something out with roots if they can be written down, else with numbers of 130 bits.
+
+    Examples
+    --------
+    >>> exactly_or_near(lambda by: Working((), by is SHORT)).value
+    True
+    """
+    try:
+        return make(SHORT)
+    except TooManyRootsError:
+        return make(NEAR)
 
 
 def is_matrix(value: Sequence[Any]) -> bool:
@@ -277,6 +434,23 @@ def raised(name: str, exponent: str) -> str:
     ('A⁻¹', '(R · S)ᵀ')
     """
     return f"({name}){exponent}" if " " in name else f"{name}{exponent}"
+
+
+def in_one_line(first: Step, second: Step, because: str) -> Step:
+    """Write two steps on one line: one that goes on with another value, or two statements.
+
+    Examples
+    --------
+    >>> sum_ = EXACT.step("v = ", (3,), because="the sum", proved=True)
+    >>> in_one_line(Step(Formula(("v = ", (("1 + 2",),))), "", True), sum_, "added").formula.parts
+    ('v = ', (('1 + 2',),), ' = ', (('3',),))
+    """
+    (head, *parts), (other, *more) = first.formula.parts, second.formula.parts
+    if str(head).startswith(str(other)):
+        joined = Formula((head, *parts, " = ", *more))
+    else:
+        joined = Formula((f"{head},  {other}", *more))
+    return Step(joined, because, first.verified and second.verified)
 
 
 def cells_or_entries(

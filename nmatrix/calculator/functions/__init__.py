@@ -1,11 +1,24 @@
 """The functions of the calculator, by name: what each takes, does, and how one writes it."""
 
-from nmatrix.calculator.functions import maps, matrices, numeric, vectors
+from nmatrix.calculator.functions import (
+    camera,
+    elimination,
+    maps,
+    matrices,
+    numeric,
+    rotations,
+    spectral,
+    vectors,
+)
 from nmatrix.calculator.functions.function import Function
 
 FUNCTIONS: dict[str, Function] = {
     **matrices.FUNCTIONS,
+    **elimination.FUNCTIONS,
+    **spectral.FUNCTIONS,
     **vectors.FUNCTIONS,
     **numeric.FUNCTIONS,
+    **rotations.FUNCTIONS,
     **maps.FUNCTIONS,
+    **camera.FUNCTIONS,
 }
