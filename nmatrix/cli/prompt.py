@@ -74,14 +74,13 @@ def _reader(session: Session) -> LineReader:
 @contextmanager
 def _prompt_first() -> Iterator[None]:
     """Show the prompt, and let keys wait unseen until the one who reads them is ready."""
-    sys.stdout.write(PROMPT)
-    sys.stdout.flush()
     try:
         import signal
         import termios
     except ImportError:  # Windows
+        _put(PROMPT)
         yield
-        sys.stdout.write("\r")
+        _put("\r")
         return
     usual = termios.tcgetattr(0)
     waiting = usual.copy()
@@ -89,9 +88,14 @@ def _prompt_first() -> Iterator[None]:
     ended = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal drops the line itself
     termios.tcsetattr(0, termios.TCSANOW, waiting)
     try:
+        _put(PROMPT)
         yield
     finally:
         termios.tcsetattr(0, termios.TCSANOW, usual)
         signal.signal(signal.SIGINT, ended)
-        sys.stdout.write("\r")
-        sys.stdout.flush()
+        _put("\r")
+
+
+def _put(text: str) -> None:
+    sys.stdout.write(text)
+    sys.stdout.flush()
