@@ -21,7 +21,7 @@ _TOKEN = re.compile(
 )
 
 
-class Unknown(Exception):
+class UnknownError(Exception):
     """A name that no line before has given a value."""
 
 
@@ -41,6 +41,24 @@ def formulas(text: str) -> list[list]:
 
 
 def _parts(lines: list[str]) -> list:
+    return _whole(_bands(lines))
+
+
+def _whole(parts: list) -> list:
+    """Put the pieces of a matrix together, which was cut between two columns."""
+    found: list = []
+    for part in parts:
+        if isinstance(part, list) and part[0][0] == "…":
+            while isinstance(found[-1], str):
+                assert not found.pop().strip()
+            assert all(row[-1] == "…" for row in found[-1])
+            found[-1] = [row[:-1] + more[1:] for row, more in zip(found[-1], part, strict=True)]
+        else:
+            found.append(part)
+    return found
+
+
+def _bands(lines: list[str]) -> list:
     parts: list = []
     while lines:
         first = lines[0]
@@ -163,7 +181,7 @@ class Replay:
         for side in sides:
             try:
                 known.append(self.value(side))
-            except Unknown:
+            except UnknownError:
                 known.append(None)
             self._read_sums([part for part in side if isinstance(part, list)])
         values = [one for one in known if one is not None]
@@ -193,7 +211,7 @@ class Replay:
             for name, matrix in zip(text.rsplit(f" {sign} ", 1), matrices, strict=True):
                 try:
                     assert same(self.value([name]), matrix), name
-                except Unknown:
+                except UnknownError:
                     self.values[name] = matrix
 
     def _judge(self, head: str, side: list, value) -> None:
@@ -216,8 +234,11 @@ class Replay:
             assert same(value, entry), (head, value)
             row, column = self.factors[0][indices[0]], transposed(self.factors[1])[indices[1]]
             self._is_sum(side[0], row, column)
-        elif head[0] == "M" and len(indices) == 2 and A:
-            assert value == without(A, *indices)
+        elif head[0] == "M" and indices and A:
+            left = A
+            for i, j in zip(indices[::2], indices[1::2], strict=True):
+                left = without(left, i, j)
+            assert value == left
             self.checked += 1
 
     def _read_sums(self, matrices: list) -> None:
@@ -286,13 +307,15 @@ class _Expression:
                 total = cross(total, self._power())
             elif self._next("/"):
                 total = scaled(1 / self._power(), total)
-            elif isinstance(self.rest[0], str) and self.rest[0] in (*"+−),°",):
-                break
-            elif self.rest[0] == "|" and self.bars:
+            elif self._ends():
                 break
             else:
                 total = times(total, self._power())
         return total
+
+    def _ends(self) -> bool:
+        mark = self.rest[0]
+        return isinstance(mark, str) and (mark in tuple("+−),°") or (mark == "|" and self.bars > 0))
 
     def _power(self):
         base = self._atom()
@@ -307,12 +330,15 @@ class _Expression:
 
     def _atom(self):
         if not self.rest:
-            raise Unknown
+            raise UnknownError
         token = self.rest.pop(0)
         if isinstance(token, list):
             return token
         if token == "(":
             inside = self.sum()
+            while self._next(","):
+                below = self.sum()
+                inside = (inside if isinstance(inside, list) else [[inside]]) + [[below]]
             assert self._next(")"), self.rest
             return inside
         if token == "|":
@@ -321,14 +347,10 @@ class _Expression:
             self.bars -= 1
             assert self._next("|"), self.rest
             return sqrt(sum(x * x for (x,) in inside))
-        if token == "√":
-            return root(self._power())
         if token[0].isdigit():
             number = float(token) if "." in token else Fraction(token)
-            if self._next("√"):
-                return number * root(self._power())
-            return number
-        return self._named(token)
+            return number * root(self._power()) if self._next("√") else number
+        return root(self._power()) if token == "√" else self._named(token)
 
     def _named(self, token: str):
         functions = {"det": det, "rank": rank}
@@ -337,7 +359,7 @@ class _Expression:
         turns = {"cos": cos, "sin": sin, "tan": tan}
         if token in turns:
             if not self._next("("):
-                raise Unknown(token)
+                raise UnknownError(token)
             inside = self.sum()
             assert self._next("°")
             assert self._next(")")
@@ -351,7 +373,7 @@ class _Expression:
         whole = self.values.get(token[0])
         if len(token) == 2 and token[1] in LOWERED and isinstance(whole, list):
             return whole[LOWERED.index(token[1]) - 1][0]
-        raise Unknown(token)
+        raise UnknownError(token)
 
 
 def _split(parts: list, *marks: str) -> list[list]:
