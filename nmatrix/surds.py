@@ -105,10 +105,14 @@ class Surd:
         return -self if self < 0 else self
 
     def __lt__(self, other: Rational | Surd) -> bool:
+        if _terms(other) is None:
+            return NotImplemented
         difference = self - other
         return difference < 0 if isinstance(difference, Fraction) else difference._sign() < 0
 
     def __gt__(self, other: Rational | Surd) -> bool:
+        if _terms(other) is None:
+            return NotImplemented
         return other != self and not self < other
 
     def __le__(self, other: Rational | Surd) -> bool:

@@ -183,7 +183,7 @@ def perspective(
     0 0 -1 0
     """
     focal = _focal_lengths(half_fov_y, aspect)
-    return _perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
+    return perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
 
 
 def _focal_lengths(half_fov_y: Angle, aspect: float | Fraction) -> tuple[Fraction, Fraction]:
@@ -199,7 +199,7 @@ def _focal_lengths(half_fov_y: Angle, aspect: float | Fraction) -> tuple[Fractio
     return focal / exactly(aspect), focal
 
 
-def _perspective_rows(
+def perspective_rows(
     focal: tuple[Fraction, Fraction],
     centre: tuple[Fraction, Fraction],
     depth_row: tuple[Fraction, Fraction],
@@ -252,7 +252,7 @@ def through(
     _check_extent(sides)
     left, right, bottom, top = sides
     width, height = right - left, top - bottom
-    return _perspective_rows(
+    return perspective_rows(
         (2 * distance / width, 2 * distance / height),
         ((right + left) / width, (top + bottom) / height),
         depth_row,

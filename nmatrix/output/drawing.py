@@ -30,6 +30,7 @@ _BREAKS = tuple(  # where a formula may go on below: first before a statement, l
     )
 )
 HANGING = "    "  # before what goes on below
+BESIDE = 12  # columns of that, and of a name and a sign before a matrix that is cut
 FORMULA = 78  # columns of a formula: with its indentation a line of 80
 NARROWEST = 8  # columns that a wrapped cell of a table keeps
 AXIS_NAMES = "xyzw"
@@ -212,7 +213,8 @@ def _number(text: str) -> Span:
 def draw_formula(formula: Formula, width: int = FORMULA) -> str:
     """Draw a formula as it was typed, with tall brackets around its matrices.
 
-    What is wider than `width` goes on below, from a sign between two of its terms.
+    What is wider than `width` goes on below, from a sign between two of its terms; a matrix that
+    is wider by itself, from a column.
 
     Examples
     --------
@@ -220,7 +222,36 @@ def draw_formula(formula: Formula, width: int = FORMULA) -> str:
     A = ⎡ 1   0 ⎤
         ⎣ 0  −2 ⎦
     """
-    return "\n".join(map(_drawn_band, _bands(formula.parts, width, _BREAKS)))
+    parts = [
+        piece
+        for part in formula.parts
+        for piece in ([part] if isinstance(part, str) else _cut(part, width - BESIDE))
+    ]
+    return "\n".join(map(_drawn_band, _bands(parts, width, _BREAKS)))
+
+
+def _cut(cells: TypedRows, width: int) -> list[TypedRows]:
+    """Cut a matrix that is too wide between its columns; dots stand for those that are elsewhere.
+
+    Examples
+    --------
+    >>> _cut((("100", "200", "300"),), 16)
+    [(('100', '200', '…'),), (('…', '300'),)]
+    """
+    dots, bar = ("…",) * len(cells), bar_of(cells)
+    pieces: list[list[tuple[str, ...]]] = [[]]
+    for place, column in enumerate(zip(*cells, strict=True)):
+        is_behind = bar and place == bar + 1  # the bar stays with what it parts from the rest
+        wider = (*pieces[-1], column, *([dots] if place + 1 < len(cells[0]) else []))
+        if len(pieces[-1]) > 1 and not is_behind and columns_of([_rows(wider)]) > width:
+            pieces[-1].append(dots)
+            pieces.append([dots])
+        pieces[-1].append(column)
+    return [_rows(piece) for piece in pieces]
+
+
+def _rows(columns: Sequence[tuple[str, ...]]) -> TypedRows:
+    return tuple(zip(*columns, strict=True))
 
 
 def _bands(
@@ -247,6 +278,8 @@ def _unbroken(
     groups: list[list[str | TypedRows]] = [[]]
     depth = 0
     for part in parts:
+        if not isinstance(part, str) and part[0][0] == "…":
+            groups.append([])
         pieces = sign.split(part) if isinstance(part, str) else [part]
         for place, piece in enumerate(pieces):
             if place and not depth:

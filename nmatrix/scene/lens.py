@@ -27,6 +27,7 @@ from nmatrix.linear.measured_lens import (
     sides_at_distance_one,
 )
 from nmatrix.linear.projection import (
+    CENTRED,
     CLIP_PARTS,
     DEFAULT_CLIP_SPACE,
     ClipSpace,
@@ -39,6 +40,7 @@ from nmatrix.linear.projection import (
     parallel,
     perspective,
     perspective_depth,
+    perspective_rows,
     through,
 )
 from nmatrix.linear.rational import ONE, RationalMatrix, exactly, rounded_for_display
@@ -223,6 +225,11 @@ class Lens:
         if self.frustum is not None:
             return through(self.frustum.sides(read), near, depth_row, self.clip)
         aspect = read(self.aspect_ratio)
+        if isinstance(self.measured, HorizontalField):
+            check_aspect(aspect)
+            half = turn(read(self.measured.degrees) / 2)
+            focal = half.cosine / half.sine
+            return perspective_rows((focal, focal * aspect), CENTRED, depth_row, self.clip)
         if self.measured is not None:
             check_aspect(aspect)
             sides = sides_at_distance_one(self.measured, aspect, self.viewport, turn, read)

@@ -7,6 +7,7 @@ from math import prod
 
 from nmatrix.enums import DeterminantBy
 from nmatrix.errors import IllegalValueError
+from nmatrix.formula import LOWERED
 from nmatrix.report import Formula, Step
 from nmatrix.working.elimination import Elimination
 from nmatrix.working.working import (
@@ -182,7 +183,7 @@ def _expanded(A: Matrix, name: str, by: Notation) -> Working:
     ]
     texts, value = sum_of(terms, by)
     proved = _known(A, value, by)
-    names = [f"m{lowered(i + 1, j + 1)}" for i, j in places]
+    names = [f"m{_indices(name)}{lowered(i + 1, j + 1)}" for i, j in places]
     steps: list[Step] = [_first_line(A, name, places, along, by, proved=proved)]
     for minor_name, (i, j) in zip(names, places, strict=True):
         part = without(A, i, j)
@@ -190,6 +191,11 @@ def _expanded(A: Matrix, name: str, by: Notation) -> Working:
     about = f"the entries {along} times their determinants, with the signs of the chessboard"
     steps += lines(f"det {name}", texts, (about, "the products", "the sum"), proved=proved)
     return Working(tuple(steps), value)
+
+
+def _indices(name: str) -> str:
+    """Read what was left out already: a minor of M₁₂ without row 3 and column 1 is M₁₂₃₁."""
+    return name[1:] if name[:1] == "M" and set(name[1:]) <= set(LOWERED) else ""
 
 
 def _first_line(

@@ -147,7 +147,7 @@ def _placed(R: Block, eye: Vector, steps: Sequence[Step], by: Notation) -> Worki
     proof = Proof(by, "t", about, "minus row {row} times the eye", at_origin)
     moved = cells_or_entries(f"t = −{R.name} e", cells, [(x,) for x in t], about, proof)
     check = by.step(
-        "V · e = ",
+        "V · (e, 1) = ",
         V,
         " · ",
         (*eye, ONE),

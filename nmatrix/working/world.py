@@ -41,9 +41,9 @@ from nmatrix.working.working import (
 
 Factors = list[tuple[str, Matrix]]
 _ABOUT = {
-    "X": (("1", "0", "0"), ("0", "c", "−s"), ("0", "s", "c")),
-    "Y": (("c", "0", "s"), ("0", "1", "0"), ("−s", "0", "c")),
-    "Z": (("c", "−s", "0"), ("s", "c", "0"), ("0", "0", "1")),
+    "X": (("1", "0", "0"), ("0", "cx", "−sx"), ("0", "sx", "cx")),
+    "Y": (("cy", "0", "sy"), ("0", "1", "0"), ("−sy", "0", "cy")),
+    "Z": (("cz", "−sz", "0"), ("sz", "cz", "0"), ("0", "0", "1")),
 }
 _BY_QUATERNION = (
     ("|q|² − 2(y² + z²)", "2(x y − z w)", "2(x z + y w)"),
@@ -143,7 +143,7 @@ def turned(turns: list[tuple[str, Fraction]], by: Notation) -> tuple[list[Step],
     --------
     >>> steps, ((name, R),) = turned([("Z", Fraction(90))], SHORT)
     >>> name, steps[0].formula.parts
-    ('Rz', ('c = cos(90°) = 0,  s = sin(90°) = 1',))
+    ('Rz', ('cz = cos(90°) = 0,  sz = sin(90°) = 1',))
     """
     factors: Factors = []
     steps: list[Step] = []
@@ -152,7 +152,10 @@ def turned(turns: list[tuple[str, Fraction]], by: Notation) -> tuple[list[Step],
         name = f"R{axis.lower()}"
         filled = Formula((f"{name} = ", _ABOUT[axis], " = ", by.rows(R)))
         about = f"the rotation about {axis.lower()}, by the right-hand rule"
-        steps += [_sine_and_cosine(degrees, by), Step(filled, about, _turns_only(R, by))]
+        steps += [
+            _sine_and_cosine(degrees, by, axis.lower()),
+            Step(filled, about, _turns_only(R, by)),
+        ]
         factors.append((name, R))
     if len(factors) < 2:
         return steps, factors
@@ -171,7 +174,7 @@ def has_roots(degrees: Fraction) -> bool:
     return _exact_angle(degrees) is not None
 
 
-def _sine_and_cosine(degrees: Fraction, by: Notation) -> Step:
+def _sine_and_cosine(degrees: Fraction, by: Notation, axis: str = "") -> Step:
     turn, known = _angle(degrees), Angle.degrees(degrees)
     sign = "=" if has_roots(degrees) else "≈"
     text = decimal(degrees)
@@ -180,8 +183,8 @@ def _sine_and_cosine(degrees: Fraction, by: Notation) -> Step:
         for one, other in ((turn.cosine, known.cosine), (turn.sine, known.sine))
     )
     line = (
-        f"c = cos({text}°) {sign} {by.write(turn.cosine)},  "
-        f"s = sin({text}°) {sign} {by.write(turn.sine)}"
+        f"c{axis} = cos({text}°) {sign} {by.write(turn.cosine)},  "
+        f"s{axis} = sin({text}°) {sign} {by.write(turn.sine)}"
     )
     return by.step(line, because="the cosine and the sine of the angle", proved=all(near))
 
@@ -266,20 +269,23 @@ def _multiplied(factors: Factors, by: Notation) -> tuple[Matrix, str, tuple[Step
 def _moved(A: Matrix, t: Vector, name: str, by: Notation) -> tuple[list[Step], Matrix]:
     """Multiply by T from the left, which puts the translation beside the block."""
     grown = affine(A, (Fraction(0),) * 3)
-    larger = f"{name} grows by a fourth row and column"
     if not any(t):
         nothing = "nothing is turned, scaled or moved"
-        about = nothing if name == "I" else f"{larger}; nothing is moved, so T = I"
+        about = (
+            nothing
+            if name == "I"
+            else f"{name} with a fourth row and column; nothing is moved, so T = I"
+        )
         return [_part("M", grown, about, by)], grown
     T, M = translation_matrix(t), affine(A, t)
     product = by.step(
-        f"M = T · {name} = ",
+        "M = T · L = ",
         T,
         " · ",
         grown,
         " = ",
         M,
-        because=f"{larger}; T puts its last column beside it",
+        because=f"L is {name} with a fourth row and column; T puts its last column beside it",
         proved=by.same(by.product(T, grown), M),
     )
     return [_part("T", T, "the translation stands in the last column", by), product], M
