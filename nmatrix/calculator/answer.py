@@ -6,6 +6,7 @@ from fractions import Fraction
 from math import isinf
 
 from nmatrix.calculator.evaluate import Calculation
+from nmatrix.calculator.meanings import Located, Map
 from nmatrix.calculator.numbers import Float64, Interval
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
 from nmatrix.errors import counted
@@ -27,11 +28,10 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
             {"expression": step.expression, "value": step.value.shown, "rule": step.rule}
             for step in calculation.steps
         ]
-    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
     data: dict[str, JsonValue] = {
         "expression": calculation.expression,
         "value": value.shown,
-        "kind": kind.value,
+        **_meant(value),
         "exact": as_strings(value.entries) if value.exact else None,  # type: ignore[dict-item]
         "steps": steps,
     }
@@ -40,12 +40,23 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
         for i, step in enumerate(calculation.steps):
             blocks += [Text(f"{step.expression}: {step.rule}")]
             blocks += [Quantity(f"steps.{i}.value", step.value.shown, f"step {i + 1}")]
-    blocks.append(Quantity("value", value.shown, "value"))
+    blocks.append(Quantity("value", value.shown, str(value.meaning or "value")))
     denominators = [x.denominator for x in value.numbers if isinstance(x, Fraction)]
     if value.exact and 1 < max(denominators) <= READABLE:
         blocks.append(Text(f"exactly: {_fractions(value)}"))
     remarks = (*calculation.remarks, *_remarks(value, calculation.arithmetic))
     return Report("calc", data, tuple(blocks), remarks)
+
+
+def _meant(value: Value) -> dict[str, JsonValue]:
+    """Tell the kind of a value, and its space, or the two that a map leads between."""
+    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
+    match value.meaning:
+        case Map(to, source):
+            return {"kind": kind, "to": to, "from": source, "space": None}
+        case Located(space, found):
+            return {"kind": found, "to": None, "from": None, "space": space}
+    return {"kind": kind, "to": None, "from": None, "space": None}
 
 
 def _fractions(value: Value) -> str:

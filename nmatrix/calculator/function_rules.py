@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Carries, Kind, Located, Map, Meaning
-from nmatrix.calculator.numbers import is_negative, is_zero
+from nmatrix.calculator.numbers import is_zero
 from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor, together, undivided
 from nmatrix.calculator.rules import meaning_of as meaning_of_operator
-from nmatrix.calculator.rules import orthonormal
+from nmatrix.calculator.rules import mirrors, orthonormal
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen
-from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.linear import rational
 
@@ -72,7 +71,7 @@ def _cofactors(arguments: Sequence[Given]) -> Meaning | None:
     found = A.value.meaning
     if not isinstance(found, Map) or found.carries not in (Carries.PLACES, Carries.ALL):
         return None
-    carries = Carries.FLIPPED if _mirrors(A) else Carries.NORMALS
+    carries = Carries.FLIPPED if mirrors(A.value.matrix) else Carries.NORMALS
     return Map(found.to, found.source, carries)
 
 
@@ -80,20 +79,7 @@ def _adjugate(arguments: Sequence[Given]) -> Meaning | None:
     """Lead back, but for a mirror, whose adjugate turns directions round."""
     A = _values(arguments)[0]
     found = A.value.meaning
-    return found.inverse if isinstance(found, Map) and not _mirrors(A) else None
-
-
-def _mirrors(A: Operand) -> bool:
-    if not _is_square(A):
-        return False
-    try:
-        return is_negative(rational.determinant(A.value.matrix))
-    except NoAnswerError:
-        return False
-
-
-def _is_square(A: Operand) -> bool:
-    return len(A.value.matrix) == len(A.value.matrix[0])
+    return None if not isinstance(found, Map) or mirrors(A.value.matrix) else found.inverse
 
 
 def _origin(arguments: Sequence[Given]) -> Meaning | None:

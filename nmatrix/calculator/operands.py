@@ -11,6 +11,8 @@ from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.lessons.check.mistakes import MistakeId
 
+UNDIVIDED = Located(Frame.CLIP, Kind.POINT)
+
 
 class Sort(StrEnum):
     """What a rule can see of a value."""
@@ -61,7 +63,13 @@ class Operand:
     @property
     def is_undivided(self) -> bool:
         """Whether it is a point of clip space, whose x, y and z say nothing without its w."""
-        return self.value.meaning == Located(Frame.CLIP, Kind.POINT)
+        return self.value.meaning == UNDIVIDED
+
+    @property
+    def bared(self) -> str:
+        """Its text without parentheses around the whole."""
+        inside = self.text[1:-1]
+        return inside if self.text == f"({inside})" == factor(f"({inside})") else self.text
 
 
 class RefusedError(Exception):

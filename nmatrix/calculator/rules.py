@@ -7,11 +7,12 @@ how much it would be wrong. What is not known is never refused.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.calculator.meanings import FOR_NORMALS, Carries, Kind, Located, Map, Meaning, meets
-from nmatrix.calculator.numbers import degrees_of, is_negative, is_zero, root, shown, size
-from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor, together, undivided
+from nmatrix.calculator.numbers import Number, degrees_of, enclosure, is_negative, is_zero, root, shown, size
+from nmatrix.calculator.operands import UNDIVIDED, Operand, RefusedError, Sort, factor, together, undivided
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.errors import NoAnswerError
@@ -19,6 +20,7 @@ from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rounding import short_text
+from nmatrix.surds import TooManyRootsError
 
 ROUNDING = Fraction(1, 10**12)  # by which the columns of a rotation in float64 may miss 1 and 0
 
@@ -120,7 +122,7 @@ _DIFFERENCES = (
 )
 
 
-def scaled(a: Operand) -> Meaning | None:
+def _scaled(a: Operand, number: Operand) -> Meaning | None:
     """Keep what a multiple still is: half of a point is no place, save in clip space."""
     meaning = a.value.meaning
     if a.is_undivided:
@@ -128,10 +130,19 @@ def scaled(a: Operand) -> Meaning | None:
         return meaning if is_whole else Located(Frame.NDC, Kind.POINT)
     if isinstance(meaning, Located) and meaning.kind is Kind.POINT:
         return Located(meaning.space, Kind.VECTOR)
+    if a.sort is Sort.FLIPPED and _is_below_0(number.value.scalar):  # such as the determinant
+        return replace(a.map, carries=Carries.NORMALS)
     return meaning
 
 
-_SCALED = _all(NUMBER, Sort, lambda _, b: scaled(b)) | _all(Sort, NUMBER, lambda a, _: scaled(a))
+def _is_below_0(number: Number) -> bool:
+    try:
+        return is_negative(number)
+    except NoAnswerError:
+        return False
+
+
+_SCALED = _all(NUMBER, Sort, lambda a, b: _scaled(b, a)) | _all(Sort, NUMBER, _scaled)
 _PRODUCTS = _ANYTHING | _SCALED
 
 
@@ -139,7 +150,7 @@ def _quotient(a: Operand, b: Operand) -> Meaning | None:
     """Divide; a point of clip space over its own w is one of normalised device coordinates."""
     if a.is_undivided and a.value.vector[-1] == b.value.scalar:
         return Located(Frame.NDC, Kind.POINT)
-    return scaled(a)
+    return _scaled(a, b)
 
 
 _QUOTIENTS = _ANYTHING | _all(Sort, NUMBER, _quotient)
@@ -179,6 +190,8 @@ POSE = Map(Frame.WORLD, Frame.CAMERA)
 
 
 def _composed(a: Operand, b: Operand) -> Meaning | None:
+    if _is_vector(a) or _is_vector(b):
+        return None
     one, other = a.map, b.map
     if not meets(one.source, other.to):
         why = f"{b.text} leads to {other.to} space, {a.text} starts from {one.source} space"
@@ -284,14 +297,16 @@ def _unknown(a: Operand, b: Operand) -> Meaning:
     """Carry a vector of no known kind, whose w is not known."""
     _begins_there(a, b)
     if len(a.value.matrix[0]) == 4:
-        why = f"{b.text} may be a point, a direction or a normal, and each has another w"
-        forms = (f"{factor(a.text)} @ {kind}({b.text})" for kind in (Kind.POINT, Kind.DIRECTION))
+        why = f"{b.text} may be a point, whose w is 1, or a direction, whose w is 0"
+        forms = (f"{factor(a.text)} @ {kind}({b.bared})" for kind in (Kind.POINT, Kind.DIRECTION))
         raise RefusedError(why, forms=forms)
     return Located(a.map.to, Kind.VECTOR)
 
 
-def _anywhere(a: Operand, b: Operand) -> Meaning:
+def _anywhere(a: Operand, b: Operand) -> Meaning | None:
     """Carry a thing by a matrix of which nothing is known."""
+    if _is_vector(a):
+        return None
     if b.sort is Sort.VECTOR:
         return _unknown(a, b)
     _begins_there(a, b)
@@ -301,7 +316,7 @@ def _anywhere(a: Operand, b: Operand) -> Meaning:
 _CARRIED = (
     _ANYTHING
     | _all((Sort.BARE, *MAPS), MAPS, _composed)
-    | _all(MAPS, (Sort.BARE,), lambda a, b: _free(a, b) if _is_vector(b) else _composed(a, b))
+    | _all(MAPS, (Sort.BARE,), _composed)
     | _of(
         {
             Sort.BARE: (_anywhere, _anywhere, _anywhere, _anywhere),
@@ -379,8 +394,8 @@ def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
 
 
 def negated(meaning: Meaning | None) -> Meaning | None:
-    """Keep what stays of a meaning under a minus: −p is no place."""
-    if isinstance(meaning, Located) and meaning.kind is Kind.POINT:
+    """Keep what stays of a meaning under a minus: −p is no place, save in clip space."""
+    if isinstance(meaning, Located) and meaning.kind is Kind.POINT and meaning != UNDIVIDED:
         return Located(meaning.space, Kind.VECTOR)
     return meaning
 
@@ -409,7 +424,7 @@ def different_ways(a: Operand, b: Operand) -> str:
 
 def orthonormal(A: RationalMatrix) -> bool:
     """Tell if a matrix is its own inverse transpose, as far as its numbers are known."""
-    product = rational.product(A, rational.transpose(A))
+    product = rational.product(_enclosed(A), rational.transpose(_enclosed(A)))
     one = rational.identity(len(A))
     return all(
         size(x - y) <= ROUNDING
@@ -418,12 +433,21 @@ def orthonormal(A: RationalMatrix) -> bool:
     )
 
 
+def mirrors(A: RationalMatrix) -> bool:
+    """Tell if the determinant of a square matrix is below 0, as far as its numbers are known."""
+    return _is_below_0(rational.determinant(_enclosed(A)))
+
+
+def _enclosed(A: RationalMatrix) -> RationalMatrix:
+    """Put roots between their bounds, so that products of many stay short."""
+    return tuple(tuple(map(enclosure, row)) for row in A)  # type: ignore[arg-type]  # numbers
+
+
 def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatrix]) -> str:
     """Measure by how many degrees a matrix carries a vector away from where the right one does."""
     A, v = rational.linear_part(a.value.matrix), b.value.vector
     if right is rational.inverse_transpose and orthonormal(A):
-        mirrors = is_negative(rational.determinant(A))
-        why = f"{a.text} only turns and mirrors" if mirrors else f"{a.text} is rigid"
+        why = f"{a.text} only turns and mirrors" if mirrors(A) else f"{a.text} is rigid"
         return f": 0° off here, since {why}"
     try:
         found, wanted = rational.apply(A, v), rational.apply(right(A), v)
@@ -432,6 +456,6 @@ def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatri
         if is_zero(sine) and is_zero(cosine):
             return ""  # one of the two vanishes
         degrees = shown(degrees_of(sine, cosine))
-    except NoAnswerError:
+    except (NoAnswerError, TooManyRootsError):
         return ""
     return f": {short_text(Fraction(float(degrees)), 4)}° off here"
