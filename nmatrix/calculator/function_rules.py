@@ -12,7 +12,6 @@ from nmatrix.calculator.rules import mirrors, orthonormal
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen
 from nmatrix.lessons.check.mistakes import MistakeId
-from nmatrix.linear import rational
 
 Given = Operand | str | None  # an argument: a value, a word, or left out
 FunctionRule = Callable[[Sequence[Given]], Meaning | None]
@@ -147,6 +146,9 @@ def _made(kind: Kind) -> FunctionRule:
             why = f"{v.text} is in {v.space} space already, and {named} is asked for"
             wanted = Operand(Value(v.value.entries, Located(named, kind)))
             raise RefusedError(why, apart=(v, wanted))
+        if named is Frame.CLIP and kind is not Kind.POINT:
+            why = f"in clip space there are points alone, and this would be a {kind}"
+            raise RefusedError(why, forms=(f"point({v.text}, clip)", f"{kind}({v.text}, ndc)"))
         refused = _UNMADE.get((kind, v.sort))
         if refused is not None:
             why, mistake = refused

@@ -63,16 +63,18 @@ def forms(refused: RefusedError, part: Part, names: Mapping[str, Meaning | None]
     """
     led = SCENE | {name: one for name, one in names.items() if isinstance(one, Map)}
     yield from (f"{form}{part.rest}" for form in refused.forms)
-    yield from (_swapped(part, operand, text) for operand, text in refused.swaps)
+    if refused.swaps:
+        yield _swapped(part, *refused.swaps)
     yield from _brought_together(refused, part, led)
     if part.is_product:
         yield from _products(part, led)
     yield from _forgetting(part)
 
 
-def _swapped(part: Part, operand: Operand, text: str) -> str:
-    places = [i for i, one in enumerate(part.operands) if one.start == operand.start]
-    return part.with_texts(dict.fromkeys(places, text))
+def _swapped(part: Part, *swaps: tuple[Operand, str]) -> str:
+    texts = {operand.start: text for operand, text in swaps}
+    starts = enumerate(one.start for one in part.operands)
+    return part.with_texts({i: texts[start] for i, start in starts if start in texts})
 
 
 def _brought_together(refused: RefusedError, part: Part, led: Mapping[str, Map]) -> Iterator[str]:
@@ -84,8 +86,8 @@ def _brought_together(refused: RefusedError, part: Part, led: Mapping[str, Map])
                 way = _way(one.space, other.space, led, with_inverses=with_inverses)
                 if way:
                     moved = _carried(one, way)
-                    yield _swapped(part, one, moved)
-                    yield _swapped(part, one, f"({moved})")
+                    yield _swapped(part, (one, moved))
+                    yield _swapped(part, (one, f"({moved})"))
 
 
 def _carried(one: Operand, way: Sequence[str]) -> str:
@@ -145,7 +147,7 @@ def _products(part: Part, led: Mapping[str, Map]) -> Iterator[str]:
         if way:
             yield _carried(last[0], way)
     yield from _bridged([*maps, *last], led)
-    if is_vector:
+    if is_vector and len(maps) > 1:
         yield from (" @ ".join([*texts[:i], *texts[i + 1 :], *end]) for i in range(len(texts)))
 
 

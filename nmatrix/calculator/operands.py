@@ -75,7 +75,7 @@ class Operand:
 class RefusedError(Exception):
     """An operation that no graphics programmer means.
 
-    `forms` are right forms of the same expression, `swaps` right forms of an operand in it, and
+    `forms` are right forms of the same expression, `swaps` right forms of operands in it, and
     `apart` are operands in two spaces.
     """
 
@@ -101,9 +101,8 @@ def together(*operands: Operand) -> Frame | None:
     RefusedError
         For two spaces, or a point of clip space that was not divided by its w.
     """
-    for one in operands:
-        if one.is_undivided:
-            raise undivided(one)
+    if any(one.is_undivided for one in operands):
+        raise undivided(*operands)
     known = [one for one in operands if one.space is not None]
     for other in known[1:]:
         if other.space is not known[0].space:
@@ -113,11 +112,15 @@ def together(*operands: Operand) -> Frame | None:
     return known[0].space if known else None
 
 
-def undivided(point: Operand) -> RefusedError:
-    """Make the refusal of a point of clip space where its place is asked for."""
-    why = f"{point.text} is in clip space and not yet divided by its w"
-    whole = factor(point.text.removesuffix(".xyz"))
-    return RefusedError(why, swaps=((point, f"({whole}.xyz / {whole}.w)"),))
+def undivided(*operands: Operand) -> RefusedError:
+    """Make the refusal of points of clip space where their places are asked for."""
+    swaps = []
+    for one in operands:
+        if one.is_undivided:
+            whole = factor(one.text.removesuffix(".xyz"))
+            swaps.append((one, f"({whole}.xyz / {whole}.w)"))
+    first = swaps[0][0].text
+    return RefusedError(f"{first} is in clip space and not yet divided by its w", swaps=swaps)
 
 
 def factor(text: str) -> str:

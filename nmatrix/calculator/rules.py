@@ -11,8 +11,25 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.calculator.meanings import FOR_NORMALS, Carries, Kind, Located, Map, Meaning, meets
-from nmatrix.calculator.numbers import Number, degrees_of, enclosure, is_negative, is_zero, root, shown, size
-from nmatrix.calculator.operands import UNDIVIDED, Operand, RefusedError, Sort, factor, together, undivided
+from nmatrix.calculator.numbers import (
+    Number,
+    degrees_of,
+    enclosure,
+    is_negative,
+    is_zero,
+    root,
+    shown,
+    size,
+)
+from nmatrix.calculator.operands import (
+    UNDIVIDED,
+    Operand,
+    RefusedError,
+    Sort,
+    factor,
+    together,
+    undivided,
+)
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.errors import NoAnswerError
@@ -218,6 +235,9 @@ def _place(a: Operand, b: Operand) -> Meaning:
     """Carry a point or a direction."""
     _begins_there(a, b)
     kind = Kind[b.sort.name]
+    if kind is Kind.DIRECTION and a.map.source in PROJECTED and a.map.to not in PROJECTED:
+        why = f"{a.text} undoes a projection, through which points come back and directions do not"
+        raise RefusedError(why)
     if kind is Kind.POINT and len(a.value.matrix[0]) == 3 and a.map.to and a.map.source:
         why = f"a point needs the translation, which the 3×3 matrix {a.text} has not"
         raise RefusedError(why)

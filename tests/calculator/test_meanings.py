@@ -40,9 +40,7 @@ THINGS = {
     "eye": "point([0, 3, 4], world)",
     "m": "normal([0, 1, 0], world)",
 }
-NAMES = SCENE_NAMES | {
-    name: calculate(typed, SCENE_NAMES).value for name, typed in THINGS.items()
-}
+NAMES = SCENE_NAMES | {name: calculate(typed, SCENE_NAMES).value for name, typed in THINGS.items()}
 RIGHT = Path(__file__).with_name("right_expressions.txt")
 
 
@@ -205,7 +203,7 @@ ORACLE = {
     ),
 }
 ORACLE |= {name: matrix([[float(x) for x in row] for row in rows]) for name, rows in ROWS.items()}
-ORACLE |= {name: eval(typed, dict(ORACLE)) for name, typed in THINGS.items()}  # noqa: S307
+ORACLE |= {name: eval(typed, dict(ORACLE)) for name, typed in THINGS.items()}
 
 
 def numbers_of(found, kind, count):
@@ -216,3 +214,267 @@ def numbers_of(found, kind, count):
         return found.three / found.w if kind is Kind.POINT and found.w else found.three
     rows = [three(row) for row in found] if isinstance(found, list) else found
     return np.asarray(rows, dtype=float).ravel()
+
+
+@pytest.mark.parametrize(("expression", "result"), right_lines())
+def test_no_right_expression_is_refused_and_numpy_has_its_numbers(expression, result):
+    value = calculate(expression, NAMES).value
+    assert told(value) == result
+    found = eval(expression, dict(ORACLE))
+    if value.kind is ValueKind.TRUTH:
+        assert bool(found) is value.entries
+        return
+    kind = value.meaning.kind if isinstance(value.meaning, Located) else None
+    numbers = [float(shown(x)) for x in value.numbers]
+    np.testing.assert_allclose(numbers, numbers_of(found, kind, len(numbers)), atol=1e-12)
+
+
+def test_there_are_two_hundred_right_expressions():
+    assert len({expression for expression, _ in right_lines()}) >= 200
+
+
+WRONG = {
+    # maps
+    "V @ P @ M": (None, "P @ V @ M"),
+    "M @ V": (None, "V @ M"),
+    "P @ M": (None, "P @ V @ M"),
+    "P @ M @ p": (None, "P @ V @ M @ p"),
+    "M @ V @ P @ p": (None, "P @ V @ M @ p"),
+    "P @ inverse(V) @ M": (MistakeId.VIEW_NOT_INVERTED, "P @ V @ M"),
+    "inverse(V) @ M": (MistakeId.VIEW_NOT_INVERTED, "V @ M"),
+    "P @ V^-1 @ M @ p": (MistakeId.VIEW_NOT_INVERTED, "P @ V @ M @ p"),
+    "M^2": (None, "untyped(M)^2"),
+    "M + V": (None, "untyped(M) + V"),
+    # points and lights
+    "V @ p": (None, "V @ M @ p"),
+    "P @ p": (None, "P @ V @ M @ p"),
+    "V @ M @ L": (MistakeId.USED_MODEL_VIEW, "V @ L"),
+    "V @ M @ l": (MistakeId.USED_MODEL_VIEW, "V @ l"),
+    "(V @ M) @ eye": (MistakeId.USED_MODEL_VIEW, "V @ eye"),
+    "M @ L": (MistakeId.USED_WORLD_MATRIX, "inverse(M) @ L"),
+    "M @ l": (MistakeId.USED_WORLD_MATRIX, "inverse(M) @ l"),
+    "inverse(V) @ L": (MistakeId.VIEW_NOT_INVERTED, "V @ L"),
+    "V.inv @ l": (MistakeId.VIEW_NOT_INVERTED, "V @ l"),
+    "M^T @ p": (MistakeId.TRANSPOSED_LAYOUT, "M @ p"),
+    "V.T @ L": (MistakeId.TRANSPOSED_LAYOUT, "V @ L"),
+    "M^T @ l": (MistakeId.COURSE_LIGHT_RULE, "inverse(M) @ l"),
+    "normal_matrix(V) @ l": (MistakeId.COURSE_LIGHT_RULE, "V @ l"),
+    "normal_matrix(M) @ t": (MistakeId.COURSE_LIGHT_RULE, "M @ t"),
+    "V @ point(l)": (MistakeId.DIRECTION_AS_POINT, "l"),
+    "V @ point(l, world)": (MistakeId.DIRECTION_AS_POINT, "l"),
+    "normal_matrix(M) @ p": (None, "M @ p"),
+    "linear(M) @ p": (None, "M @ p"),
+    "V @ (L / 2)": (None, "V @ point(L / 2)"),
+    "point(L, camera)": (None, "point(V @ L, camera)"),
+    # normals
+    "M @ n": (MistakeId.USED_WORLD_MATRIX, "normal_matrix(M) @ n"),
+    "linear(M) @ n": (MistakeId.USED_WORLD_MATRIX, "normal_matrix(M) @ n"),
+    "V @ M @ n": (MistakeId.USED_WORLD_MATRIX, "normal_matrix(V @ M) @ n"),
+    "V @ m": (MistakeId.USED_WORLD_MATRIX, "normal_matrix(V) @ m"),
+    "scale(1, 2, 1) @ n": (MistakeId.USED_WORLD_MATRIX, "normal_matrix(scale(1, 2, 1)) @ n"),
+    "linear(V) @ normal_matrix(M) @ n": (
+        MistakeId.USED_WORLD_MATRIX,
+        "normal_matrix(V) @ normal_matrix(M) @ n",
+    ),
+    "inverse(M) @ n": (MistakeId.NOT_TRANSPOSED, "normal_matrix(M) @ n"),
+    "inverse(linear(M)) @ n": (MistakeId.NOT_TRANSPOSED, "normal_matrix(linear(M)) @ n"),
+    "transpose(linear(M)) @ n": (MistakeId.NOT_INVERTED, "normal_matrix(linear(M)) @ n"),
+    "M^T @ n": (MistakeId.NOT_INVERTED, "normal_matrix(M) @ n"),
+    "M @ point(n)": (MistakeId.TRANSLATED, "n"),
+    "normal_matrix(V @ M) @ m": (MistakeId.USED_MODEL_VIEW, "normal_matrix(V) @ m"),
+    "normal_matrix(P @ V @ M) @ n": (None, "normal_matrix(V @ M) @ n"),
+    "cofactor(linear(M @ scale(-1, 1, 1))) @ n": (
+        MistakeId.COFACTOR_SIGN,
+        "normal_matrix(linear(M @ scale(-1, 1, 1))) @ n",
+    ),
+    "normalize([1, 2, 3, 1])": (
+        MistakeId.FOUR_COMPONENT_NORMALISE,
+        "normalize([1, 2, 3, 1].xyz)",
+    ),
+    # sums, products, comparisons
+    "p + q": (None, "p + (q - p) / 2"),
+    "l - L": (None, "L - l"),
+    "L - p": (None, "L - M @ p"),
+    "p - eye": (None, "M @ p - eye"),
+    "dot(n, l)": (None, "dot(normal_matrix(M) @ n, l)"),
+    "dot(n, V @ l)": (None, "dot(normal_matrix(V @ M) @ n, V @ l)"),
+    "n · l": (None, "normal_matrix(M) @ n · l"),
+    "cross(t, l)": (None, "cross(M @ t, l)"),
+    "angle(n, -(V @ l))": (None, "angle(normal_matrix(V @ M) @ n, -(V @ l))"),
+    "2 * dot(m, V @ l) * m - l": (None, "dot(normal_matrix(V) @ m, V @ l)"),
+    "p == M @ p": (None, "M @ p == M @ p"),
+    "L == l": (None, "untyped(L) == l"),
+    "dot(m, P @ V @ L)": (None, "dot(m, untyped((P @ V @ L).xyz))"),
+    "normalize(P @ V @ L)": (None, "normalize(((P @ V @ L).xyz / (P @ V @ L).w))"),
+    "direction([0, 0, 1], clip)": (None, "point([0, 0, 1], clip)"),
+    "inverse(P) @ direction([0, 0, 1], ndc)": (
+        None,
+        "untyped(inverse(P)) @ direction([0, 0, 1], ndc)",
+    ),
+    "(P @ V @ L).xyz - (P @ V @ M @ p).xyz": (
+        None,
+        "((P @ V @ L).xyz / (P @ V @ L).w) - ((P @ V @ M @ p).xyz / (P @ V @ M @ p).w)",
+    ),
+}
+
+
+def refusal(expression, **names):
+    with pytest.raises(MeaningError) as refused:
+        calculate(expression, NAMES | names)
+    return refused.value
+
+
+@pytest.mark.parametrize("expression", WRONG)
+def test_a_mistake_is_refused_named_and_mended(expression):
+    mistake, instead = WRONG[expression]
+    error = refusal(expression)
+    assert isinstance(error, FrameError)
+    assert error.mistake is mistake
+    assert (f"(the mistake {mistake})" in str(error)) is (mistake is not None)
+    assert f"; write {instead}; see the caret: " in str(error)
+
+
+@pytest.mark.parametrize("expression", WRONG)
+def test_every_suggested_form_has_a_value(expression):
+    assert calculate(refusal(expression).instead, NAMES).value
+
+
+def test_the_message_of_the_product_is_a_sentence_with_both_spaces():
+    assert str(refusal("V @ P @ M")) == (
+        "@ (character 3): P leads to clip space, V starts from world space; write P @ V @ M; "
+        "see the caret: V ^@ P @ M"
+    )
+    assert "V @ M starts from object space, l is in world space" in str(refusal("V @ M @ l"))
+
+
+def test_a_normal_is_refused_with_the_degrees_of_this_very_normal():
+    stretched = calculate("scale(1, 2, 1)", {}).value.entries
+    M = Value(stretched, SCENE["M"])
+    said = "a normal is not carried by M: 36.87° off here"
+    assert said in str(refusal("M @ normal([1, 1, 0], object)", M=M))
+    for x, y in ((1, 3), (5, 1), (2, -1), (1, 0)):  # M n = (x, 2y), the right one is (x, y/2)
+        degrees = np.degrees(np.arctan2(abs(x * y / 2 - 2 * x * y), x * x + y * y))
+        error = refusal(f"M @ normal([{x}, {y}, 0], object)", M=M)
+        assert f"carried by M: {degrees:.4g}° off here (" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("typed", "why"),
+    [
+        ("translate(1, 2, 3) @ rotate_z(30) @ rotate_x(10)", "0° off here, since M is rigid"),
+        ("rotate_y(20) @ scale(-1, 1, 1)", "0° off here, since M only turns and mirrors"),
+        ("scale(3, 3, 3)", "0° off here ("),
+        ("scale(0, 1, 1)", "a normal is not carried by M ("),
+    ],
+)
+def test_a_normal_is_refused_by_every_map_even_where_it_would_be_right(typed, why):
+    M = Value(calculate(typed, {}).value.entries, SCENE["M"])
+    error = refusal("M @ n", M=M)
+    assert why in str(error)
+    assert error.mistake is MistakeId.USED_WORLD_MATRIX
+
+
+def test_a_view_in_floats_is_as_rigid_as_floats_are():
+    V = Value(tuple(tuple(map(F, row)) for row in turn(1, 33).tolist()), SCENE["V"])
+    assert "0° off here, since V is rigid" in str(refusal("V @ m", V=V))
+    carried = calculate("linear(V)^T @ direction([1, 2, 3], camera)", NAMES | {"V": V}).value
+    assert str(carried.meaning) == "world direction"
+
+
+def sorted_names(space, way):
+    """Make a name of every sort, 3-vectors in a space, 3×3 maps of a way between two."""
+    vector, led = (F(1), F(2), F(3)), rational_matrix([[1, 2, 0], [0, 1, 0], [0, 0, 2]])
+    names = {Sort.NUMBER: Value(F(2)), Sort.BARE: Value(vector)}
+    for kind in Kind:  # in clip space there are points alone
+        is_left = space is not Frame.CLIP or kind is Kind.POINT
+        names[Sort[kind.name]] = Value(vector, Located(space if is_left else Frame.NDC, kind))
+    names |= {Sort[one.name]: Value(led, Map(*way, one)) for one in Carries}
+    assert set(names) == set(Sort)
+    return names
+
+
+PLACES = {
+    "here": (Frame.OBJECT, (Frame.WORLD, Frame.OBJECT)),
+    "there": (Frame.WORLD, (Frame.CAMERA, Frame.WORLD)),
+    "projected": (Frame.CLIP, (Frame.CLIP, Frame.CAMERA)),
+    "nowhere": (None, (None, None)),
+}
+
+
+def test_every_operator_has_a_rule_for_every_pair_of_things():
+    assert set(rules.RULES) == set(OPERATORS)
+    for sign, grid in rules.RULES.items():
+        assert set(grid) == {(one, other) for one in Sort for other in Sort}, sign
+
+
+@pytest.mark.parametrize("sign", OPERATORS)
+@pytest.mark.parametrize("there", PLACES)
+def test_every_pair_has_a_value_or_a_refusal_with_a_right_form(sign, there):
+    ours, theirs = sorted_names(*PLACES["here"]), sorted_names(*PLACES[there])
+    for one, a in ours.items():
+        for other, b in theirs.items():
+            names = {"a": a, "b": b}
+            try:
+                calculate(f"a {sign} b", names)
+            except MeaningError as refused:
+                assert refused.instead, (sign, one, other)
+                calculate(refused.instead, NAMES | names)
+            except NMatrixError:
+                continue  # sizes, or kinds of value
+
+
+def test_every_function_has_a_rule():
+    assert set(FUNCTIONS) <= set(function_rules.RULES)
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_every_function_takes_things_of_every_sort_or_refuses_in_one_line(name):
+    count = max(1, sum(not one.is_optional for one in FUNCTIONS[name].parameters))
+    for place in PLACES.values():
+        for value in sorted_names(*place).values():
+            try:
+                calculate(f"{name}({', '.join(['a'] * count)})", {"a": value})
+            except NMatrixError as error:
+                assert len(str(error).splitlines()) == 1
+
+
+@pytest.mark.parametrize("expression", WRONG)
+def test_untyped_refuses_nothing_and_tells_no_space(expression):
+    try:
+        found = calculate(expression, NAMES, untyped=True).value
+    except NMatrixError as error:
+        assert not isinstance(error, MeaningError)  # sizes that do not fit
+        return
+    assert found.meaning is None
+
+
+def test_what_untyped_computes_are_the_plain_numbers():
+    found = calculate("V @ P @ M", NAMES, untyped=True).value
+    plain = ORACLE["V"] @ ORACLE["P"] @ ORACLE["M"]
+    np.testing.assert_allclose([float(x) for x in found.numbers], np.asarray(plain).ravel())
+    carried = calculate("M @ n", NAMES, untyped=True).value
+    assert carried.entries[:3] == (F(-1, 2), 2, 0)
+
+
+def test_a_space_that_is_a_name_may_be_said_in_quotes_or_by_its_parameter():
+    for typed in ('point([1, 2, 3], "world")', "point([1, 2, 3], space=world)"):
+        assert calculate(typed, {}).value.meaning == Located(Frame.WORLD, Kind.POINT)
+    with pytest.raises(NMatrixError, match="did you mean world"):
+        calculate("point([1, 2, 3], wrold)", {})
+
+
+def test_a_comparison_of_maps_says_where_they_lead():
+    found = calculate("M == V", NAMES)
+    assert found.value.entries is False
+    assert found.remarks == (
+        "Only numbers are compared: M leads to world space from object space, "
+        "V leads to camera space from world space.",
+    )
+    assert not calculate("linear(V)^-1 == linear(V)^T", NAMES).remarks
+
+
+def test_floats_know_their_spaces_too():
+    found = calculate("normalize(V @ M @ t)", NAMES, Arithmetic.FLOAT).value
+    assert str(found.meaning) == "camera direction"
+    with pytest.raises(MeaningError):
+        calculate("V @ P", NAMES, Arithmetic.FLOAT)
