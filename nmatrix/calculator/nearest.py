@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, permutations
 
-from nmatrix.calculator.meanings import SCENE, Located, Map, Meaning
+from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Located, Map, Meaning
 from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor
 from nmatrix.calculator.rules import PROJECTED
 from nmatrix.calculator.values import ValueKind
@@ -49,7 +49,7 @@ class Part:
         return "".join([*written, self.text[end - self.start :]])
 
 
-def forms(refused: RefusedError, part: Part, names: Mapping[str, Meaning | None]) -> Iterator[str]:
+def forms(refused: RefusedError, part: Part, names: dict[str, Meaning | None]) -> Iterator[str]:
     """Write the forms that may be meant, the nearest first.
 
     Parameters
@@ -61,7 +61,11 @@ def forms(refused: RefusedError, part: Part, names: Mapping[str, Meaning | None]
     names
         What the names of the expression mean.
     """
-    led = SCENE | {name: one for name, one in names.items() if isinstance(one, Map)}
+    led = {
+        name: one
+        for name, one in (SCENE | names).items()
+        if isinstance(one, Map) and one.carries not in FOR_NORMALS
+    }
     yield from (f"{form}{part.rest}" for form in refused.forms)
     if refused.swaps:
         yield _swapped(part, *refused.swaps)

@@ -11,6 +11,7 @@ from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.lessons.check.mistakes import MistakeId
 
+LONGEST_NAME = 60  # characters of an operand in a sentence
 UNDIVIDED = Located(Frame.CLIP, Kind.POINT)
 
 
@@ -66,6 +67,12 @@ class Operand:
         return self.value.meaning == UNDIVIDED
 
     @property
+    def name(self) -> str:
+        """Its text, cut where it is long, to speak of it."""
+        text = " ".join(self.text.split())
+        return text if len(text) <= LONGEST_NAME else f"{text[:LONGEST_NAME]}…"
+
+    @property
     def bared(self) -> str:
         """Its text without parentheses around the whole."""
         inside = self.text[1:-1]
@@ -107,7 +114,7 @@ def together(*operands: Operand) -> Frame | None:
     for other in known[1:]:
         if other.space is not known[0].space:
             first = known[0]
-            why = f"{first.text} is in {first.space} space, {other.text} in {other.space} space"
+            why = f"{first.name} is in {first.space} space, {other.name} in {other.space} space"
             raise RefusedError(why, apart=(first, other))
     return known[0].space if known else None
 
@@ -119,7 +126,7 @@ def undivided(*operands: Operand) -> RefusedError:
         if one.is_undivided:
             whole = factor(one.text.removesuffix(".xyz"))
             swaps.append((one, f"({whole}.xyz / {whole}.w)"))
-    first = swaps[0][0].text
+    first = swaps[0][0].name
     return RefusedError(f"{first} is in clip space and not yet divided by its w", swaps=swaps)
 
 

@@ -60,14 +60,14 @@ def _is(kind: Kind) -> Rule:
 def _two_points(a: Operand, b: Operand) -> None:
     together(a, b)
     middle = f"{factor(a.text)} + ({factor(b.text)} - {factor(a.text)}) / 2"
-    why = f"{a.text} and {b.text} are points, and places have no sum"
+    why = f"{a.name} and {b.name} are points, and places have no sum"
     raise RefusedError(why, forms=(middle,))
 
 
 def _from_no_place(a: Operand, b: Operand) -> None:
     together(a, b)
     kind = a.sort.value.removeprefix("a ")
-    why = f"{b.text} is a point and {a.text} a {kind}, which has no place to go from"
+    why = f"{b.name} is a point and {a.name} a {kind}, which has no place to go from"
     raise RefusedError(why, forms=(f"{factor(b.text)} - {factor(a.text)}",))
 
 
@@ -79,7 +79,7 @@ def _same_map(a: Operand, b: Operand) -> Meaning:
         raise RefusedError(f"{_way(a)}, {_way(b)}, and only maps of one way have a sum")
     carried = {one.carries, other.carries} - {Carries.ALL}
     if len(carried) > 1:
-        why = f"{a.text} carries {one.carries}, {b.text} {other.carries}"
+        why = f"{a.name} carries {one.carries}, {b.name} {other.carries}"
         raise RefusedError(f"{why}, and their sum neither")
     carries = carried.pop() if carried else Carries.PLACES  # two rotations have no rotation as sum
     return Map(one.to or other.to, one.source or other.source, carries)
@@ -87,7 +87,7 @@ def _same_map(a: Operand, b: Operand) -> Meaning:
 
 def _way(a: Operand) -> str:
     to, source = (f"{end} space" if end else "anywhere" for end in (a.map.to, a.map.source))
-    return f"{a.text} leads to {to} from {source}"
+    return f"{a.name} leads to {to} from {source}"
 
 
 def _of(rows: Mapping[Sort, tuple[Rule, ...]], columns: tuple[Sort, ...]) -> Grid:
@@ -211,17 +211,17 @@ def _composed(a: Operand, b: Operand) -> Meaning | None:
         return None
     one, other = a.map, b.map
     if not meets(one.source, other.to):
-        why = f"{b.text} leads to {other.to} space, {a.text} starts from {one.source} space"
+        why = f"{b.name} leads to {other.to} space, {a.name} starts from {one.source} space"
         is_pose = POSE in (one, other) and {one.source, other.to} == {Frame.WORLD, Frame.CAMERA}
         raise RefusedError(why, MistakeId.VIEW_NOT_INVERTED if is_pose else None)
     if Sort.BARE in (a.sort, b.sort) and not (_is_square(a.value) and _is_square(b.value)):
         return None
     carried = frozenset((one.carries, other.carries)) - {Carries.ALL}
     if carried and carried not in _ONE_BY_ONE:
-        why = f"{b.text} carries {other.carries}, {a.text} {one.carries}"
+        why = f"{b.name} carries {other.carries}, {a.name} {one.carries}"
         places = (a if b.map.carries in FOR_NORMALS else b).text
         right = f"normal_matrix({places.removeprefix('linear(').removesuffix(')')})"
-        forms = (f"{right} @ {b.text}", f"{a.text} @ {right}")
+        forms = (f"{right} @ {factor(b.text)}", f"{factor(a.text)} @ {right}")
         raise RefusedError(why, MistakeId.USED_WORLD_MATRIX, forms=forms)
     carries = _ONE_BY_ONE[carried] if carried else Carries.ALL
     return None if carries is None else Map(one.to, other.source, carries)
@@ -236,10 +236,10 @@ def _place(a: Operand, b: Operand) -> Meaning:
     _begins_there(a, b)
     kind = Kind[b.sort.name]
     if kind is Kind.DIRECTION and a.map.source in PROJECTED and a.map.to not in PROJECTED:
-        why = f"{a.text} undoes a projection, through which points come back and directions do not"
+        why = f"{a.name} undoes a projection, through which points come back and directions do not"
         raise RefusedError(why)
     if kind is Kind.POINT and len(a.value.matrix[0]) == 3 and a.map.to and a.map.source:
-        why = f"a point needs the translation, which the 3×3 matrix {a.text} has not"
+        why = f"a point needs the translation, which the 3×3 matrix {a.name} has not"
         raise RefusedError(why)
     return Located(a.map.to, Kind.POINT if a.map.to is Frame.CLIP else kind)
 
@@ -253,7 +253,7 @@ def _begins_there(a: Operand, b: Operand) -> None:
 
 
 def _two_spaces(a: Operand, b: Operand) -> str:
-    return f"{a.text} starts from {a.map.source} space, {b.text} is in {b.space} space"
+    return f"{a.name} starts from {a.map.source} space, {b.name} is in {b.space} space"
 
 
 def _by_spaces(led: Map, b: Operand) -> MistakeId | None:
@@ -276,7 +276,7 @@ def _no_normal(a: Operand, b: Operand) -> None:
     said = f", and {_two_spaces(a, b)}" if is_back else ""
     right = rational.transpose if is_back else rational.inverse_transpose
     mistake = MistakeId.NOT_TRANSPOSED if is_back else MistakeId.USED_WORLD_MATRIX
-    raise RefusedError(f"a normal is not carried by {a.text}{_off(a, b, right)}{said}", mistake)
+    raise RefusedError(f"a normal is not carried by {a.name}{_off(a, b, right)}{said}", mistake)
 
 
 def _normal(a: Operand, b: Operand) -> Meaning:
@@ -284,7 +284,7 @@ def _normal(a: Operand, b: Operand) -> Meaning:
     if not meets(a.map.source, b.space):
         if a.sort is Sort.BACK and a.map.to is b.space:
             off = _off(a, b, rational.inverse)
-            why = f"a normal is not carried by {a.text}{off}, and {_two_spaces(a, b)}"
+            why = f"a normal is not carried by {a.name}{off}, and {_two_spaces(a, b)}"
             raise RefusedError(why, MistakeId.NOT_INVERTED)
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     if a.map.to in PROJECTED:
@@ -297,19 +297,19 @@ def _only_normals(a: Operand, b: Operand) -> None:
     kind, is_there = b.sort.value, meets(a.map.source, b.space)
     if a.sort is Sort.BACK and not is_there and a.map.to is b.space:
         raise RefusedError(
-            f"{a.text} is transposed, and {_two_spaces(a, b)}", MistakeId.TRANSPOSED_LAYOUT
+            f"{a.name} is transposed, and {_two_spaces(a, b)}", MistakeId.TRANSPOSED_LAYOUT
         )
     if not is_there:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     is_step = b.sort is Sort.DIRECTION
     off = _off(a, b, rational.inverse_transpose) if is_step else ""
-    why = f"{kind} is not carried by {a.text}, which is for normals{off}"
+    why = f"{kind} is not carried by {a.name}, which is for normals{off}"
     raise RefusedError(why, MistakeId.COURSE_LIGHT_RULE if is_step else None)
 
 
 def _inside_out(a: Operand, b: Operand) -> None:
     _normal(a, b)
-    why = f"{a.text} are the cofactors of a mirror, which turn {b.text} inside out"
+    why = f"{a.name} are the cofactors of a mirror, which turn {b.name} inside out"
     raise RefusedError(why, MistakeId.COFACTOR_SIGN)
 
 
@@ -317,7 +317,7 @@ def _unknown(a: Operand, b: Operand) -> Meaning:
     """Carry a vector of no known kind, whose w is not known."""
     _begins_there(a, b)
     if len(a.value.matrix[0]) == 4:
-        why = f"{b.text} may be a point, whose w is 1, or a direction, whose w is 0"
+        why = f"{b.name} may be a point, whose w is 1, or a direction, whose w is 0"
         forms = (f"{factor(a.text)} @ {kind}({b.bared})" for kind in (Kind.POINT, Kind.DIRECTION))
         raise RefusedError(why, forms=forms)
     return Located(a.map.to, Kind.VECTOR)
@@ -368,7 +368,7 @@ def _compared(a: Operand, b: Operand) -> None:
 def _never_the_same(a: Operand, b: Operand) -> None:
     together(a, b)
     one, other = a.sort.value, b.sort.value
-    raise RefusedError(f"{a.text} is {one}, {b.text} {other}: they are never the same")
+    raise RefusedError(f"{a.name} is {one}, {b.name} {other}: they are never the same")
 
 
 _WITHOUT_PLACE = (Sort.DIRECTION, Sort.NORMAL)
@@ -467,7 +467,7 @@ def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatri
     """Measure by how many degrees a matrix carries a vector away from where the right one does."""
     A, v = rational.linear_part(a.value.matrix), b.value.vector
     if right is rational.inverse_transpose and orthonormal(A):
-        why = f"{a.text} only turns and mirrors" if mirrors(A) else f"{a.text} is rigid"
+        why = f"{a.name} only turns and mirrors" if mirrors(A) else f"{a.name} is rigid"
         return f": 0° off here, since {why}"
     try:
         found, wanted = rational.apply(A, v), rational.apply(right(A), v)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from fractions import Fraction
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS
 from nmatrix.calculator.meanings import SCENE, Carries, Kind, Located, Map
 from nmatrix.calculator.numbers import shown
-from nmatrix.calculator.operands import Sort
+from nmatrix.calculator.operands import Operand, RefusedError, Sort
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.errors import FrameError, NMatrixError
@@ -478,3 +479,134 @@ def test_floats_know_their_spaces_too():
     assert str(found.meaning) == "camera direction"
     with pytest.raises(MeaningError):
         calculate("V @ P", NAMES, Arithmetic.FLOAT)
+
+
+STEPS = {
+    "M": ("object", "world", False),
+    "V": ("world", "camera", False),
+    "inverse(M)": ("world", "object", False),
+    "V^-1": ("camera", "world", False),
+    "linear(V)": ("world", "camera", False),
+    "normal_matrix(M)": ("object", "world", True),
+    "M^-T": ("object", "world", True),
+    "normal_matrix(V)": ("world", "camera", True),
+    "normal_matrix(inverse(M))": ("world", "object", True),
+}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_chain_is_right_if_every_step_begins_where_the_one_before_it_ends(seed):
+    """The oracle goes from right to left over the thing; the calculator composes the maps."""
+    chance = random.Random(seed)
+    refusals = 0
+    for _ in range(60):
+        thing = chance.choice(["t", "l", "n", "m"])
+        space, is_normal = THINGS[thing].split()[-1][:-1], thing in "nm"
+        chain = chance.choices(list(STEPS), k=chance.randint(1, 3))
+        is_right = True
+        for step in reversed(chain):
+            source, to, for_normals = STEPS[step]
+            is_right = is_right and source == space and for_normals is is_normal
+            space = to
+        expression = " @ ".join([*chain, thing])
+        # 3×3 beside 4×4 is another fault
+        sizes = {step.startswith(("normal_matrix", "linear")) for step in chain}
+        if len(sizes) > 1:
+            continue
+        if is_right:
+            found = calculate(expression, NAMES).value.meaning
+            assert str(found) == f"{space} {'normal' if is_normal else 'direction'}"
+        else:
+            error = refusal(expression)
+            assert calculate(error.instead, NAMES).value, expression
+            refusals += 1
+    assert refusals > 20
+
+
+def given(typed):
+    return Operand(calculate(typed, NAMES).value, typed)
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "meaning"),
+    [
+        ("look_at", ["eye", "L", "[0, 1, 0]"], "camera ← world"),
+        ("look_at", ["p", "q"], "camera ← object"),
+        ("look_at", ["[0, 0, 5]"], "camera ← world"),
+        ("world", [], "world ← object"),
+        ("perspective", ["90", "1", "1", "9"], "clip ← camera"),
+        ("frustum", ["1"], "clip ← camera"),
+        ("ortho", ["1"], "clip ← camera"),
+        ("viewport", ["640", "480"], "window ← ndc"),
+        ("project", ["P @ V @ L"], "ndc point"),
+        ("unproject", ["point([1, 2, 0], window)", "P @ V"], "world point"),
+        ("unproject", ["[1, 2, 0]", "P @ V @ M"], "object point"),
+        ("lerp", ["p", "q", "1/2"], "object point"),
+        ("lerp", ["l", "-l", "1/2"], "world direction"),
+        ("lerp", ["n", "n", "1/2"], "object normal"),
+        ("lerp", ["V @ M", "V @ M", "1/2"], "camera ← object"),
+        ("reflect", ["l", "m"], "world direction"),
+        ("slerp", ["[0, 0, 0, 1]", "[1, 0, 0, 0]", "1/2"], "None"),
+        ("solve", ["linear(M)", "[1, 2, 3]"], "None"),
+        ("adjugate", ["linear(M)"], "object ← world"),
+        ("adjugate", ["linear(M @ scale(-1, 1, 1))"], "None"),
+        ("linear", ["P"], "None"),
+        ("translation", ["P"], "None"),
+    ],
+)
+def test_functions_say_what_their_results_are(function, arguments, meaning):
+    found = function_rules.meaning_of(function, [given(typed) for typed in arguments])
+    assert str(found) == meaning
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "why"),
+    [
+        ("look_at", ["eye", "p"], "eye is in world space, p in object space"),
+        ("project", ["L"], "L is in world space, and project divides"),
+        ("unproject", ["L", "P @ V"], "L is in world space, "),
+        ("lerp", ["p", "t", "1/2"], "p is a point, t a direction"),
+        ("lerp", ["L", "p", "1/2"], "L is in world space, p in object space"),
+        ("reflect", ["V @ l", "m"], "V @ l is in camera space, m in world space"),
+        ("outer", ["l", "t"], "l is in world space, t in object space"),
+        ("transform_plane", ["normal_matrix(M)", "[0, 1, 0, 2]"], "is for normals"),
+        ("min", ["p", "L"], "p is in object space, L in world space"),
+    ],
+)
+def test_functions_refuse_what_is_in_two_spaces(function, arguments, why):
+    with pytest.raises(RefusedError) as refused:
+        function_rules.meaning_of(function, [given(typed) for typed in arguments])
+    assert why in refused.value.why
+
+
+def test_a_literal_with_its_w_compares_with_a_thing_that_leaves_it_out():
+    assert calculate("M @ p == [0, 4, 6, 1]", NAMES).value.entries is True
+    assert calculate("[0.5, 2, 0, 0] == M @ t", NAMES).value.entries is True
+    assert calculate("M @ p == [0, 4, 6, 0]", NAMES).value.entries is False
+
+
+def test_a_long_operand_is_cut_in_the_sentence_and_whole_in_the_form():
+    long = " + ".join(["l"] * 30)
+    error = refusal(f"dot(n, {long})")
+    assert f"{long[:60]}… in world space" in str(error)
+    assert calculate(error.instead, NAMES).value
+
+
+def test_a_name_of_another_map_leads_the_way_too():
+    names = {"S": Value(NAMES["V"].entries, Map(Frame.LIGHT, Frame.WORLD))}
+    error = refusal("dot(l, direction([1, 0, 0], light))", **names)
+    assert error.instead == "dot(S @ l, direction([1, 0, 0], light))"
+
+
+def test_many_roots_are_no_hindrance():
+    roots = (
+        "["
+        + "; ".join(
+            " ".join(f"sqrt({prime})" for prime in row)
+            for row in ((2, 3, 5), (7, 11, 13), (17, 19, 23))
+        )
+        + "]"
+    )
+    M = Value(calculate(roots, {}).value.entries, SCENE["M"])
+    assert refusal("M @ n", M=M).mistake is MistakeId.USED_WORLD_MATRIX
+    assert str(calculate("M^T @ m", NAMES | {"M": M}).value.meaning) == "object normal"
