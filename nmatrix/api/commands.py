@@ -78,7 +78,9 @@ def calc(
     session = Session(names, settings)
     if is_session(typed):
         return Report(transcript(session, typed, OutputOptions(), Disk()))
-    return Report(report(session.calculation(typed), with_steps=settings.steps))
+    return Report(
+        report(session.calculation(typed), with_steps=settings.steps, inverse_by=settings.by)
+    )
 
 
 def derive(case: str = "rule", world: Part = None) -> Report:

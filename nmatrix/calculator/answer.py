@@ -1,4 +1,4 @@
-"""The value of an expression, exactly where it is exact, and the steps if asked for."""
+"""The value of an expression, exactly where it is exact, its space, and the steps if asked for."""
 
 from __future__ import annotations
 
@@ -6,61 +6,97 @@ from collections.abc import Iterator
 from math import isinf
 
 from nmatrix.calculator.evaluate import Calculation
+from nmatrix.calculator.meanings import Located, Map
 from nmatrix.calculator.numbers import Float64, Interval
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
-from nmatrix.enums import Numbers
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings, each
+from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import counted
-from nmatrix.report import Block, Heading, Quantity, Report, Text
+from nmatrix.report import Block, Formula, Heading, Quantity, Report, Step
 from nmatrix.report import Value as JsonValue
 
 ROUNDED = "Every product, sum, quotient and root was rounded to float64."
 OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
 
 
-def report(calculation: Calculation, *, with_steps: bool) -> Report:
+def report(
+    calculation: Calculation, *, with_steps: bool, inverse_by: InverseBy | None = None
+) -> Report:
     """Report a calculation; `exact` holds fractions and roots where no number was rounded."""
     value = calculation.value
-    steps: list[JsonValue] | None = None
-    if with_steps:
-        steps = [
-            {"expression": step.expression, "value": step.value.shown, "rule": step.rule}
-            for step in calculation.steps
-        ]
-    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
+    steps = _steps(calculation, inverse_by) if with_steps else ()
+    strings: JsonValue = as_strings(value.entries)  # type: ignore[assignment]  # lists of them
     data: dict[str, JsonValue] = {
         "expression": calculation.expression,
-        "value": value.shown,
-        "kind": kind.value,
-        "exact": as_strings(value.entries) if value.exact else None,  # type: ignore[dict-item]
-        "steps": steps,
+        "value": strings if value.letters else value.shown,
+        **_meant(value),
+        "exact": strings if value.exact or value.letters else None,
+        "steps": steps if with_steps else None,
     }
-    blocks = (
-        Heading(calculation.expression),
-        *(_steps(calculation) if with_steps else ()),
-        _quantity("value", value),
-    )
+    blocks: tuple[Block, ...] = (Heading(calculation.expression), *steps, _shown("value", value))
     return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
 
 
-def value_report(name: str, calculation: Calculation, *, with_steps: bool) -> Report:
+def value_report(
+    name: str,
+    calculation: Calculation,
+    *,
+    with_steps: bool,
+    inverse_by: InverseBy | None = None,
+) -> Report:
     """Report a value under the name that a session keeps it by."""
     value = calculation.value
-    blocks = (*(_steps(calculation) if with_steps else ()), _quantity(name, value))
-    remarks = _remarks(calculation)
-    return Report("calc", {name: value.shown}, blocks, remarks, numbers=Numbers.EXACT)
+    steps = _steps(calculation, inverse_by) if with_steps else ()
+    data: dict[str, JsonValue] = {}
+    if not value.letters:
+        data[name] = value.shown
+    blocks: tuple[Block, ...] = (*steps, _shown(name, value))
+    return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
 
 
-def _quantity(name: str, value: Value) -> Quantity:
+def _meant(value: Value) -> dict[str, JsonValue]:
+    """Tell the kind of a value, and its space, or the two that a map leads between."""
+    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
+    match value.meaning:
+        case Map(to, source):
+            return {"kind": kind, "to": to, "from": source, "space": None}
+        case Located(space, found):
+            return {"kind": found, "to": None, "from": None, "space": space}
+    return {"kind": kind, "to": None, "from": None, "space": None}
+
+
+def _shown(name: str, value: Value) -> Block:
+    if value.letters:
+        return _formula(name, value)
     if value.kind is ValueKind.TRUTH:
         return Quantity(name, "yes" if value.entries else "no")
-    return Quantity(name, value.shown)
+    if value.meaning is None:
+        return Quantity(name, value.shown)
+    title = str(value.meaning) if name == "value" else f"{name}, {value.meaning}"
+    return Quantity(name, value.shown, title)
 
 
-def _steps(calculation: Calculation) -> Iterator[Block]:
-    """Write the operations in turn, each with its rule and its value."""
-    for i, step in enumerate(calculation.steps):
-        yield Text(f"{step.expression}: {step.rule}")
-        yield Quantity(f"steps.{i}.value", step.value.shown, f"step {i + 1}")
+def _formula(name: str, value: Value) -> Formula:
+    """Write letters as one does on paper, a vector as a column."""
+    from nmatrix.working.working import written
+
+    texts = each(value.entries, written)
+    if value.kind is ValueKind.SCALAR:
+        return Formula((f"{name} = {texts}",))
+    columns = value.kind is ValueKind.VECTOR
+    rows = tuple((one,) for one in texts) if columns else texts
+    return Formula((f"{name} = ", rows))  # type: ignore[arg-type]  # rows of texts
+
+
+def _steps(calculation: Calculation, inverse_by: InverseBy | None) -> tuple[Step, ...]:
+    """Work the operations out in turn, each line from the one before."""
+    from nmatrix.calculator.workings import Operation, lines
+
+    def worked() -> Iterator[Step]:
+        for step in calculation.steps:
+            operation = Operation(step.operation, step.given, inverse_by)
+            yield from lines(operation, step.expression, step.value, step.rule)
+
+    return tuple(worked())
 
 
 def _remarks(calculation: Calculation) -> tuple[str, ...]:

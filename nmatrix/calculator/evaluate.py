@@ -15,7 +15,7 @@ from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueErro
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.function import Argument, Function, Parameter
 from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.homogeneous import settled, w_of, with_w
+from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
@@ -227,6 +227,7 @@ class _Evaluation:
 
     def _comparison(self, node: Infix, operands: tuple[Operand, Operand]) -> Value:
         a, b = (one.value for one in operands)
+        a, b = as_long_as(a, b), as_long_as(b, a)
         told = rules.different_ways(*operands)
         self.remarks += [told] if told and not self.untyped else []
         if node.sign == "==":
@@ -267,7 +268,10 @@ class _Evaluation:
         while isinstance(factors[0], Infix) and factors[0].sign == "@":
             factors[:1] = [factors[0].left, factors[0].right]
         quiet = replace(self, steps=[], remarks=[], products={}, advises=False)
-        found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+        try:
+            found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+        except NMatrixError:  # further on there is another fault
+            return Part(self._typed(node), node.start, tuple(operands), is_product=True)
         rest = self.expression[node.end : whole.end]
         return Part(self._typed(whole), whole.start, tuple(found), is_product=True, rest=rest)
 

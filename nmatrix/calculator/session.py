@@ -107,7 +107,8 @@ class Session:
         names = {**self.names, name: found.value}
         if asked.name is None and ANSWERS[0] in self.names:
             names[ANSWERS[1]] = self.names[ANSWERS[0]]
-        report = value_report(name, found, with_steps=self.settings.steps)
+        settings = self.settings
+        report = value_report(name, found, with_steps=settings.steps, inverse_by=settings.by)
         return self.changed(asked, names=names), Reply(report)
 
     def shown(self, name: str) -> Report:

@@ -61,7 +61,7 @@ class Operation:
         return [one for one in self.given if isinstance(one, Operand)]
 
     def entries(self, place: int = 0) -> Any:  # noqa: ANN401 - a number, or rows of numbers
-        """The numbers of an argument; those between two bounds by the middle."""
+        """Take the numbers of an argument; of those between two bounds the middle."""
         return each(self.values[place].value.entries, _middle)
 
     def called(self, place: int = 0, otherwise: str = "A") -> str:
@@ -81,9 +81,7 @@ class Operation:
         return a, b
 
 
-def lines(
-    operation: Operation, expression: str, value: Value, rule: str
-) -> tuple[Step, ...]:
+def lines(operation: Operation, expression: str, value: Value, rule: str) -> tuple[Step, ...]:
     """Work an operation out line by line; the last one is its value.
 
     Raises
@@ -120,7 +118,8 @@ def _text(x: Number) -> str:
         return short(x)
     if isinstance(x, Float64):
         return f"{x.value:.6g}".replace("-", "−")
-    return decimal(Fraction(_middle(x)))
+    low, high = bounds(x)
+    return decimal((low + high) / 2)
 
 
 def _middle(x: Number) -> Number:
@@ -206,7 +205,7 @@ def _of_two(work: Callable[..., Working], letters: tuple[str, str]) -> Make:
 
 def _product(asked: Operation, by: Notation) -> Working:
     A, b = asked.values
-    right = each(with_w(A.value, b.value).entries, _middle)
+    right: Any = each(with_w(A.value, b.value).entries, _middle)
     letters = ("A", "v" if b.value.kind is ValueKind.VECTOR else "B")
     return products.product(asked.entries(0), right, asked.both(*letters), by=by)
 
@@ -223,8 +222,8 @@ def _sum(work: Callable[..., Working]) -> Make:
 
 
 def _times(asked: Operation, by: Notation) -> Working | None:
-    a, b = asked.values
-    scalar, other = (0, 1) if a.value.kind is ValueKind.SCALAR else (1, 0)
+    first = asked.values[0]
+    scalar, other = (0, 1) if first.value.kind is ValueKind.SCALAR else (1, 0)
     kind = asked.values[other].value.kind
     if kind is ValueKind.SCALAR:
         return None
@@ -284,15 +283,13 @@ def _solve(asked: Operation, by: Notation) -> Working | None:
 
 def _look_at(asked: Operation, by: Notation) -> Working:
     *_, hand = asked.given
-    placed = [asked.entries(i) for i in range(3)]
-    return view.look_at(*placed, Handedness(str(hand)))
+    eye, target, up = (asked.entries(i) for i in range(3))
+    return view.look_at(eye, target, up, Handedness(str(hand)))
 
 
 def _perspective(asked: Operation, by: Notation) -> Working:
     depth, handed, clip_y = map(str, asked.given[4:])
-    clip = ClipSpace(
-        DepthRange(depth.replace("_", "-")), Handedness(handed), ClipY(clip_y)
-    )
+    clip = ClipSpace(DepthRange(depth.replace("_", "-")), Handedness(handed), ClipY(clip_y))
     fov, aspect, near, far = (float(asked.entries(i)) for i in range(4))
     return projection_matrix(Lens(fov, aspect, near, far, clip=clip))
 

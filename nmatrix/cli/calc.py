@@ -98,7 +98,10 @@ def calc(
             put(write(told.spelled(option_name), options_of(common)))
         converse(lambda: (session, lambda: options_of(common)))
     elif is_single:
-        show(report(session.calculation(text), with_steps=settings.steps), common)
+        show(
+            report(session.calculation(text), with_steps=settings.steps, inverse_by=settings.by),
+            common,
+        )
     else:
         show(transcript(session, text, options_of(common), Disk()), common)
 

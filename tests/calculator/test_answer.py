@@ -6,6 +6,7 @@ import pytest
 
 from nmatrix.calculator.answer import report
 from nmatrix.calculator.evaluate import calculate
+from nmatrix.calculator.meanings import SCENE
 from nmatrix.calculator.values import Arithmetic, Value, as_strings
 from nmatrix.linear.rational import rational_matrix
 
@@ -28,7 +29,9 @@ def data(expression, *, with_steps=False, arithmetic=Arithmetic.EXACT):
 )
 def test_kind_and_exact_follow_the_value(expression, kind, strings):
     found = data(expression)
-    assert list(found) == ["expression", "value", "kind", "exact", "steps"]
+    assert list(found) == [
+        "expression", "value", "kind", "to", "from", "space", "exact", "steps"
+    ]  # fmt: skip
     assert found["expression"] == expression
     assert found["kind"] == kind
     assert found["exact"] == strings
@@ -76,3 +79,19 @@ def test_the_largest_fraction_that_is_kept_can_be_written_down():
     """Python writes integers of up to 4300 digits; a longer one would end in a traceback."""
     value = calculate("*".join(["1e308"] * 4), {}).value
     assert len(as_strings(value.entries)) == 1233
+
+
+def test_a_thing_tells_its_space_and_a_map_both_of_its_ends():
+    names = {"M": Value(rational_matrix([[2, 0, 0], [0, 1, 0], [0, 0, 1]]), SCENE["M"])}
+
+    def told(expression):
+        found = report(calculate(expression, names), with_steps=False)
+        label = found.blocks[1].label
+        return label, *(found.data[key] for key in ("kind", "to", "from", "space"))
+
+    moved = "M @ direction([3, 4, 0], object)"
+    assert told(moved) == ("world direction", "direction", None, None, "world")
+    assert told("M") == ("world ← object", "matrix", "world", "object", None)
+    assert told("normal_matrix(M)")[0] == "world ← object, for normals"
+    assert told("untyped(M)") == ("value", "matrix", None, None, None)
+    assert told("[1, 2]") == ("value", "vector", None, None, None)
