@@ -282,6 +282,8 @@ class Notation:
         Takes a square root.
     agree
         Decides if two entries are the same number; if their difference is 0, unless it is given.
+    spells_out
+        Whether minors and sums are written with their terms; terms in letters may fill pages.
     """
 
     write: Callable[[Entry], str] = written
@@ -289,6 +291,7 @@ class Notation:
     tidy: Callable[[Entry], Entry] = _as_it_is
     root: Callable[[Entry], Entry] = exact_root
     agree: Callable[[Entry, Entry], bool] | None = None
+    spells_out: bool = True
 
     def same(self, a: Entry, b: Entry) -> bool:
         """Decide if two entries, vectors or matrices are the same."""
