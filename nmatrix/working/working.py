@@ -66,8 +66,8 @@ def _power_of_ten(number: re.Match[str]) -> str:
     return f"/({factor}*{power})" if slash else f"{factor}*{power}"
 
 
-def short(value: object) -> str:
-    """Write a short fraction or root as it is, and any other number in six digits.
+def short(value: object, digits: int = DIGITS) -> str:
+    """Write a short fraction or root as it is, and any other number in so many digits.
 
     Examples
     --------
@@ -75,7 +75,7 @@ def short(value: object) -> str:
     ('−1/2', '6.66667·10⁻¹⁴', '10⁴⁰⁰')
     """
     if isinstance(value, Fraction | Surd) and not _reads_well(value):
-        return decimal(value)
+        return decimal(value, digits)
     return written(value)
 
 
