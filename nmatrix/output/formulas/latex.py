@@ -46,7 +46,14 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "⇔": r" \;\Leftrightarrow\; ",
     "°": r"^\circ",
 }
-LETTERS = {"κ": r"\kappa", "θ": r"\theta", "σ": r"\sigma", "λ": r"\lambda", "π": r"\pi", "∞": r"\infty"}
+LETTERS = {
+    "κ": r"\kappa",
+    "θ": r"\theta",
+    "σ": r"\sigma",
+    "λ": r"\lambda",
+    "π": r"\pi",
+    "∞": r"\infty",
+}
 EXPONENTS = str.maketrans({"⊤": r"\mathsf T", "′": r"\prime", "−": "-"})
 
 
