@@ -22,7 +22,8 @@ _DRAWN = re.compile(rf"{_ROW}|(?:[xyzw] )?(?P<first>⎡)[ ]+(?P<entries>{_CELLS}
 _VECTOR = re.compile(rf"(?P<name>\S.{{0,80}}?) {{2,40}}\([ ]+(?P<cells>{_CELLS})[ ]\)")
 _AXES = re.compile(r"\s+[xyzwt](?:\s+[xyzwt])*\s*")
 DRAWING = re.compile(
-    rf"(?m:^[ ]{{0,30}}(?:[xyzw] )?⎡[ ])|\A[^\s\[({{<|│][^\n]*\n(?:[^\n]*\n){{0,40}}?{_ROW}(?=\n|\Z|[ ]{{2}})"
+    r"(?m:^[ ]{0,30}(?:[xyzw] )?⎡[ ])"
+    rf"|\A[^\s\[({{<|│][^\n]*\n(?:[^\n]*\n){{0,40}}?{_ROW}(?=\n|\Z|[ ]{{2}})"
 )
 
 
@@ -93,6 +94,9 @@ class _Drawing:
         cells = row["cells"] or row["entries"]
         self.pieces[-1].append(cells.replace("│", " ").replace("|", " ").split())
         self.last, self.widest = opening, max(self.widest, row.end())
+        if max(len(self.pieces), len(self.pieces[-1])) > LARGEST_MATRIX:
+            most = f"use at most {LARGEST_MATRIX}×{LARGEST_MATRIX}"
+            raise unreadable(self.source, "its drawing has too many rows or pieces", most)
 
     def rows(self) -> Tokens:
         """Put the pieces side by side."""

@@ -139,7 +139,8 @@ _TYPST_BODY = re.compile(_NESTED)
 
 
 def _typst_end(text: str, found: re.Match[str]) -> tuple[int, str]:
-    end = _TYPST_BODY.match(text, found.end(), found.end() + LONGEST).end()
+    body = _TYPST_BODY.match(text, found.end(), found.end() + LONGEST)
+    end = body.end() if body else len(text)
     return (end if text[end : end + 1] == ")" else -1), ")"
 
 

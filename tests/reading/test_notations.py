@@ -246,10 +246,10 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: "M\n"
         + "\n".join(
             f"  {left} {joined(row, '  ')} {right}"
-            for row, left, right in zip(m, ("⎡⎢⎢"[: len(m) - 1] + "⎣"), "⎤⎥⎥⎦", strict=False)
+            for row, left, right in zip(m, "⎡⎢⎢"[: len(m) - 1] + "⎣", "⎤⎥⎥⎦", strict=False)
         ),
         lambda m: "M: its columns are x y z t\n      x  y  z  t\n"
-        + "\n".join(f"  {axis} [ {joined(row, '  ')} ]" for row, axis in zip(m, "xyzw", strict=False)),
+        + "\n".join(f"  {'xyzw'[at]} [ {joined(row, '  ')} ]" for at, row in enumerate(m)),
     ],
     "rows in a frame": [
         lambda m: "\n".join(f"|{joined(row, '  ')}|" for row in m),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from nmatrix.formula import (
     APART,
@@ -62,7 +62,7 @@ FUNCTIONS = {
 }
 
 
-def spoken(node: Node) -> str:
+def spoken(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     """Read a tree aloud.
 
     Examples
@@ -131,9 +131,9 @@ def _power(base: Node, exponent: str) -> str:
 
 def _root(inside: Node) -> str:
     """Read a root aloud; of a number it needs no words between."""
-    return (
-        f"root {inside.text}" if isinstance(inside, Numeral) else f"the root of {_grouped(inside)}"
-    )
+    if isinstance(inside, Numeral):
+        return f"root {inside.text}"
+    return f"the root of {_grouped(inside)}"
 
 
 def _whole(node: Node) -> str:
