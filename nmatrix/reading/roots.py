@@ -19,7 +19,7 @@ WRITE_LIKE = "write it like √3/2 or sqrt(3)/2"
 OPEN, CLOSE = "⟮⟯"  # parentheses inside of a number, where others part the rows
 
 _TOKEN = re.compile(rf"\s*([0-9]+(?:\.[0-9]+)?|√|sqrt|[-+*·/(){OPEN}{CLOSE}])")
-_WITHIN = r"\(([^()\[\]{},;\n]{1,60})\)"
+_WITHIN = rf"\(([-+*·/√0-9. {OPEN}{CLOSE}]{{1,60}})\)"
 _ROOT_OF = re.compile(rf"(?:(?<![\w.\\])(?:(?:np|numpy|math|Math)\.)?sqrt|√){_WITHIN}")
 _IN_PARENTHESES = re.compile(rf"{_WITHIN}(?=[ ]?[/*·])|(?<=[/*·]){_WITHIN}")
 # A sign between blanks stands between two terms; with none behind it is that of the next entry.
