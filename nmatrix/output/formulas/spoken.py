@@ -131,9 +131,9 @@ def _power(base: Node, exponent: str) -> str:
 
 def _root(inside: Node) -> str:
     """Read a root aloud; of a number it needs no words between."""
-    if isinstance(inside, Numeral):
-        return f"root {inside.text}"
-    return f"the root of {_grouped(inside)}"
+    return (
+        f"root {inside.text}" if isinstance(inside, Numeral) else f"the root of {_grouped(inside)}"
+    )
 
 
 def _whole(node: Node) -> str:
