@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from nmatrix.formula import (
     APART,
@@ -64,7 +64,7 @@ FUNCTIONS = {
 }
 
 
-def spoken(node: Node) -> str:
+def spoken(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     """Read a tree aloud.
 
     Examples
