@@ -18,7 +18,7 @@ from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
-from nmatrix.calculator.operands import Operand, RefusedError
+from nmatrix.calculator.operands import Operand, RefusedError, bared
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
 from nmatrix.calculator.tree import (
     Bracket,
@@ -413,7 +413,7 @@ class _Evaluation:
 
     def _step(self, node: Node, value: Value, rule: str) -> Value:
         kept = self._kept(node, value)
-        self.steps.append(CalculationStep(self._typed(node), kept, rule))
+        self.steps.append(CalculationStep(bared(self._typed(node)), kept, rule))
         return kept
 
     def _typed(self, node: Node) -> str:
