@@ -86,8 +86,8 @@ def test_a_thing_tells_its_space_and_a_map_both_of_its_ends():
 
     def told(expression):
         found = report(calculate(expression, names), with_steps=False)
-        label = found.blocks[1].label
-        return label, *(found.data[key] for key in ("kind", "to", "from", "space"))
+        title = found.blocks[1].title
+        return title, *(found.data[key] for key in ("kind", "to", "from", "space"))
 
     moved = "M @ direction([3, 4, 0], object)"
     assert told(moved) == ("world direction", "direction", None, None, "world")
