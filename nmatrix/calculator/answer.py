@@ -10,8 +10,9 @@ from nmatrix.calculator.numbers import Float64, Interval
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
 from nmatrix.enums import Numbers
 from nmatrix.errors import counted
-from nmatrix.report import Block, Heading, Quantity, Report, Text
+from nmatrix.report import Block, Formula, Heading, Quantity, Report, Text
 from nmatrix.report import Value as JsonValue
+from nmatrix.working.working import written
 
 ROUNDED = "Every product, sum, quotient and root was rounded to float64."
 OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
@@ -23,21 +24,21 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
     steps: list[JsonValue] | None = None
     if with_steps:
         steps = [
-            {"expression": step.expression, "value": step.value.shown, "rule": step.rule}
+            {"expression": step.expression, "value": plain(step.value), "rule": step.rule}
             for step in calculation.steps
         ]
     kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
     data: dict[str, JsonValue] = {
         "expression": calculation.expression,
-        "value": value.shown,
+        "value": plain(value),
         "kind": kind.value,
-        "exact": as_strings(value.entries) if value.exact else None,  # type: ignore[dict-item]
+        "exact": _strings(value) if value.exact or value.letters else None,
         "steps": steps,
     }
     blocks = (
         Heading(calculation.expression),
         *(_steps(calculation) if with_steps else ()),
-        _quantity("value", value),
+        _block("value", value),
     )
     return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
 
@@ -45,22 +46,46 @@ def report(calculation: Calculation, *, with_steps: bool) -> Report:
 def value_report(name: str, calculation: Calculation, *, with_steps: bool) -> Report:
     """Report a value under the name that a session keeps it by."""
     value = calculation.value
-    blocks = (*(_steps(calculation) if with_steps else ()), _quantity(name, value))
+    blocks = (*(_steps(calculation) if with_steps else ()), _block(name, value))
     remarks = _remarks(calculation)
-    return Report("calc", {name: value.shown}, blocks, remarks, numbers=Numbers.EXACT)
+    return Report("calc", {name: plain(value)}, blocks, remarks, numbers=Numbers.EXACT)
 
 
-def _quantity(name: str, value: Value) -> Quantity:
+def plain(value: Value) -> JsonValue:
+    """Take what data says of a value: numbers, or texts where letters stay.
+
+    Raises
+    ------
+    NoAnswerError
+        If not one digit of an entry is known.
+    """
+    return _strings(value) if value.letters else value.shown
+
+
+def _strings(value: Value) -> JsonValue:
+    return as_strings(value.entries)  # type: ignore[return-value]  # texts, nested as it is
+
+
+def _block(key: str, value: Value, title: str = "") -> Block:
+    """Show a value by its name: as numbers, as a formula of letters, as yes or no."""
     if value.kind is ValueKind.TRUTH:
-        return Quantity(name, "yes" if value.entries else "no")
-    return Quantity(name, value.shown)
+        return Quantity(key, "yes" if value.entries else "no", title)
+    if not value.letters:
+        return Quantity(key, value.shown, title)
+    named = f"{title or key} = "
+    if value.kind is ValueKind.MATRIX:
+        return Formula((named, tuple(tuple(map(written, row)) for row in value.matrix)))
+    texts = list(map(written, value.numbers))
+    return Formula(
+        (named + (texts[0] if value.kind is ValueKind.SCALAR else f"({', '.join(texts)})"),)
+    )
 
 
 def _steps(calculation: Calculation) -> Iterator[Block]:
     """Write the operations in turn, each with its rule and its value."""
     for i, step in enumerate(calculation.steps):
         yield Text(f"{step.expression}: {step.rule}")
-        yield Quantity(f"steps.{i}.value", step.value.shown, f"step {i + 1}")
+        yield _block(f"steps.{i}.value", step.value, f"step {i + 1}")
 
 
 def _remarks(calculation: Calculation) -> tuple[str, ...]:

@@ -20,10 +20,11 @@ from nmatrix.calculator.session import (
     Settings,
 )
 from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
-from nmatrix.calculator.values import Value, ValueKind, as_strings
+from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError, counted, did_you_mean, placed
 from nmatrix.report import Report, Table, Text
+from nmatrix.working.working import written
 
 MOST_DIGITS = 17
 LONGEST_CELL = 40  # characters of a value that a table shows whole
@@ -127,10 +128,10 @@ def _told(value: Value) -> str:
     """Tell a value in a line: a short one whole, of another what it is."""
     if value.kind is ValueKind.TRUTH:
         return "yes" if value.entries else "no"
-    if value.kind is ValueKind.MATRIX or not value.exact:
+    if value.kind is ValueKind.MATRIX or not (value.exact or value.letters):
         return value.shape
-    written = as_strings(value.entries)
-    told = written if isinstance(written, str) else f"( {'  '.join(written)} )"  # type: ignore[arg-type]  # of a vector
+    texts = list(map(written, value.numbers))
+    told = texts[0] if value.kind is ValueKind.SCALAR else f"( {'  '.join(texts)} )"
     return told if len(told) <= LONGEST_CELL else value.shape
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from unicodedata import combining, east_asian_width
 
+from nmatrix.calculator.answer import plain
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.orders import enter
 from nmatrix.calculator.session import Files, Reply, Session
@@ -36,7 +37,7 @@ AROUND = 30  # characters on either side of a caret under a long line
 LONGEST = 100_000  # characters of a file of statements
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 # What a name stands for in a session; other names are options of `nmatrix calc`.
-_SPELLED = {"let": "name = expression", "output": "save"}
+_SPELLED = {"let": "name = expression", "output": "save", "format": "as"}
 
 
 @dataclass(frozen=True)
@@ -219,9 +220,9 @@ def transcript(session: Session, text: str, options: OutputOptions, files: Files
     Examples
     --------
     >>> from nmatrix.calculator.session import NoFiles
-    >>> report = transcript(Session({}), "a = 1/2\na + b", OutputOptions(), NoFiles())
+    >>> report = transcript(Session({}), "a = 1/2\na + Bb", OutputOptions(), NoFiles())
     >>> print(report.blocks[0].text.splitlines()[3], str(report.failure)[:14])
-          ^ line 2: name b
+          ^ line 2: name B
     """
     done = list(run(session, text, options, files))
     last = done[-1][1].session
@@ -238,7 +239,7 @@ def transcript(session: Session, text: str, options: OutputOptions, files: Files
 def _known(one: CalculatedValue) -> Value:
     """Take what may be shown of a value; None where no digit is known."""
     try:
-        return one.shown
+        return plain(one)
     except NoAnswerError:
         return None
 

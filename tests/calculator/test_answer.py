@@ -22,8 +22,20 @@ def data(expression, *, with_steps=False, arithmetic=Arithmetic.EXACT):
         ("1/3", "scalar", "1/3"),
         ("[1, 1/2]", "vector", ["1", "1/2"]),
         ("A / 2", "matrix", [["1", "1/2"], ["1/2", "1/2"]]),
-        ("length([1, 1])", "scalar", None),
-        ("rotate_z(30)", "matrix", None),
+        ("length([1, 1])", "scalar", "√2"),
+        (
+            "linear(rotate_z(30))",
+            "matrix",
+            [
+                ["√3/2", "-1/2", "0"],
+                ["1/2", "√3/2", "0"],
+                ["0", "0", "1"],
+            ],
+        ),
+        ("det([a 1; 1 a]) / 2", "scalar", "a**2/2 - 1/2"),
+        ("sqrt(2) * sqrt(8) == 4", "scalar", None),
+        ("pi", "scalar", None),
+        ("length([1, 1]) * sin(20)", "scalar", None),
     ],
 )
 def test_kind_and_exact_follow_the_value(expression, kind, strings):
@@ -48,7 +60,7 @@ def test_every_step_is_a_calculation_of_its_own_and_the_last_one_is_the_answer()
         "det(A) * inverse(A)",
         "A.T",
         "identity(2)",
-        "A.T + identity(2)",
+        "(A.T + identity(2))",
         "det(A) * inverse(A) @ (A.T + identity(2))",
         "length([3, 4])",
         expression,
@@ -68,7 +80,8 @@ def test_the_remark_says_when_a_value_is_not_exact():
         return report(calculate(expression, NAMES, arithmetic), with_steps=False).remarks
 
     assert remarks("det(A)") == ()
-    assert "irrational" in remarks("length([1, 1])")[0]
+    assert remarks("length([1, 1])") == ()  # √2 is exact
+    assert remarks("sin(20)") == ("A number in it is irrational: 39 digits are known.",)
     assert "float64" in remarks("det(A)", Arithmetic.FLOAT)[0]
 
 

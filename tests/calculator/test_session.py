@@ -195,9 +195,9 @@ def test_statements_that_were_saved_make_the_same_session(tmp_path, monkeypatch)
 
 def test_a_file_that_fails_changes_nothing_and_the_error_names_its_line(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    Path("bad.txt").write_text("a = 1\nb = [1\n2]\nc = d\n")
+    Path("bad.txt").write_text("a = 1\nb = [1\n2]\nc = Dd\n")
     error = refused("load bad.txt", after("a = 2"), Disk())
-    assert str(error).startswith("bad.txt, line 4: name d")
+    assert str(error).startswith("bad.txt, line 4: name Dd")
     assert error.exit_code == 2
 
 
