@@ -1,4 +1,4 @@
-"""The value of an expression, exactly where it is exact, and the steps if asked for."""
+"""The value of an expression, exactly where it is exact, its space, and the steps if asked for."""
 
 from __future__ import annotations
 
@@ -6,59 +6,58 @@ from collections.abc import Iterator
 from math import isinf
 
 from nmatrix.calculator.evaluate import Calculation
+from nmatrix.calculator.meanings import Located, Map
 from nmatrix.calculator.numbers import Float64, Interval
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings
-from nmatrix.enums import Numbers
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings, each
+from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import counted
-from nmatrix.report import Block, Formula, Heading, Quantity, Report, Text
+from nmatrix.report import Block, Formula, Heading, Quantity, Report, Step
 from nmatrix.report import Value as JsonValue
-from nmatrix.working.working import written
 
+KEYS = ("expression", "value", "kind", "to", "from", "space", "exact", "steps")
 ROUNDED = "Every product, sum, quotient and root was rounded to float64."
 OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
 
 
-def report(calculation: Calculation, *, with_steps: bool) -> Report:
+def report(
+    calculation: Calculation, *, with_steps: bool, inverse_by: InverseBy | None = None
+) -> Report:
     """Report a calculation; `exact` holds fractions and roots where no number was rounded."""
-    value = calculation.value
-    steps: list[JsonValue] | None = None
-    if with_steps:
-        steps = [
-            {"expression": step.expression, "value": plain(step.value), "rule": step.rule}
-            for step in calculation.steps
-        ]
-    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
-    data: dict[str, JsonValue] = {
-        "expression": calculation.expression,
-        "value": plain(value),
-        "kind": kind.value,
-        "exact": _strings(value) if value.exact or value.letters else None,
-        "steps": steps,
-    }
-    blocks = (
-        Heading(calculation.expression),
-        *(_steps(calculation) if with_steps else ()),
-        _block("value", value),
-    )
+    steps = worked(calculation, inverse_by) if with_steps else None
+    data = keys(calculation, steps)
+    value = _shown("value", calculation.value)
+    blocks: tuple[Block, ...] = (Heading(calculation.expression), *(steps or ()), value)
     return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
 
 
-def value_report(name: str, calculation: Calculation, *, with_steps: bool) -> Report:
+def value_report(name: str, calculation: Calculation, steps: tuple[Step, ...] = ()) -> Report:
     """Report a value under the name that a session keeps it by."""
     value = calculation.value
-    blocks = (*(_steps(calculation) if with_steps else ()), _block(name, value))
+    blocks: tuple[Block, ...] = (*steps, _shown(name, value))
     remarks = _remarks(calculation)
-    return Report("calc", {name: plain(value)}, blocks, remarks, numbers=Numbers.EXACT)
+    return Report("calc", {name: _plain(value)}, blocks, remarks, numbers=Numbers.EXACT)
 
 
-def plain(value: Value) -> JsonValue:
-    """Take what data says of a value: numbers, or texts where letters stay.
+def keys(calculation: Calculation, steps: tuple[Step, ...] | None) -> dict[str, JsonValue]:
+    """Collect the keys of the contract for a value.
 
     Raises
     ------
     NoAnswerError
         If not one digit of an entry is known.
     """
+    value = calculation.value
+    return {
+        "expression": calculation.expression,
+        "value": _plain(value),
+        **_meant(value),
+        "exact": _strings(value) if value.exact or value.letters else None,
+        "steps": steps,
+    }
+
+
+def _plain(value: Value) -> JsonValue:
+    """Take what data says of a value: numbers, or texts where letters stay."""
     return _strings(value) if value.letters else value.shown
 
 
@@ -66,26 +65,51 @@ def _strings(value: Value) -> JsonValue:
     return as_strings(value.entries)  # type: ignore[return-value]  # texts, nested as it is
 
 
-def _block(key: str, value: Value, title: str = "") -> Block:
-    """Show a value by its name: as numbers, as a formula of letters, as yes or no."""
+def _meant(value: Value) -> dict[str, JsonValue]:
+    """Tell the kind of a value, and its space, or the two that a map leads between."""
+    kind = ValueKind.SCALAR if value.kind is ValueKind.TRUTH else value.kind
+    match value.meaning:
+        case Map(to, source):
+            return {"kind": kind, "to": to, "from": source, "space": None}
+        case Located(space, found):
+            return {"kind": found, "to": None, "from": None, "space": space}
+    return {"kind": kind, "to": None, "from": None, "space": None}
+
+
+def _shown(name: str, value: Value) -> Block:
+    """Show a value by its name and what it means: numbers, letters, yes or no."""
+    if value.letters:
+        return _formula(name, value)
     if value.kind is ValueKind.TRUTH:
-        return Quantity(key, "yes" if value.entries else "no", title)
-    if not value.letters:
-        return Quantity(key, value.shown, title)
-    named = f"{title or key} = "
-    if value.kind is ValueKind.MATRIX:
-        return Formula((named, tuple(tuple(map(written, row)) for row in value.matrix)))
-    texts = list(map(written, value.numbers))
-    return Formula(
-        (named + (texts[0] if value.kind is ValueKind.SCALAR else f"({', '.join(texts)})"),)
-    )
+        return Quantity(name, "yes" if value.entries else "no")
+    meaning = "" if value.meaning is None else str(value.meaning)
+    if value.kind is ValueKind.MATRIX or not meaning:
+        return Quantity(name, value.shown, meaning)
+    return Quantity(name, value.shown, meaning if name == "value" else f"{name}: {meaning}")
 
 
-def _steps(calculation: Calculation) -> Iterator[Block]:
-    """Write the operations in turn, each with its rule and its value."""
-    for i, step in enumerate(calculation.steps):
-        yield Text(f"{step.expression}: {step.rule}")
-        yield _block(f"steps.{i}.value", step.value, f"step {i + 1}")
+def _formula(name: str, value: Value) -> Formula:
+    """Write letters as one does on paper, a vector as a column."""
+    from nmatrix.working.working import written
+
+    texts = each(value.entries, written)
+    if value.kind is ValueKind.SCALAR:
+        return Formula((f"{name} = {texts}",))
+    columns = value.kind is ValueKind.VECTOR
+    rows = tuple((one,) for one in texts) if columns else texts
+    return Formula((f"{name} = ", rows))  # type: ignore[arg-type]  # rows of texts
+
+
+def worked(calculation: Calculation, inverse_by: InverseBy | None = None) -> tuple[Step, ...]:
+    """Work the operations out in turn, each line from the one before."""
+    from nmatrix.calculator.workings import Operation, lines
+
+    def every() -> Iterator[Step]:
+        for step in calculation.steps:
+            operation = Operation(step.operation, step.given, inverse_by)
+            yield from lines(operation, step.expression, step.value, step.rule)
+
+    return tuple(every())
 
 
 def _remarks(calculation: Calculation) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueErro
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.function import Argument, Function, Parameter
 from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.homogeneous import settled, w_of, with_w
+from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
@@ -56,11 +56,13 @@ LETTER = re.compile(r"[a-zα-ω][0-9]{0,2}")  # a name that may stay without a v
 
 @dataclass(frozen=True)
 class CalculationStep:
-    """One operation: the part of the expression, its value, and the rule."""
+    """One operation on its operands: the part of the expression, its value, and the rule."""
 
     expression: str
     value: Value
+    operation: str
     rule: str
+    given: tuple[Operand | str | None, ...]
 
 
 @dataclass(frozen=True)
@@ -221,10 +223,11 @@ class _Evaluation:
             return self._comparison(node, operands)
         value, rule = self._tried(node.at, node.sign, partial(binary, node.sign), (a, with_w(a, b)))
         value = self._tried(node.at, node.sign, settled, [replace(value, meaning=meaning)])
-        return self._step(node, value, rule)
+        return self._step(node, value, (node.sign, rule), operands)
 
     def _comparison(self, node: Infix, operands: tuple[Operand, Operand]) -> Value:
         a, b = (one.value for one in operands)
+        a, b = as_long_as(a, b), as_long_as(b, a)
         told = rules.different_ways(*operands)
         self.remarks += [told] if told and not self.untyped else []
         if node.sign == "==":
@@ -265,7 +268,10 @@ class _Evaluation:
         while isinstance(factors[0], Infix) and factors[0].sign == "@":
             factors[:1] = [factors[0].left, factors[0].right]
         quiet = replace(self, steps=[], remarks=[], products={}, advises=False)
-        found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+        try:
+            found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+        except NMatrixError:  # further on there is another fault
+            return Part(self._typed(node), node.start, tuple(operands), is_product=True)
         rest = self.expression[node.end : whole.end]
         return Part(self._typed(whole), whole.start, tuple(found), is_product=True, rest=rest)
 
@@ -315,7 +321,10 @@ class _Evaluation:
         )
         raised = partial(power, exponent=node.exponent, arithmetic=self.arithmetic)
         value = replace(self._tried(node.at, "^", raised, [base]), meaning=meaning)
-        return value if abs(node.exponent) == 1 else self._step(node, value, "multiplied by itself")
+        if abs(node.exponent) == 1:
+            return value
+        given = (operand, str(abs(node.exponent)))
+        return self._step(node, value, ("^", "multiplied by itself"), given)
 
     def _member(self, node: Member) -> Value:
         value = self.value_of(node.value)
@@ -388,7 +397,8 @@ class _Evaluation:
         value = self._tried(at, name, function.compute, bound, places)
         if function.remarks:
             self.remarks += self._tried(at, name, function.remarks, bound, places)
-        return self._step(node, settled(replace(value, meaning=meaning)), function.rule)
+        value = settled(replace(value, meaning=meaning))
+        return self._step(node, value, (name, function.rule), given)
 
     def _given(
         self, node: Node, arguments: Sequence[Argument], bound: Sequence[Argument | None]
@@ -445,9 +455,16 @@ class _Evaluation:
             conditions = " and ".join(f"{written(text)} ≠ 0" for text in below)
             self.remarks.append(f"It holds where {conditions}.")
 
-    def _step(self, node: Node, value: Value, rule: str) -> Value:
+    def _step(
+        self,
+        node: Node,
+        value: Value,
+        what: tuple[str, str],
+        given: Sequence[Operand | str | None],
+    ) -> Value:
+        """Keep an operation, by its name and its rule, with what it was given."""
         kept = self._kept(node, value)
-        self.steps.append(CalculationStep(self._typed(node), kept, rule))
+        self.steps.append(CalculationStep(self._typed(node), kept, *what, tuple(given)))
         return kept
 
     def _typed(self, node: Node) -> str:

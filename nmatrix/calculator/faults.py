@@ -52,9 +52,9 @@ class MeaningError(PlacedError, FrameError):
     def __init__(
         self, expression: str, position: int, what: str, refused: RefusedError, instead: str = ""
     ) -> None:
-        named = f" (the mistake {refused.mistake})" if refused.mistake else ""
         told = f"; write {instead}" if instead else ""
-        super().__init__(expression, position, what, f"{refused.why}{named}{told}")
+        named = f"; check calls it {refused.mistake}" if refused.mistake else ""
+        super().__init__(expression, position, what, f"{refused.why}{told}{named}")
         self.instead, self.mistake = instead, refused.mistake
 
 

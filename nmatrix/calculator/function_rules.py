@@ -5,15 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Carries, Kind, Located, Map, Meaning
-from nmatrix.calculator.numbers import is_negative, is_zero
-from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor, together, undivided
+from nmatrix.calculator.numbers import is_zero
+from nmatrix.calculator.operands import (
+    UNDIVIDED,
+    Operand,
+    RefusedError,
+    Sort,
+    factor,
+    together,
+    undivided,
+)
+from nmatrix.calculator.rules import PROJECTED, mirrors, orthonormal
 from nmatrix.calculator.rules import meaning_of as meaning_of_operator
-from nmatrix.calculator.rules import orthonormal
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen
-from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.check.mistakes import MistakeId
-from nmatrix.linear import rational
 
 Given = Operand | str | None  # an argument: a value, a word, or left out
 FunctionRule = Callable[[Sequence[Given]], Meaning | None]
@@ -72,7 +78,7 @@ def _cofactors(arguments: Sequence[Given]) -> Meaning | None:
     found = A.value.meaning
     if not isinstance(found, Map) or found.carries not in (Carries.PLACES, Carries.ALL):
         return None
-    carries = Carries.FLIPPED if _mirrors(A) else Carries.NORMALS
+    carries = Carries.FLIPPED if mirrors(A.value.matrix) else Carries.NORMALS
     return Map(found.to, found.source, carries)
 
 
@@ -80,26 +86,24 @@ def _adjugate(arguments: Sequence[Given]) -> Meaning | None:
     """Lead back, but for a mirror, whose adjugate turns directions round."""
     A = _values(arguments)[0]
     found = A.value.meaning
-    return found.inverse if isinstance(found, Map) and not _mirrors(A) else None
+    return None if not isinstance(found, Map) or mirrors(A.value.matrix) else found.inverse
 
 
-def _mirrors(A: Operand) -> bool:
-    if not _is_square(A):
-        return False
-    try:
-        return is_negative(rational.determinant(A.value.matrix))
-    except NoAnswerError:
-        return False
+def _block(found: Map) -> Map | None:
+    """Keep the way of an affine map; the block of a projection is no map."""
+    return None if _projects(found) else found
 
 
-def _is_square(A: Operand) -> bool:
-    return len(A.value.matrix) == len(A.value.matrix[0])
+def _projects(found: Map) -> bool:
+    return found.to in PROJECTED or found.source in PROJECTED
 
 
 def _origin(arguments: Sequence[Given]) -> Meaning | None:
     """Take a translation for the place of the origin, which it is."""
     meaning = _values(arguments)[0].value.meaning
-    if not isinstance(meaning, Map) or meaning.carries in FOR_NORMALS or meaning.to is None:
+    if not isinstance(meaning, Map) or meaning.carries in FOR_NORMALS or _projects(meaning):
+        return None
+    if meaning.to is None:
         return None
     return Located(meaning.to, Kind.POINT)
 
@@ -111,7 +115,7 @@ def _normalised(arguments: Sequence[Given]) -> Meaning | None:
     if v.sort is Sort.BARE:
         entries = v.value.vector
         if len(entries) == 4 and not is_zero(entries[3]):
-            why = f"{v.text} has four components and w is not 0: it would count as length"
+            why = f"{v.name} has four components and w is not 0: it would count as length"
             form = f"normalize({factor(v.text)}.xyz)"
             raise RefusedError(why, MistakeId.FOUR_COMPONENT_NORMALISE, forms=(form,))
         return None
@@ -137,7 +141,7 @@ def _alike(arguments: Sequence[Given]) -> Meaning | None:
         return None
     sorts = {a.sort, b.sort} - {Sort.BARE}
     if Sort.POINT in sorts and len(sorts) > 1 and Sort.VECTOR not in sorts:
-        why = f"{a.text} is {a.sort.value}, {b.text} {b.sort.value}: nothing lies between them"
+        why = f"{a.name} is {a.sort.value}, {b.name} {b.sort.value}: nothing lies between them"
         raise RefusedError(why)
     if not sorts:
         return None
@@ -161,13 +165,16 @@ def _made(kind: Kind) -> FunctionRule:
         if v.is_undivided and not (kind is Kind.POINT and named in (None, Frame.CLIP)):
             raise undivided(v)
         if named and v.space and named is not v.space:
-            why = f"{v.text} is in {v.space} space already, and {named} is asked for"
-            wanted = Operand(Value(v.value.entries, Located(named, kind)))
+            why = f"{v.name} is in {v.space} space already, and {named} is asked for"
+            wanted = Operand(Value(v.value.entries, Located(named, kind)), "")
             raise RefusedError(why, apart=(v, wanted))
+        if named is Frame.CLIP and kind is not Kind.POINT:
+            why = f"in clip space there are points alone, and this would be a {kind}"
+            raise RefusedError(why, forms=(f"point({v.text}, clip)", f"{kind}({v.text}, ndc)"))
         refused = _UNMADE.get((kind, v.sort))
         if refused is not None:
             why, mistake = refused
-            raise RefusedError(f"{v.text} is {why}", mistake, forms=(v.text,))
+            raise RefusedError(f"{v.name} is {why}", mistake, forms=(v.text,))
         if v.sort is Sort.BARE and not named and kind in (Kind.POINT, Kind.VECTOR):
             return None  # a literal with its w
         kept = Kind[v.sort.name] if kind is Kind.VECTOR and v.sort is not Sort.BARE else kind
@@ -196,8 +203,8 @@ def _divided(arguments: Sequence[Given]) -> Meaning | None:
     if p.sort is Sort.BARE:
         return None
     if p.space not in (None, Frame.CLIP, Frame.NDC):
-        why = f"{p.text} is in {p.space} space, and project divides a point of clip space"
-        wanted = Operand(Value(p.value.entries, Located(Frame.CLIP, Kind.POINT)))
+        why = f"{p.name} is in {p.space} space, and project divides a point of clip space"
+        wanted = Operand(Value(p.value.entries, UNDIVIDED), "")
         raise RefusedError(why, apart=(p, wanted))
     return Located(Frame.NDC, Kind.POINT)
 
@@ -223,7 +230,7 @@ def _plane(arguments: Sequence[Given]) -> None:
     """Carry a plane, which no kind of vector is; a map for normals is the wrong way to it."""
     M = _values(arguments)[0]
     if M.map.carries in FOR_NORMALS:
-        raise RefusedError(f"{M.text} is for normals, and a plane asks for the map of points")
+        raise RefusedError(f"{M.name} is for normals, and a plane asks for the map of points")
 
 
 _RIGID = Map(carries=Carries.ALL)
@@ -235,7 +242,7 @@ RULES: dict[str, FunctionRule] = {
     "normal_matrix": _of_map(lambda found: found.inverse_transpose),
     "cofactor": _cofactors,
     "adjugate": _adjugate,
-    "linear": _of_map(lambda found: found),
+    "linear": _of_map(_block),
     "translation": _origin,
     "transform_plane": _plane,
     "point": _made(Kind.POINT),

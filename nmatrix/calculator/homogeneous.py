@@ -35,6 +35,14 @@ def with_w(A: Value, v: Value) -> Value:
     return Value((*v.vector, w), v.meaning)
 
 
+def as_long_as(v: Value, other: Value) -> Value:
+    """Write the w of a vector behind it, where a literal beside it has four components."""
+    w = w_of(v)
+    if w is None or other.kind is not ValueKind.VECTOR or len(other.vector) != 4:
+        return v
+    return Value((*v.vector, w), v.meaning)
+
+
 def settled(value: Value) -> Value:
     """Leave out the w of a result whose kind tells it, after the division that it asks for.
 

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, permutations
 
-from nmatrix.calculator.meanings import SCENE, Located, Map, Meaning
+from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Located, Map, Meaning
 from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor
 from nmatrix.calculator.rules import PROJECTED
 from nmatrix.calculator.values import ValueKind
@@ -49,7 +49,7 @@ class Part:
         return "".join([*written, self.text[end - self.start :]])
 
 
-def forms(refused: RefusedError, part: Part, names: Mapping[str, Meaning | None]) -> Iterator[str]:
+def forms(refused: RefusedError, part: Part, names: dict[str, Meaning | None]) -> Iterator[str]:
     """Write the forms that may be meant, the nearest first.
 
     Parameters
@@ -61,18 +61,24 @@ def forms(refused: RefusedError, part: Part, names: Mapping[str, Meaning | None]
     names
         What the names of the expression mean.
     """
-    led = SCENE | {name: one for name, one in names.items() if isinstance(one, Map)}
+    led = {
+        name: one
+        for name, one in (SCENE | names).items()
+        if isinstance(one, Map) and one.carries not in FOR_NORMALS
+    }
     yield from (f"{form}{part.rest}" for form in refused.forms)
-    yield from (_swapped(part, operand, text) for operand, text in refused.swaps)
+    if refused.swaps:
+        yield _swapped(part, *refused.swaps)
     yield from _brought_together(refused, part, led)
     if part.is_product:
         yield from _products(part, led)
     yield from _forgetting(part)
 
 
-def _swapped(part: Part, operand: Operand, text: str) -> str:
-    places = [i for i, one in enumerate(part.operands) if one.start == operand.start]
-    return part.with_texts(dict.fromkeys(places, text))
+def _swapped(part: Part, *swaps: tuple[Operand, str]) -> str:
+    texts = {operand.start: text for operand, text in swaps}
+    starts = enumerate(one.start for one in part.operands)
+    return part.with_texts({i: texts[start] for i, start in starts if start in texts})
 
 
 def _brought_together(refused: RefusedError, part: Part, led: Mapping[str, Map]) -> Iterator[str]:
@@ -84,8 +90,8 @@ def _brought_together(refused: RefusedError, part: Part, led: Mapping[str, Map])
                 way = _way(one.space, other.space, led, with_inverses=with_inverses)
                 if way:
                     moved = _carried(one, way)
-                    yield _swapped(part, one, moved)
-                    yield _swapped(part, one, f"({moved})")
+                    yield _swapped(part, (one, moved))
+                    yield _swapped(part, (one, f"({moved})"))
 
 
 def _carried(one: Operand, way: Sequence[str]) -> str:
@@ -145,7 +151,7 @@ def _products(part: Part, led: Mapping[str, Map]) -> Iterator[str]:
         if way:
             yield _carried(last[0], way)
     yield from _bridged([*maps, *last], led)
-    if is_vector:
+    if is_vector and len(maps) > 1:
         yield from (" @ ".join([*texts[:i], *texts[i + 1 :], *end]) for i in range(len(texts)))
 
 

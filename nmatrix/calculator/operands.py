@@ -11,6 +11,9 @@ from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.lessons.check.mistakes import MistakeId
 
+LONGEST_NAME = 60  # characters of an operand in a sentence
+UNDIVIDED = Located(Frame.CLIP, Kind.POINT)
+
 
 class Sort(StrEnum):
     """What a rule can see of a value."""
@@ -61,13 +64,25 @@ class Operand:
     @property
     def is_undivided(self) -> bool:
         """Whether it is a point of clip space, whose x, y and z say nothing without its w."""
-        return self.value.meaning == Located(Frame.CLIP, Kind.POINT)
+        return self.value.meaning == UNDIVIDED
+
+    @property
+    def name(self) -> str:
+        """Its text, cut where it is long, to speak of it."""
+        text = " ".join(self.text.split())
+        return text if len(text) <= LONGEST_NAME else f"{text[:LONGEST_NAME]}…"
+
+    @property
+    def bared(self) -> str:
+        """Its text without parentheses around the whole."""
+        inside = self.text[1:-1]
+        return inside if self.text == f"({inside})" == factor(f"({inside})") else self.text
 
 
 class RefusedError(Exception):
     """An operation that no graphics programmer means.
 
-    `forms` are right forms of the same expression, `swaps` right forms of an operand in it, and
+    `forms` are right forms of the same expression, `swaps` right forms of operands in it, and
     `apart` are operands in two spaces.
     """
 
@@ -93,23 +108,26 @@ def together(*operands: Operand) -> Frame | None:
     RefusedError
         For two spaces, or a point of clip space that was not divided by its w.
     """
-    for one in operands:
-        if one.is_undivided:
-            raise undivided(one)
+    if any(one.is_undivided for one in operands):
+        raise undivided(*operands)
     known = [one for one in operands if one.space is not None]
     for other in known[1:]:
         if other.space is not known[0].space:
             first = known[0]
-            why = f"{first.text} is in {first.space} space, {other.text} in {other.space} space"
+            why = f"{first.name} is in {first.space} space, {other.name} in {other.space} space"
             raise RefusedError(why, apart=(first, other))
     return known[0].space if known else None
 
 
-def undivided(point: Operand) -> RefusedError:
-    """Make the refusal of a point of clip space where its place is asked for."""
-    why = f"{point.text} is in clip space and not yet divided by its w"
-    whole = factor(point.text.removesuffix(".xyz"))
-    return RefusedError(why, swaps=((point, f"({whole}.xyz / {whole}.w)"),))
+def undivided(*operands: Operand) -> RefusedError:
+    """Make the refusal of points of clip space where their places are asked for."""
+    swaps = []
+    for one in operands:
+        if one.is_undivided:
+            whole = factor(one.text.removesuffix(".xyz"))
+            swaps.append((one, f"({whole}.xyz / {whole}.w)"))
+    first = swaps[0][0].name
+    return RefusedError(f"{first} is in clip space and not yet divided by its w", swaps=swaps)
 
 
 def factor(text: str) -> str:

@@ -7,11 +7,29 @@ how much it would be wrong. What is not known is never refused.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.calculator.meanings import FOR_NORMALS, Carries, Kind, Located, Map, Meaning, meets
-from nmatrix.calculator.numbers import degrees_of, is_negative, is_zero, root, shown, size
-from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor, together, undivided
+from nmatrix.calculator.numbers import (
+    Number,
+    degrees_of,
+    enclosure,
+    is_negative,
+    is_zero,
+    root,
+    shown,
+    size,
+)
+from nmatrix.calculator.operands import (
+    UNDIVIDED,
+    Operand,
+    RefusedError,
+    Sort,
+    factor,
+    together,
+    undivided,
+)
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.errors import NoAnswerError
@@ -19,6 +37,7 @@ from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linear.rounding import short_text
+from nmatrix.surds import TooManyRootsError
 
 ROUNDING = Fraction(1, 10**12)  # by which the columns of a rotation in float64 may miss 1 and 0
 
@@ -41,14 +60,14 @@ def _is(kind: Kind) -> Rule:
 def _two_points(a: Operand, b: Operand) -> None:
     together(a, b)
     middle = f"{factor(a.text)} + ({factor(b.text)} - {factor(a.text)}) / 2"
-    why = f"{a.text} and {b.text} are points, and places have no sum"
+    why = f"{a.name} and {b.name} are points, and places have no sum"
     raise RefusedError(why, forms=(middle,))
 
 
 def _from_no_place(a: Operand, b: Operand) -> None:
     together(a, b)
     kind = a.sort.value.removeprefix("a ")
-    why = f"{b.text} is a point and {a.text} a {kind}, which has no place to go from"
+    why = f"{b.name} is a point and {a.name} a {kind}, which has no place to go from"
     raise RefusedError(why, forms=(f"{factor(b.text)} - {factor(a.text)}",))
 
 
@@ -60,7 +79,7 @@ def _same_map(a: Operand, b: Operand) -> Meaning:
         raise RefusedError(f"{_way(a)}, {_way(b)}, and only maps of one way have a sum")
     carried = {one.carries, other.carries} - {Carries.ALL}
     if len(carried) > 1:
-        why = f"{a.text} carries {one.carries}, {b.text} {other.carries}"
+        why = f"{a.name} carries {one.carries}, {b.name} {other.carries}"
         raise RefusedError(f"{why}, and their sum neither")
     carries = carried.pop() if carried else Carries.PLACES  # two rotations have no rotation as sum
     return Map(one.to or other.to, one.source or other.source, carries)
@@ -68,7 +87,7 @@ def _same_map(a: Operand, b: Operand) -> Meaning:
 
 def _way(a: Operand) -> str:
     to, source = (f"{end} space" if end else "anywhere" for end in (a.map.to, a.map.source))
-    return f"{a.text} leads to {to} from {source}"
+    return f"{a.name} leads to {to} from {source}"
 
 
 def _of(rows: Mapping[Sort, tuple[Rule, ...]], columns: tuple[Sort, ...]) -> Grid:
@@ -120,7 +139,7 @@ _DIFFERENCES = (
 )
 
 
-def scaled(a: Operand) -> Meaning | None:
+def _scaled(a: Operand, number: Operand) -> Meaning | None:
     """Keep what a multiple still is: half of a point is no place, save in clip space."""
     meaning = a.value.meaning
     if a.is_undivided:
@@ -128,10 +147,19 @@ def scaled(a: Operand) -> Meaning | None:
         return meaning if is_whole else Located(Frame.NDC, Kind.POINT)
     if isinstance(meaning, Located) and meaning.kind is Kind.POINT:
         return Located(meaning.space, Kind.VECTOR)
+    if a.sort is Sort.FLIPPED and _is_below_0(number.value.scalar):  # such as the determinant
+        return replace(a.map, carries=Carries.NORMALS)
     return meaning
 
 
-_SCALED = _all(NUMBER, Sort, lambda _, b: scaled(b)) | _all(Sort, NUMBER, lambda a, _: scaled(a))
+def _is_below_0(number: Number) -> bool:
+    try:
+        return is_negative(number)
+    except NoAnswerError:
+        return False
+
+
+_SCALED = _all(NUMBER, Sort, lambda a, b: _scaled(b, a)) | _all(Sort, NUMBER, _scaled)
 _PRODUCTS = _ANYTHING | _SCALED
 
 
@@ -139,7 +167,7 @@ def _quotient(a: Operand, b: Operand) -> Meaning | None:
     """Divide; a point of clip space over its own w is one of normalised device coordinates."""
     if a.is_undivided and a.value.vector[-1] == b.value.scalar:
         return Located(Frame.NDC, Kind.POINT)
-    return scaled(a)
+    return _scaled(a, b)
 
 
 _QUOTIENTS = _ANYTHING | _all(Sort, NUMBER, _quotient)
@@ -179,19 +207,21 @@ POSE = Map(Frame.WORLD, Frame.CAMERA)
 
 
 def _composed(a: Operand, b: Operand) -> Meaning | None:
+    if _is_vector(a) or _is_vector(b):
+        return None
     one, other = a.map, b.map
     if not meets(one.source, other.to):
-        why = f"{b.text} leads to {other.to} space, {a.text} starts from {one.source} space"
+        why = f"{b.name} leads to {other.to} space, {a.name} starts from {one.source} space"
         is_pose = POSE in (one, other) and {one.source, other.to} == {Frame.WORLD, Frame.CAMERA}
         raise RefusedError(why, MistakeId.VIEW_NOT_INVERTED if is_pose else None)
     if Sort.BARE in (a.sort, b.sort) and not (_is_square(a.value) and _is_square(b.value)):
         return None
     carried = frozenset((one.carries, other.carries)) - {Carries.ALL}
     if carried and carried not in _ONE_BY_ONE:
-        why = f"{b.text} carries {other.carries}, {a.text} {one.carries}"
+        why = f"{b.name} carries {other.carries}, {a.name} {one.carries}"
         places = (a if b.map.carries in FOR_NORMALS else b).text
         right = f"normal_matrix({places.removeprefix('linear(').removesuffix(')')})"
-        forms = (f"{right} @ {b.text}", f"{a.text} @ {right}")
+        forms = (f"{right} @ {factor(b.text)}", f"{factor(a.text)} @ {right}")
         raise RefusedError(why, MistakeId.USED_WORLD_MATRIX, forms=forms)
     carries = _ONE_BY_ONE[carried] if carried else Carries.ALL
     return None if carries is None else Map(one.to, other.source, carries)
@@ -205,8 +235,11 @@ def _place(a: Operand, b: Operand) -> Meaning:
     """Carry a point or a direction."""
     _begins_there(a, b)
     kind = Kind[b.sort.name]
+    if kind is Kind.DIRECTION and a.map.source in PROJECTED and a.map.to not in PROJECTED:
+        why = f"{a.name} undoes a projection, through which points come back and directions do not"
+        raise RefusedError(why)
     if kind is Kind.POINT and len(a.value.matrix[0]) == 3 and a.map.to and a.map.source:
-        why = f"a point needs the translation, which the 3×3 matrix {a.text} has not"
+        why = f"a point needs the translation, which the 3×3 matrix {a.name} has not"
         raise RefusedError(why)
     return Located(a.map.to, Kind.POINT if a.map.to is Frame.CLIP else kind)
 
@@ -220,7 +253,7 @@ def _begins_there(a: Operand, b: Operand) -> None:
 
 
 def _two_spaces(a: Operand, b: Operand) -> str:
-    return f"{a.text} starts from {a.map.source} space, {b.text} is in {b.space} space"
+    return f"{a.name} starts from {a.map.source} space, {b.name} is in {b.space} space"
 
 
 def _by_spaces(led: Map, b: Operand) -> MistakeId | None:
@@ -243,7 +276,7 @@ def _no_normal(a: Operand, b: Operand) -> None:
     said = f", and {_two_spaces(a, b)}" if is_back else ""
     right = rational.transpose if is_back else rational.inverse_transpose
     mistake = MistakeId.NOT_TRANSPOSED if is_back else MistakeId.USED_WORLD_MATRIX
-    raise RefusedError(f"a normal is not carried by {a.text}{_off(a, b, right)}{said}", mistake)
+    raise RefusedError(f"a normal is not carried by {a.name}{_off(a, b, right)}{said}", mistake)
 
 
 def _normal(a: Operand, b: Operand) -> Meaning:
@@ -251,7 +284,7 @@ def _normal(a: Operand, b: Operand) -> Meaning:
     if not meets(a.map.source, b.space):
         if a.sort is Sort.BACK and a.map.to is b.space:
             off = _off(a, b, rational.inverse)
-            why = f"a normal is not carried by {a.text}{off}, and {_two_spaces(a, b)}"
+            why = f"a normal is not carried by {a.name}{off}, and {_two_spaces(a, b)}"
             raise RefusedError(why, MistakeId.NOT_INVERTED)
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     if a.map.to in PROJECTED:
@@ -264,19 +297,19 @@ def _only_normals(a: Operand, b: Operand) -> None:
     kind, is_there = b.sort.value, meets(a.map.source, b.space)
     if a.sort is Sort.BACK and not is_there and a.map.to is b.space:
         raise RefusedError(
-            f"{a.text} is transposed, and {_two_spaces(a, b)}", MistakeId.TRANSPOSED_LAYOUT
+            f"{a.name} is transposed, and {_two_spaces(a, b)}", MistakeId.TRANSPOSED_LAYOUT
         )
     if not is_there:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     is_step = b.sort is Sort.DIRECTION
     off = _off(a, b, rational.inverse_transpose) if is_step else ""
-    why = f"{kind} is not carried by {a.text}, which is for normals{off}"
+    why = f"{kind} is not carried by {a.name}, which is for normals{off}"
     raise RefusedError(why, MistakeId.COURSE_LIGHT_RULE if is_step else None)
 
 
 def _inside_out(a: Operand, b: Operand) -> None:
     _normal(a, b)
-    why = f"{a.text} are the cofactors of a mirror, which turn {b.text} inside out"
+    why = f"{a.name} are the cofactors of a mirror, which turn {b.name} inside out"
     raise RefusedError(why, MistakeId.COFACTOR_SIGN)
 
 
@@ -284,14 +317,16 @@ def _unknown(a: Operand, b: Operand) -> Meaning:
     """Carry a vector of no known kind, whose w is not known."""
     _begins_there(a, b)
     if len(a.value.matrix[0]) == 4:
-        why = f"{b.text} may be a point, a direction or a normal, and each has another w"
-        forms = (f"{factor(a.text)} @ {kind}({b.text})" for kind in (Kind.POINT, Kind.DIRECTION))
+        why = f"{b.name} may be a point, whose w is 1, or a direction, whose w is 0"
+        forms = (f"{factor(a.text)} @ {kind}({b.bared})" for kind in (Kind.POINT, Kind.DIRECTION))
         raise RefusedError(why, forms=forms)
     return Located(a.map.to, Kind.VECTOR)
 
 
-def _anywhere(a: Operand, b: Operand) -> Meaning:
+def _anywhere(a: Operand, b: Operand) -> Meaning | None:
     """Carry a thing by a matrix of which nothing is known."""
+    if _is_vector(a):
+        return None
     if b.sort is Sort.VECTOR:
         return _unknown(a, b)
     _begins_there(a, b)
@@ -301,7 +336,7 @@ def _anywhere(a: Operand, b: Operand) -> Meaning:
 _CARRIED = (
     _ANYTHING
     | _all((Sort.BARE, *MAPS), MAPS, _composed)
-    | _all(MAPS, (Sort.BARE,), lambda a, b: _free(a, b) if _is_vector(b) else _composed(a, b))
+    | _all(MAPS, (Sort.BARE,), _composed)
     | _of(
         {
             Sort.BARE: (_anywhere, _anywhere, _anywhere, _anywhere),
@@ -333,7 +368,7 @@ def _compared(a: Operand, b: Operand) -> None:
 def _never_the_same(a: Operand, b: Operand) -> None:
     together(a, b)
     one, other = a.sort.value, b.sort.value
-    raise RefusedError(f"{a.text} is {one}, {b.text} {other}: they are never the same")
+    raise RefusedError(f"{a.name} is {one}, {b.name} {other}: they are never the same")
 
 
 _WITHOUT_PLACE = (Sort.DIRECTION, Sort.NORMAL)
@@ -379,8 +414,8 @@ def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
 
 
 def negated(meaning: Meaning | None) -> Meaning | None:
-    """Keep what stays of a meaning under a minus: −p is no place."""
-    if isinstance(meaning, Located) and meaning.kind is Kind.POINT:
+    """Keep what stays of a meaning under a minus: −p is no place, save in clip space."""
+    if isinstance(meaning, Located) and meaning.kind is Kind.POINT and meaning != UNDIVIDED:
         return Located(meaning.space, Kind.VECTOR)
     return meaning
 
@@ -409,7 +444,7 @@ def different_ways(a: Operand, b: Operand) -> str:
 
 def orthonormal(A: RationalMatrix) -> bool:
     """Tell if a matrix is its own inverse transpose, as far as its numbers are known."""
-    product = rational.product(A, rational.transpose(A))
+    product = rational.product(_enclosed(A), rational.transpose(_enclosed(A)))
     one = rational.identity(len(A))
     return all(
         size(x - y) <= ROUNDING
@@ -418,12 +453,21 @@ def orthonormal(A: RationalMatrix) -> bool:
     )
 
 
+def mirrors(A: RationalMatrix) -> bool:
+    """Tell if the determinant of a square matrix is below 0, as far as its numbers are known."""
+    return _is_below_0(rational.determinant(_enclosed(A)))
+
+
+def _enclosed(A: RationalMatrix) -> RationalMatrix:
+    """Put roots between their bounds, so that products of many stay short."""
+    return tuple(tuple(map(enclosure, row)) for row in A)  # type: ignore[arg-type]  # numbers
+
+
 def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatrix]) -> str:
     """Measure by how many degrees a matrix carries a vector away from where the right one does."""
     A, v = rational.linear_part(a.value.matrix), b.value.vector
     if right is rational.inverse_transpose and orthonormal(A):
-        mirrors = is_negative(rational.determinant(A))
-        why = f"{a.text} only turns and mirrors" if mirrors else f"{a.text} is rigid"
+        why = f"{a.name} only turns and mirrors" if mirrors(A) else f"{a.name} is rigid"
         return f": 0° off here, since {why}"
     try:
         found, wanted = rational.apply(A, v), rational.apply(right(A), v)
@@ -432,6 +476,6 @@ def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatri
         if is_zero(sine) and is_zero(cosine):
             return ""  # one of the two vanishes
         degrees = shown(degrees_of(sine, cosine))
-    except NoAnswerError:
+    except (NoAnswerError, TooManyRootsError):
         return ""
     return f": {short_text(Fraction(float(degrees)), 4)}° off here"

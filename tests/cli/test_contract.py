@@ -29,7 +29,7 @@ KEYS = {
     "fov_y_deg fov_x_deg aspect intrinsics readings depth_step depths steps",
     "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "
     "determinant_sign rank condition transform transform_exact mirrored normals steps",
-    "calc 1+1": "expression value kind exact steps",
+    "calc 1+1": "expression value kind to from space exact steps",
     "light": "spaces",
     "light camera": "space space_from_world direction direction_unnormalised "
     "direction_course_rule rules_differ_deg position",
