@@ -42,6 +42,30 @@ def data(expression, *, with_steps=False, arithmetic=Arithmetic.EXACT):
 def test_kind_and_exact_follow_the_value(expression, kind, strings):
     found = data(expression)
     assert tuple(found) == KEYS
+    assert found["expression"] == expression
+    assert found["kind"] == kind
+    assert found["exact"] == strings
+    assert found["steps"] is None
+
+
+def test_float_arithmetic_has_no_exact_value():
+    assert data("1/3", arithmetic=Arithmetic.FLOAT)["exact"] is None
+
+
+def test_every_step_is_a_calculation_of_its_own_and_the_last_one_is_the_answer():
+    expression = "det(A) * inverse(A) @ (A.T + identity(2)) - [[1, 0], [0, length([3, 4])]]"
+    found = calculate(expression, NAMES)
+    assert [step.expression for step in found.steps] == [
+        "det(A)",
+        "inverse(A)",
+        "det(A) * inverse(A)",
+        "A.T",
+        "identity(2)",
+        "(A.T + identity(2))",
+        "det(A) * inverse(A) @ (A.T + identity(2))",
+        "length([3, 4])",
+        expression,
+    ]
     for step in found.steps:
         assert step.value.entries == calculate(step.expression, NAMES).value.entries
         assert step.rule
