@@ -31,8 +31,8 @@ def calc(
     ----------
     expression
         Over M, V and P of the setup, literals, and the names of `let`; or statements, a line each,
-        as `nmatrix calc FILE` has them: then the text is the transcript, `names` in the data are
-        the values at its end, and `failure` is the first error.
+        as `nmatrix calc FILE` has them: then the text is the transcript, `lines` in the data are
+        what each came to, and `failure` is the first error.
     let
         Numbers, vectors and matrices by name.
     steps

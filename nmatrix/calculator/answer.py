@@ -14,6 +14,7 @@ from nmatrix.errors import counted
 from nmatrix.report import Block, Formula, Heading, Quantity, Report, Step
 from nmatrix.report import Value as JsonValue
 
+KEYS = ("expression", "value", "kind", "to", "from", "space", "exact", "steps")
 ROUNDED = "Every product, sum, quotient and root was rounded to float64."
 OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
 
@@ -22,35 +23,46 @@ def report(
     calculation: Calculation, *, with_steps: bool, inverse_by: InverseBy | None = None
 ) -> Report:
     """Report a calculation; `exact` holds fractions and roots where no number was rounded."""
-    value = calculation.value
-    steps = _steps(calculation, inverse_by) if with_steps else ()
-    strings: JsonValue = as_strings(value.entries)  # type: ignore[assignment]  # lists of them
-    data: dict[str, JsonValue] = {
-        "expression": calculation.expression,
-        "value": strings if value.letters else value.shown,
-        **_meant(value),
-        "exact": strings if value.exact or value.letters else None,
-        "steps": steps if with_steps else None,
-    }
-    blocks: tuple[Block, ...] = (Heading(calculation.expression), *steps, _shown("value", value))
+    steps = worked(calculation, inverse_by) if with_steps else None
+    data = keys(calculation, steps)
+    value = _shown("value", calculation.value)
+    blocks: tuple[Block, ...] = (Heading(calculation.expression), *(steps or ()), value)
     return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
 
 
-def value_report(
-    name: str,
-    calculation: Calculation,
-    *,
-    with_steps: bool,
-    inverse_by: InverseBy | None = None,
-) -> Report:
+def value_report(name: str, calculation: Calculation, steps: tuple[Step, ...] = ()) -> Report:
     """Report a value under the name that a session keeps it by."""
     value = calculation.value
-    steps = _steps(calculation, inverse_by) if with_steps else ()
-    data: dict[str, JsonValue] = {}
-    if not value.letters:
-        data[name] = value.shown
     blocks: tuple[Block, ...] = (*steps, _shown(name, value))
-    return Report("calc", data, blocks, _remarks(calculation), numbers=Numbers.EXACT)
+    remarks = _remarks(calculation)
+    return Report("calc", {name: _plain(value)}, blocks, remarks, numbers=Numbers.EXACT)
+
+
+def keys(calculation: Calculation, steps: tuple[Step, ...] | None) -> dict[str, JsonValue]:
+    """Collect the keys of the contract for a value.
+
+    Raises
+    ------
+    NoAnswerError
+        If not one digit of an entry is known.
+    """
+    value = calculation.value
+    return {
+        "expression": calculation.expression,
+        "value": _plain(value),
+        **_meant(value),
+        "exact": _strings(value) if value.exact or value.letters else None,
+        "steps": steps,
+    }
+
+
+def _plain(value: Value) -> JsonValue:
+    """Take what data says of a value: numbers, or texts where letters stay."""
+    return _strings(value) if value.letters else value.shown
+
+
+def _strings(value: Value) -> JsonValue:
+    return as_strings(value.entries)  # type: ignore[return-value]  # texts, nested as it is
 
 
 def _meant(value: Value) -> dict[str, JsonValue]:
@@ -65,14 +77,15 @@ def _meant(value: Value) -> dict[str, JsonValue]:
 
 
 def _shown(name: str, value: Value) -> Block:
+    """Show a value by its name and what it means: numbers, letters, yes or no."""
     if value.letters:
         return _formula(name, value)
     if value.kind is ValueKind.TRUTH:
         return Quantity(name, "yes" if value.entries else "no")
-    if value.meaning is None:
-        return Quantity(name, value.shown)
-    title = str(value.meaning) if name == "value" else f"{name}, {value.meaning}"
-    return Quantity(name, value.shown, title)
+    meaning = "" if value.meaning is None else str(value.meaning)
+    if value.kind is ValueKind.MATRIX or not meaning:
+        return Quantity(name, value.shown, meaning)
+    return Quantity(name, value.shown, meaning if name == "value" else f"{name}: {meaning}")
 
 
 def _formula(name: str, value: Value) -> Formula:
@@ -87,16 +100,16 @@ def _formula(name: str, value: Value) -> Formula:
     return Formula((f"{name} = ", rows))  # type: ignore[arg-type]  # rows of texts
 
 
-def _steps(calculation: Calculation, inverse_by: InverseBy | None) -> tuple[Step, ...]:
+def worked(calculation: Calculation, inverse_by: InverseBy | None = None) -> tuple[Step, ...]:
     """Work the operations out in turn, each line from the one before."""
     from nmatrix.calculator.workings import Operation, lines
 
-    def worked() -> Iterator[Step]:
+    def every() -> Iterator[Step]:
         for step in calculation.steps:
             operation = Operation(step.operation, step.given, inverse_by)
             yield from lines(operation, step.expression, step.value, step.rule)
 
-    return tuple(worked())
+    return tuple(every())
 
 
 def _remarks(calculation: Calculation) -> tuple[str, ...]:

@@ -20,10 +20,11 @@ from nmatrix.calculator.session import (
     Settings,
 )
 from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
-from nmatrix.calculator.values import Value, ValueKind, as_strings
+from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError, counted, did_you_mean, placed
 from nmatrix.report import Report, Table, Text
+from nmatrix.working.working import written
 
 MOST_DIGITS = 17
 LONGEST_CELL = 40  # characters of a value that a table shows whole
@@ -115,7 +116,7 @@ def _show(session: Session, asked: Statement) -> Reply:
     if name not in session.names:
         step = did_you_mean(name, session.names, "write vars to see the names")
         raise IllegalValueError(f"name {name[:40]}", "it has no value", step)
-    return Reply(session.shown(name), format_)
+    return Reply(session.shown(name), format=format_)
 
 
 def _vars(session: Session) -> Report:
@@ -124,14 +125,15 @@ def _vars(session: Session) -> Report:
 
 
 def _told(value: Value) -> str:
-    """Tell a value in a line: a short one whole, of another what it is."""
+    """Tell a value in a line: a short one whole, of another its size, and what it means."""
+    told = value.shape
     if value.kind is ValueKind.TRUTH:
-        return "yes" if value.entries else "no"
-    if value.kind is ValueKind.MATRIX or not value.exact:
-        return value.shape
-    written = as_strings(value.entries)
-    told = written if isinstance(written, str) else f"( {'  '.join(written)} )"  # type: ignore[arg-type]  # of a vector
-    return told if len(told) <= LONGEST_CELL else value.shape
+        told = "yes" if value.entries else "no"
+    elif value.kind is not ValueKind.MATRIX and (value.exact or value.letters):
+        texts = list(map(written, value.numbers))
+        whole = texts[0] if value.kind is ValueKind.SCALAR else f"( {'  '.join(texts)} )"
+        told = whole if len(whole) <= LONGEST_CELL else told
+    return f"{told}, {value.meaning}" if value.meaning and str(value.meaning) else told
 
 
 def _undo(session: Session) -> Outcome:

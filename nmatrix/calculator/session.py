@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from nmatrix.calculator.answer import value_report
+from nmatrix.calculator.answer import keys, value_report, worked
 from nmatrix.calculator.evaluate import Calculation, calculate
 from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.functions import FUNCTIONS
@@ -22,6 +22,7 @@ from nmatrix.enums import Format, InverseBy, Layout, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.report import Report
+from nmatrix.report import Value as JsonValue
 
 
 class Files(Protocol):
@@ -57,6 +58,7 @@ class Settings:
     numbers: Numbers = Numbers.EXACT
     digits: int = 6
     arithmetic: Arithmetic = Arithmetic.EXACT
+    untyped: bool = False
     layout: Layout | None = None  # of matrices in other notations
 
 
@@ -64,10 +66,12 @@ class Settings:
 class Reply:
     """What a statement comes to: a report in a format, or an error and where it lies.
 
-    `at` is the character of the statement that the caret stands under, if there is one.
+    `at` is the character of the statement that the caret stands under, if there is one, and
+    `keys` what data says of a value.
     """
 
     report: Report | None = None
+    keys: Mapping[str, JsonValue] = field(default_factory=dict)
     format: Format = Format.TEXT
     error: NMatrixError | None = None
     at: int | None = None
@@ -107,14 +111,14 @@ class Session:
         names = {**self.names, name: found.value}
         if asked.name is None and ANSWERS[0] in self.names:
             names[ANSWERS[1]] = self.names[ANSWERS[0]]
-        settings = self.settings
-        report = value_report(name, found, with_steps=settings.steps, inverse_by=settings.by)
-        return self.changed(asked, names=names), Reply(report)
+        steps = worked(found, self.settings.by) if self.settings.steps else None
+        report = value_report(name, found, steps or ())
+        return self.changed(asked, names=names), Reply(report, keys(found, steps))
 
     def shown(self, name: str) -> Report:
         """Report a value again."""
         found = Calculation(name, self.names[name], Arithmetic.EXACT, ())
-        return value_report(name, found, with_steps=False)
+        return value_report(name, found)
 
     def changed(self, asked: Statement, **fields: object) -> Session:
         """Put other names or settings in place of these, as a statement asked."""
@@ -138,7 +142,8 @@ class Session:
                 return self._read(text)
             except IllegalValueError:
                 raise fault from None
-        return calculate(text, self.names, self.settings.arithmetic)
+        how = self.settings
+        return calculate(text, self.names, how.arithmetic, untyped=how.untyped)
 
     def _read(self, text: str) -> Calculation:
         found = matrix_literal(without_comments(text), self.settings.layout)

@@ -70,6 +70,9 @@ def calc(
     float64: Annotated[
         bool, Option("--float", help="Round every product and sum to float64.")
     ] = False,
+    untyped: Annotated[
+        bool, Option("--untyped", help="Forget spaces: any map goes anywhere.")
+    ] = False,
 ) -> None:
     """Show the value of an expression, or run a session."""
     from nmatrix.calculator.answer import report
@@ -86,6 +89,7 @@ def calc(
         by=by,
         digits=common.digits_checked,
         arithmetic=Arithmetic.FLOAT if float64 else Arithmetic.EXACT,
+        untyped=untyped,
         layout=common.input_layout,
     )
     is_single = source is Source.EXPRESSION and not is_session(text)
@@ -107,7 +111,7 @@ def calc(
 
 
 def _source(expression: str | None, common: CommonOptions) -> tuple[Source, str]:
-    """Find out what is asked: a file comes before an expression, as everywhere."""
+    """Find out what is asked; the name of a file of statements holds a point."""
     from nmatrix.output.transcript import text_of
     from nmatrix.reading.files import existing_file, file_bytes
 
@@ -122,7 +126,7 @@ def _source(expression: str | None, common: CommonOptions) -> tuple[Source, str]
     if expression is None or expression == "-":
         content = common.sources.standard_input("cut it down")
         return Source.STATEMENTS, text_of(content, "standard input")
-    path = existing_file(expression)
+    path = existing_file(expression) if "." in expression else None
     if path is not None:
         return Source.STATEMENTS, text_of(file_bytes(path), f"file ({printable(expression)})")
     if expression.endswith(ENDINGS) and expression.isprintable():

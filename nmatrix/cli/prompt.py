@@ -61,7 +61,7 @@ def converse(begin: Begin) -> None:
             put(f"error: a defect of nmatrix ({type(error).__name__}): it should not happen\n")
         else:
             session = done.session
-            if done.quits:
+            if done.reply.quits:
                 return
 
 

@@ -11,15 +11,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from unicodedata import combining, east_asian_width
 
+from nmatrix.calculator.answer import KEYS
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.orders import enter
 from nmatrix.calculator.session import Files, Reply, Session
 from nmatrix.calculator.statements import statement, statements
-from nmatrix.calculator.values import Value as CalculatedValue
 from nmatrix.errors import (
     IllegalValueError,
     NMatrixError,
-    NoAnswerError,
     counted,
     placed,
     printable,
@@ -36,7 +35,7 @@ AROUND = 30  # characters on either side of a caret under a long line
 LONGEST = 100_000  # characters of a file of statements
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 # What a name stands for in a session; other names are options of `nmatrix calc`.
-_SPELLED = {"let": "name = expression", "output": "save"}
+_SPELLED = {"let": "name = expression", "output": "save", "format": "as"}
 
 
 @dataclass(frozen=True)
@@ -46,8 +45,24 @@ class Turn:
     statement: str
     session: Session
     text: str
-    error: NMatrixError | None = None
-    quits: bool = False
+    reply: Reply
+
+    @property
+    def error(self) -> NMatrixError | None:
+        """What it was refused with."""
+        return self.reply.error
+
+    @property
+    def keys(self) -> dict[str, Value]:
+        """What the data says of it: the keys of a calculation, or the error and its column."""
+        at, error = self.reply.at, self.error
+        return {
+            **dict.fromkeys(KEYS, None),
+            **self.reply.keys,
+            "expression": self.statement,
+            "error": None if error is None else error.spelled(_spell),
+            "column": None if at is None else at - self.statement.rfind("\n", 0, at),
+        }
 
 
 class Disk:
@@ -152,9 +167,9 @@ def turn(session: Session, statement: str, options: OutputOptions, files: Files)
         except NMatrixError as error:
             after, reply = session, Reply(error=error)
         else:
-            return Turn(statement, after, text, quits=reply.quits)
+            return Turn(statement, after, text, reply)
     text = "" if reply.error is None else _refusal(statement, reply, options)
-    return Turn(statement, after, text, reply.error, reply.quits)
+    return Turn(statement, after, text, reply)
 
 
 def _written(report: Report, session: Session, options: OutputOptions) -> str:
@@ -207,7 +222,7 @@ def run(
         done = turn(session, one, options, files)
         yield line, done
         session = done.session
-        if done.quits:
+        if done.reply.quits:
             break
 
 
@@ -219,28 +234,15 @@ def transcript(session: Session, text: str, options: OutputOptions, files: Files
     Examples
     --------
     >>> from nmatrix.calculator.session import NoFiles
-    >>> report = transcript(Session({}), "a = 1/2\na + b", OutputOptions(), NoFiles())
+    >>> report = transcript(Session({}), "a = 1/2\na + Bb", OutputOptions(), NoFiles())
     >>> print(report.blocks[0].text.splitlines()[3], str(report.failure)[:14])
-          ^ line 2: name b
+          ^ line 2: name B
     """
     done = list(run(session, text, options, files))
-    last = done[-1][1].session
     written = "".join(f"{echo(one.statement)}{one.text}" for _, one in done)
     failed = [placed(one.error, f"line {line}") for line, one in done if one.error is not None]
-    data: dict[str, Value] = {
-        "names": {name: _known(value) for name, value in last.names.items()},
-        "statements": [one.statement for _, one in done],
-        "errors": [error.spelled(_spell) for error in failed],
-    }
-    return Report("calc", data, (Code("text", written),), failure=_first(failed))
-
-
-def _known(one: CalculatedValue) -> Value:
-    """Take what may be shown of a value; None where no digit is known."""
-    try:
-        return one.shown
-    except NoAnswerError:
-        return None
+    lines = [one.keys for _, one in done]
+    return Report("calc", {"lines": lines}, (Code("text", written),), failure=_first(failed))
 
 
 def _first(failed: list[NMatrixError]) -> NMatrixError | None:

@@ -195,9 +195,9 @@ def test_statements_that_were_saved_make_the_same_session(tmp_path, monkeypatch)
 
 def test_a_file_that_fails_changes_nothing_and_the_error_names_its_line(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    Path("bad.txt").write_text("a = 1\nb = [1\n2]\nc = D\n")
+    Path("bad.txt").write_text("a = 1\nb = [1\n2]\nc = Dd\n")
     error = refused("load bad.txt", after("a = 2"), Disk())
-    assert str(error).startswith("bad.txt, line 4: name D")
+    assert str(error).startswith("bad.txt, line 4: name Dd")
     assert error.exit_code == 2
 
 
@@ -284,14 +284,17 @@ def test_python_runs_the_same_lines():
     wanted = transcript(session, text, OutputOptions(), NoFiles()).blocks[0].text
     report = nmatrix.calc(text)
     assert str(report) == wanted
-    assert report.data["names"]["A"] == [[2, 1], [1, 1]]
-    assert report.data["errors"] == [
-        "line 4: name Q (character 1): the names are M, V, P, A, ans, ans2, pi; "
-        "name = expression adds more; see the caret: ^Q"
-    ]
+    lines = report.data["lines"]
+    assert [line["expression"] for line in lines] == text.splitlines()
+    assert [line["exact"] for line in lines[1:3]] == [
+        [["1", "-1"], ["-1", "2"]], [["1", "0"], ["0", "1"]]
+    ]  # fmt: skip
+    assert (lines[3]["value"], lines[3]["column"], lines[0]["error"]) == (None, 5, None)
+    assert lines[3]["error"].startswith("name Q (character 1): ")
+    assert lines[5]["steps"][-1]["text"].endswith("1")
     assert report.failure.exit_code == 2
     assert nmatrix.calc("1/3").data["exact"] == "1/3"
-    assert nmatrix.calc("a = 1/3").data["names"]["a"] == 1 / 3
+    assert nmatrix.calc("a = 1/3").data["lines"][0]["value"] == 1 / 3
 
 
 def nmatrix_names():
@@ -303,7 +306,7 @@ def nmatrix_names():
 
 def test_a_rounded_session_stays_rounded():
     report = nmatrix.calc("a = 0.1\na + 0.2 - 0.3", rounded=True)
-    assert report.data["names"]["ans"] == 0.1 + 0.2 - 0.3
+    assert report.data["lines"][1]["value"] == 0.1 + 0.2 - 0.3
     assert after("1").settings.arithmetic is Arithmetic.EXACT
 
 

@@ -41,7 +41,7 @@ LINES = """\
 M = [2 0
   0 1/2]
 det(M)
-x = M @ [1, 2] + q
+x = M @ [1, 2] + Qq
 inverse(M) @ M == identity(2)
 steps on
 det(M)
@@ -146,7 +146,7 @@ def test_a_file_a_pipe_and_python_print_the_same_bytes(tmp_path):
         from_pipe = piped(LINES, tmp_path, *words)
         assert (from_pipe.stdout, from_pipe.stderr) == (wanted, from_file.stderr)
     assert from_file.returncode == 2
-    assert from_file.stderr.startswith("error: line 5: name q (character 14): ")
+    assert from_file.stderr.startswith("error: line 5: name Qq (character 14): ")
     assert from_file.stderr.count("\n") == 1
 
 
