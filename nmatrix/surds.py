@@ -140,15 +140,25 @@ class Surd:
             low, high = low + min(ends), high + max(ends)
         return low, high
 
-    def __float__(self) -> float:
-        low, high = self.between(BITS + self._cancelled())
-        return float((low + high) / 2)
+    def near(self) -> tuple[Fraction, Fraction]:
+        """Bound it to `BITS` bits of itself, however much its terms cancel.
 
-    def _cancelled(self) -> int:
-        """Count the leading bits that its terms lose against each other."""
-        low, high = map(abs, self.between())
-        smaller = min(low, high)
-        return 0 if smaller >= 1 else (1 / smaller).__ceil__().bit_length() if smaller else BITS
+        Examples
+        --------
+        >>> low, high = (99 - 70 * root(2)).near()
+        >>> 0 < high - low < low / 10**80
+        True
+        """
+        bits = BITS
+        while True:
+            low, high = self.between(bits)
+            if low * high > 0 and (high - low) * 2**BITS <= min(abs(low), abs(high)):
+                return low, high
+            bits *= 2
+
+    def __float__(self) -> float:
+        low, high = self.near()
+        return float((low + high) / 2)
 
     def __str__(self) -> str:
         """Write it over one denominator, as one does by hand.

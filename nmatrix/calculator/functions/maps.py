@@ -139,7 +139,7 @@ FUNCTIONS: dict[str, Function] = {
     "world": Function(
         (
             vector("translate", NOTHING),
-            Parameter("rotate", (ValueKind.VECTOR,), is_optional=True),
+            Parameter("rotate", (ValueKind.VECTOR,), is_optional=True, is_angle=True),
             Parameter("scale", _ONE_OR_THREE, Value(ONE)),
             vector("shear", NOTHING),
             Parameter("quaternion", (ValueKind.VECTOR,), is_optional=True),

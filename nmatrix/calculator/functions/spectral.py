@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 
-from nmatrix.calculator.functions.elimination import determinant, is_exact
+from nmatrix.calculator.functions.elimination import is_exact
 from nmatrix.calculator.functions.function import (
     ArgumentError,
     Function,
@@ -19,6 +19,7 @@ from nmatrix.calculator.functions.function import (
     require_square,
     word,
 )
+from nmatrix.calculator.functions.matrices import determinant
 from nmatrix.calculator.functions.roots import middle, real_roots
 from nmatrix.calculator.numbers import (
     Float64,
