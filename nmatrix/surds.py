@@ -15,13 +15,14 @@ from typing import TypeGuard
 
 BITS = 280  # of a root, where a number between two bounds is asked for
 MOST_TERMS = 16  # of a sum: four roots that are independent
+LONGEST = 4096  # bits of a denominator before a root
 TRIED = 10_000  # divisors; two factors beyond them leave a number of at least TRIED²
 
 Rational = int | Fraction
 
 
 class TooManyRootsError(ArithmeticError):
-    """A sum of more roots than `MOST_TERMS`, or a root whose square factors are not known."""
+    """A sum of more or longer terms than are kept, or a root whose square factors are not known."""
 
 
 @dataclass(frozen=True)
@@ -215,6 +216,8 @@ def _sum(terms: Iterable[tuple[int, Fraction]]) -> Fraction | Surd:
     left = tuple(sorted((d, q) for d, q in total.items() if q))
     if len(left) > MOST_TERMS:
         raise TooManyRootsError(f"a sum of {len(left)} roots")
+    if any(q.denominator.bit_length() > LONGEST for _, q in left):
+        raise TooManyRootsError(f"a sum of roots over more than {LONGEST} bits")
     if not left:
         return Fraction(0)
     return left[0][1] if len(left) == 1 and left[0][0] == 1 else Surd(left)

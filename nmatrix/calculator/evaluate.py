@@ -306,8 +306,8 @@ class _Evaluation:
             self.remarks.append(f"{typed} is in radians, {times * 180} degrees.")
             return
         number = node.operand if isinstance(node, Prefix) and node.sign in "+-" else node
-        size = shown(turned)
-        if not isinstance(number, Numeral) or not isinstance(size, Fraction | float):
+        size = shown(turned) if isinstance(number, Numeral) else None
+        if not isinstance(size, Fraction | float):
             return
         found = like_radians([Fraction(size)])
         if found is not None:

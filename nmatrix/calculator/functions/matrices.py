@@ -41,6 +41,7 @@ def _of_affine(
     function: Callable[[RationalMatrix], RationalMatrix | RationalVector],
 ) -> Callable[..., Value]:
     def compute(M: Value) -> Value:
+        require_square(M)
         require_size(M, 4, "a 4×4 matrix")
         return Value(function(M.matrix))
 
