@@ -157,7 +157,7 @@ def _null_space(A: Value) -> Value:
             A,
             "the null space of a matrix with independent columns",
             "only the zero vector is sent to 0",
-            "use a singular matrix",
+            "use a matrix whose columns depend on each other",
         )
     return Value(basis[0] if len(basis) == 1 else rational.transpose(basis))
 

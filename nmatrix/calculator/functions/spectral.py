@@ -57,8 +57,9 @@ def _eigenvalues(A: Value) -> Value:
     _checked(A, "eigenvalues")
     found = spectrum(A.matrix)
     if not found:
-        why = "it turns every vector of the plane, or of each of its planes"
-        raise NoAnswerForArgumentError(A, "no eigenvalue is a real number", why, "use another")
+        why = "no vector keeps its direction: the map turns them all"
+        step = "use one that keeps a direction"
+        raise NoAnswerForArgumentError(A, "a matrix without real eigenvalues", why, step)
     return Value(tuple(one for one, times in found for _ in range(times)))
 
 
