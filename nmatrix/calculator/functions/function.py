@@ -244,7 +244,7 @@ def require_size(value: Value, sizes: int | tuple[int, ...], what: str) -> None:
 def require_square(A: Value) -> None:
     """Refuse a matrix that is not square."""
     if len(A.matrix) != len(A.matrix[0]):
-        step = "use 2×2, 3×3 or 4×4"
+        step = "use one with as many rows as columns"
         raise ArgumentError(A, A.shape, "a square matrix is needed", step)
 
 
