@@ -168,7 +168,10 @@ class Function:
         is_alone = len(self.parameters) == 1
         wanted = self._gathered_or(parameter.wanted) if is_alone else parameter.wanted
         what = f"{'it' if is_alone else parameter.name} takes {wanted}, got {_shape(given)}"
-        return ArgumentError(given, what, "", f"write {self.example}")
+        step = f"write {self.example}"
+        if isinstance(given, str):
+            step = did_you_mean(given, parameter.choices, step)
+        return ArgumentError(given, what, "", step)
 
     def _gathered_or(self, wanted: str) -> str:
         """Tell the numbers that may stand for a vector, before what else is taken."""
