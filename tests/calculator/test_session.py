@@ -28,6 +28,9 @@ from nmatrix.reading.notations import NOTATIONS
 EMPTY, NO_FILES = Session({}), NoFiles()
 
 
+PAGE = (Path(__file__).parents[2] / "docs" / "calculator.md").read_text(encoding="utf-8")
+
+
 def after(*lines: str, files=NO_FILES) -> Session:
     """Enter lines that all succeed."""
     session = EMPTY
@@ -133,6 +136,7 @@ def test_help_of_a_function_has_what_it_does_its_formula_and_an_example_that_run
     assert one.formula.split()[0] in told
     assert told.splitlines()[-1].endswith(one.example.split()[-1])
     after(one.example)
+    assert re.search(rf"\b{name}\b", PAGE)
     assert f"{name}(" in offers((), f"2 * {name[:-1]}").words
 
 
