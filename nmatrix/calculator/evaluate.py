@@ -19,7 +19,7 @@ from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
-from nmatrix.calculator.operands import Operand, RefusedError
+from nmatrix.calculator.operands import Operand, RefusedError, bared
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
 from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.tree import (
@@ -464,7 +464,7 @@ class _Evaluation:
     ) -> Value:
         """Keep an operation, by its name and its rule, with what it was given."""
         kept = self._kept(node, value)
-        self.steps.append(CalculationStep(self._typed(node), kept, *what, tuple(given)))
+        self.steps.append(CalculationStep(bared(self._typed(node)), kept, *what, tuple(given)))
         return kept
 
     def _typed(self, node: Node) -> str:

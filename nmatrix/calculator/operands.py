@@ -72,12 +72,6 @@ class Operand:
         text = " ".join(self.text.split())
         return text if len(text) <= LONGEST_NAME else f"{text[:LONGEST_NAME]}…"
 
-    @property
-    def bared(self) -> str:
-        """Its text without parentheses around the whole."""
-        inside = self.text[1:-1]
-        return inside if self.text == f"({inside})" == factor(f"({inside})") else self.text
-
 
 class RefusedError(Exception):
     """An operation that no graphics programmer means.
@@ -144,3 +138,15 @@ def factor(text: str) -> str:
         if not depth and letter in "+-*/@·×=≈~√^":
             return f"({text})"
     return text
+
+
+def bared(text: str) -> str:
+    """Leave out parentheses around the whole of a text.
+
+    Examples
+    --------
+    >>> bared("(a - b)"), bared("(a) - (b)")
+    ('a - b', '(a) - (b)')
+    """
+    inside = text[1:-1]
+    return inside if text == f"({inside})" == factor(text) else text

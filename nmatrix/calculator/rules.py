@@ -26,6 +26,7 @@ from nmatrix.calculator.operands import (
     Operand,
     RefusedError,
     Sort,
+    bared,
     factor,
     together,
     undivided,
@@ -318,7 +319,9 @@ def _unknown(a: Operand, b: Operand) -> Meaning:
     _begins_there(a, b)
     if len(a.value.matrix[0]) == 4:
         why = f"{b.name} may be a point, whose w is 1, or a direction, whose w is 0"
-        forms = (f"{factor(a.text)} @ {kind}({b.bared})" for kind in (Kind.POINT, Kind.DIRECTION))
+        forms = (
+            f"{factor(a.text)} @ {kind}({bared(b.text)})" for kind in (Kind.POINT, Kind.DIRECTION)
+        )
         raise RefusedError(why, forms=forms)
     return Located(a.map.to, Kind.VECTOR)
 

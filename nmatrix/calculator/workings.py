@@ -35,13 +35,24 @@ from nmatrix.working.working import (
     exactly_or_near,
     raised,
     short,
+    transposed,
     written,
 )
 from nmatrix.working.world import world_matrix
 
 Given = Operand | str | None  # an argument: a value, a word, or left out
 _NAME = re.compile(r"[A-Za-zΑ-ω]\w{0,11}")
-_ENDINGS = {".T": "ᵀ", "^T": "ᵀ", ".inv": "⁻¹", "^-1": "⁻¹", "^-T": "⁻ᵀ"}
+_ENDINGS = {
+    "….T": "ᵀ",
+    "…^T": "ᵀ",
+    "transpose(…)": "ᵀ",
+    "….inv": "⁻¹",
+    "…^-1": "⁻¹",
+    "inverse(…)": "⁻¹",
+    "…^-T": "⁻ᵀ",
+    "inverse_transpose(…)": "⁻ᵀ",
+}
+_OF_NUMBERS = {"+": "added", "-": "subtracted", "*": "multiplied", "/": "divided"}
 _RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 MOST_FACTORS = 4  # of a power that is multiplied out
 _ON_PAPER = str.maketrans({"*": "·", "@": "·", "-": "−"})
@@ -68,8 +79,9 @@ class Operation:
         """Name an argument by the letter that it was typed as."""
         text = self.values[place].text
         for typed, ending in _ENDINGS.items():
-            base = text.removesuffix(typed)
-            if base != text and _NAME.fullmatch(base):
+            before, _, after = typed.partition("…")
+            base = text.removeprefix(before).removesuffix(after)
+            if len(base) == len(text) - len(typed) + 1 and _NAME.fullmatch(base):
                 return raised(base, ending)
         return text if _NAME.fullmatch(text) else otherwise
 
@@ -89,26 +101,30 @@ def lines(operation: Operation, expression: str, value: Value, rule: str) -> tup
     IllegalValueError
         Where an inverse is asked for by a method that is not for its matrix.
     """
-    entries = list(value.numbers) if value.kind is not ValueKind.TRUTH else []
-    if not entries or any(isinstance(one, Float64) for one in entries):
-        return (_one_line(expression, value, rule),)
-    working = _worked(operation, value)
-    if working is None or not working.steps:
-        return (_one_line(expression, value, rule),)
-    return working.steps
+    if value.kind is ValueKind.SCALAR:
+        rule = _OF_NUMBERS.get(operation.name, rule)
+    is_exact = not any(isinstance(one, Float64) for one in value.numbers)
+    working = _worked(operation, value) if is_exact else None
+    if working is not None and working.steps:
+        return working.steps
+    line = _one_line(expression, value, rule)
+    is_said = line.formula.parts == (f"{_on_paper(expression)} = {_on_paper(expression)}",)
+    return () if is_said else (line,)
+
+
+def _on_paper(expression: str) -> str:
+    return expression.translate(_ON_PAPER)
 
 
 def _one_line(expression: str, value: Value, rule: str) -> Step:
-    if value.kind is ValueKind.TRUTH:
-        told: Any = "yes" if value.entries else "no"
+    head, told = f"{_on_paper(expression)} = ", each(value.entries, _text)
+    if isinstance(told, str):
+        formula = Formula((head + told,))
     else:
-        told = each(value.entries, _text)
-    head = f"{expression.translate(_ON_PAPER)} = "
-    if value.kind is ValueKind.VECTOR:
-        told = tuple((one,) for one in told)
-    formula = Formula((head + told,) if isinstance(told, str) else (head, told))
-    is_exact = all(not isinstance(one, Float64) for one in value.numbers)
-    return Step(formula, rule, is_exact)
+        is_vector = value.kind is ValueKind.VECTOR
+        rows: Any = tuple((one,) for one in told) if is_vector else told
+        formula = Formula((head, rows))
+    return Step(formula, rule, not any(isinstance(one, Float64) for one in value.numbers))
 
 
 def _text(x: Number) -> str:
@@ -281,6 +297,19 @@ def _solve(asked: Operation, by: Notation) -> Working | None:
     return elimination.solve(asked.entries(0), asked.entries(1), names, by)
 
 
+def _null_space(asked: Operation, by: Notation) -> Working:
+    found = elimination.null_space(asked.entries(), asked.called(), by)
+    is_one = len(found.value) == 1
+    return Working(found.steps, found.value[0] if is_one else transposed(found.value))
+
+
+def _angle(asked: Operation, by: Notation) -> Working:
+    """Take the angle, which is known to 130 bits, for the whole degrees that it is."""
+    found = vectors.angle(asked.entries(0), asked.entries(1), asked.both("a", "b"), by)
+    whole = Fraction(round(found.value))
+    return Working(found.steps, whole if NEAR.same(found.value, whole) else found.value)
+
+
 def _look_at(asked: Operation, by: Notation) -> Working:
     *_, hand = asked.given
     eye, target, up = (asked.entries(i) for i in range(3))
@@ -332,13 +361,13 @@ WORKINGS: Mapping[str, Make] = {
     "transpose": _of_one(products.transpose),
     "rank": _of_one(elimination.rank),
     "rref": _of_one(elimination.rref),
-    "null_space": _of_one(elimination.null_space),
+    "null_space": _null_space,
     "solve": _solve,
     "normalize": _of_one(vectors.normalize, "v"),
     "length": _of_one(vectors.length, "v"),
     "dot": _DOT,
     "cross": _CROSS,
-    "angle": _of_two(vectors.angle, ("a", "b")),
+    "angle": _angle,
     "look_at": _look_at,
     "perspective": _perspective,
     "world": _world,

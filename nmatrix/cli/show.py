@@ -58,6 +58,7 @@ def options_of(common: CommonOptions) -> OutputOptions:
         width=width(),
         colour=_colour(common),
         full=common.full,
+        numbers=common.numbers,
     )
 
 

@@ -15,7 +15,6 @@ from nmatrix.linear.rational import (
     RationalMatrix,
     RoundedMatrix,
     Rows,
-    affine_matrix,
     is_affine,
     rational_matrix,
     to_floats,
@@ -23,11 +22,12 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.reading.contents import Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
-from nmatrix.reading.numbers import fraction
-from nmatrix.reading.roots import has_root, root_number
+from nmatrix.reading.roots import Exact, exact_number
 from nmatrix.report import LARGEST_MATRIX
+from nmatrix.surds import Surd
 
 SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
+TypedRows = tuple[tuple[Exact, ...], ...]
 BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
 
 
@@ -35,17 +35,26 @@ BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where other
 class MatrixLiteral:
     """A matrix of at most 8×8 entries and where it came from.
 
-    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `digits` are
-    those that were typed; `exact` numbers are known as they are, however many digits they have;
+    `rows_typed` keeps the typed fractions and roots, `rows_exact` only the fractions: a root there
+    is the float nearest to it; `rows` are the floats nearest to all; `digits` are those that were
+    typed; `exact` numbers are known as they are, however many digits they have;
     `layout` is how its text was read, and the remarks say so where that is not plain to see.
     """
 
-    rows_exact: RationalMatrix
+    rows_typed: TypedRows
     source: str
     digits: TypedDigits
     exact: bool = False
     layout: Layout = Layout.ROW_MAJOR
     remarks: tuple[str, ...] = ()
+
+    @cached_property
+    def rows_exact(self) -> RationalMatrix:
+        """The entries as fractions, a root as the nearest float64."""
+        return tuple(
+            tuple(Fraction(float(one)) if isinstance(one, Surd) else one for one in row)
+            for row in self.rows_typed
+        )
 
     @cached_property
     def rows(self) -> Rows:
@@ -81,7 +90,7 @@ class MatrixLiteral:
 
     @property
     def as_typed(self) -> RationalMatrix:
-        """The typed fractions, which know their half units if any was rounded."""
+        """The entries as fractions, which know their half units if any was rounded."""
         return self._knowing(self.rows_exact)
 
     def _knowing(self, rows: RationalMatrix) -> RationalMatrix:
@@ -153,10 +162,11 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     """
     if matrix.shape == (3, 3):
         digits = (*((*row, None) for row in matrix.digits), (None,) * 4)
-        return replace(matrix, rows_exact=affine_matrix(matrix.rows_exact), digits=digits)
+        rows = tuple((*row, Fraction(0)) for row in matrix.rows_typed)
+        return replace(matrix, rows_typed=(*rows, AFFINE_ROW), digits=digits)
     if matrix.shape == (3, 4):
-        rows = (*matrix.rows_exact, AFFINE_ROW)
-        return replace(matrix, rows_exact=rows, digits=(*matrix.digits, (None,) * 4))
+        rows = (*matrix.rows_typed, AFFINE_ROW)
+        return replace(matrix, rows_typed=rows, digits=(*matrix.digits, (None,) * 4))
     _require_4x4(matrix, "9 or 16 numbers")
     if not is_affine(matrix.rows_exact):
         raise _not_affine(matrix)
@@ -208,9 +218,9 @@ def _miscounted(total: int, source: str) -> IllegalValueError:
     return unreadable(source, why, next_step)
 
 
-def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
+def _entry(text: str, place: tuple[int, int], source: str) -> Exact:
     name = f"row {place[0] + 1}, column {place[1] + 1} of {source}"
-    return root_number(text, name) if has_root(text) else fraction(BARE_POINT.sub("", text), name)
+    return exact_number(BARE_POINT.sub("", text), name)
 
 
 def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:

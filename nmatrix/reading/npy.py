@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 MAGIC = b"\x93NUMPY"
 LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 
-_unreadable = partial(unreadable, next_step="save a 3×3 or 4×4 array of floats with np.save")
+_unreadable = partial(unreadable, next_step="save a matrix of floats with np.save")
 
 
 def npy_literal(content: bytes, layout: Layout | None, source: str) -> MatrixLiteral:

@@ -290,18 +290,18 @@ def cofactors(A: Matrix, name: str = "A", by: Notation = EXACT, *, shown: bool =
         by.product(transposed(A), value),
         tuple(tuple(d if i == j else d - d for j in range(n)) for i in range(n)),
     )
-    signed = by.step(
-        "C = ",
-        value,
-        because="the cofactors: the signs + − + of a chessboard put to the minors",
-        proved=proved,
-    )
+    about = "the cofactors: the signs + − + of a chessboard put to the minors"
+    if not by.spells_out:
+        about = "the cofactors: the determinants of what is left, with the signs of a chessboard"
+    signed = by.step("C = ", value, because=about, proved=proved)
     return Working((*first, *_minors(A, minors, by, proved=proved), signed), value)
 
 
 def _minors(A: Matrix, value: Matrix, by: Notation, *, proved: bool) -> list[Step]:
     """Write the determinants that are left without a row and a column."""
     n = len(A)
+    if not by.spells_out:
+        return []
     about = "without row {row} and column {column}"
     if n <= 3:
         cells = [

@@ -105,7 +105,7 @@ def determinant_by_cofactors(
     texts, value = sum_of([(1, pair) for pair in zip(A[0], C[0], strict=True)], by)
     column = by.dot([row[0] for row in A], [row[0] for row in C])
     about = "the first row times its cofactors"
-    line = chain(f"det {name}", texts)
+    line = chain(f"det {name}", texts if by.spells_out else texts[-1:])
     return by.step(line, because=about, proved=by.same(value, column)), value
 
 

@@ -66,8 +66,8 @@ def _power_of_ten(number: re.Match[str]) -> str:
     return f"/({factor}*{power})" if slash else f"{factor}*{power}"
 
 
-def short(value: object) -> str:
-    """Write a short fraction or root as it is, and any other number in six digits.
+def short(value: object, digits: int = DIGITS) -> str:
+    """Write a short fraction or root as it is, and any other number in so many digits.
 
     Examples
     --------
@@ -75,7 +75,7 @@ def short(value: object) -> str:
     ('−1/2', '6.66667·10⁻¹⁴', '10⁴⁰⁰')
     """
     if isinstance(value, Fraction | Surd) and not _reads_well(value):
-        return decimal(value)
+        return decimal(value, digits)
     return written(value)
 
 
@@ -282,6 +282,8 @@ class Notation:
         Takes a square root.
     agree
         Decides if two entries are the same number; if their difference is 0, unless it is given.
+    spells_out
+        Whether minors and sums are written with their terms; terms in letters may fill pages.
     """
 
     write: Callable[[Entry], str] = written
@@ -289,6 +291,7 @@ class Notation:
     tidy: Callable[[Entry], Entry] = _as_it_is
     root: Callable[[Entry], Entry] = exact_root
     agree: Callable[[Entry, Entry], bool] | None = None
+    spells_out: bool = True
 
     def same(self, a: Entry, b: Entry) -> bool:
         """Decide if two entries, vectors or matrices are the same."""
