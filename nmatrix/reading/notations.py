@@ -59,7 +59,7 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
 
 
 def has_no_brackets(text: str) -> bool:
-    """Recognise the first line of a matrix that no bracket holds together: a frame, fields, a table.
+    """Recognise the first line of a matrix that no bracket holds together: a frame, fields, ….
 
     Examples
     --------
