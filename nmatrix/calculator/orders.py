@@ -29,6 +29,14 @@ from nmatrix.working.working import written
 MOST_DIGITS = 17
 LONGEST_CELL = 40  # characters of a value that a table shows whole
 
+# What other programs call a statement, alone in a line.
+OTHER_WORDS = {
+    **dict.fromkeys(("exit", "exit()", "quit()", "bye", "q"), Keyword.QUIT),
+    **dict.fromkeys(("who", "whos", "ls", "names"), Keyword.VARS),
+    **dict.fromkeys(("?", "h", "help()", "man"), Keyword.HELP),
+}
+WITHOUT_WORDS = (Keyword.VARS, Keyword.UNDO, Keyword.QUIT)
+
 Outcome = tuple[Session, Reply]
 
 
@@ -50,6 +58,10 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
             return session, _taken(asked.name, text)
         if not asked.text and asked.name is None:
             return session, Reply()
+        if asked.text in OTHER_WORDS and asked.text not in session.names:
+            keyword = OTHER_WORDS[asked.text]
+            why, step = "there is no such statement", f"write {USAGE[keyword][0]}"
+            raise IllegalValueError(asked.text, why, step)
         return session.valued(asked)
     except PlacedError as error:
         return session, Reply(error=error, at=asked.at + error.position)
@@ -60,6 +72,8 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
 def _ordered(  # noqa: PLR0911 - one branch for each
     keyword: Keyword, session: Session, asked: Statement, files: Files
 ) -> Outcome:
+    if asked.text and keyword in WITHOUT_WORDS:
+        raise _refused(asked, "it stands alone")
     match keyword:
         case Keyword.HELP:
             return session, Reply(page(asked.text))

@@ -218,7 +218,7 @@ def run(
     session: Session, text: str, options: OutputOptions, files: Files
 ) -> Iterator[tuple[int, Turn]]:
     """Carry out statements until one quits, each with the line that it begins in."""
-    for line, one in statements(text.rstrip("\n").split("\n")):
+    for line, one in statements(text.rstrip("\n").split("\n") if text.strip() else ()):
         done = turn(session, one, options, files)
         yield line, done
         session = done.session

@@ -158,7 +158,12 @@ def test_a_value_is_shown_in_every_format(format_):
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda one: one.name)
 def test_every_notation_is_a_value_when_it_is_pasted(notation):
     wanted = matrix_literal(notation.example).rows_exact
-    [*_, (_, last)] = run(EMPTY, f"B = {notation.example}\n\n", OutputOptions(), NoFiles())
+    text = f"B = {notation.example}"
+    if statement(notation.example).name is not None:  # it has a name of its own
+        text = f"{notation.example}\nB = {statement(notation.example).name}"
+    if notation.example.startswith("M\n"):  # its first line is a name
+        text = f"B =\n{notation.example.removeprefix('M')}"
+    [*_, (_, last)] = run(EMPTY, f"{text}\n\n", OutputOptions(), NoFiles())
     assert last.error is None
     assert last.session.names["B"].matrix == wanted
 
@@ -177,6 +182,25 @@ def test_rows_without_brackets_end_at_an_empty_line_or_a_statement(text):
         [*_, (_, last)] = run(EMPTY, f"B = {text}{end}", OutputOptions(), NoFiles())
         assert last.error is None
         assert last.session.names["ans"].scalar == 2 * first
+
+
+def test_what_is_assigned_to_anything_but_a_name_is_refused():
+    session = after("A = [1 2; 3 4]")
+    for line in (
+        "A[0, 0] = 5",
+        "A[0, :] = [5 6]",
+        "é = [1 2]",
+        "2 = 3",
+        "A.T = [1 2; 3 4]",
+        "a b c",
+    ):
+        assert refused(line, session).exit_code == 2
+    assert after("const mat2 m = mat2(1, 2, 3, 4);").names["ans"].matrix == ((1, 3), (2, 4))
+
+
+@pytest.mark.parametrize("line", ["exit", "quit()", "whos", "?", "quit now", "undo 2", "vars all"])
+def test_what_other_programs_write_is_told_its_word_here(line):
+    assert refused(line, after("a = 1")).parts[2].startswith("write ")
 
 
 def test_a_difference_is_no_row():

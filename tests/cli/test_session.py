@@ -155,7 +155,7 @@ def test_a_run_ends_in_the_code_of_its_first_error(tmp_path):
     assert piped("1/\n1/0\n", tmp_path).returncode == 2
     assert "and 1 other statement failed" in piped("1/\n1/0\n", tmp_path).stderr
     assert piped("1\n", tmp_path).returncode == 0
-    assert piped("", tmp_path).stdout == ">\n"
+    assert piped("", tmp_path).stdout == ""
 
 
 @pytest.mark.parametrize("content", [b"\x00", b"\xff\xfe\xff", b"1+" * 10**6])
