@@ -198,9 +198,20 @@ class _Evaluation:
         elif kinds == {ValueKind.VECTOR} and len({value.shape for value in entries}) == 1:
             numbers = tuple(value.vector for value in entries)
         else:
-            why = "it holds numbers, or rows of equal length" if entries else "it is empty"
-            raise self._fault(node, "bracket", why)
+            raise self._no_bracket(node, entries)
         return Value(numbers[0] if kinds == {ValueKind.SCALAR} and len(numbers) == 1 else numbers)
+
+    def _no_bracket(self, node: Bracket, entries: Sequence[Value]) -> NMatrixError:
+        """Tell which entry of a bracket does not go with the first one."""
+        if not entries:
+            return self._fault(node, "bracket", "it is empty")
+        typed = [entry for row in node.rows for entry in row]
+        for entry, value in zip(typed, entries, strict=True):
+            if value.shape != entries[0].shape:
+                among = f"{entries[0].shape}, {self._typed(typed[0])}"
+                why = f"it is {value.shape} beside {among}: one bracket holds one kind"
+                return self._fault(entry, self._typed(entry), why)
+        return self._fault(node, "bracket", f"it holds numbers or vectors, not {entries[0].shape}")
 
     def _prefix(self, node: Prefix) -> Value:
         value = self.value_of(node.operand)

@@ -175,7 +175,8 @@ def turn(session: Session, statement: str, options: OutputOptions, files: Files)
 def _written(report: Report, session: Session, options: OutputOptions) -> str:
     settings = session.settings
     how = replace(options, digits=settings.digits, numbers=settings.numbers)
-    return write(report.spelled(_spell), how)
+    text = write(report.spelled(_spell), how)
+    return text if text.endswith("\n") else f"{text}\n"
 
 
 def _spell(name: str) -> str:
