@@ -12,13 +12,7 @@ from typing import assert_never
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.handbook import FORMATS, USAGE, page
 from nmatrix.calculator.names import other_meaning
-from nmatrix.calculator.session import (
-    Files,
-    NoFiles,
-    Reply,
-    Session,
-    Settings,
-)
+from nmatrix.calculator.session import Files, NoFiles, Reply, Session, Settings
 from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Format, InverseBy, Numbers
@@ -28,12 +22,11 @@ from nmatrix.working.working import written
 
 MOST_DIGITS = 17
 LONGEST_CELL = 40  # characters of a value that a table shows whole
-
 # What other programs call a statement, alone in a line.
 OTHER_WORDS = {
-    **dict.fromkeys(("exit", "exit()", "quit()", "bye", "q"), Keyword.QUIT),
+    **dict.fromkeys(("exit", "exit()", "quit()", "bye"), Keyword.QUIT),
     **dict.fromkeys(("who", "whos", "ls", "names"), Keyword.VARS),
-    **dict.fromkeys(("?", "h", "help()", "man"), Keyword.HELP),
+    **dict.fromkeys(("?", "help()", "man"), Keyword.HELP),
 }
 WITHOUT_WORDS = (Keyword.VARS, Keyword.UNDO, Keyword.QUIT)
 
@@ -84,9 +77,8 @@ def _ordered(  # noqa: PLR0911 - one branch for each
         case Keyword.UNDO:
             return _undo(session)
         case Keyword.STEPS | Keyword.NUMBERS | Keyword.DIGITS:
-            return session.changed(
-                asked, settings=_SETTINGS[keyword](session.settings, asked)
-            ), Reply()
+            settings = _SETTINGS[keyword](session.settings, asked)
+            return session.changed(asked, settings=settings), Reply()
         case Keyword.SAVE:
             return _save(session, asked, files)
         case Keyword.LOAD:

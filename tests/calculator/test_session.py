@@ -243,6 +243,10 @@ def test_only_a_file_of_the_session_is_written_again(tmp_path, monkeypatch):
     Path("theirs.txt").write_text("precious\n")
     refused("save theirs.txt", after("a = 1"), Disk())
     assert Path("theirs.txt").read_text() == "precious\n"
+    for name in ("x" * 5000, "no/where", ".", "~nobody/x", "theirs.txt/x"):
+        refused(f"save {name}", after("a = 1"), Disk())
+        refused(f"load {name}", after("a = 1"), Disk())
+    after("a = 1 # \udcff", "save odd.txt", files=Disk())
     session = after("a = 1", "save mine.txt", "b = 2", "save mine.txt", files=Disk())
     assert Path("mine.txt").read_text() == "a = 1\nb = 2\n"
     session, _ = enter(session, "undo", Disk())
