@@ -258,12 +258,17 @@ class _Evaluation:
         while isinstance(factors[0], Infix) and factors[0].sign == "@":
             factors[:1] = [factors[0].left, factors[0].right]
         quiet = replace(self, steps=[], remarks=[], products={}, advises=False)
+        found: list[Operand] = []
         try:
-            found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+            for factor in factors:
+                found.append(self._operand(factor, quiet.value_of(factor)))
+                if found[-1].value.kind is ValueKind.VECTOR:
+                    break
         except NMatrixError:  # further on there is another fault
             return Part(self._typed(node), node.start, tuple(operands), is_product=True)
-        rest = self.expression[node.end : whole.end]
-        return Part(self._typed(whole), whole.start, tuple(found), is_product=True, rest=rest)
+        end = whole.end if len(found) == len(factors) else factors[len(found) - 1].end
+        text, rest = self.expression[whole.start : end], self.expression[node.end : end]
+        return Part(text, whole.start, tuple(found), is_product=True, rest=rest)
 
     def _is_right(self, form: str) -> bool:
         """Try a form, over V and P too where these have no name yet."""

@@ -159,15 +159,16 @@ def _made(kind: Kind) -> FunctionRule:
         v, *words = arguments
         assert isinstance(v, Operand)  # the function takes a vector
         named = next((chosen(Frame, word, "space") for word in words if word), None)
+        if named is Frame.CLIP and kind is not Kind.POINT:
+            why = f"in clip space there are points alone, and this would be a {kind}"
+            forms = (f"point({x}, clip)" for x in (v.text, f"untyped({v.text})"))
+            raise RefusedError(why, forms=forms)
         if v.is_undivided and not (kind is Kind.POINT and named in (None, Frame.CLIP)):
             raise undivided(v)
         if named and v.space and named is not v.space:
             why = f"{v.name} is in {v.space} space already, and {named} is asked for"
             wanted = Operand(Value(v.value.entries, Located(named, kind)), "")
             raise RefusedError(why, apart=(v, wanted))
-        if named is Frame.CLIP and kind is not Kind.POINT:
-            why = f"in clip space there are points alone, and this would be a {kind}"
-            raise RefusedError(why, forms=(f"point({v.text}, clip)", f"{kind}({v.text}, ndc)"))
         refused = _UNMADE.get((kind, v.sort))
         if refused is not None:
             why, mistake = refused

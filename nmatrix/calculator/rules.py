@@ -6,7 +6,7 @@ how much it would be wrong. What is not known is never refused.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -207,6 +207,10 @@ PROJECTED = (Frame.CLIP, Frame.NDC, Frame.WINDOW)
 POSE = Map(Frame.WORLD, Frame.CAMERA)
 
 
+def _is_vector(a: Operand) -> bool:
+    return a.value.kind is ValueKind.VECTOR
+
+
 def _composed(a: Operand, b: Operand) -> Meaning | None:
     if _is_vector(a) or _is_vector(b):
         return None
@@ -220,12 +224,19 @@ def _composed(a: Operand, b: Operand) -> Meaning | None:
     carried = frozenset((one.carries, other.carries)) - {Carries.ALL}
     if carried and carried not in _ONE_BY_ONE:
         why = f"{b.name} carries {other.carries}, {a.name} {one.carries}"
-        places = (a if b.map.carries in FOR_NORMALS else b).text
-        right = f"normal_matrix({places.removeprefix('linear(').removesuffix(')')})"
-        forms = (f"{right} @ {factor(b.text)}", f"{factor(a.text)} @ {right}")
-        raise RefusedError(why, MistakeId.USED_WORLD_MATRIX, forms=forms)
+        raise RefusedError(why, MistakeId.USED_WORLD_MATRIX, forms=_both_for_normals(a, b))
     carries = _ONE_BY_ONE[carried] if carried else Carries.ALL
     return None if carries is None else Map(one.to, other.source, carries)
+
+
+def _both_for_normals(a: Operand, b: Operand) -> Iterator[str]:
+    """Write a product of which one factor was for places, with both for normals."""
+    is_left = b.map.carries in FOR_NORMALS
+    inside = (a if is_left else b).text.removeprefix("linear(").removesuffix(")")
+    for text in (inside, (a if is_left else b).text):
+        for name in ("normal_matrix", "inverse_transpose"):
+            right = f"{name}({text})"
+            yield f"{right} @ {factor(b.text)}" if is_left else f"{factor(a.text)} @ {right}"
 
 
 def _is_square(value: Value) -> bool:
@@ -354,13 +365,14 @@ _CARRIED = (
 )
 
 
-def _is_vector(a: Operand) -> bool:
-    return a.value.kind is ValueKind.VECTOR
-
-
 def _dotted(a: Operand, b: Operand) -> Meaning | None:
     """Choose between the two products that the dot stands for."""
     return (_DOTTED if _is_vector(a) and _is_vector(b) else _CARRIED)[a.sort, b.sort](a, b)
+
+
+def _crossed(a: Operand, b: Operand) -> Meaning | None:
+    """Cross two vectors; matrices have no such product."""
+    return _CROSSED[a.sort, b.sort](a, b) if _is_vector(a) and _is_vector(b) else None
 
 
 def _compared(a: Operand, b: Operand) -> None:
@@ -389,10 +401,11 @@ RULES: dict[str, Grid] = {
     "/": _QUOTIENTS,
     "@": _CARRIED,
     "·": _all(Sort, Sort, _dotted) | _SCALED,
-    "×": _CROSSED | _SCALED,
+    "×": _all(Sort, Sort, _crossed) | _SCALED,
     "==": _COMPARISONS,
     "≈": _COMPARISONS,
 }
+ENTRY_BY_ENTRY = ("+", "-", "==", "≈")
 
 
 def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
@@ -413,6 +426,8 @@ def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
     Traceback (most recent call last):
     nmatrix.calculator.operands.RefusedError: V leads to camera space, M starts from object space
     """
+    if sign in ENTRY_BY_ENTRY and a.value.kind is not b.value.kind:
+        return None  # which has no answer
     return RULES[sign][a.sort, b.sort](a, b)
 
 
