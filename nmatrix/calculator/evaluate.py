@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -20,6 +21,7 @@ from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
 from nmatrix.calculator.operands import Operand, RefusedError, bared
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.tree import (
     Bracket,
     Call,
@@ -35,27 +37,32 @@ from nmatrix.calculator.tree import (
     Turn,
     Word,
 )
-from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
+from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
 from nmatrix.linear import rational
 from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
 from nmatrix.surds import TooManyRootsError
+from nmatrix.working.working import written
 
 T = TypeVar("T")
 Names = Mapping[str, Value]
 CONSTANTS: dict[str, Value] = {"pi": Value(PiMultiple(Fraction(1)))}
 COMPONENTS = "xyzw"
+LETTERED = 16  # entries of a matrix that may hold letters
+LETTER = re.compile(r"[a-zα-ω][0-9]{0,2}")  # a name that may stay without a value
 
 
 @dataclass(frozen=True)
 class CalculationStep:
-    """One operation: the part of the expression, its value, and the rule."""
+    """One operation on its operands: the part of the expression, its value, and the rule."""
 
     expression: str
     value: Value
+    operation: str
     rule: str
+    given: tuple[Operand | str | None, ...]
 
 
 @dataclass(frozen=True)
@@ -95,6 +102,7 @@ def calculate(
     expression = expression.strip()
     evaluation = _Evaluation(expression, names, arithmetic, untyped=untyped)
     value = evaluation.value_of(parse(expression, frozenset((*FUNCTIONS, *names))))
+    evaluation.remark_letters(value)
     if untyped:
         value = Value(value.entries)
     steps, remarks = tuple(evaluation.steps), tuple(dict.fromkeys(evaluation.remarks))
@@ -110,6 +118,7 @@ class _Evaluation:
     advises: bool = True
     steps: list[CalculationStep] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    letters: set[str] = field(default_factory=set)
     products: dict[int, Infix] = field(default_factory=dict)
 
     def value_of(self, node: Node) -> Value:  # noqa: C901, PLR0911 - one line for each kind
@@ -119,7 +128,7 @@ class _Evaluation:
             case Turn():
                 return self._kept(node, Value(node.degrees))
             case Pasted():
-                rows = tuple(tuple(map(fraction, row)) for row in node.rows)
+                rows = tuple(tuple(map(_entry, row)) for row in node.rows)
                 return self._kept(node, Value(rows if len(rows) > 1 else rows[0]))
             case Name():
                 return self._name(node)
@@ -149,7 +158,7 @@ class _Evaluation:
 
     def _numeral(self, node: Numeral) -> Value:
         try:
-            return self._kept(node, Value(fraction(BARE_POINT.sub("", node.text))))
+            return self._kept(node, Value(_entry(node.text)))
         except IllegalValueError as error:
             if isinstance(error, CalculatorError):
                 raise
@@ -165,18 +174,21 @@ class _Evaluation:
         if name in FUNCTIONS:
             usage = FUNCTIONS[name].usage(name)
             raise self._fault(node, name, f"it is a function: write {usage}")
+        if LETTER.fullmatch(name) and self.arithmetic is Arithmetic.EXACT:
+            self.letters.add(name)
+            return Value(Symbolic.letter(name))
         known = [*self.names, *CONSTANTS]
         listed = f"the names are {', '.join(known)}; {quantity('let')} adds more"
         why = did_you_mean(name, [*known, *FUNCTIONS], listed)
         raise self._fault(node, f"name {name[:20]}", why)
 
     def _bracket(self, node: Bracket) -> Value:
-        rows = [[self.value_of(entry) for entry in row[: LARGEST + 1]] for row in node.rows]
+        rows = [[self.value_of(entry) for entry in row] for row in node.rows]
         entries = [value for row in rows for value in row]
         kinds = {value.kind for value in entries}
         if kinds == {ValueKind.SCALAR}:
             if len({len(row) for row in rows}) > 1:
-                sizes = ", ".join(str(len(row)) for row in rows[:LARGEST])
+                sizes = ", ".join(str(len(row)) for row in rows)
                 raise self._fault(
                     node, "bracket", f"its rows have {sizes} numbers: make them equal"
                 )
@@ -188,8 +200,6 @@ class _Evaluation:
         else:
             why = "it holds numbers, or rows of equal length" if entries else "it is empty"
             raise self._fault(node, "bracket", why)
-        if max(len(numbers), len(numbers[0])) > LARGEST:
-            raise self._fault(node, "bracket", f"it has at most {LARGEST} rows and columns")
         return Value(numbers[0] if kinds == {ValueKind.SCALAR} and len(numbers) == 1 else numbers)
 
     def _prefix(self, node: Prefix) -> Value:
@@ -213,7 +223,7 @@ class _Evaluation:
             return self._comparison(node, operands)
         value, rule = self._tried(node.at, node.sign, partial(binary, node.sign), (a, with_w(a, b)))
         value = self._tried(node.at, node.sign, settled, [replace(value, meaning=meaning)])
-        return self._step(node, value, rule)
+        return self._step(node, value, (node.sign, rule), operands)
 
     def _comparison(self, node: Infix, operands: tuple[Operand, Operand]) -> Value:
         a, b = (one.value for one in operands)
@@ -282,9 +292,17 @@ class _Evaluation:
         return True
 
     def _tried(
-        self, at: int, what: str, compute: Callable[..., T], values: Sequence[Argument | None]
+        self,
+        at: int,
+        what: str,
+        compute: Callable[..., T],
+        values: Sequence[Argument | None],
+        places: Mapping[int, int] | None = None,
     ) -> T:
-        """Compute with exact roots, or with their bounds where the roots grow too many."""
+        """Compute with exact roots, or with their bounds where the roots grow too many.
+
+        `places` tells where in the expression each argument stands, by its identity.
+        """
         try:
             try:
                 return compute(*values)
@@ -292,7 +310,8 @@ class _Evaluation:
                 bounds = (one.enclosed() if isinstance(one, Value) else one for one in values)
                 return compute(*bounds)
         except (IllegalValueError, NoAnswerError) as error:
-            raise self._error(at, what, error) from None
+            given = getattr(error, "given", None)
+            raise self._error((places or {}).get(id(given), at), what, error) from None
 
     def _power(self, node: Power) -> Value:
         base = self.value_of(node.base)
@@ -307,7 +326,10 @@ class _Evaluation:
         )
         raised = partial(power, exponent=node.exponent, arithmetic=self.arithmetic)
         value = replace(self._tried(node.at, "^", raised, [base]), meaning=meaning)
-        return value if abs(node.exponent) == 1 else self._step(node, value, "multiplied by itself")
+        if abs(node.exponent) == 1:
+            return value
+        given = (operand, str(abs(node.exponent)))
+        return self._step(node, value, ("^", "multiplied by itself"), given)
 
     def _member(self, node: Member) -> Value:
         value = self.value_of(node.value)
@@ -365,14 +387,23 @@ class _Evaluation:
         self, node: Node, name: str, arguments: list[Argument], named: Mapping[str, Argument]
     ) -> Value:
         function = FUNCTIONS[name]
+        for one in arguments:
+            if isinstance(one, Value) and one.letters and len(list(one.numbers)) > LETTERED:
+                why = "letters are kept in matrices up to 4×4: give them values"
+                raise self._fault(node, name, why)
         at = node.at if isinstance(node, (Member, Power)) else node.start
-        bound = self._tried(at, name, lambda: function.bound(arguments, named), [])
+        places = _places(node, [*arguments, *named.values()])
+        binding = partial(function.bound, arguments, named, self.names)
+        bound = self._tried(at, name, binding, [], places)
         given = self._given(node, [*arguments, *named.values()], bound)
         operands = [one for one in given if isinstance(one, Operand)]
         found = partial(self._tried, at, name, partial(function_rules.meaning_of, name, given), [])
         meaning = self._meaning(node, name, found, operands)
-        value = replace(self._tried(at, name, function.compute, bound), meaning=meaning)
-        return self._step(node, settled(value), function.rule)
+        value = self._tried(at, name, function.compute, bound, places)
+        if function.remarks:
+            self.remarks += self._tried(at, name, function.remarks, bound, places)
+        value = settled(replace(value, meaning=meaning))
+        return self._step(node, value, (name, function.rule), given)
 
     def _given(
         self, node: Node, arguments: Sequence[Argument], bound: Sequence[Argument | None]
@@ -416,9 +447,29 @@ class _Evaluation:
                 said = f"{node.function} takes degrees, but {looks}, {180 * found[1]} degrees."
                 self.remarks.append(said)
 
-    def _step(self, node: Node, value: Value, rule: str) -> Value:
+    def remark_letters(self, value: Value) -> None:
+        """Keep a remark on names without a value, and on what must not be 0."""
+        if not self.letters:
+            return
+        many = len(self.letters) > 1
+        has = "have no values and stay letters" if many else "has no value and stays a letter"
+        self.remarks.append(f"{', '.join(sorted(self.letters))} {has}.")
+        symbolic = (one for one in value.numbers if isinstance(one, Symbolic))
+        below = dict.fromkeys(text for one in symbolic for text in one.denominators)
+        if below:
+            conditions = " and ".join(f"{written(text)} ≠ 0" for text in below)
+            self.remarks.append(f"It holds where {conditions}.")
+
+    def _step(
+        self,
+        node: Node,
+        value: Value,
+        what: tuple[str, str],
+        given: Sequence[Operand | str | None],
+    ) -> Value:
+        """Keep an operation, by its name and its rule, with what it was given."""
         kept = self._kept(node, value)
-        self.steps.append(CalculationStep(bared(self._typed(node)), kept, rule))
+        self.steps.append(CalculationStep(bared(self._typed(node)), kept, *what, tuple(given)))
         return kept
 
     def _typed(self, node: Node) -> str:
@@ -429,3 +480,17 @@ class _Evaluation:
             return value.kept_by(self.arithmetic)
         except (IllegalValueError, NoAnswerError) as error:
             raise self._error(node.start, "value", error) from None
+
+
+def _entry(text: str) -> Fraction:
+    """Read a number of another program, which may print 1. for 1."""
+    return fraction(BARE_POINT.sub("", text))
+
+
+def _places(node: Node, given: Sequence[Argument]) -> dict[int, int]:
+    """Tell where each argument of a call stands, by the identity of its value."""
+    if not isinstance(node, Call):
+        return {}
+    written = [*node.arguments, *(one for _, one in node.named)]
+    pairs = list(zip(given, written, strict=False))
+    return {id(value): one.start for value, one in reversed(pairs)}

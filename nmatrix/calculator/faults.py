@@ -8,15 +8,19 @@ from nmatrix.errors import FrameError, IllegalValueError, NMatrixError, NoAnswer
 WINDOW = 30  # characters shown on either side of the caret
 
 
-class _PlacedError(NMatrixError):
-    """An error at one character of an expression; `position` counts characters from 0."""
+class PlacedError(NMatrixError):
+    """An error at one character of an expression; `position` counts characters from 0.
+
+    `without_caret` is for those who draw the caret themselves, under what was typed.
+    """
 
     def __init__(self, expression: str, position: int, what: str, why: str) -> None:
         super().__init__(f"{what} (character {position + 1})", why, _caret(expression, position))
         self.position = position
+        self.without_caret = NMatrixError(what, why)
 
 
-class CalculatorError(_PlacedError, IllegalValueError):
+class CalculatorError(PlacedError, IllegalValueError):
     """A fault in an expression.
 
     Examples
@@ -26,7 +30,7 @@ class CalculatorError(_PlacedError, IllegalValueError):
     """
 
 
-class NoValueError(_PlacedError, NoAnswerError):
+class NoValueError(PlacedError, NoAnswerError):
     """A sound expression with an operation that has no answer.
 
     Examples
@@ -36,7 +40,7 @@ class NoValueError(_PlacedError, NoAnswerError):
     """
 
 
-class MeaningError(_PlacedError, FrameError):
+class MeaningError(PlacedError, FrameError):
     """Spaces or kinds that do not fit; it knows the mistake and the nearest right form.
 
     The form is empty where numbers do not fit either.

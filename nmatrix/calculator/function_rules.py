@@ -130,7 +130,10 @@ def _crossed(arguments: Sequence[Given]) -> Meaning | None:
 
 def _alike(arguments: Sequence[Given]) -> Meaning | None:
     """Keep what all arguments are: points, directions, or maps of one way."""
-    a, b, *_ = _values(arguments)
+    a, *others = _values(arguments)
+    if not others:
+        return None
+    b = others[0]
     if ValueKind.MATRIX in (a.value.kind, b.value.kind):
         return meaning_of_operator("+", a, b)
     space = together(a, b)

@@ -14,35 +14,56 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import copysign, inf, isfinite, isnan, isqrt, nan
 
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import DEGREES, PI, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
 from nmatrix.surds import BITS as ROOT_BITS
-from nmatrix.surds import Surd, TooManyRootsError
+from nmatrix.surds import SINES, Surd, TooManyRootsError, sine
 from nmatrix.surds import root as exact_root
 
 SERIES = Fraction(1, 2**130)  # the relative error of a sine or an arctangent
 GUARD_BITS = 16  # of an end behind the first bit that is not known
 SLOWEST = 57  # degrees in which a sine changes by less than one: 180/π is more
-# The sines that are sums of roots of fractions: no other of a rational number of degrees is.
-SINES = {
-    Fraction(0): Fraction(0),
-    Fraction(15): (exact_root(6) - exact_root(2)) / 4,
-    Fraction(18): (exact_root(5) - 1) / 4,
-    Fraction(30): Fraction(1, 2),
-    Fraction(45): exact_root(2) / 2,
-    Fraction(54): (exact_root(5) + 1) / 4,
-    Fraction(60): exact_root(3) / 2,
-    Fraction(75): (exact_root(6) + exact_root(2)) / 4,
-    Fraction(90): Fraction(1),
+
+# A sine whose square is one of these belongs to so many degrees: sin² θ = (1 − cos 2θ)/2.
+DEGREES_BY_SQUARE = {
+    (1 + sign * known) / 2: (90 + sign * turned) / 2
+    for turned, known in SINES.items()
+    for sign in (1, -1)
 }
 
 Exact = int | Fraction | Surd
 PI_ENDS = (PI - Fraction(1, 10**60), PI + Fraction(1, 10**60))
 
 
+class Ordered:
+    """Numbers that compare where what is known of their difference decides it.
+
+    Raises
+    ------
+    NoAnswerError
+        From a comparison that it leaves open.
+    """
+
+    def __lt__(self, other: Exact | Number) -> bool:
+        return is_negative(self - other)  # type: ignore[operator]  # each kind subtracts
+
+    def __gt__(self, other: Exact | Number) -> bool:
+        return is_negative(-(self - other))  # type: ignore[operator]  # each kind subtracts
+
+    def __le__(self, other: Exact | Number) -> bool:
+        return not self > other
+
+    def __ge__(self, other: Exact | Number) -> bool:
+        return not self < other
+
+    def __float__(self) -> float:
+        return float64(self).value  # type: ignore[arg-type]  # it is one of the numbers
+
+
 @dataclass(frozen=True, eq=False)
-class Interval:
+class Interval(Ordered):
     """A number between two bounds, `low` < `high`, and no more is known of it.
 
     Examples
@@ -58,8 +79,13 @@ class Interval:
     def __neg__(self) -> Interval:
         return Interval(-self.high, -self.low)
 
+    def __abs__(self) -> Fraction | Interval:
+        if self.low < 0 < self.high:
+            return enclosed(Fraction(0), self.farthest)
+        return -self if self.high <= 0 else self
+
     def __add__(self, other: Exact | Interval) -> Fraction | Interval:
-        low, high = _ends(other)
+        low, high = bounds(other)
         return enclosed(self.low + low, self.high + high)
 
     def __sub__(self, other: Exact | Interval) -> Fraction | Interval:
@@ -69,7 +95,7 @@ class Interval:
         return -self + other
 
     def __mul__(self, other: Exact | Interval) -> Fraction | Interval:
-        products = [one * end for one in _ends(self) for end in _ends(other)]
+        products = [one * end for one in bounds(self) for end in bounds(other)]
         return enclosed(min(products), max(products))
 
     def __truediv__(self, other: Exact | Interval) -> Fraction | Interval:
@@ -115,7 +141,7 @@ class Interval:
 
 
 @dataclass(frozen=True, eq=False)
-class Float64:
+class Float64(Ordered):
     """A float64: every operation is rounded, and what overflows is infinite, as in a program.
 
     Raises
@@ -142,11 +168,17 @@ class Float64:
     def __neg__(self) -> Float64:
         return Float64(-self.value)
 
+    def __abs__(self) -> Float64:
+        return Float64(abs(self.value))
+
     def __add__(self, other: Exact | Float64) -> Float64:
         return Float64(self.value + float64(other).value)
 
     def __sub__(self, other: Exact | Float64) -> Float64:
         return Float64(self.value - float64(other).value)
+
+    def __rsub__(self, other: Exact) -> Float64:
+        return float64(other) - self
 
     def __mul__(self, other: Exact | Float64) -> Float64:
         return Float64(self.value * float64(other).value)
@@ -168,14 +200,14 @@ class Float64:
 
 
 @dataclass(frozen=True, eq=False)
-class PiMultiple:
+class PiMultiple(Ordered):
     """A fraction times π: as an angle it is in radians, and exact.
 
     Examples
     --------
     >>> half = PiMultiple(Fraction(1, 2))
     >>> (half + half / 3).times, half / half, (half * half).digits
-    (Fraction(2, 3), Fraction(1, 1), 59)
+    (Fraction(2, 3), Fraction(1, 1), 60)
     """
 
     times: Fraction
@@ -189,7 +221,12 @@ class PiMultiple:
     def __neg__(self) -> PiMultiple:
         return PiMultiple(-self.times)
 
+    def __abs__(self) -> PiMultiple:
+        return PiMultiple(abs(self.times))
+
     def __add__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if not isinstance(other, PiMultiple):
             return self if other == 0 else self.between + other
         total = self.times + other.times
@@ -202,11 +239,15 @@ class PiMultiple:
         return -self + other
 
     def __mul__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if isinstance(other, int | Fraction):
             return PiMultiple(self.times * other) if other else Fraction(0)
         return self.between * (other.between if isinstance(other, PiMultiple) else other)
 
     def __truediv__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if isinstance(other, PiMultiple):
             return self.times / other.times
         if isinstance(other, int | Fraction):
@@ -220,10 +261,10 @@ class PiMultiple:
     __rmul__ = __mul__
 
 
-Number = Fraction | Surd | Interval | PiMultiple | Float64
+Number = Fraction | Surd | Interval | PiMultiple | Float64 | Symbolic
 
 
-def is_zero(x: Number) -> bool:
+def is_zero(x: Exact | Number) -> bool:
     """Decide if a number is 0.
 
     Raises
@@ -248,7 +289,7 @@ def is_zero(x: Number) -> bool:
     return False
 
 
-def is_negative(x: Number) -> bool:
+def is_negative(x: Exact | Number) -> bool:
     """Decide if a number is below 0.
 
     Raises
@@ -258,14 +299,24 @@ def is_negative(x: Number) -> bool:
     """
     if is_zero(x):
         return False
-    return x.value < 0 if isinstance(x, Float64) else _ends(x)[1] <= 0
+    if isinstance(x, Symbolic):
+        return x.is_negative
+    return x.value < 0 if isinstance(x, Float64) else bounds(x)[1] <= 0
 
 
-def size(x: Number) -> Fraction | float:
+def may_be_positive(x: Exact | Number) -> bool:
+    """Tell whether what is known of a number leaves it above 0, or 0."""
+    return x.value >= 0 if isinstance(x, Float64) else bounds(x)[1] >= 0
+
+
+def size(x: Exact | Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
-    if isinstance(x, Interval | Surd | PiMultiple):
-        return max(map(abs, _ends(x)))
-    return abs(x.value) if isinstance(x, Float64) else abs(x)
+    if isinstance(x, Symbolic):
+        return Fraction(bool(x))  # any letter may be a pivot
+    if isinstance(x, Float64):
+        return abs(x.value)
+    low, high = bounds(x)
+    return max(-low, high)
 
 
 def bits_of(x: Number) -> int:
@@ -276,7 +327,9 @@ def bits_of(x: Number) -> int:
         return max(max(d.bit_length(), bits_of(q)) for d, q in x.terms)
     if isinstance(x, PiMultiple):
         return bits_of(x.times)
-    return max(n.bit_length() for end in _ends(x) for n in end.as_integer_ratio())
+    if isinstance(x, Symbolic):
+        return 1  # its length is bounded where it is simplified
+    return max(n.bit_length() for end in bounds(x) for n in end.as_integer_ratio())
 
 
 def shown(x: Number) -> Fraction | Surd | float:
@@ -297,6 +350,8 @@ def shown(x: Number) -> Fraction | Surd | float:
                 "use rational entries, or angles whose sines are roots",
             )
         return x.shown
+    if isinstance(x, Symbolic):
+        raise x.unknown
     return x.value if isinstance(x, Float64) else x
 
 
@@ -309,7 +364,7 @@ def float64(x: Exact | Number) -> Float64:
     """Round a number to the nearest float64, to infinity beyond the largest."""
     if isinstance(x, Float64):
         return x
-    low, high = _ends(x)
+    low, high = bounds(x)
     middle = (low + high) / 2
     try:
         return Float64(nearest(middle))
@@ -325,8 +380,8 @@ def enclosed(low: Fraction, high: Fraction) -> Fraction | Interval:
     return Interval(math.floor(low * grid) / grid, math.ceil(high * grid) / grid)
 
 
-def root(square: Number) -> Number:
-    """Take a square root: exact of a fraction, known to 280 bits of any other number.
+def root(square: Exact | Number) -> Number:
+    """Take a square root: exact where it is a sum of roots, else known to 280 bits.
 
     Of an interval only the part from 0 upwards can be a square.
 
@@ -334,17 +389,36 @@ def root(square: Number) -> Number:
     --------
     >>> print(root(Fraction(9, 4)), root(Fraction(3, 4)), root(Float64(2.0)).value)
     3/2 √3/2 1.4142135623730951
+    >>> print(root(2 + exact_root(3)))
+    (√2 + √6)/2
     """
     if isinstance(square, Float64):
         return Float64(math.sqrt(square.value))
-    if isinstance(square, Fraction):
-        with suppress(TooManyRootsError):
+    if isinstance(square, Symbolic):
+        return square.root()
+    with suppress(TooManyRootsError):
+        if isinstance(square, Fraction):
             return exact_root(square)
-    low, high = _ends(square)
+        if isinstance(square, Surd) and (found := _unnested(square)) is not None:
+            return found
+    low, high = bounds(square)
     return enclosed(_root_ends(max(low, Fraction(0)))[0], _root_ends(high)[1])
 
 
-def angle(degrees: Number) -> Angle:
+def _unnested(square: Surd) -> Fraction | Surd | None:
+    """Write √(a + q√d) as √((a + c)/2) ± √((a − c)/2), where c = √(a² − q²d) is rational."""
+    if len(square.terms) > 2 or (square.terms[0][0] != 1):
+        return None
+    (_, a), (d, q) = square.terms
+    rest = a * a - q * q * d
+    c = exact_root(rest) if rest >= 0 else None
+    if not isinstance(c, Fraction) or a < c:
+        return None
+    larger, smaller = exact_root((a + c) / 2), exact_root((a - c) / 2)
+    return larger + smaller if q > 0 else larger - smaller
+
+
+def angle(degrees: Exact | Number) -> Angle:
     """Make the angle of so many degrees, of a multiple of π in radians.
 
     Its sine and cosine are of the same kind of number.
@@ -352,45 +426,92 @@ def angle(degrees: Number) -> Angle:
     Examples
     --------
     >>> print(angle(Fraction(30)).cosine, angle(Fraction(75)).sine, angle(Fraction(1)).sine.digits)
-    √3/2 (√2 + √6)/4 38
+    √3/2 (√2 + √6)/4 39
     """
     if isinstance(degrees, Float64):
         exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
+    if isinstance(degrees, Symbolic):
+        return Angle(*degrees.sine_and_cosine())  # type: ignore[arg-type]
     if isinstance(degrees, PiMultiple):
-        degrees = degrees.times * 180
+        degrees = in_degrees(degrees)
     return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
 
 
-def degrees_of(sine: Number, cosine: Number) -> Number:
-    """Measure an angle up to 180° in degrees, by its sine and cosine times any common factor.
+def in_degrees(turned: Number) -> Number:
+    """Tell an angle in degrees: a multiple of π is in radians, all else in degrees already."""
+    return turned.times * 180 if isinstance(turned, PiMultiple) else turned
 
-    Over a box of sines and cosines it is greatest and least at corners.
+
+def degrees_of(sine: Exact | Number, cosine: Exact | Number) -> Number:
+    """Measure an angle in degrees, over −180 to 180, by its sine and cosine times any one factor.
+
+    Raises
+    ------
+    NoAnswerError
+        For two zeros, and where what is known leaves open if they are, or on which side of the
+        half turn they lie.
 
     Examples
     --------
-    >>> degrees_of(Fraction(0), Fraction(-7)), degrees_of(Float64(1.0), Float64(1.0)).value
-    (Fraction(180, 1), 45.0)
+    >>> print(degrees_of(Fraction(0), Fraction(-7)), degrees_of(exact_root(3), Fraction(-1)))
+    180 120
+    >>> degrees_of(Float64(1.0), Float64(1.0)).value
+    45.0
     """
-    if isinstance(sine, Float64) and isinstance(cosine, Float64):
-        return Float64(math.degrees(math.atan2(sine.value, cosine.value)))
-    corners = [
-        end
-        for y in _ends(sine)  # type: ignore[arg-type]  # floats meet no other numbers
-        for x in _ends(cosine)  # type: ignore[arg-type]
-        for end in _degrees_ends(y, x)
-    ]
+    if isinstance(sine, Float64) or isinstance(cosine, Float64):
+        return Float64(math.degrees(math.atan2(float64(sine).value, float64(cosine).value)))
+    sharp = exact_degrees(sine * sine, cosine * cosine)
+    if sharp is not None:
+        turned = 180 - sharp if cosine < 0 else sharp
+        return -turned if sine < 0 else turned
+    (low, high), (left, right) = bounds(sine), bounds(cosine)
+    if low <= 0 <= high and left <= 0 <= right and is_zero(sine) and is_zero(cosine):
+        raise NoAnswerError("the angle of 0 and 0", "they point nowhere", "use other numbers")
+    if low < 0 <= high and left <= 0:
+        is_zero(sine)  # which refuses what may be a half turn to either side
+    # Over a box of sines and cosines the angle is greatest and least at corners.
+    corners = [end for y in (low, high) for x in (left, right) for end in _degrees_ends(y, x)]
     return enclosed(min(corners), max(corners))
 
 
-def _ends(x: Exact | Interval | PiMultiple) -> tuple[Fraction, Fraction]:
+def exact_degrees(sine_square: Exact | Number, cosine_square: Exact | Number) -> Fraction | None:
+    """Tell an angle up to 90° by its squared sine and cosine, times any one factor.
+
+    None where one of them is no sum of roots, or the angle no rational number of degrees: no other
+    such angles have squares that are sums of roots.
+
+    Examples
+    --------
+    >>> print(exact_degrees(Fraction(1), Fraction(3)), exact_degrees(Fraction(1), Fraction(2)))
+    30 None
+    """
+    if not isinstance(sine_square, Fraction | Surd) or not isinstance(
+        cosine_square, Fraction | Surd
+    ):
+        return None
+    total = sine_square + cosine_square
+    return DEGREES_BY_SQUARE.get(sine_square / total) if total else None
+
+
+def bounds(x: Exact | Number) -> tuple[Fraction, Fraction]:
+    """Tell between which two fractions a number lies; they are equal where it is one itself.
+
+    Examples
+    --------
+    >>> bounds(Fraction(1, 2)) == (Fraction(1, 2), Fraction(1, 2))
+    True
+    """
     if isinstance(x, PiMultiple):
         x = x.between
     if isinstance(x, Interval):
         return x.low, x.high
     if isinstance(x, Surd):
         return x.between()
-    return Fraction(x), Fraction(x)
+    if isinstance(x, Symbolic):
+        raise x.unknown
+    exact = Fraction(x.value if isinstance(x, Float64) else x)
+    return exact, exact
 
 
 def _magnitude(x: Fraction) -> int:
@@ -406,20 +527,22 @@ def _root_ends(square: Fraction) -> tuple[Fraction, Fraction]:
 
 def _sine(degrees: Exact | Interval) -> Exact | Interval:
     if not isinstance(degrees, Fraction):
-        low, high = _ends(degrees)
-        least, most = _ends(_sine((low + high) / 2))
+        low, high = bounds(degrees)
+        least, most = bounds(_sine((low + high) / 2))
         change = (high - low) / 2 / SLOWEST
         return enclosed(least - change, most + change)
-    turned = degrees % 360
-    sharp = min(turned % 180, 180 - turned % 180)
-    if sharp in SINES:
-        return SINES[sharp] if turned <= 180 else -SINES[sharp]
+    known = sine(degrees)
+    if known is not None:
+        return known
     found = Angle.degrees(degrees).sine
     error = abs(found) * SERIES
     return enclosed(found - error, found + error)
 
 
 def _degrees_ends(sine: Fraction, cosine: Fraction) -> tuple[Fraction, Fraction]:
+    if sine < 0:
+        low, high = _degrees_ends(-sine, cosine)
+        return -high, -low
     if not cosine:
         return Fraction(90), Fraction(90)
     sharp = arctangent(sine / abs(cosine)) * DEGREES

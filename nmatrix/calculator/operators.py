@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nmatrix.calculator.numbers import Number, is_zero, shown, size
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.values import Arithmetic, Entries, Value, ValueKind, each
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import rational
@@ -18,16 +19,17 @@ ALIKE = Fraction(5, 10**7)  # of the larger number: six digits are the same
 def _add(a: Value, b: Value) -> Computed:
     if a.shape != b.shape:
         raise IllegalValueError(f"{a.shape} and {b.shape}", "a sum needs equal sizes", "match them")
-    return _together(a.entries, b.entries), "entry by entry"
+    return together(a.entries, b.entries), "entry by entry"
 
 
 def _subtract(a: Value, b: Value) -> Computed:
     return _add(a, -b)
 
 
-def _together(a: Entries, b: Entries) -> Entries:
+def together(a: Entries, b: Entries) -> Entries:
+    """Add two values of one shape, entry by entry."""
     if isinstance(a, tuple) and isinstance(b, tuple):
-        return tuple(_together(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]  # same shape
+        return tuple(together(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]  # same shape
     return a + b  # type: ignore[operator,return-value]  # numbers that meet
 
 
@@ -196,6 +198,9 @@ def nearly_equal(a: Value, b: Value) -> tuple[bool, str]:
     IllegalValueError
         For two kinds or sizes.
     """
+    for one in (*a.numbers, *b.numbers):
+        if isinstance(one, Symbolic):
+            raise one.unknown
     largest = max(size(x) for value in (a, b) for x in value.numbers)
     off = max(size(one) for one in _differences(a, b))
     told = f"The largest difference is {short_text(Fraction(off), 3)}."

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from operator import mul
+from typing import TypeVar
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
@@ -25,7 +26,10 @@ from nmatrix.linear.rational import (
 from nmatrix.linear.rounding import integers, inverse_root, quotient
 from nmatrix.report import Number
 
+Real = TypeVar("Real", int, Fraction)
+
 AXES = "XYZ"
+Turn = TypeVar("Turn", int, float, Fraction, Angle)  # all can turn the other way
 CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
 
 
@@ -65,34 +69,44 @@ def checked_order(order: str) -> str:
     return order
 
 
-def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatrix:
-    """Build the 3×3 rotation by three angles, always given about x, y, z.
+def sequence(
+    turns: Sequence[Turn], order: str = "XYZ", convention: Convention = Convention.STANDARD
+) -> tuple[tuple[str, Turn], ...]:
+    """List the three turns by their axes, as the product of their rotations reads.
 
     Capitals are intrinsic: the product reads as the order does, `XYZ` is Rx·Ry·Rz. Small letters
-    are extrinsic: the product reads backwards, `xyz` is Rz·Ry·Rx.
+    are extrinsic: the product reads backwards, `xyz` is Rz·Ry·Rx. The first angle of the course's
+    library turns about y and its second about x; in the labs' version the y and z rotations turn
+    the other way, too.
 
     Raises
     ------
     IllegalValueError
         If the order is not a permutation of `XYZ` or of `xyz`.
+
+    Examples
+    --------
+    >>> sequence((10, 20, 30), "ZYX"), sequence((10, 20, 30), convention=Convention.POLIMI)
+    ((('Z', 30), ('Y', 20), ('X', 10)), (('X', 20), ('Y', -10), ('Z', -30)))
     """
-    about = {axis: rotation_about(axis, turn) for axis, turn in zip(AXES, turns, strict=True)}
-    sequence = checked_order(order) if order.isupper() else checked_order(order)[::-1].upper()
-    return _known(product(*(about[axis] for axis in sequence)))
-
-
-def course_rotation(turns: Sequence[Angle | float], convention: Convention) -> RationalMatrix:
-    """Build the rotation of the course's library from its three angles.
-
-    Its first angle turns about y and its second about x; in the labs' version the y and z
-    rotations turn the other way, too.
-    """
-    rx, ry, rz = map(as_angle, turns)
+    x, y, z = turns
     if convention is Convention.POLIMI:
-        rx, rz = -rx, -rz
-    return _known(
-        product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))
-    )
+        return ("X", y), ("Y", -x), ("Z", -z)
+    if convention is not Convention.STANDARD:
+        return ("X", y), ("Y", x), ("Z", z)
+    about = {"X": x, "Y": y, "Z": z}
+    axes = checked_order(order) if order.isupper() else checked_order(order)[::-1].upper()
+    return tuple((axis, about[axis]) for axis in axes)
+
+
+def rotation(
+    turns: Sequence[Angle | float],
+    order: str = "XYZ",
+    convention: Convention = Convention.STANDARD,
+) -> RationalMatrix:
+    """Build the 3×3 rotation by three angles about x, y, z, in the order that `sequence` says."""
+    angles = sequence([as_angle(turn) for turn in turns], order, convention)
+    return _known(product(*(rotation_about(axis, turn) for axis, turn in angles)))
 
 
 def rotation_by(
@@ -108,10 +122,7 @@ def rotation_by(
     >>> rotation_by((90, 0, 0), convention=Convention.POLIMI) == rotation_by((0, -90, 0))
     True
     """
-    turns = [turn(angle) for angle in degrees]
-    if convention is Convention.STANDARD:
-        return rotation(turns, order)
-    return course_rotation(turns, convention)
+    return rotation([turn(angle) for angle in degrees], order, convention)
 
 
 def _known(R: RationalMatrix) -> RationalMatrix:
@@ -147,8 +158,8 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
     >>> to_floats(rotation_from_quaternion((0, 0, 1, 1)))
     ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     """
-    (x, y, z, w), _ = integers(quaternion)
-    square = x * x + y * y + z * z + w * w
+    components, _ = integers(quaternion)
+    square = sum(one * one for one in components)
     if square == 0:
         raise NoAnswerError(
             "quaternion (0 0 0 0)",
@@ -157,11 +168,19 @@ def rotation_from_quaternion(quaternion: Sequence[float | Fraction]) -> Rational
         )
     return tuple(
         tuple(Fraction(entry, square) for entry in row)
-        for row in (
-            (square - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
-            (2 * (x * y + z * w), square - 2 * (x * x + z * z), 2 * (y * z - x * w)),
-            (2 * (x * z - y * w), 2 * (y * z + x * w), square - 2 * (x * x + y * y)),
-        )
+        for row in turned_by_quaternion(components, square)
+    )
+
+
+def turned_by_quaternion(
+    quaternion: Sequence[Real], square: Real
+) -> tuple[tuple[Real, Real, Real], ...]:
+    """Build the rotation of a quaternion x, y, z, w times the square of its length."""
+    x, y, z, w = quaternion
+    return (
+        (square - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+        (2 * (x * y + z * w), square - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+        (2 * (x * z - y * w), 2 * (y * z + x * w), square - 2 * (x * x + y * y)),
     )
 
 
@@ -186,8 +205,7 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
         raise NoAnswerError("axis (0 0 0)", "it has no direction", "try 0 1 0")
     angle = as_angle(turn)
     s, c = angle.sine * inverse_root(square), angle.cosine
-    x, y, z = a
-    crossed = ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
+    crossed = cross_matrix(a)
     along = (1 - c) / square
     return _known(
         tuple(
@@ -198,6 +216,21 @@ def rotation_about_axis(axis: Sequence[float | Fraction], turn: Angle | float) -
             for i in range(3)
         )
     )
+
+
+def cross_matrix(a: RationalVector) -> RationalMatrix:
+    """Build [a]×, the matrix that takes v to a × v.
+
+    Examples
+    --------
+    >>> for row in cross_matrix((Fraction(1), Fraction(2), Fraction(3))):
+    ...     print(*row)
+    0 -3 2
+    3 0 -1
+    -2 1 0
+    """
+    x, y, z = a
+    return ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
 
 
 def sum_of_rounded(*terms: Fraction) -> Fraction:

@@ -6,15 +6,18 @@ rational, the scales are single roots, and only R's angles need a rounded functi
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 from nmatrix.enums import Convention
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.affine import AXES, compose, rotation_by, sum_of_rounded
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import (
+    ONE,
     ZERO,
     RationalMatrix,
     RationalVector,
@@ -72,7 +75,7 @@ class Parts:
             merged = _rotation_parts(R, self.order, self.convention).rotate
             if merged != self.rotate:
                 return merged
-        first, middle, last = _sequence(self.order)
+        first, middle, last = sequence(self.order)
         angles = list(_about_axes(self.rotate, self.convention))
         angles[middle] = HALF_TURN - angles[middle]
         for outer in (first, last):
@@ -167,46 +170,75 @@ def quaternion_of(R: RationalMatrix) -> RationalVector:
 
     Its largest component is taken first, so nothing cancels.
     """
+    products = quaternion_products(R, sum_of_rounded)
+    row = products[largest_component(products)]
+    return tuple(-x for x in row) if row[3] < 0 else row
+
+
+def quaternion_products(
+    R: RationalMatrix, add: Callable[[Fraction, Fraction], Fraction]
+) -> RationalMatrix:
+    """Multiply the components of a rotation's unit quaternion in pairs, 4 qᵢ qⱼ; w comes last."""
     squares = [
         1 + R[0][0] - R[1][1] - R[2][2],
         1 - R[0][0] + R[1][1] - R[2][2],
         1 - R[0][0] - R[1][1] + R[2][2],
         1 + R[0][0] + R[1][1] + R[2][2],
     ]
-    xy, xz, yz = (sum_of_rounded(R[i][j], R[j][i]) for i, j in ((0, 1), (0, 2), (1, 2)))
-    xw, yw, zw = (sum_of_rounded(R[i][j], -R[j][i]) for i, j in ((2, 1), (0, 2), (1, 0)))
-    products = (
+    xy, xz, yz = (add(R[i][j], R[j][i]) for i, j in ((0, 1), (0, 2), (1, 2)))
+    xw, yw, zw = (add(R[i][j], -R[j][i]) for i, j in ((2, 1), (0, 2), (1, 0)))
+    return (
         (squares[0], xy, xz, xw),
         (xy, squares[1], yz, yw),
         (xz, yz, squares[2], zw),
         (xw, yw, zw, squares[3]),
     )
-    # A tie goes to w, so that a plain rotation keeps its half angle.
-    row = products[max((3, 0, 1, 2), key=lambda i: squares[i])]
-    return tuple(-x for x in row) if row[3] < 0 else row
+
+
+def largest_component(products: RationalMatrix, size: Callable[..., Any] = Fraction) -> int:
+    """Find the largest component of a quaternion, of some of one size w if it is one of them.
+
+    A plain rotation keeps its half angle so.
+    """
+    return max((3, 0, 1, 2), key=lambda i: size(products[i][i]))
 
 
 def _angles(
     R: RationalMatrix, order: str, convention: Convention, locked: Fraction
 ) -> tuple[Vector, bool]:
     """Convert a rotation to its three angles; True where the middle one is a quarter turn."""
-    i, j, k = _sequence(order)
-    even = 1 if (j - i) % 3 == 1 else -1
-    square = R[i][i] ** 2 + R[i][j] ** 2
-    found = {}
+    square = middle_cosine_square(R, order)
     gimbal_lock = square <= locked
-    if gimbal_lock:
-        found[i], found[k] = _degrees(even * R[k][j], R[j][j]), ZERO
-        found[j] = Fraction(90 if even * R[i][k] > 0 else -90)
-    else:
-        found[i] = _degrees(-even * R[j][k], R[k][k])
-        found[j] = _degrees(even * R[i][k], _root(square))
-        found[k] = _degrees(-even * R[i][j], R[i][i])
-    about = tuple(nearest(found[axis]) + 0.0 for axis in range(3))
+    cosine = None if gimbal_lock else _root(square)
+    found = turned_about_axes(R, order, cosine)
+    about = tuple(nearest(_degrees(*one)) + 0.0 for one in found)
     return _as_typed(about, convention), gimbal_lock
 
 
-def _sequence(order: str) -> tuple[int, int, int]:
+def middle_cosine_square(R: RationalMatrix, order: str) -> Fraction:
+    """Compute cos² of the middle angle of an order; at 0 there is a gimbal lock."""
+    i, j, _ = sequence(order)
+    return R[i][i] * R[i][i] + R[i][j] * R[i][j]
+
+
+def turned_about_axes(
+    R: RationalMatrix, order: str, middle_cosine: Fraction | None
+) -> tuple[tuple[Fraction, Fraction], ...]:
+    """Find sine and cosine, times a common factor, of the angles about x, y and z in an order.
+
+    Without the middle one's cosine there is a gimbal lock, and the last angle is 0.
+    """
+    i, j, k = sequence(order)
+    even = 1 if (j - i) % 3 == 1 else -1
+    found = {j: (even * R[i][k], ZERO if middle_cosine is None else middle_cosine)}
+    if middle_cosine is None:
+        found |= {i: (even * R[k][j], R[j][j]), k: (ZERO, ONE)}
+    else:
+        found |= {i: (-even * R[j][k], R[k][k]), k: (-even * R[i][j], R[i][i])}
+    return tuple(found[axis] for axis in range(3))
+
+
+def sequence(order: str) -> tuple[int, int, int]:
     """Return the axes of an order as the product reads, x is 0."""
     i, j, k = map(AXES.index, order if order.isupper() else order[::-1].upper())
     return i, j, k

@@ -6,13 +6,14 @@ there on it is a perspective view like any other.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.angle import Angle, float_turn
 from nmatrix.linear.projection import Sides
-from nmatrix.linear.rational import RationalVector, rational_vector
+from nmatrix.linear.rational import RationalVector, exactly
 from nmatrix.linear.values import named, number, read_fields, vector
 from nmatrix.linear.viewport import Viewport
 from nmatrix.report import Number, Vector
@@ -105,6 +106,8 @@ class SideAngles:
                 )
 
 
+Turn = Callable[[Fraction], Angle]  # of degrees
+Read = Callable[[Number], Fraction]
 MeasuredLens = HorizontalField | FilmBack | Intrinsics | SideAngles
 
 
@@ -118,10 +121,17 @@ def check_field(degrees: float, name: str, direction: str) -> None:
         )
 
 
-def sides_at_distance_one(lens: MeasuredLens, aspect: Fraction, viewport: Viewport | None) -> Sides:
+def sides_at_distance_one(
+    lens: MeasuredLens,
+    aspect: Fraction,
+    viewport: Viewport | None,
+    turn: Turn = Angle.degrees,
+    read: Read = exactly,
+) -> Sides:
     """Find left, right, bottom and top of what is seen at distance 1 from the eye.
 
-    Rational numbers stay exact, tangents are known to 130 bits. Four angles and intrinsics bring
+    Rational numbers stay exact, tangents are as exact as the sines and cosines of `turn`, known to
+    130 bits mostly; `read` makes fractions of the numbers. Four angles and intrinsics bring
     their own aspect; intrinsics are pixels of the viewport.
 
     Raises
@@ -139,20 +149,20 @@ def sides_at_distance_one(lens: MeasuredLens, aspect: Fraction, viewport: Viewpo
     """
     match lens:
         case HorizontalField():
-            right = _tangent(Fraction(lens.degrees) / 2)
+            right = _tangent(turn(read(lens.degrees) / 2))
             return _centred(right, right / aspect)
         case FilmBack():
-            width, height = (Fraction(side) / (2 * Fraction(lens.focal)) for side in lens.sensor)
+            width, height = (read(side) / (2 * read(lens.focal)) for side in lens.sensor)
             return (
                 _centred(width, width / aspect)
                 if aspect >= 1
                 else _centred(height * aspect, height)
             )
         case Intrinsics():
-            return _sides_in_pixels(lens, viewport)
+            return _sides_in_pixels(lens, viewport, read)
         case SideAngles():
             angles = (lens.left, lens.right, lens.down, lens.up)
-            left, right, bottom, top = (_tangent(Fraction(one)) for one in angles)
+            left, right, bottom, top = (_tangent(turn(read(one))) for one in angles)
             return left, right, bottom, top
 
 
@@ -172,20 +182,19 @@ def intrinsics_of(sides: Sides, viewport: Viewport) -> RationalVector:
     return fx, fy, -left * fx, top * fy
 
 
-def _sides_in_pixels(lens: Intrinsics, viewport: Viewport | None) -> Sides:
+def _sides_in_pixels(lens: Intrinsics, viewport: Viewport | None, read: Read) -> Sides:
     if viewport is None:
         raise IllegalValueError(
             f"{quantity('intrinsics')}",
             "they are pixels of an image, and its size is not given",
             f"add {quantity('viewport')} WIDTH HEIGHT",
         )
-    fx, fy, cx, cy = rational_vector((lens.fx, lens.fy, lens.cx, lens.cy))
+    fx, fy, cx, cy = map(read, (lens.fx, lens.fy, lens.cx, lens.cy))
     width, height = Fraction(viewport.width), Fraction(viewport.height)
     return -cx / fx, (width - cx) / fx, (cy - height) / fy, cy / fy
 
 
-def _tangent(degrees: Fraction) -> Fraction:
-    angle = Angle.degrees(degrees)
+def _tangent(angle: Angle) -> Fraction:
     return angle.sine / angle.cosine
 
 

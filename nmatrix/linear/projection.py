@@ -8,7 +8,7 @@ near, far and the sides lie exactly where they were put; who shows a matrix roun
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -26,7 +26,7 @@ from nmatrix.enums import (
 )
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant, exactly
 from nmatrix.linear.values import read_fields, real
 
 Sides = tuple[Fraction, Fraction, Fraction, Fraction]  # left, right, bottom, top
@@ -130,17 +130,9 @@ class Window:
     def __post_init__(self) -> None:
         read_fields(self, left=real, right=real, bottom=real, top=real)
 
-    def checked(self) -> Sides:
-        """Return the four sides exactly.
-
-        Raises
-        ------
-        NoAnswerError
-            If two of them coincide and the window encloses nothing.
-        """
-        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
-        _check_extent((left, right, bottom, top))
-        return left, right, bottom, top
+    def sides(self, read: Callable[[float], Fraction] = Fraction) -> Sides:
+        """Return the four sides exactly."""
+        return read(self.left), read(self.right), read(self.bottom), read(self.top)
 
 
 DEFAULT_CLIP_SPACE = ClipSpace()
@@ -155,8 +147,8 @@ CENTRED = (ZERO, ZERO)  # the view axis goes through the middle of the window
 def perspective(
     half_fov_y: Angle,
     aspect: float | Fraction,
-    near: float,
-    far: float,
+    near: float | Fraction,
+    far: float | Fraction,
     clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> RationalMatrix:
     """Build the projection of a symmetric perspective view.
@@ -191,7 +183,7 @@ def perspective(
     0 0 -1 0
     """
     focal = _focal_lengths(half_fov_y, aspect)
-    return _perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
+    return perspective_rows(focal, CENTRED, perspective_depth(near, far, clip.depth), clip)
 
 
 def _focal_lengths(half_fov_y: Angle, aspect: float | Fraction) -> tuple[Fraction, Fraction]:
@@ -204,10 +196,10 @@ def _focal_lengths(half_fov_y: Angle, aspect: float | Fraction) -> tuple[Fractio
         )
     check_aspect(aspect)
     focal = half_fov_y.cosine / half_fov_y.sine
-    return focal / Fraction(aspect), focal
+    return focal / exactly(aspect), focal
 
 
-def _perspective_rows(
+def perspective_rows(
     focal: tuple[Fraction, Fraction],
     centre: tuple[Fraction, Fraction],
     depth_row: tuple[Fraction, Fraction],
@@ -225,7 +217,10 @@ def _perspective_rows(
 
 
 def frustum(
-    window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+    window: Window,
+    near: float | Fraction,
+    far: float | Fraction,
+    clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> RationalMatrix:
     """Build the projection of a perspective view through any rectangle of the near plane.
 
@@ -234,40 +229,30 @@ def frustum(
     >>> print(*frustum(Window(0, 2, -1, 1), 1.0, inf)[0])
     1 0 1 0
     """
-    return _through(
-        window.checked(), Fraction(near), perspective_depth(near, far, clip.depth), clip
-    )
+    return through(window.sides(), exactly(near), perspective_depth(near, far, clip.depth), clip)
 
 
-def perspective_through(
-    sides: Sides, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+def through(
+    sides: Sides, distance: Fraction, depth_row: tuple[Fraction, Fraction], clip: ClipSpace
 ) -> RationalMatrix:
-    """Build the projection of a perspective view through any rectangle at distance 1.
+    """Build a perspective matrix of any rectangle at a distance, and of its z row.
 
     Raises
     ------
-    IllegalValueError
-        For a near that is not positive, near > far.
     NoAnswerError
-        For near = far, and if two opposite sides coincide.
+        If two opposite sides coincide and the window encloses nothing.
 
     Examples
     --------
     >>> sides = tuple(map(Fraction, (0, 2, -1, 1)))
-    >>> perspective_through(sides, 3.0, inf) == frustum(Window(0, 6, -3, 3), 3.0, inf)
+    >>> row = perspective_depth(3.0, inf, DepthRange.MINUS_ONE_TO_ONE)
+    >>> through(sides, ONE, row, ClipSpace()) == frustum(Window(0, 6, -3, 3), 3.0, inf)
     True
     """
     _check_extent(sides)
-    return _through(sides, ONE, perspective_depth(near, far, clip.depth), clip)
-
-
-def _through(
-    sides: Sides, distance: Fraction, depth_row: tuple[Fraction, Fraction], clip: ClipSpace
-) -> RationalMatrix:
-    """Build a perspective matrix of a rectangle at a distance, and of its z row."""
     left, right, bottom, top = sides
     width, height = right - left, top - bottom
-    return _perspective_rows(
+    return perspective_rows(
         (2 * distance / width, 2 * distance / height),
         ((right + left) / width, (top + bottom) / height),
         depth_row,
@@ -308,7 +293,10 @@ def _check_extent(sides: Sides) -> None:
 
 
 def orthographic(
-    window: Window, near: float, far: float, clip: ClipSpace = DEFAULT_CLIP_SPACE
+    window: Window,
+    near: float | Fraction,
+    far: float | Fraction,
+    clip: ClipSpace = DEFAULT_CLIP_SPACE,
 ) -> RationalMatrix:
     """Build the projection of a parallel view; near may be zero or behind the camera.
 
@@ -317,8 +305,14 @@ def orthographic(
     >>> print(*orthographic(Window(-2, 2, -1, 1), -1.0, 1.0)[2])
     0 0 -1 0
     """
-    left, right, bottom, top = window.checked()
-    slope, offset = orthographic_depth(near, far, clip.depth)
+    return parallel(window.sides(), orthographic_depth(near, far, clip.depth), clip)
+
+
+def parallel(sides: Sides, depth_row: tuple[Fraction, Fraction], clip: ClipSpace) -> RationalMatrix:
+    """Build an orthographic matrix of the sides of its box, and of its z row."""
+    _check_extent(sides)
+    left, right, bottom, top = sides
+    slope, offset = depth_row
     y = clip.y_sign
     return (
         (2 / (right - left), ZERO, ZERO, -(right + left) / (right - left)),
@@ -344,27 +338,31 @@ def is_lens(rows: Sequence[Sequence[float | Fraction]]) -> bool:
     return (w[2], w[3]) == (0, 1) and bool(z[2]) and not (x[2] or y[2])
 
 
-def perspective_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
+def perspective_depth(
+    near: float | Fraction, far: float | Fraction, depth: DepthRange
+) -> tuple[Fraction, Fraction]:
     """Return a and c of the z row, so that a + c/z is `NDC_DEPTH` at z = near and at z = far.
 
     For an infinite far a is the depth there itself: the limit of the same formula.
     """
     if not near > 0:
         raise IllegalValueError(
-            f"near ({near:g})",
+            f"near ({float(near):g})",
             "a perspective view needs a near plane in front of the eye",
             f"try {quantity('near')} 0.1",
         )
     check_near_far(near, far)
     at_near, at_far = NDC_DEPTH[depth]
-    n = Fraction(near)
+    n = exactly(near)
     if far == inf:
         return Fraction(at_far), (at_near - at_far) * n
-    f = Fraction(far)
+    f = exactly(far)
     return (at_far * f - at_near * n) / (f - n), (at_near - at_far) * f * n / (f - n)
 
 
-def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Fraction, Fraction]:
+def orthographic_depth(
+    near: float | Fraction, far: float | Fraction, depth: DepthRange
+) -> tuple[Fraction, Fraction]:
     """Return a and c of the z row of a parallel view: a·z + c is `NDC_DEPTH` at near and far."""
     check_near_far(near, far)
     if far == inf:
@@ -374,21 +372,23 @@ def orthographic_depth(near: float, far: float, depth: DepthRange) -> tuple[Frac
             f"give a finite {quantity('far')}",
         )
     at_near, at_far = NDC_DEPTH[depth]
-    n, f = Fraction(near), Fraction(far)
+    n, f = exactly(near), exactly(far)
     return (at_far - at_near) / (f - n), (at_near * f - at_far * n) / (f - n)
 
 
-def check_near_far(near: float, far: float) -> None:
+def check_near_far(near: float | Fraction, far: float | Fraction) -> None:
     """Refuse near beyond far, and near at far."""
+    if far == inf:
+        return
     if near == far:
         raise NoAnswerError(
-            f"near and far ({near:g} and {far:g})",
+            f"near and far ({float(near):g} and {float(far):g})",
             "they coincide, so depth has no range",
             "move one of them",
         )
     if not near < far:
         raise IllegalValueError(
-            f"near and far ({near:g} and {far:g})",
+            f"near and far ({float(near):g} and {float(far):g})",
             "near must be the smaller one",
             f"swap them; for 1 at near and 0 at far use {quantity('depth')} reversed",
         )

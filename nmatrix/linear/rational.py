@@ -71,6 +71,11 @@ def rational_vector(values: Iterable[float | Fraction]) -> RationalVector:
     return tuple(Fraction(value) for value in values)
 
 
+def exactly(value: float | Fraction) -> Fraction:
+    """Take a float or an int as a fraction; whatever has a fraction's operators stays."""
+    return Fraction(value) if isinstance(value, int | float) else value
+
+
 def to_floats(A: RationalMatrix) -> Rows:
     """Round every entry once, to the nearest float64."""
     return tuple(tuple(nearest(entry) for entry in row) for row in A)

@@ -85,20 +85,33 @@ def looking_along(
     """Build the view matrix of a camera at `eye` that looks along `forward`."""
     if not any(up):
         raise NoAnswerError("up (0 0 0)", "it has no direction", f"try {quantity('up')} 0 1 0")
-    right, stand_in = cross(forward, up), None
-    if not any(right):
-        stand_in = _stand_in(forward)
-        right = cross(forward, stand_in)
-    upward = cross(right, forward)
-    if handed is Handedness.LEFT:
-        right, third = tuple(-x for x in right), forward
-    else:
-        third = tuple(-x for x in forward)
-    rows = [_row(axis, eye) for axis in (right, upward, third)]
+    stand_in = None if any(cross(forward, up)) else upright_for(forward)
+    rows = [_row(axis, eye) for axis in camera_axes(forward, stand_in or up, handed)]
     return LookAt((*rows, AFFINE_ROW), stand_in)
 
 
-def _stand_in(forward: RationalVector) -> RationalVector:
+def camera_axes(
+    forward: RationalVector, up: RationalVector, handed: Handedness
+) -> tuple[RationalVector, RationalVector, RationalVector]:
+    """Find the directions of the camera's own x, y and z in the world, of any length.
+
+    Examples
+    --------
+    >>> F = Fraction
+    >>> for axis in camera_axes((F(0), F(0), F(-2)), (F(0), F(1), F(0)), Handedness.RIGHT):
+    ...     print(*axis)
+    2 0 0
+    0 4 0
+    0 0 2
+    """
+    right = cross(forward, up)
+    upward = cross(right, forward)
+    if handed is Handedness.LEFT:
+        return tuple(-x for x in right), upward, forward
+    return right, upward, tuple(-x for x in forward)
+
+
+def upright_for(forward: RationalVector) -> RationalVector:
     """Choose z or y, whichever is less aligned with the view, in the sense that puts +x right."""
     axis = min((2, 1), key=lambda i: abs(forward[i]))
     upright = tuple(Fraction(int(i == axis)) for i in range(3))

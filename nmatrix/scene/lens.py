@@ -20,11 +20,14 @@ from nmatrix.linear.measured_lens import (
     HorizontalField,
     Intrinsics,
     MeasuredLens,
+    Read,
     SideAngles,
+    Turn,
     check_field,
     sides_at_distance_one,
 )
 from nmatrix.linear.projection import (
+    CENTRED,
     CLIP_PARTS,
     DEFAULT_CLIP_SPACE,
     ClipSpace,
@@ -33,12 +36,14 @@ from nmatrix.linear.projection import (
     check_aspect,
     clip_space,
     clip_space_over,
-    frustum,
-    orthographic,
+    orthographic_depth,
+    parallel,
     perspective,
-    perspective_through,
+    perspective_depth,
+    perspective_rows,
+    through,
 )
-from nmatrix.linear.rational import RationalMatrix, rounded_for_display
+from nmatrix.linear.rational import ONE, RationalMatrix, exactly, rounded_for_display
 from nmatrix.linear.values import listed, named, read_fields, real, refuse_beside, refused, vector
 from nmatrix.linear.viewport import Viewport, read_viewport
 from nmatrix.reading.arrays import read_projection
@@ -206,17 +211,31 @@ class Lens:
         >>> print(*Lens(near=1, far=7).exact[2])
         0 0 -4/3 -7/3
         """
+        return self.exact_by(Angle.degrees, exactly)
+
+    def exact_by(self, turn: Turn, read: Read) -> RationalMatrix:
+        """Build the projection of numbers as `read` takes them and degrees turned by `turn`."""
         if self.matrix is not None:
             return self.matrix
+        near, far = read(self.near), self.far if self.far == inf else read(self.far)
         if self.ortho is not None:
-            return orthographic(self.ortho, self.near, self.far, self.clip)
+            depth_row = orthographic_depth(near, far, self.clip.depth)
+            return parallel(self.ortho.sides(read), depth_row, self.clip)
+        depth_row = perspective_depth(near, far, self.clip.depth)
         if self.frustum is not None:
-            return frustum(self.frustum, self.near, self.far, self.clip)
-        if self.measured_sides is not None:
-            return perspective_through(self.measured_sides, self.near, self.far, self.clip)
+            return through(self.frustum.sides(read), near, depth_row, self.clip)
+        aspect = read(self.aspect_ratio)
+        if isinstance(self.measured, HorizontalField):
+            check_aspect(aspect)
+            half = turn(read(self.measured.degrees) / 2)
+            focal = half.cosine / half.sine
+            return perspective_rows((focal, focal * aspect), CENTRED, depth_row, self.clip)
+        if self.measured is not None:
+            check_aspect(aspect)
+            sides = sides_at_distance_one(self.measured, aspect, self.viewport, turn, read)
+            return through(sides, ONE, depth_row, self.clip)
         check_field(self.fov_degrees, "fov", "vertical")
-        half = Angle.degrees(Fraction(self.fov_degrees) / 2)
-        return perspective(half, self.aspect_ratio, self.near, self.far, self.clip)
+        return perspective(turn(read(self.fov_degrees) / 2), aspect, near, far, self.clip)
 
     @property
     def aspect_ratio(self) -> float | Fraction:

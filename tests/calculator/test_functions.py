@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from fractions import Fraction
 from math import acos, degrees, isclose
 
 import mpmath
 import pytest
 
-from nmatrix.calculator import evaluate, functions, numbers
+from nmatrix.calculator import evaluate, numbers
 from nmatrix.calculator.evaluate import calculate
+from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.numbers import shown
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
@@ -76,9 +78,7 @@ def test_matrices_agree_with_sympy_to_the_last_fraction(expression, size):
 
 
 def test_the_oracle_notices_a_wrong_rule(monkeypatch):
-    wrong = functions.Function(
-        functions.FUNCTIONS["cofactor"].takes, "", functions.FUNCTIONS["adjugate"].compute
-    )
+    wrong = replace(FUNCTIONS["cofactor"], compute=FUNCTIONS["adjugate"].compute)
     monkeypatch.setitem(evaluate.FUNCTIONS, "cofactor", wrong)
     with pytest.raises(AssertionError):
         test_matrices_agree_with_sympy_to_the_last_fraction("cofactor(A)", 3)
@@ -138,18 +138,39 @@ def test_other_angles_are_those_of_the_definition_and_not_exact():
     assert isclose(float(found.shown), degrees(acos(13 / (14 * 26) ** 0.5)), rel_tol=1e-14)
 
 
-def test_what_is_irrational_is_never_called_exact():
-    for expression in (
-        "length([1, 1])",
-        "normalize([1, 1, 1])",
-        "rotate_z(30)",
-        "2 * length([1, 1])",
-        "inverse(rotate_x(45))",
-        "[length([1, 1]), 1]",
-        "point(normalize([1, 1, 1]))",
-        "angle([1, 0, 0], normalize([1, 1, 0]))",
-    ):
-        assert not calculate(expression, {}).value.exact, expression
+@pytest.mark.parametrize(
+    ("expression", "wanted"),
+    [
+        ("length([1, 1])", "√2"),
+        ("normalize([1, 1, 1])", "[√3/3, √3/3, √3/3]"),
+        ("linear(rotate_z(30))", "[√3/2 -1/2 0; 1/2 √3/2 0; 0 0 1]"),
+        ("inverse(linear(rotate_x(45)))", "[1 0 0; 0 √2/2 √2/2; 0 -√2/2 √2/2]"),
+        ("point(normalize([1, 1, 1]))", "[√3/3, √3/3, √3/3, 1]"),
+        ("angle([1, 0, 0], normalize([1, 1, 0]))", "45"),
+        ("sin(pi/3)", "√3/2"),
+    ],
+)
+def test_roots_of_rationals_are_exact(expression, wanted):
+    assert calculate(expression, {}).value.exact
+    assert calculate(f"{expression} == {wanted}", {}).value.entries is True
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "rotate_z(20)",
+        "2 * sin(1)",
+        "inverse(rotate_x(44))",
+        "[cos(33), 1]",
+        "sqrt(1 + √2)",
+        "acos(1/3)",
+        "pi",
+        "normalize([sin(20), 1])",
+        "perspective(50, 1, 1, 2)",
+    ],
+)
+def test_what_is_known_to_some_digits_only_is_never_called_exact(expression):
+    assert not calculate(expression, {}).value.exact
 
 
 def test_irrational_values_round_to_the_nearest_float_however_long_the_chain():
@@ -162,7 +183,7 @@ def test_irrational_values_round_to_the_nearest_float_however_long_the_chain():
 
 def test_long_chains_do_not_grow(monkeypatch):
     """Without ends that are rounded outwards every normalisation multiplies their length."""
-    chain = "normalize(" * 12 + "[1, 2, 4]" + ")" * 12
+    chain = "normalize(" * 12 + "[sin(20), 2, 4]" + ")" * 12
     assert max(map(numbers.bits_of, calculate(chain, {}).value.numbers)) <= 320
     monkeypatch.setattr(numbers, "enclosed", numbers.Interval)
     with pytest.raises(IllegalValueError, match="bits"):

@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
-from math import atan2, cos, degrees, inf, radians, sin, sqrt
+from math import atan2, cos, degrees, inf, isclose, radians, sin, sqrt
 
 import mpmath
 import pytest
 
 from nmatrix.calculator.answer import OVERFLOWED, report
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.numbers import Interval, angle, degrees_of, enclosed, root, shown
+from nmatrix.calculator.numbers import Interval, angle, bounds, degrees_of, enclosed, root, shown
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.rational import rational_matrix, rational_vector
 from nmatrix.output.write import OutputOptions, write
 
 ROOT_2 = "length([1,1])"
-ZERO = f"({ROOT_2}*{ROOT_2}-2)"
 TINY = f"(99-70*{ROOT_2})"  # 0.005; its powers are as small as one likes, and none is 0
-SINGULAR = f"[[{ROOT_2},2],[1,{ROOT_2}]]"
+NOTHING = f"({ROOT_2}*{ROOT_2}-2)"  # roots are exact, and it is known to be 0
+ROOTS = f"[[{ROOT_2},2],[1,{ROOT_2}]]"  # of rank 1
+ZERO = "(sin(20)*sin(20)+cos(20)*cos(20)-1)"  # which no digits tell
+SINGULAR = "[[sin(20),cos(20)],[2*sin(20),cos(20)*2]]"
 DIGITS = 150  # of the oracle: the intervals know 85 at most
 
 
@@ -196,6 +198,18 @@ def test_what_is_decided_by_known_digits_is_exact(expression, wanted):
     assert (found.exact, found.entries) == (True, wanted)
 
 
+@pytest.mark.parametrize(
+    "expression",
+    [f"inverse({ROOTS})", f"1/{NOTHING}", f"normalize([{NOTHING},0,0])", f"tan(90+{NOTHING})"],
+)
+def test_what_roots_make_zero_is_known_to_be_zero(expression):
+    with pytest.raises(NoAnswerError) as refused:
+        calculate(expression, {})
+    assert "more is not known" not in str(refused.value)
+    assert calculate(f"rank({ROOTS})", {}).value.entries == 1
+    assert calculate(f"det({ROOTS}) == {NOTHING}", {}).value.entries is True
+
+
 def test_what_is_small_and_known_is_no_zero():
     power = "*".join([TINY] * 20)
     assert calculate(power, {}).value.shown < Fraction(1, 10**45)
@@ -207,11 +221,16 @@ def test_the_remark_tells_how_much_is_known():
     def remarks(expression):
         return " ".join(report(calculate(expression, {}), with_steps=False).remarks)
 
-    assert "85 digits are known" in remarks(ROOT_2)
+    # cos 20° = 0.94 is known to 2⁻¹³⁰ of itself on either side: 1.4e-39.
     assert "38 digits are known" in remarks("rotate_z(20)")
-    assert "shown as 0 is within 1.4e-84 of it" in remarks(ZERO)
-    assert report(calculate(ZERO, {}), with_steps=False).data["value"] == 0
-    assert remarks(f"[1, {ROOT_2}, {ZERO}]").count("known") == 1
+    assert remarks(f"[1, {ROOT_2}, sin(20), cos(20)]").count("known") == 1
+
+
+@pytest.mark.parametrize("expression", [ZERO, f"[1, {ZERO}]", f"identity(2) * {ZERO}"])
+def test_what_cancels_to_less_than_its_digits_is_refused_and_never_printed(expression):
+    found = calculate(expression, {})
+    with pytest.raises(NoAnswerError, match=r"within .* of 0, and no digit of it is known"):
+        report(found, with_steps=False)
 
 
 def test_a_world_that_is_turned_is_as_known_as_a_rotation_of_the_calculator():
@@ -224,8 +243,105 @@ def test_a_world_that_is_turned_is_as_known_as_a_rotation_of_the_calculator():
     built = "translate(1,2,3) @ rotate_x(20) @ rotate_y(30) @ scale(2,1,1)"
     assert calculate("det(M)", names).value.shown == 2
     difference = calculate(f"M - {built}", names).value
-    assert difference.shown == ((0, 0, 0, 0),) * 4
+    for one in difference.numbers:
+        low, high = bounds(one)
+        assert low <= 0 <= high
+        assert high - low < Fraction(1, 10**36)
     assert difference.matrix[0][3] == 0
+
+
+def test_nested_roots_are_exact_where_they_are_sums_of_roots():
+    for inside, outside in (
+        ("2 + √3", "(√6 + √2)/2"),
+        ("2 - √3", "(√6 - √2)/2"),
+        ("(3 + √5)/2", "(1 + √5)/2"),
+        ("5 + 2√6", "√2 + √3"),
+        ("11 - 6√2", "3 - √2"),
+    ):
+        assert calculate(f"sqrt({inside}) == {outside}", {}).value.entries is True
+    for other in ("2 + √2", "1 + √2", "√2", "1 + √2 + √3"):
+        (found,) = calculate(f"sqrt({other})", {}).value.numbers
+        assert isinstance(found, Interval)
+        (square,) = calculate(f"sqrt({other})*sqrt({other}) - ({other})", {}).value.numbers
+        low, high = bounds(square)
+        assert low <= 0 <= high
+        assert high - low < Fraction(1, 10**80)
+
+
+@pytest.mark.parametrize("degrees", [Fraction(n, 2) for n in range(-359, 361)])
+def test_angles_of_exact_directions_are_exact_where_they_are_rational(degrees):
+    """Multiples of 15° and of 18° (for their sines), and halves of what has an exact cosine."""
+    sine, cosine = angle(degrees).sine, angle(degrees).cosine
+    if isinstance(sine, Interval) or isinstance(cosine, Interval):
+        with mpmath.workdps(60):
+            radians_ = mpmath.radians(mpmath.mpf(degrees.numerator) / degrees.denominator)
+            right = Fraction(mpmath.nstr(mpmath.sin(radians_), 55))
+            low, high = bounds(sine)
+        assert low - Fraction(1, 10**50) <= right <= high + Fraction(1, 10**50)
+        return
+    assert degrees % 15 == 0
+    assert degrees_of(sine, cosine) == degrees
+    assert degrees_of(3 * sine, 3 * cosine) == degrees
+    assert isclose(float(sine), sin(radians(degrees)), abs_tol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("expression", "wanted"),
+    [
+        ("asin((√5 - 1)/4)", 18),
+        ("acos((√5 - 1)/4)", 72),
+        ("acos(-(√5 + 1)/4)", 144),
+        ("asin(-(√6 + √2)/4)", -75),
+        ("atan(√2 - 1)", Fraction(45, 2)),
+        ("atan(2 - √3)", 15),
+        ("atan2(0, -1)", 180),
+        ("atan2(-1, 0)", -90),
+        ("atan2(-√3, -1)", -120),
+        ("acos(0)", 90),
+        ("asin(-1)", -90),
+        ("angle([1, 0], [-1, 0])", 180),
+    ],
+)
+def test_inverse_functions_give_exact_degrees(expression, wanted):
+    assert calculate(expression, {}).value.entries == wanted
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_inverse_functions_hold_the_true_angles_in_every_quadrant(seed):
+    chance = random.Random(seed)
+    for _ in range(30):
+        x, y = (Fraction(chance.randint(-99, 99), chance.randint(1, 9) * 10) for _ in range(2))
+        names = {"x": Value(x), "y": Value(y)}
+        with mpmath.workdps(60):
+            a, b = (mpmath.mpf(one.numerator) / one.denominator for one in (x, y))
+            wanted = {"atan(x)": mpmath.atan(a)}
+            if x or y:
+                wanted["atan2(y, x)"] = mpmath.atan2(b, a)
+            if abs(x) < 1:
+                wanted |= {"asin(x)": mpmath.asin(a), "acos(x)": mpmath.acos(a)}
+            for expression, right in wanted.items():
+                low, high = bounds(calculate(expression, names).value.scalar)
+                near = Fraction(mpmath.nstr(mpmath.degrees(right), 55))
+                assert low - Fraction(1, 10**48) <= near <= high + Fraction(1, 10**48)
+                assert high - low < Fraction(1, 10**35)
+
+
+@pytest.mark.parametrize(
+    "expression", [f"atan2({ZERO}, -1)", f"atan2({ZERO}, {ZERO})", f"min(1, 2) / {ZERO}"]
+)
+def test_an_angle_that_may_be_a_half_turn_to_either_side_is_refused(expression):
+    with pytest.raises(NoAnswerError, match="more is not known"):
+        calculate(expression, {})
+
+
+def test_the_least_of_bounds_is_between_bounds():
+    for one, other in (("sin(20)", "sin(20)+1e-60"), ("sin(20)", "√2"), ("pi", "3"), ("pi", "√10")):
+        for name, choose in (("min", min), ("max", max)):
+            found = bounds(calculate(f"{name}({one}, {other})", {}).value.scalar)
+            a, b = (bounds(calculate(x, {}).value.scalar) for x in (one, other))
+            assert found[0] <= choose(a[0], b[0])
+            assert found[1] >= choose(a[1], b[1])
+            assert found[1] - found[0] < Fraction(1, 10**37)
 
 
 # Plain programs over floats, written as one writes them.

@@ -1,22 +1,30 @@
-"""Functions of matrices: what undoes one, its determinant and cofactors, its rank, its parts."""
+"""Functions of matrices: what undoes one, its determinant and cofactors, its parts, its powers."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
 
+from nmatrix.calculator.functions.elimination import determinant
 from nmatrix.calculator.functions.function import (
     Function,
+    NoAnswerForArgumentError,
+    Parameter,
     matrix,
+    require_map,
     require_size,
     require_square,
     scalar,
+    vector,
+    whole,
 )
-from nmatrix.calculator.numbers import is_zero, size
-from nmatrix.calculator.values import LARGEST, Value
-from nmatrix.errors import IllegalValueError
+from nmatrix.calculator.numbers import Float64, is_zero
+from nmatrix.calculator.operators import power
+from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix, RationalVector
+
+HIGHEST = 9999  # power, as after ^
 
 
 def _of_square(
@@ -40,32 +48,78 @@ def _of_affine(
 
 
 def _identity(n: Value) -> Value:
-    sizes = {Fraction(n): n for n in range(2, LARGEST + 1)}
-    if n.scalar not in sizes:
-        raise IllegalValueError("its size", f"it is 2 to {LARGEST}", "write identity(4)")
-    return Value(rational.identity(sizes[n.scalar]))
+    return Value(rational.identity(whole(n, LARGEST, "the size", least=1)))
+
+
+def cofactors(A: RationalMatrix) -> RationalMatrix:
+    """Compute the cofactor matrix of any size."""
+    if len(A) <= 4:
+        return rational.cofactor_matrix(A)
+    places = range(len(A))
+    minors = [[determinant(rational.minor(A, i, j)) for j in places] for i in places]
+    return tuple(tuple((-1) ** (i + j) * minors[i][j] for j in places) for i in places)
+
+
+def inverted(A: Value) -> RationalMatrix:
+    """Invert a square matrix: the adjugate over the determinant.
+
+    Raises
+    ------
+    NoAnswerError
+        If it is singular.
+    """
+    require_square(A)
+    if rational.is_affine(A.matrix):
+        block = inverted(Value(rational.linear_part(A.matrix)))
+        offset = rational.apply(block, rational.translation(A.matrix))
+        return rational.affine_matrix(block, tuple(-entry for entry in offset))
+    over = determinant(A.matrix)
+    if is_zero(over):
+        raise NoAnswerForArgumentError(
+            A,
+            "a singular matrix (determinant 0)",
+            "it flattens space, so nothing undoes it",
+            "ask for the cofactor matrix, which always exists",
+        )
+    return rational.scaled(rational.transpose(cofactors(A.matrix)), 1 / over)
+
+
+def _power(base: Value, exponent: Value) -> Value:
+    is_float = any(isinstance(x, Float64) for x in base.numbers)
+    arithmetic = Arithmetic.FLOAT if is_float else Arithmetic.EXACT
+    k = whole(exponent, HIGHEST, "the exponent")
+    if base.kind is ValueKind.MATRIX and k < 0:
+        base = Value(inverted(base))
+    return power(base, k, arithmetic)
+
+
+def block_of(M: Value) -> Value:
+    """Take the 3×3 block of a 4×4 matrix, or the 3×3 matrix that it is."""
+    require_map(M)
+    return Value(rational.linear_part(M.matrix))
+
+
+def _normal_matrix(M: Value) -> Value:
+    block = block_of(M)
+    if is_zero(determinant(block.matrix)):
+        why = "its determinant is 0, so it has no inverse transpose"
+        step = "use the cofactor matrix, which exists for every matrix"
+        raise NoAnswerForArgumentError(M, "a singular 3×3 block", why, step)
+    return Value(rational.transpose(inverted(block)))
+
+
+def _transform_plane(M: Value, plane: Value) -> Value:
+    require_size(M, 4, "a 4×4 matrix")
+    require_square(M)
+    require_size(plane, 4, "a plane a, b, c, d of a x + b y + c z + d = 0")
+    if all(map(is_zero, plane.vector[:3])):
+        why = "its a, b, c are 0: no direction stands on it"
+        raise NoAnswerForArgumentError(plane, "no plane", why, "give it a normal a, b, c")
+    return Value(rational.apply(rational.transpose(inverted(M)), plane.vector))
 
 
 def _trace_of(A: RationalMatrix) -> Fraction:
     return sum((A[i][i] for i in range(1, len(A))), A[0][0])
-
-
-def _rank(A: Value) -> Value:
-    """Count the rows that elimination leaves, the largest pivot of each column first."""
-    rows = [list(row) for row in A.matrix]
-    found = 0
-    for column in range(len(rows[0])):
-        left = range(found, len(rows))
-        pivot = max(left, key=lambda i: size(rows[i][column]), default=None)
-        if pivot is None or is_zero(rows[pivot][column]):
-            continue
-        rows[found], rows[pivot] = rows[pivot], rows[found]
-        head = rows[found]
-        for i in range(found + 1, len(rows)):
-            factor = rows[i][column] / head[column]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], head, strict=True)]
-        found += 1
-    return Value(Fraction(found))
 
 
 FUNCTIONS: dict[str, Function] = {
@@ -75,7 +129,8 @@ FUNCTIONS: dict[str, Function] = {
         "the adjugate over the determinant",
         "A⁻¹ = adj(A) / det(A)",
         "inverse([2 1; 1 1])",
-        _of_square(rational.inverse),
+        "[1 -1; -1 2]",
+        lambda A: Value(inverted(A)),
     ),
     "transpose": Function(
         (matrix(),),
@@ -83,6 +138,7 @@ FUNCTIONS: dict[str, Function] = {
         "rows become columns",
         "(Aᵀ)ᵢⱼ = Aⱼᵢ",
         "transpose([1 2; 3 4])",
+        "[1 3; 2 4]",
         lambda A: Value(rational.transpose(A.matrix)),
     ),
     "inverse_transpose": Function(
@@ -91,7 +147,8 @@ FUNCTIONS: dict[str, Function] = {
         "the cofactors over the determinant",
         "A⁻ᵀ = C / det(A)",
         "inverse_transpose([1 0 0; 0 2 0; 0 0 1])",
-        _of_square(rational.inverse_transpose),
+        "[1 0 0; 0 1/2 0; 0 0 1]",
+        lambda A: Value(rational.transpose(inverted(A))),
     ),
     "cofactor": Function(
         (matrix(),),
@@ -99,7 +156,8 @@ FUNCTIONS: dict[str, Function] = {
         "each entry is a signed determinant of what is left",
         "Cᵢⱼ = (−1)ⁱ⁺ʲ det(A without row i and column j)",
         "cofactor([1 0 0; 0 2 0; 0 0 1])",
-        _of_square(rational.cofactor_matrix),
+        "[2 0 0; 0 1 0; 0 0 2]",
+        _of_square(cofactors),
     ),
     "adjugate": Function(
         (matrix(),),
@@ -107,7 +165,8 @@ FUNCTIONS: dict[str, Function] = {
         "the cofactors, transposed",
         "adj(A) = Cᵀ = det(A) A⁻¹",
         "adjugate([2 1; 1 1])",
-        _of_square(rational.adjugate),
+        "[1 -1; -1 2]",
+        _of_square(lambda A: rational.transpose(cofactors(A))),
     ),
     "det": Function(
         (matrix(),),
@@ -115,15 +174,8 @@ FUNCTIONS: dict[str, Function] = {
         "a row times its cofactors",
         "det(A) = A₁₁C₁₁ + A₁₂C₁₂ + …",
         "det([2 1; 1 3])",
-        _of_square(rational.determinant),
-    ),
-    "rank": Function(
-        (matrix(),),
-        "the number of independent rows",
-        "rows left after elimination",
-        "rank(A) = number of pivots",
-        "rank([1 2; 2 4])",
-        _rank,
+        "5",
+        _of_square(determinant),
     ),
     "trace": Function(
         (matrix(),),
@@ -131,6 +183,7 @@ FUNCTIONS: dict[str, Function] = {
         "the sum of the diagonal",
         "tr(A) = A₁₁ + A₂₂ + …",
         "trace([2 1; 1 3])",
+        "5",
         _of_square(_trace_of),
     ),
     "linear": Function(
@@ -139,6 +192,7 @@ FUNCTIONS: dict[str, Function] = {
         "the 3×3 block",
         "A of M = [A t; 0 1]",
         "linear(translate(1, 2, 3))",
+        "identity(3)",
         _of_affine(rational.linear_part),
     ),
     "translation": Function(
@@ -147,6 +201,7 @@ FUNCTIONS: dict[str, Function] = {
         "the last column",
         "t of M = [A t; 0 1]",
         "translation(translate(1, 2, 3))",
+        "[1, 2, 3]",
         _of_affine(rational.translation),
     ),
     "identity": Function(
@@ -155,6 +210,34 @@ FUNCTIONS: dict[str, Function] = {
         "ones on the diagonal",
         "I v = v",
         "identity(3)",
+        "[1 0 0; 0 1 0; 0 0 1]",
         _identity,
+    ),
+    "power": Function(
+        (Parameter("A", (ValueKind.MATRIX, ValueKind.SCALAR)), scalar("k")),
+        "a square matrix, or a number, multiplied so many times with itself; below 0 its inverse",
+        "multiplied by itself",
+        "Aᵏ = A A … A",
+        "power([1 1; 0 1], 5)",
+        "[1 5; 0 1]",
+        _power,
+    ),
+    "normal_matrix": Function(
+        (matrix("M"),),
+        "the 3×3 matrix that carries normals where M carries points",
+        "the inverse transpose of the 3×3 block",
+        "N = A⁻ᵀ, where M = [A t; 0 1]",
+        "normal_matrix(scale(1, 2, 1))",
+        "[1 0 0; 0 1/2 0; 0 0 1]",
+        _normal_matrix,
+    ),
+    "transform_plane": Function(
+        (matrix("M"), vector("plane")),
+        "the plane a x + b y + c z + d = 0, as a, b, c, d, where M has moved it",
+        "a plane is a covector: it moves by the inverse transpose",
+        "π′ = M⁻ᵀ π, so that π′ · (M p) = π · p",
+        "transform_plane(translate(0, 5, 0), [0, 1, 0, -2])",
+        "[0, 1, 0, -7]",
+        _transform_plane,
     ),
 }

@@ -9,17 +9,16 @@ from nmatrix.calculator.functions.function import (
     Argument,
     Function,
     Parameter,
-    matrix,
     require_size,
-    require_square,
     vector,
 )
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
-from nmatrix.linear import rational
 
 ANYTHING = tuple(kind for kind in ValueKind if kind is not ValueKind.TRUTH)
-SPACE = Parameter("space", is_optional=True, words=f"a space ({', '.join(Frame)})")
+SPACE = Parameter(
+    "space", is_optional=True, words=f"a space ({', '.join(Frame)})", choices=tuple(Frame)
+)
 
 
 def _with_w(w: int) -> Callable[..., Value]:
@@ -42,12 +41,6 @@ def _three(v: Value, _space: Argument | None) -> Value:
     return Value(v.vector)
 
 
-def _normal_matrix(A: Value) -> Value:
-    require_square(A)
-    block = rational.linear_part(A.matrix) if len(A.matrix) == 4 else A.matrix
-    return Value(rational.inverse_transpose(block))
-
-
 FUNCTIONS: dict[str, Function] = {
     "point": Function(
         parameters=(vector(), SPACE),
@@ -55,6 +48,7 @@ FUNCTIONS: dict[str, Function] = {
         rule="w = 1: points move with the translation",
         formula="(x, y, z) → (x, y, z, 1)",
         example="point([1, 2, 3], object)",
+        result="[1, 2, 3]",
         compute=_with_w(1),
     ),
     "direction": Function(
@@ -63,6 +57,7 @@ FUNCTIONS: dict[str, Function] = {
         rule="w = 0: directions do not move with the translation",
         formula="M (x, y, z, 0) = A (x, y, z)",
         example="direction([0, -1, 0], world)",
+        result="[0, -1, 0]",
         compute=_three,
     ),
     "normal": Function(
@@ -71,6 +66,7 @@ FUNCTIONS: dict[str, Function] = {
         rule="normals move by the inverse transpose",
         formula="n′ = A⁻ᵀ n",
         example="normal([0, 1, 0], object)",
+        result="[0, 1, 0]",
         compute=_three,
     ),
     "vector": Function(
@@ -79,6 +75,7 @@ FUNCTIONS: dict[str, Function] = {
         rule="w = 0: vectors do not",
         formula="(x, y, z) → (x, y, z, 0)",
         example="vector([1, 2, 3])",
+        result="[1, 2, 3, 0]",
         compute=_with_w(0),
     ),
     "untyped": Function(
@@ -86,15 +83,8 @@ FUNCTIONS: dict[str, Function] = {
         does="the numbers of a value, whose space and kind are forgotten",
         rule="only its numbers are kept",
         formula="x",
-        example="untyped(V) @ P",
+        example="untyped(direction([0, 0, 1], world))",
+        result="[0, 0, 1]",
         compute=lambda x: Value(x.entries),
-    ),
-    "normal_matrix": Function(
-        parameters=(matrix(),),
-        does="the 3×3 matrix that carries normals where A carries points",
-        rule="the block, inverted and transposed",
-        formula="N = (A⁻¹)ᵀ",
-        example="normal_matrix(scale(1, 2, 1))",
-        compute=_normal_matrix,
     ),
 }
