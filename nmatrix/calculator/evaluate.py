@@ -262,7 +262,8 @@ class _Evaluation:
     def _part(self, node: Node, operands: Sequence[Operand]) -> Part:
         """Take the part of the expression that a refusal is about: of products the whole chain."""
         if not (isinstance(node, Infix) and node.sign == "@"):
-            return Part(self._typed(node), node.start, tuple(operands))
+            written = sorted({one.start: one for one in operands if one.start is not None}.items())
+            return Part(self._typed(node), node.start, tuple(one for _, one in written))
         whole = self.products.get(id(node), node)
         factors: list[Node] = [whole]
         while isinstance(factors[0], Infix) and factors[0].sign == "@":

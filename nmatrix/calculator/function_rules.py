@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 
 from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Carries, Kind, Located, Map, Meaning
-from nmatrix.calculator.numbers import is_zero
+from nmatrix.calculator.numbers import is_zero, shown
 from nmatrix.calculator.operands import (
     UNDIVIDED,
     Operand,
@@ -15,7 +16,7 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
-from nmatrix.calculator.rules import PROJECTED, mirrors, orthonormal
+from nmatrix.calculator.rules import PROJECTED, mirrors, orthonormal, raised
 from nmatrix.calculator.rules import meaning_of as meaning_of_operator
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen
@@ -70,6 +71,17 @@ def _transposed(arguments: Sequence[Given]) -> Meaning | None:
     if found.carries is not Carries.FLIPPED and orthonormal(A.value.matrix):
         return Map(found.source, found.to, Carries.ALL)
     return found.transpose
+
+
+def _raised(arguments: Sequence[Given]) -> Meaning | None:
+    """Multiply a map with itself: it must lead back into its own space."""
+    A, k = _values(arguments)
+    times = A.value.meaning
+    exponent = shown(k.value.scalar)
+    if not isinstance(times, Map) or not isinstance(exponent, Fraction):
+        return times
+    found = raised(A, abs(int(exponent)))
+    return found.inverse if exponent < 0 and isinstance(found, Map) else found
 
 
 def _cofactors(arguments: Sequence[Given]) -> Meaning | None:
@@ -254,7 +266,6 @@ RULES: dict[str, FunctionRule] = {
     "normalize": _normalised,
     "cross": _crossed,
     "reflect": _reflected,
-    "refract": _reflected,
     "lerp": _alike,
     "slerp": _alike,
     "min": _alike,
@@ -267,14 +278,15 @@ RULES: dict[str, FunctionRule] = {
     **dict.fromkeys(("perspective", "frustum", "ortho"), _always(SCENE["P"])),
     "viewport": _always(Map(Frame.WINDOW, Frame.NDC)),
     **dict.fromkeys(("rotate_x", "rotate_y", "rotate_z", "axis_angle"), _always(_RIGID)),
-    "translate": _always(_RIGID),
+    **dict.fromkeys(("quaternion", "translate"), _always(_RIGID)),
+    "power": _raised,
     **dict.fromkeys(("scale", "shear"), _always(Map())),
     **dict.fromkeys(
         (
             "det", "rank", "trace", "identity", "length", "dot", "angle", "outer", "cross_matrix",
-            "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pow", "depth_of",
+            "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "norm", "depth_of",
             "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
-            "polar", "power", "quaternion", "quaternion_of", "euler",
+            "polar", "quaternion_of", "euler",
         ),
         _nothing,
     ),

@@ -31,9 +31,10 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
+from nmatrix.errors import NMatrixError
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix
@@ -156,7 +157,7 @@ def _scaled(a: Operand, number: Operand) -> Meaning | None:
 def _is_below_0(number: Number) -> bool:
     try:
         return is_negative(number)
-    except NoAnswerError:
+    except NMatrixError:  # too little is known
         return False
 
 
@@ -465,10 +466,14 @@ def orthonormal(A: RationalMatrix) -> bool:
     product = rational.product(_enclosed(A), rational.transpose(_enclosed(A)))
     one = rational.identity(len(A))
     return all(
-        size(x - y) <= ROUNDING
+        _vanishes(x - y)
         for row, other in zip(product, one, strict=True)
         for x, y in zip(row, other, strict=True)
     )
+
+
+def _vanishes(x: Number) -> bool:
+    return x == 0 if isinstance(x, Symbolic) else size(x) <= ROUNDING
 
 
 def mirrors(A: RationalMatrix) -> bool:
@@ -494,6 +499,6 @@ def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatri
         if is_zero(sine) and is_zero(cosine):
             return ""  # one of the two vanishes
         degrees = shown(degrees_of(sine, cosine))
-    except (NoAnswerError, TooManyRootsError):
+    except (NMatrixError, TooManyRootsError):  # too little is known
         return ""
     return f": {short_text(Fraction(float(degrees)), 4)}° off here"
