@@ -182,7 +182,7 @@ def _made(kind: Kind) -> FunctionRule:
             raise undivided(v)
         if named and v.space and named is not v.space:
             why = f"{v.name} is in {v.space} space already, and {named} is asked for"
-            wanted = Operand(Value(v.value.entries, Located(named, kind)), "")
+            wanted = Operand(Value(v.value.entries, Located(named, kind)))
             raise RefusedError(why, apart=(v, wanted))
         refused = _UNMADE.get((kind, v.sort))
         if refused is not None:
@@ -217,7 +217,7 @@ def _divided(arguments: Sequence[Given]) -> Meaning | None:
         return None
     if p.space not in (None, Frame.CLIP, Frame.NDC):
         why = f"{p.name} is in {p.space} space, and project divides a point of clip space"
-        wanted = Operand(Value(p.value.entries, UNDIVIDED), "")
+        wanted = Operand(Value(p.value.entries, UNDIVIDED))
         raise RefusedError(why, apart=(p, wanted))
     return Located(Frame.NDC, Kind.POINT)
 
@@ -225,11 +225,10 @@ def _divided(arguments: Sequence[Given]) -> Meaning | None:
 def _unprojected(arguments: Sequence[Given]) -> Meaning | None:
     """Go from the window back to where the matrix starts."""
     window, led, *_ = _values(arguments)
-    if not window.is_undivided:
-        together(
-            window,
-            Operand(Value(window.value.entries, Located(Frame.WINDOW, Kind.POINT)), "unproject"),
-        )
+    if window.space not in (None, Frame.WINDOW):
+        why = f"{window.name} is in {window.space} space, and unproject begins in window space"
+        wanted = Operand(Value(window.value.entries, Located(Frame.WINDOW, Kind.POINT)))
+        raise RefusedError(why, apart=(window, wanted))
     source = led.map.source
     return Located(source, Kind.POINT) if source else None
 

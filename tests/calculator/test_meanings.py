@@ -561,7 +561,7 @@ def test_functions_say_what_their_results_are(function, arguments, meaning):
     [
         ("look_at", ["eye", "p"], "eye is in world space, p in object space"),
         ("project", ["L"], "L is in world space, and project divides"),
-        ("unproject", ["L", "P @ V"], "L is in world space, "),
+        ("unproject", ["L", "P @ V"], "L is in world space, and unproject begins in window space"),
         ("lerp", ["p", "t", "1/2"], "p is a point, t a direction"),
         ("lerp", ["L", "p", "1/2"], "L is in world space, p in object space"),
         ("reflect", ["V @ l", "m"], "V @ l is in camera space, m in world space"),
@@ -611,7 +611,7 @@ def test_many_roots_are_no_hindrance():
 
 def test_letters_are_carried_and_refused_as_numbers_are():
     assert str(calculate("V @ M @ point([a, b, c], object)", NAMES).value.meaning) == "camera point"
-    assert str(calculate("linear(rotate_z(t))^T @ l", NAMES).value.meaning) == "direction"
+    assert str(calculate("linear(rotate_z(s))^T @ l", NAMES).value.meaning) == "direction"
     assert "not carried by scale(a, b, c); write " in str(refusal("scale(a, b, c) @ n"))
 
 
