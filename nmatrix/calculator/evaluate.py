@@ -15,7 +15,7 @@ from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueErro
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.function import Argument, Function, Parameter
 from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
+from nmatrix.calculator.homogeneous import settled, understood, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import PiMultiple, shown
@@ -216,6 +216,8 @@ class _Evaluation:
         if node.sign == "@" and isinstance(node.left, Infix):
             self.products[id(node.left)] = self.products.get(id(node), node)
         a, b = self.value_of(node.left), self.value_of(node.right)
+        if node.sign in rules.ENTRY_BY_ENTRY:
+            a, b = understood(a, b), understood(b, a)
         operands = self._operand(node.left, a), self._operand(node.right, b)
         found = partial(rules.meaning_of, node.sign, *operands)
         meaning = self._meaning(node, node.sign, found, operands)
@@ -227,7 +229,6 @@ class _Evaluation:
 
     def _comparison(self, node: Infix, operands: tuple[Operand, Operand]) -> Value:
         a, b = (one.value for one in operands)
-        a, b = as_long_as(a, b), as_long_as(b, a)
         told = rules.different_ways(*operands)
         self.remarks += [told] if told and not self.untyped else []
         if node.sign == "==":

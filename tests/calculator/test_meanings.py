@@ -576,10 +576,25 @@ def test_functions_refuse_what_is_in_two_spaces(function, arguments, why):
     assert why in refused.value.why
 
 
-def test_a_literal_with_its_w_compares_with_a_thing_that_leaves_it_out():
-    assert calculate("M @ p == [0, 4, 6, 1]", NAMES).value.entries is True
-    assert calculate("[0.5, 2, 0, 0] == M @ t", NAMES).value.entries is True
-    assert calculate("M @ p == [0, 4, 6, 0]", NAMES).value.entries is False
+@pytest.mark.parametrize(
+    ("expression", "result"),
+    [
+        ("M @ p == [0, 4, 6, 1]", "yes"),
+        ("[0.5, 2, 0, 0] == M @ t", "yes"),
+        ("M @ p ≈ [0, 4, 5, 1]", "no"),
+        ("p + [1, 0, 0, 0]", "object point (2 2 3)"),
+        ("p - [0, 2, 3, 1]", "object direction (1 0 0)"),
+        ("[0, 0, 0, 1] - p", "object direction (-1 -2 -3)"),
+        ("[0, 0, 0, 1] + l", "world point (1 -2 2)"),
+    ],
+)
+def test_a_literal_with_its_w_is_understood_beside_a_thing_that_leaves_it_out(expression, result):
+    assert told(calculate(expression, NAMES).value) == result
+
+
+@pytest.mark.parametrize("expression", ["p + [1, 0, 0, 1]", "p == [1, 2, 3, 0]"])
+def test_a_literal_with_another_w_is_refused_beside_a_point(expression):
+    assert calculate(refusal(expression).instead, NAMES).value
 
 
 def test_a_long_operand_is_cut_in_the_sentence_and_whole_in_the_form():
