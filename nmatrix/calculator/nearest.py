@@ -192,7 +192,7 @@ def _untyped(part: Part, place: int) -> Iterator[str]:
     operand = part.operands[place]
     text = f"untyped({operand.text})"
     yield text
-    if operand.is_undivided:
+    if operand.value.kind is ValueKind.VECTOR:  # four may be written, where three are compared
         yield f"untyped({factor(operand.text)}.xyz)"
     if part.is_product and isinstance(operand.value.meaning, Located):
         yield from (f"point({text})", f"vector({text})")
