@@ -264,23 +264,26 @@ class _Evaluation:
         """Take the part of the expression that a refusal is about: of products the whole chain."""
         if not (isinstance(node, Infix) and node.sign == "@"):
             written = sorted({one.start: one for one in operands if one.start is not None}.items())
-            return Part(self._typed(node), node.start, tuple(one for _, one in written))
+            found = tuple(one for _, one in written)
+            is_dot = isinstance(node, Infix) and node.sign == "·"
+            is_product = is_dot and found[0].value.kind is ValueKind.MATRIX
+            return Part(self._typed(node), node.start, found, is_product=is_product)
         whole = self.products.get(id(node), node)
         factors: list[Node] = [whole]
         while isinstance(factors[0], Infix) and factors[0].sign == "@":
             factors[:1] = [factors[0].left, factors[0].right]
         quiet = replace(self, steps=[], remarks=[], products={}, advises=False)
-        found: list[Operand] = []
+        chain: list[Operand] = []
         try:
             for factor in factors:
-                found.append(self._operand(factor, quiet.value_of(factor)))
-                if found[-1].value.kind is ValueKind.VECTOR:
+                chain.append(self._operand(factor, quiet.value_of(factor)))
+                if chain[-1].value.kind is ValueKind.VECTOR:
                     break
         except NMatrixError:  # further on there is another fault
             return Part(self._typed(node), node.start, tuple(operands), is_product=True)
-        end = whole.end if len(found) == len(factors) else factors[len(found) - 1].end
+        end = whole.end if len(chain) == len(factors) else factors[len(chain) - 1].end
         text, rest = self.expression[whole.start : end], self.expression[node.end : end]
-        return Part(text, whole.start, tuple(found), is_product=True, rest=rest)
+        return Part(text, whole.start, tuple(chain), is_product=True, rest=rest)
 
     def _is_right(self, form: str) -> bool:
         """Try a form, over V and P too where these have no name yet."""
