@@ -180,14 +180,14 @@ def _made(kind: Kind) -> FunctionRule:
             raise RefusedError(why, forms=forms)
         if v.is_undivided and not (kind is Kind.POINT and named in (None, Frame.CLIP)):
             raise undivided(v)
-        if named and v.space and named is not v.space:
-            why = f"{v.name} is in {v.space} space already, and {named} is asked for"
-            wanted = Operand(Value(v.value.entries, Located(named, kind)))
-            raise RefusedError(why, apart=(v, wanted))
         refused = _UNMADE.get((kind, v.sort))
         if refused is not None:
             why, mistake = refused
             raise RefusedError(f"{v.name} is {why}", mistake, forms=(v.text,))
+        if named and v.space and named is not v.space:
+            why = f"{v.name} is in {v.space} space already, and {named} is asked for"
+            wanted = Operand(Value(v.value.entries, Located(named, kind)))
+            raise RefusedError(why, apart=(v, wanted))
         if v.sort is Sort.BARE and not named and kind in (Kind.POINT, Kind.VECTOR):
             return None  # a literal with its w
         kept = Kind[v.sort.name] if kind is Kind.VECTOR and v.sort is not Sort.BARE else kind

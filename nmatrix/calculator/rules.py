@@ -88,8 +88,8 @@ def _same_map(a: Operand, b: Operand) -> Meaning:
 
 
 def _way(a: Operand) -> str:
-    to, source = (f"{end} space" if end else "anywhere" for end in (a.map.to, a.map.source))
-    return f"{a.name} leads to {to} from {source}"
+    to = f"to {a.map.to} space" if a.map.to else "anywhere"
+    return f"{a.name} leads {to} from {f'{a.map.source} space' if a.map.source else 'anywhere'}"
 
 
 def _of(rows: Mapping[Sort, tuple[Rule, ...]], columns: tuple[Sort, ...]) -> Grid:
@@ -204,7 +204,7 @@ _ONE_BY_ONE: dict[frozenset[Carries], Carries | None] = {
     frozenset((Carries.BACK, Carries.FLIPPED)): Carries.FLIPPED,
     frozenset((Carries.PLACES, Carries.BACK)): None,
 }
-PROJECTED = (Frame.CLIP, Frame.NDC, Frame.WINDOW)
+PROJECTED = frozenset((Frame.CLIP, Frame.NDC, Frame.WINDOW))
 POSE = Map(Frame.WORLD, Frame.CAMERA)
 
 
@@ -248,8 +248,8 @@ def _place(a: Operand, b: Operand) -> Meaning:
     """Carry a point or a direction."""
     _begins_there(a, b)
     kind = Kind[b.sort.name]
-    if kind is Kind.DIRECTION and a.map.source in PROJECTED and a.map.to not in PROJECTED:
-        why = f"{a.name} undoes a projection, through which points come back and directions do not"
+    if kind is Kind.DIRECTION and a.map.source in PROJECTED and any(a.value.matrix[-1][:3]):
+        why = f"{a.name} undoes a projection with a vanishing point, which keeps no directions"
         raise RefusedError(why)
     if kind is Kind.POINT and len(a.value.matrix[0]) == 3 and a.map.to and a.map.source:
         why = f"a point needs the translation, which the 3×3 matrix {a.name} has not"
@@ -286,10 +286,16 @@ def _no_normal(a: Operand, b: Operand) -> None:
     is_back = not meets(a.map.source, b.space)
     if is_back and a.map.to is not b.space:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
+    if PROJECTED & {a.map.to, a.map.source}:
+        raise RefusedError(_no_angles(a), MistakeId.USED_WORLD_MATRIX)
     said = f", and {_two_spaces(a, b)}" if is_back else ""
     right = rational.transpose if is_back else rational.inverse_transpose
     mistake = MistakeId.NOT_TRANSPOSED if is_back else MistakeId.USED_WORLD_MATRIX
     raise RefusedError(f"a normal is not carried by {a.name}{_off(a, b, right)}{said}", mistake)
+
+
+def _no_angles(a: Operand) -> str:
+    return f"a projection keeps no angles, so a normal is not carried by {a.name}"
 
 
 def _normal(a: Operand, b: Operand) -> Meaning:
@@ -300,8 +306,8 @@ def _normal(a: Operand, b: Operand) -> Meaning:
             why = f"a normal is not carried by {a.name}{off}, and {_two_spaces(a, b)}"
             raise RefusedError(why, MistakeId.NOT_INVERTED)
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
-    if a.map.to in PROJECTED:
-        raise RefusedError(f"no light falls in {a.map.to} space, and normals have no use there")
+    if PROJECTED & {a.map.to, a.map.source}:
+        raise RefusedError(_no_angles(a))
     return Located(a.map.to, Kind.NORMAL)
 
 
@@ -315,14 +321,15 @@ def _only_normals(a: Operand, b: Operand) -> None:
     if not is_there:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     is_step = b.sort is Sort.DIRECTION
-    off = _off(a, b, rational.inverse_transpose) if is_step else ""
+    is_measured = is_step and a.sort is not Sort.FLIPPED
+    off = _off(a, b, rational.inverse_transpose) if is_measured else ""
     why = f"{kind} is not carried by {a.name}, which is for normals{off}"
     raise RefusedError(why, MistakeId.COURSE_LIGHT_RULE if is_step else None)
 
 
 def _inside_out(a: Operand, b: Operand) -> None:
     _normal(a, b)
-    why = f"{a.name} are the cofactors of a mirror, which turn {b.name} inside out"
+    why = f"{a.name} has the cofactors of a mirror, which turn {b.name} inside out"
     raise RefusedError(why, MistakeId.COFACTOR_SIGN)
 
 

@@ -271,6 +271,7 @@ WRONG = {
     "normal_matrix(M) @ t": (MistakeId.COURSE_LIGHT_RULE, "M @ t"),
     "V @ point(l)": (MistakeId.DIRECTION_AS_POINT, "l"),
     "V @ point(l, world)": (MistakeId.DIRECTION_AS_POINT, "l"),
+    "point(l, camera)": (MistakeId.DIRECTION_AS_POINT, "l"),
     "normal_matrix(M) @ p": (None, "M @ p"),
     "linear(M) @ p": (None, "M @ p"),
     "V @ (L / 2)": (None, "V @ point(L / 2)"),
@@ -292,6 +293,11 @@ WRONG = {
     "M @ point(n)": (MistakeId.TRANSLATED, "n"),
     "normal_matrix(V @ M) @ m": (MistakeId.USED_MODEL_VIEW, "normal_matrix(V) @ m"),
     "normal_matrix(P @ V @ M) @ n": (None, "normal_matrix(V @ M) @ n"),
+    "P @ V @ M @ n": (MistakeId.USED_WORLD_MATRIX, "normal_matrix(V @ M) @ n"),
+    "normal_matrix(inverse(P @ V)) @ normal([0, 0, 1], ndc)": (
+        None,
+        "untyped(normal_matrix(inverse(P @ V))) @ normal([0, 0, 1], ndc)",
+    ),
     "cofactor(linear(M @ scale(-1, 1, 1))) @ n": (
         MistakeId.COFACTOR_SIGN,
         "normal_matrix(linear(M @ scale(-1, 1, 1))) @ n",
@@ -660,3 +666,10 @@ def test_the_advice_for_functions_moves_the_argument_that_is_elsewhere(expressio
 def test_a_power_of_a_turn_is_a_turn(k):
     found = calculate(f"V @ power(rotate_z(30), {k}) @ M", NAMES).value.meaning
     assert str(found) == "camera ← object"
+
+
+def test_an_orthographic_projection_keeps_directions_and_a_perspective_does_not():
+    d = "direction([0, 0, 1], ndc)"
+    found = calculate(f"inverse(ortho(-2, 2, -1, 1, 1, 9)) @ {d}", {}).value
+    assert str(found.meaning) == "camera direction"
+    assert "vanishing point" in str(refusal(f"inverse(P) @ {d}"))
