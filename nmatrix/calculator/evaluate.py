@@ -13,12 +13,12 @@ from typing import TypeVar
 from nmatrix.calculator import function_rules, rules
 from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.functions.function import Argument, Function, Parameter
+from nmatrix.calculator.functions.function import Argument, Parameter
 from nmatrix.calculator.grammar import parse
 from nmatrix.calculator.homogeneous import settled, understood, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
-from nmatrix.calculator.numbers import PiMultiple, shown
+from nmatrix.calculator.numbers import Number, PiMultiple, shown, times_pi
 from nmatrix.calculator.operands import Operand, RefusedError, bared
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
 from nmatrix.calculator.symbolic import Symbolic
@@ -198,9 +198,20 @@ class _Evaluation:
         elif kinds == {ValueKind.VECTOR} and len({value.shape for value in entries}) == 1:
             numbers = tuple(value.vector for value in entries)
         else:
-            why = "it holds numbers, or rows of equal length" if entries else "it is empty"
-            raise self._fault(node, "bracket", why)
+            raise self._no_bracket(node, entries)
         return Value(numbers[0] if kinds == {ValueKind.SCALAR} and len(numbers) == 1 else numbers)
+
+    def _no_bracket(self, node: Bracket, entries: Sequence[Value]) -> NMatrixError:
+        """Tell which entry of a bracket does not go with the first one."""
+        if not entries:
+            return self._fault(node, "bracket", "it is empty")
+        typed = [entry for row in node.rows for entry in row]
+        for entry, value in zip(typed, entries, strict=True):
+            if value.shape != entries[0].shape:
+                among = f"{entries[0].shape}, {self._typed(typed[0])}"
+                why = f"it is {value.shape} beside {among}: one bracket holds one kind"
+                return self._fault(entry, self._typed(entry), why)
+        return self._fault(node, "bracket", f"it holds numbers or vectors, not {entries[0].shape}")
 
     def _prefix(self, node: Prefix) -> Value:
         value = self.value_of(node.operand)
@@ -379,7 +390,7 @@ class _Evaluation:
         if len(named) < len(node.named):
             raise self._fault(node, name, "an argument is given twice")
         value = self._applied(node, name, arguments, named)
-        self._remark_radians(node, FUNCTIONS[name], arguments)
+        self._remark_angles(node, [*arguments, *named.values()])
         return value
 
     def _argument(self, node: Node, parameter: Parameter | None) -> Argument:
@@ -433,24 +444,39 @@ class _Evaluation:
                 given.append(one)
         return given
 
-    def _remark_radians(self, node: Call, function: Function, arguments: list[Argument]) -> None:
-        """Keep a remark on an angle that looks like radians, or is a multiple of π."""
-        for parameter, argument, value in zip(
-            function.parameters, node.arguments, arguments, strict=False
-        ):
+    def _remark_angles(self, node: Call, values: Sequence[Argument]) -> None:
+        """Keep a remark on every angle that is a multiple of π, or looks like radians."""
+        parameters = FUNCTIONS[node.function].parameters
+        named = {one.name: one for one in parameters}
+        written = [
+            *zip(parameters, node.arguments, strict=False),
+            *((named[key], one) for key, one in node.named),
+        ]
+        for (parameter, argument), value in zip(written, values, strict=False):
             if not parameter.is_angle or isinstance(value, str):
                 continue
-            if isinstance(value.entries, PiMultiple):
-                degrees = shown(value.entries.times * 180)
-                typed = self._typed(argument)
-                self.remarks.append(f"{typed} is in radians, {degrees} degrees.")
-                continue
-            typed_node = argument.operand if isinstance(argument, Prefix) else argument
-            found = like_radians([value.scalar]) if isinstance(typed_node, Numeral) else None
-            if found is not None:
-                looks = f"{self._typed(argument)} looks like {of_pi(found[1])} radians"
-                said = f"{node.function} takes degrees, but {looks}, {180 * found[1]} degrees."
-                self.remarks.append(said)
+            entries = (
+                [one for row in argument.rows for one in row]
+                if isinstance(argument, Bracket)
+                else [argument]
+            )
+            for one, x in zip(entries, value.numbers, strict=False):
+                self._remark_radians(node.function, one, x)
+
+    def _remark_radians(self, function: str, node: Node, turned: Number) -> None:
+        typed, times = self._typed(node), times_pi(turned)
+        if times is not None:
+            self.remarks.append(f"{typed} is in radians, {times * 180} degrees.")
+            return
+        number = node.operand if isinstance(node, Prefix) and node.sign in "+-" else node
+        size = shown(turned) if isinstance(number, Numeral) else None
+        if not isinstance(size, Fraction | float):
+            return
+        found = like_radians([Fraction(size)])
+        if found is not None:
+            looks = f"{typed} looks like {of_pi(found[1])} radians"
+            said = f"{function} takes degrees, but {looks}, {180 * found[1]} degrees."
+            self.remarks.append(said)
 
     def remark_letters(self, value: Value) -> None:
         """Keep a remark on names without a value, and on what must not be 0."""
