@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
+from nmatrix.calculator.deviation import mirrors, orthonormal
 from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Carries, Kind, Located, Map, Meaning
 from nmatrix.calculator.numbers import is_zero, shown
 from nmatrix.calculator.operands import (
@@ -16,7 +17,7 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
-from nmatrix.calculator.rules import PROJECTED, mirrors, orthonormal, raised
+from nmatrix.calculator.rules import PROJECTED, raised
 from nmatrix.calculator.rules import meaning_of as meaning_of_operator
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen

@@ -76,7 +76,7 @@ def settled(value: Value) -> Value:
     if not isinstance(meaning, Located) or len(value.vector) != 4 or meaning.space is Frame.CLIP:
         return value
     *place, w = value.vector
-    if meaning.kind is Kind.NORMAL:
+    if meaning.kind in (Kind.NORMAL, Kind.VECTOR):
         return Value(tuple(place), meaning)
     if is_zero(w):
         return Value(tuple(place), Located(meaning.space, Kind.DIRECTION))

@@ -8,19 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from fractions import Fraction
 
+from nmatrix.calculator.deviation import degrees_off, is_below_0
 from nmatrix.calculator.meanings import FOR_NORMALS, Carries, Kind, Located, Map, Meaning, meets
-from nmatrix.calculator.numbers import (
-    Number,
-    degrees_of,
-    enclosure,
-    is_negative,
-    is_zero,
-    root,
-    shown,
-    size,
-)
 from nmatrix.calculator.operands import (
     UNDIVIDED,
     Operand,
@@ -31,18 +21,10 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
-from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
-from nmatrix.errors import NMatrixError
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.linear import rational
-from nmatrix.linear.rational import RationalMatrix
-from nmatrix.linear.rounding import short_text
-from nmatrix.surds import TooManyRootsError
-
-ROUNDING = Fraction(1, 10**12)  # by which the columns of a rotation in float64 may miss 1 and 0
-
 
 Rule = Callable[[Operand, Operand], Meaning | None]
 Grid = dict[tuple[Sort, Sort], Rule]
@@ -73,16 +55,18 @@ def _from_no_place(a: Operand, b: Operand) -> None:
     raise RefusedError(why, forms=(f"{factor(b.text)} - {factor(a.text)}",))
 
 
-def _same_map(a: Operand, b: Operand) -> Meaning:
-    """Keep the way of two maps that lead the same way; what one does not know the other tells."""
+def _same_map(a: Operand, b: Operand) -> Meaning | None:
+    """Keep the way of two maps that lead the same way; what one does not know the other tells.
+
+    What is left of A by its transpose or its normal matrix is no map, and right all the same.
+    """
     one, other = a.map, b.map
+    carried = {one.carries, other.carries} - {Carries.ALL}
+    if len(carried) > 1:
+        return None
     ends = ((one.to, other.to), (one.source, other.source))
     if any(None not in pair and pair[0] is not pair[1] for pair in ends):
         raise RefusedError(f"{_way(a)}, {_way(b)}, and only maps of one way have a sum")
-    carried = {one.carries, other.carries} - {Carries.ALL}
-    if len(carried) > 1:
-        why = f"{a.name} carries {one.carries}, {b.name} {other.carries}"
-        raise RefusedError(f"{why}, and their sum neither")
     carries = carried.pop() if carried else Carries.PLACES  # two rotations have no rotation as sum
     return Map(one.to or other.to, one.source or other.source, carries)
 
@@ -149,16 +133,9 @@ def _scaled(a: Operand, number: Operand) -> Meaning | None:
         return meaning if is_whole else Located(Frame.NDC, Kind.POINT)
     if isinstance(meaning, Located) and meaning.kind is Kind.POINT:
         return Located(meaning.space, Kind.VECTOR)
-    if a.sort is Sort.FLIPPED and _is_below_0(number.value.scalar):  # such as the determinant
+    if a.sort is Sort.FLIPPED and is_below_0(number.value.scalar):  # such as the determinant
         return replace(a.map, carries=Carries.NORMALS)
     return meaning
-
-
-def _is_below_0(number: Number) -> bool:
-    try:
-        return is_negative(number)
-    except NMatrixError:  # too little is known
-        return False
 
 
 _SCALED = _all(NUMBER, Sort, lambda a, b: _scaled(b, a)) | _all(Sort, NUMBER, _scaled)
@@ -291,7 +268,9 @@ def _no_normal(a: Operand, b: Operand) -> None:
     said = f", and {_two_spaces(a, b)}" if is_back else ""
     right = rational.transpose if is_back else rational.inverse_transpose
     mistake = MistakeId.NOT_TRANSPOSED if is_back else MistakeId.USED_WORLD_MATRIX
-    raise RefusedError(f"a normal is not carried by {a.name}{_off(a, b, right)}{said}", mistake)
+    raise RefusedError(
+        f"a normal is not carried by {a.name}{degrees_off(a, b, right)}{said}", mistake
+    )
 
 
 def _no_angles(a: Operand) -> str:
@@ -302,7 +281,7 @@ def _normal(a: Operand, b: Operand) -> Meaning:
     """Carry a normal by a map for normals."""
     if not meets(a.map.source, b.space):
         if a.sort is Sort.BACK and a.map.to is b.space:
-            off = _off(a, b, rational.inverse)
+            off = degrees_off(a, b, rational.inverse)
             why = f"a normal is not carried by {a.name}{off}, and {_two_spaces(a, b)}"
             raise RefusedError(why, MistakeId.NOT_INVERTED)
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
@@ -322,7 +301,7 @@ def _only_normals(a: Operand, b: Operand) -> None:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     is_step = b.sort is Sort.DIRECTION
     is_measured = is_step and a.sort is not Sort.FLIPPED
-    off = _off(a, b, rational.inverse_transpose) if is_measured else ""
+    off = degrees_off(a, b, rational.inverse_transpose) if is_measured else ""
     why = f"{kind} is not carried by {a.name}, which is for normals{off}"
     raise RefusedError(why, MistakeId.COURSE_LIGHT_RULE if is_step else None)
 
@@ -346,13 +325,13 @@ def _unknown(a: Operand, b: Operand) -> Meaning:
 
 
 def _anywhere(a: Operand, b: Operand) -> Meaning | None:
-    """Carry a thing by a matrix of which nothing is known."""
+    """Carry a thing by a matrix of which nothing is known: if for normals, it does not tell."""
     if _is_vector(a):
         return None
     if b.sort is Sort.VECTOR:
         return _unknown(a, b)
     _begins_there(a, b)
-    return Located(None, Kind[b.sort.name])
+    return Located(None, Kind.VECTOR if b.sort is Sort.NORMAL else Kind[b.sort.name])
 
 
 _CARRIED = (
@@ -441,6 +420,8 @@ def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
 
 def negated(meaning: Meaning | None) -> Meaning | None:
     """Keep what stays of a meaning under a minus: −p is no place, save in clip space."""
+    if isinstance(meaning, Map) and meaning.carries is Carries.FLIPPED:
+        return replace(meaning, carries=Carries.NORMALS)
     if isinstance(meaning, Located) and meaning.kind is Kind.POINT and meaning != UNDIVIDED:
         return Located(meaning.space, Kind.VECTOR)
     return meaning
@@ -466,46 +447,3 @@ def different_ways(a: Operand, b: Operand) -> str:
     if meets(one.to, other.to) and meets(one.source, other.source):
         return ""
     return f"Only numbers are compared: {_way(a)}, {_way(b)}."
-
-
-def orthonormal(A: RationalMatrix) -> bool:
-    """Tell if a matrix is its own inverse transpose, as far as its numbers are known."""
-    product = rational.product(_enclosed(A), rational.transpose(_enclosed(A)))
-    one = rational.identity(len(A))
-    return all(
-        _vanishes(x - y)
-        for row, other in zip(product, one, strict=True)
-        for x, y in zip(row, other, strict=True)
-    )
-
-
-def _vanishes(x: Number) -> bool:
-    return x == 0 if isinstance(x, Symbolic) else size(x) <= ROUNDING
-
-
-def mirrors(A: RationalMatrix) -> bool:
-    """Tell if the determinant of a square matrix is below 0, as far as its numbers are known."""
-    return _is_below_0(rational.determinant(_enclosed(A)))
-
-
-def _enclosed(A: RationalMatrix) -> RationalMatrix:
-    """Put roots between their bounds, so that products of many stay short."""
-    return tuple(tuple(map(enclosure, row)) for row in A)  # type: ignore[arg-type]  # numbers
-
-
-def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatrix]) -> str:
-    """Measure by how many degrees a matrix carries a vector away from where the right one does."""
-    A, v = rational.linear_part(a.value.matrix), b.value.vector
-    if right is rational.inverse_transpose and orthonormal(A):
-        why = f"{a.name} only turns and mirrors" if mirrors(A) else f"{a.name} is rigid"
-        return f": 0° off here, since {why}"
-    try:
-        found, wanted = rational.apply(A, v), rational.apply(right(A), v)
-        across = rational.cross(found, wanted)
-        sine, cosine = root(rational.dot(across, across)), rational.dot(found, wanted)
-        if is_zero(sine) and is_zero(cosine):
-            return ""  # one of the two vanishes
-        degrees = shown(degrees_of(sine, cosine))
-    except (NMatrixError, TooManyRootsError):  # too little is known
-        return ""
-    return f": {short_text(Fraction(float(degrees)), 4)}° off here"

@@ -205,6 +205,11 @@ ORACLE = {
     "cross": lambda a, b: Homogeneous([*np.cross(three(a), three(b)), 0]),
     "length": lambda v: np.linalg.norm(three(v)),
     "normalize": unit,
+    "reflect": lambda v, m: v - 2 * (three(v) @ three(m) / (three(m) @ three(m))) * m,
+    "lerp": lambda a, b, t: a * (1 - t) + b * t,
+    "project": lambda p: Homogeneous(p.four / p.w),
+    "outer": lambda a, b: matrix(np.outer(three(a), three(b))),
+    "cross_matrix": lambda a: matrix(np.cross(three(a), np.eye(3)).T),
     "angle": lambda a, b: np.degrees(
         np.arctan2(np.linalg.norm(np.cross(three(a), three(b))), three(a) @ three(b))
     ),
@@ -254,6 +259,7 @@ WRONG = {
     "P @ V^-1 @ M @ p": (MistakeId.VIEW_NOT_INVERTED, "P @ V @ M @ p"),
     "M^2": (None, "untyped(M)^2"),
     "M + V": (None, "untyped(M) + V"),
+    "M - P": (None, "untyped(M) - P"),
     # points and lights
     "V @ p": (None, "V @ M @ p"),
     "P @ p": (None, "P @ V @ M @ p"),
