@@ -15,6 +15,7 @@ from typing import TypeGuard
 
 BITS = 280  # of a root, where a number between two bounds is asked for
 MOST_TERMS = 16  # of a sum: four roots that are independent
+MOST_BITS = 4096  # of a denominator before a root
 TRIED = 10_000  # divisors; two factors beyond them leave a number of at least TRIED²
 LONGEST = 12  # characters of a number that a person still reads as one
 # A float is looked for among fractions with such denominators, and among the roots of such
@@ -26,7 +27,7 @@ Rational = int | Fraction
 
 
 class TooManyRootsError(ArithmeticError):
-    """A sum of more roots than `MOST_TERMS`, or a root whose square factors are not known."""
+    """A sum of more or longer terms than are kept, or a root whose square factors are not known."""
 
 
 @dataclass(frozen=True)
@@ -145,15 +146,25 @@ class Surd:
             low, high = low + min(ends), high + max(ends)
         return low, high
 
-    def __float__(self) -> float:
-        low, high = self.between(BITS + self._cancelled())
-        return float((low + high) / 2)
+    def near(self) -> tuple[Fraction, Fraction]:
+        """Bound it to `BITS` bits of itself, however much its terms cancel.
 
-    def _cancelled(self) -> int:
-        """Count the leading bits that its terms lose against each other."""
-        low, high = map(abs, self.between())
-        smaller = min(low, high)
-        return 0 if smaller >= 1 else (1 / smaller).__ceil__().bit_length() if smaller else BITS
+        Examples
+        --------
+        >>> low, high = (99 - 70 * root(2)).near()
+        >>> 0 < high - low < low / 10**80
+        True
+        """
+        bits = BITS
+        while True:
+            low, high = self.between(bits)
+            if low * high > 0 and (high - low) * 2**BITS <= min(abs(low), abs(high)):
+                return low, high
+            bits *= 2
+
+    def __float__(self) -> float:
+        low, high = self.near()
+        return float((low + high) / 2)
 
     def __str__(self) -> str:
         """Write it over one denominator, as one does by hand.
@@ -285,6 +296,8 @@ def _sum(terms: Iterable[tuple[int, Fraction]]) -> Fraction | Surd:
     left = tuple(sorted((d, q) for d, q in total.items() if q))
     if len(left) > MOST_TERMS:
         raise TooManyRootsError(f"a sum of {len(left)} roots")
+    if any(q.denominator.bit_length() > MOST_BITS for _, q in left):
+        raise TooManyRootsError(f"a sum of roots over more than {MOST_BITS} bits")
     if not left:
         return Fraction(0)
     return left[0][1] if len(left) == 1 and left[0][0] == 1 else Surd(left)

@@ -1,6 +1,7 @@
-"""The reference of the Python face: `docs/reference.md`, made of the docstrings.
+"""The references: the Python face, `docs/reference.md`, and the calculator, `docs/functions.md`.
 
-`python tests/reference.py` writes it anew; a test compares.
+One is made of the docstrings, the other of the records of the functions; `python
+tests/reference.py` writes both anew, and a test compares.
 """
 
 from __future__ import annotations
@@ -13,6 +14,18 @@ from pathlib import Path
 from typing import Any
 
 import nmatrix
+from nmatrix.calculator.functions import (
+    camera,
+    elimination,
+    maps,
+    matrices,
+    numeric,
+    rotations,
+    spectral,
+    vectors,
+)
+from nmatrix.calculator.functions.function import Function, Parameter
+from nmatrix.calculator.values import Value
 
 ENUM = re.compile(r"<\w+\.\w+: ('[^']*')>")  # a default, as Python shows it
 QUOTED_TYPE = re.compile(r"(?<=\w): '([^']*)'")
@@ -23,6 +36,24 @@ OPENING = """# Reference
 Every public name of `nmatrix`, with its docstring; [the tour](python.md) shows how they go
 together. This page is made by `python tests/reference.py`.
 """
+FUNCTIONS_PAGE = PAGE.with_name("functions.md")
+FUNCTIONS_OPENING = """# Functions of the calculator
+
+Every function of [the calculator](calculator.md): how it is called, what it does, its formula, and
+an example that holds. Arguments may be given by name, those with `=` may be left out. Angles are in
+degrees; a multiple of `pi` without a unit is in radians. This page is made by
+`python tests/reference.py`.
+"""
+FAMILIES = {
+    "Matrices": matrices,
+    "Row operations": elimination,
+    "Spectra": spectral,
+    "Vectors": vectors,
+    "Numbers": numeric,
+    "Rotations": rotations,
+    "Worlds": maps,
+    "Cameras": camera,
+}
 PARTS = {
     "Arrays": "nmatrix.api.normals nmatrix.api.builders",
     "Setups and reports": "nmatrix.api.setup nmatrix.api.report",
@@ -44,6 +75,36 @@ def reference() -> str:
         found = ((name, getattr(nmatrix, name)) for name in names)
         written += [entry(name, one) for name, one in found if one.__module__ in modules.split()]
     return "\n".join(written).rstrip() + "\n"
+
+
+def functions() -> str:
+    """Return the page of the calculator's functions."""
+    written = [FUNCTIONS_OPENING]
+    for title, family in FAMILIES.items():
+        written.append(f"## {title}\n")
+        written += [function_entry(name, one) for name, one in family.FUNCTIONS.items()]
+    return "\n".join(written).rstrip() + "\n"
+
+
+def function_entry(name: str, function: Function) -> str:
+    """Return one function of the calculator."""
+    does = f"{function.does[0].upper()}{function.does[1:]}."
+    facts = [f"* formula: `{function.formula}`"]
+    facts += [f"* `{one.name}`: {told(one)}" for one in function.parameters if told(one)]
+    facts.append(f"* `{function.example}` is `{function.result}`")
+    return "\n".join([f"### {function.usage(name)}\n", f"{does}\n", *facts, ""])
+
+
+def told(parameter: Parameter) -> str:
+    """Return what a parameter takes, where it has words or may be left out."""
+    if not parameter.may_be_left_out and not parameter.choices:
+        return ""
+    usual = parameter.default
+    if isinstance(usual, Value):
+        usual = ", ".join(map(str, usual.numbers))
+    left_out = f"; left out: {usual}" if usual is not None else ""
+    stands_for = f"; left out: `{parameter.stands_for}`" if parameter.stands_for else ""
+    return f"{parameter.wanted}{left_out}{stands_for}"
 
 
 def entry(name: str, one: Any) -> str:
@@ -111,3 +172,4 @@ def _is_ours(one: type, name: str) -> bool:
 
 if __name__ == "__main__":
     PAGE.write_text(reference())
+    FUNCTIONS_PAGE.write_text(functions())

@@ -13,6 +13,7 @@ import transcripts
 from PIL import Image
 
 import nmatrix
+from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
 from nmatrix.raster.proofs.catalogue import PROOFS
 
@@ -79,6 +80,14 @@ def test_sample_pages_are_what_the_commands_write(tmp_path: Path) -> None:
         assert pictures.sub("", page.read_text()) == pictures.sub("", kept), (
             "run python tests/transcripts.py"
         )
+
+
+def test_the_page_of_functions_is_made_of_their_records_and_holds_all() -> None:
+    assert reference.FUNCTIONS_PAGE.read_text() == reference.functions(), (
+        "run python tests/reference.py"
+    )
+    families = [name for family in reference.FAMILIES.values() for name in family.FUNCTIONS]
+    assert sorted(families) == sorted(FUNCTIONS)
 
 
 def test_the_reference_is_made_of_the_docstrings_and_holds_every_public_name() -> None:

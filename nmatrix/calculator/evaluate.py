@@ -13,12 +13,12 @@ from typing import TypeVar
 from nmatrix.calculator import function_rules, rules
 from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.functions.function import Argument, Function, Parameter
+from nmatrix.calculator.functions.function import Argument, Parameter
 from nmatrix.calculator.grammar import parse
 from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
-from nmatrix.calculator.numbers import PiMultiple, shown
+from nmatrix.calculator.numbers import Number, PiMultiple, shown, times_pi
 from nmatrix.calculator.operands import Operand, RefusedError, bared
 from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
 from nmatrix.calculator.symbolic import Symbolic
@@ -380,7 +380,7 @@ class _Evaluation:
         if len(named) < len(node.named):
             raise self._fault(node, name, "an argument is given twice")
         value = self._applied(node, name, arguments, named)
-        self._remark_radians(node, FUNCTIONS[name], arguments)
+        self._remark_angles(node, [*arguments, *named.values()])
         return value
 
     def _argument(self, node: Node, parameter: Parameter | None) -> Argument:
@@ -434,24 +434,39 @@ class _Evaluation:
                 given.append(one)
         return given
 
-    def _remark_radians(self, node: Call, function: Function, arguments: list[Argument]) -> None:
-        """Keep a remark on an angle that looks like radians, or is a multiple of π."""
-        for parameter, argument, value in zip(
-            function.parameters, node.arguments, arguments, strict=False
-        ):
+    def _remark_angles(self, node: Call, values: Sequence[Argument]) -> None:
+        """Keep a remark on every angle that is a multiple of π, or looks like radians."""
+        parameters = FUNCTIONS[node.function].parameters
+        named = {one.name: one for one in parameters}
+        written = [
+            *zip(parameters, node.arguments, strict=False),
+            *((named[key], one) for key, one in node.named),
+        ]
+        for (parameter, argument), value in zip(written, values, strict=False):
             if not parameter.is_angle or isinstance(value, str):
                 continue
-            if isinstance(value.entries, PiMultiple):
-                degrees = shown(value.entries.times * 180)
-                typed = self._typed(argument)
-                self.remarks.append(f"{typed} is in radians, {degrees} degrees.")
-                continue
-            typed_node = argument.operand if isinstance(argument, Prefix) else argument
-            found = like_radians([value.scalar]) if isinstance(typed_node, Numeral) else None
-            if found is not None:
-                looks = f"{self._typed(argument)} looks like {of_pi(found[1])} radians"
-                said = f"{node.function} takes degrees, but {looks}, {180 * found[1]} degrees."
-                self.remarks.append(said)
+            entries = (
+                [one for row in argument.rows for one in row]
+                if isinstance(argument, Bracket)
+                else [argument]
+            )
+            for one, x in zip(entries, value.numbers, strict=False):
+                self._remark_radians(node.function, one, x)
+
+    def _remark_radians(self, function: str, node: Node, turned: Number) -> None:
+        typed, times = self._typed(node), times_pi(turned)
+        if times is not None:
+            self.remarks.append(f"{typed} is in radians, {times * 180} degrees.")
+            return
+        number = node.operand if isinstance(node, Prefix) and node.sign in "+-" else node
+        size = shown(turned) if isinstance(number, Numeral) else None
+        if not isinstance(size, Fraction | float):
+            return
+        found = like_radians([Fraction(size)])
+        if found is not None:
+            looks = f"{typed} looks like {of_pi(found[1])} radians"
+            said = f"{function} takes degrees, but {looks}, {180 * found[1]} degrees."
+            self.remarks.append(said)
 
     def remark_letters(self, value: Value) -> None:
         """Keep a remark on names without a value, and on what must not be 0."""

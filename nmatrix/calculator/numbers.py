@@ -144,6 +144,8 @@ class Interval(Ordered):
 class Float64(Ordered):
     """A float64: every operation is rounded, and what overflows is infinite, as in a program.
 
+    Of a multiple of π it remembers the `times`, since as an angle that is in radians.
+
     Raises
     ------
     NoAnswerError
@@ -156,6 +158,7 @@ class Float64(Ordered):
     """
 
     value: float
+    times: Fraction | None = None
 
     def __post_init__(self) -> None:
         if isnan(self.value):
@@ -166,25 +169,44 @@ class Float64(Ordered):
             )
 
     def __neg__(self) -> Float64:
-        return Float64(-self.value)
+        return Float64(-self.value, None if self.times is None else -self.times)
 
     def __abs__(self) -> Float64:
-        return Float64(abs(self.value))
+        return -self if self.value < 0 else self
 
     def __add__(self, other: Exact | Float64) -> Float64:
-        return Float64(self.value + float64(other).value)
+        y = float64(other)
+        total = self.value + y.value
+        if self.times is None or y.times is None:
+            return Float64(total)
+        return Float64(total, self.times + y.times)
 
     def __sub__(self, other: Exact | Float64) -> Float64:
-        return Float64(self.value - float64(other).value)
+        return self + -float64(other)
 
     def __rsub__(self, other: Exact) -> Float64:
         return float64(other) - self
 
     def __mul__(self, other: Exact | Float64) -> Float64:
-        return Float64(self.value * float64(other).value)
+        y = float64(other)
+        product = self.value * y.value
+        if self.times is None or not y.is_plain:
+            return Float64(
+                product, y.times * Fraction(self.value) if y.times and self.is_plain else None
+            )
+        return Float64(product, self.times * Fraction(y.value))
 
     def __truediv__(self, other: Exact | Float64) -> Float64:
-        return Float64(self.value / float64(other).value)
+        y = float64(other)
+        quotient = self.value / y.value
+        if self.times is None or not y.is_plain:
+            return Float64(quotient)
+        return Float64(quotient, self.times / Fraction(y.value))
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is finite and no multiple of π: another one times it is a multiple again."""
+        return self.times is None and isfinite(self.value)
 
     def __rtruediv__(self, other: Exact) -> Float64:
         return float64(other) / self
@@ -357,7 +379,7 @@ def shown(x: Number) -> Fraction | Surd | float:
 
 def enclosure(x: Number) -> Number:
     """Put a sum of roots between its bounds; other numbers stay."""
-    return enclosed(*x.between()) if isinstance(x, Surd) else x
+    return enclosed(*x.near()) if isinstance(x, Surd) else x
 
 
 def float64(x: Exact | Number) -> Float64:
@@ -366,8 +388,9 @@ def float64(x: Exact | Number) -> Float64:
         return x
     low, high = bounds(x)
     middle = (low + high) / 2
+    times = x.times if isinstance(x, PiMultiple) else None
     try:
-        return Float64(nearest(middle))
+        return Float64(nearest(middle), times)
     except IllegalValueError:
         return Float64(copysign(inf, middle))
 
@@ -429,7 +452,8 @@ def angle(degrees: Exact | Number) -> Angle:
     √3/2 (√2 + √6)/4 39
     """
     if isinstance(degrees, Float64):
-        exact = Angle.degrees(degrees.value if isfinite(degrees.value) else Float64(nan).value)
+        turned = degrees.value if degrees.times is None else nearest(degrees.times * 180)
+        exact = Angle.degrees(turned if isfinite(turned) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
     if isinstance(degrees, Symbolic):
         return Angle(*degrees.sine_and_cosine())  # type: ignore[arg-type]
@@ -440,7 +464,15 @@ def angle(degrees: Exact | Number) -> Angle:
 
 def in_degrees(turned: Number) -> Number:
     """Tell an angle in degrees: a multiple of π is in radians, all else in degrees already."""
-    return turned.times * 180 if isinstance(turned, PiMultiple) else turned
+    times = times_pi(turned)
+    if times is None:
+        return turned
+    return float64(times * 180) if isinstance(turned, Float64) else times * 180
+
+
+def times_pi(x: Number) -> Fraction | None:
+    """Tell which multiple of π a number is, if it is one."""
+    return x.times if isinstance(x, PiMultiple | Float64) else None
 
 
 def degrees_of(sine: Exact | Number, cosine: Exact | Number) -> Number:
@@ -507,7 +539,7 @@ def bounds(x: Exact | Number) -> tuple[Fraction, Fraction]:
     if isinstance(x, Interval):
         return x.low, x.high
     if isinstance(x, Surd):
-        return x.between()
+        return x.near()
     if isinstance(x, Symbolic):
         raise x.unknown
     exact = Fraction(x.value if isinstance(x, Float64) else x)

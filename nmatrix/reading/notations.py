@@ -59,7 +59,7 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
 
 
 def has_no_brackets(text: str) -> bool:
-    """Recognise the first line of a matrix that no bracket holds together: a frame, fields, ….
+    """Recognise the first line of a matrix without brackets: a frame, fields or a table.
 
     Examples
     --------

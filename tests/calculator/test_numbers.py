@@ -26,17 +26,11 @@ SINGULAR = "[[sin(20),cos(20)],[2*sin(20),cos(20)*2]]"
 DIGITS = 150  # of the oracle: the intervals know 85 at most
 
 
-class Surds:
-    """Expressions over √2 and √3, each as text and as the exact number that SymPy makes of it."""
+class Expressions:
+    """Expressions over some irrationals, each as text and as the oracle's number."""
 
     def __init__(self, seed):
-        from sympy import QQ, sqrt
-
         self.chance = random.Random(seed)
-        self.field = QQ.algebraic_field(sqrt(2), sqrt(3))
-        self.roots = {
-            f"length([{','.join('1' * n)}])": self.field.from_sympy(sqrt(n)) for n in (2, 3)
-        }
 
     def number(self, depth):
         """Draw an expression; its number is None where something was divided by 0."""
@@ -44,7 +38,7 @@ class Surds:
         if depth == 0 or draw.random() < 0.1:
             if draw.random() < 0.4:
                 n = draw.randint(-3, 3)
-                return f"({n})", self.field(n)
+                return f"({n})", self.rational(n)
             return draw.choice(list(self.roots.items()))
         if draw.random() < 0.3:
             return self._cancelling(depth - 1)
@@ -54,56 +48,126 @@ class Surds:
     def _cancelling(self, depth):
         """(x + y)(x − y) − x² + y² is 0, and one more or less is a unit away from it."""
         (x, a), (y, b) = self.number(depth), self.number(depth)
-        more = self.chance.choice(["0", "0", "1", "1e-60"])
+        more = self.chance.choice(self.more)
         text = f"(({x}+{y})*({x}-{y})-{x}*{x}+{y}*{y}+{more})"
         if a is None or b is None:
             return text, None
-        return text, self.field.from_sympy(_rational(more))
+        return text, self.rational(Fraction(more))
 
     def _joined(self, sign, left, right):
         (x, a), (y, b) = left, right
         text = f"({x}{sign}{y})"
-        if a is None or b is None or (sign == "/" and not b):
+        if a is None or b is None or (sign == "/" and self.is_zero(b)):
             return text, None
         return text, {"+": a + b, "-": a - b, "*": a * b}[sign] if sign != "/" else a / b
+
+
+class Surds(Expressions):
+    """Over √2 and √3, exactly, as SymPy's field has them."""
+
+    more = ("0", "0", "1", "1e-60")
+
+    def __init__(self, seed):
+        from sympy import QQ, sqrt
+
+        super().__init__(seed)
+        self.field = QQ.algebraic_field(sqrt(2), sqrt(3))
+        self.roots = {
+            f"length([{','.join('1' * n)}])": self.field.from_sympy(sqrt(n)) for n in (2, 3)
+        }
+
+    def rational(self, n):
+        from sympy import Rational
+
+        exact = Fraction(n)
+        return self.field.from_sympy(Rational(exact.numerator, exact.denominator))
+
+    def is_zero(self, number):
+        return not number
 
     def fraction(self, number):
         """Evaluate an exact number to far more digits than an interval knows."""
         return Fraction(str(self.field.to_sympy(number).evalf(DIGITS)))
 
 
-def _rational(text):
-    from sympy import Rational
+class Sines(Expressions):
+    """Over sines and a nested root, to 150 digits: below 10⁻¹⁰⁰ these numbers are 0."""
 
-    return Rational(text)
+    more = ("0", "0", "1", "1e-20")
+
+    def __init__(self, seed):
+        super().__init__(seed)
+        with mpmath.workdps(DIGITS):
+            self.roots = {
+                "sin(20)": mpmath.sin(mpmath.radians(20)),
+                "cos(20)": mpmath.cos(mpmath.radians(20)),
+                "sqrt(1+√2)": mpmath.sqrt(1 + mpmath.sqrt(2)),
+            }
+
+    def rational(self, n):
+        exact = Fraction(n)
+        return mpmath.mpf(exact.numerator) / exact.denominator
+
+    def is_zero(self, number):
+        return abs(number) < mpmath.mpf(10) ** -100
+
+    def fraction(self, number):
+        return Fraction(mpmath.nstr(number, DIGITS))
 
 
-@pytest.mark.parametrize("seed", range(8))
-def test_no_digit_is_shown_that_a_surd_does_not_have(seed):
+@pytest.mark.parametrize("seed", range(2))
+def test_expressions_over_roots_are_exact(seed):
     surds = Surds(seed)
-    answered = refused = 0
-    for _ in range(80):
+    answered = 0
+    for _ in range(60):
         text, right = surds.number(3)
-        try:
-            (found,) = calculate(text, {}).value.numbers
-        except NoAnswerError:
-            refused += 1
+        if right is None:
+            with pytest.raises(NoAnswerError):
+                calculate(text, {})
             continue
-        assert right is not None, f"{text} divides by 0"
         answered += 1
+        found = calculate(text, {}).value
+        assert found.exact, text
         exactly = surds.fraction(right)
-        if not isinstance(found, Interval):
-            assert abs(found - exactly) <= abs(exactly) / 10**140, text
-            continue
-        assert found.low <= exactly <= found.high, text
-        assert abs(found.shown - exactly) <= (found.high - found.low) * 10, text
-        if found.digits:
-            unit = abs(found.shown) / 10 ** (found.digits - 1)
-            assert abs(found.shown - exactly) <= unit, text
-        else:
+        low, high = bounds(found.scalar)
+        assert abs((low + high) / 2 - exactly) <= abs(exactly) / 10**80, text
+        assert (found.scalar == 0) == surds.is_zero(right)
+    assert answered > 30
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_no_digit_is_shown_that_an_irrational_does_not_have(seed):
+    irrationals = Sines(seed)
+    answered = refused = cancelled = 0
+    with mpmath.workdps(DIGITS):
+        for _ in range(60):
+            text, right = irrationals.number(3)
+            try:
+                (found,) = calculate(text, {}).value.numbers
+            except NoAnswerError:
+                refused += 1
+                continue
+            assert right is not None, f"{text} divides by 0"
+            answered += 1
+            exactly = irrationals.fraction(right)
+            if not isinstance(found, Interval):
+                assert abs(found - exactly) <= abs(exactly) / 10**80 + Fraction(1, 10**100), text
+                continue
+            slack = Fraction(1, 10**120)
+            assert found.low - slack <= exactly <= found.high + slack, text
+            assert abs(found.shown - exactly) <= (found.high - found.low) * 10 + slack, text
+            if found.digits:
+                unit = abs(found.shown) / 10 ** (found.digits - 1)
+                assert abs(found.shown - exactly) <= unit + slack, text
+                digits = f"{found.shown.numerator * 10**200 // found.shown.denominator}"
+                assert len(digits.rstrip("0").lstrip("-")) <= found.digits, text
+                continue
+            cancelled += 1
             assert found.shown == 0
-            assert abs(exactly) <= found.farthest
+            with pytest.raises(NoAnswerError, match="no digit of it is known"):
+                shown(found)
     assert answered > 2 * refused > 0
+    assert cancelled
 
 
 def test_an_interval_holds_what_it_is_made_of():

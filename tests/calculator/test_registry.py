@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import random
+from fractions import Fraction
+
 import pytest
 
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import CalculatorError
+from nmatrix.calculator.faults import CalculatorError, NoValueError, PlacedError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.numbers import shown
-from nmatrix.calculator.values import Arithmetic
+from nmatrix.calculator.numbers import Interval, shown
+from nmatrix.calculator.values import Arithmetic, ValueKind
 from nmatrix.errors import IllegalValueError, NoAnswerError
+from nmatrix.surds import Surd
 
 NOT_BY_FLOATS = {"eigenvalues", "singular_values", "polar"}
 
@@ -141,3 +145,74 @@ def test_a_fault_has_its_caret_at_the_argument_where_it_lies(expression, at):
         place = expression.rindex("[1, 2, 3]")
     assert refused.value.position == place, str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+CANCELS = "(sin(20)*sin(20)+cos(20)*cos(20)-1)"
+SCALARS = f"""
+    0 1 -1 2 1/3 -5/7 0.1 1e40 1e308 1e-308 1e300*1e300 640 480 90 180 45 30deg pi pi/6
+    √2 -√3/2 √2+√3+√5 √97*√89+√83+√79 sqrt(1+√2) sin(20) -cos(33) {CANCELS}
+""".split()
+MATRICES = """
+    rotate_z(30) linear(rotate_x(20)) scale(1,2,3) identity(4) 0*identity(3) translate(1,2,3)
+    linear(rotate_x(20)@scale(1,2,1)) rotate_z(30)@scale(1,0,1) look_at([1,2,3],[0,0,0])
+""".split()
+
+
+class Calls:
+    """Calls of all functions with arguments of all kinds, most of them of the right ones."""
+
+    def __init__(self, seed):
+        self.chance = random.Random(seed)
+
+    def entries(self, count):
+        return [self.chance.choice([*SCALARS, "1", "2", "-3"]) for _ in range(count)]
+
+    def written(self, kind):
+        pick = self.chance.choice
+        if kind is ValueKind.SCALAR:
+            return pick(SCALARS)
+        if kind is ValueKind.VECTOR:
+            return f"[{', '.join(self.entries(pick([1, 2, 3, 3, 3, 4, 4, 5])))}]"
+        if self.chance.random() < 0.4:
+            return pick(MATRICES)
+        width = pick([2, 3, 4])
+        rows = [", ".join(self.entries(width)) for _ in range(pick([width, width, 2, 3, 4]))]
+        return f"[{'; '.join(rows)}]"
+
+    def argument(self, parameter):
+        words = [f'"{word}"' for word in parameter.choices]
+        kinds = [self.written(kind) for kind in parameter.kinds]
+        wrong = [self.written(self.chance.choice(list(ValueKind)[1:])), '"nonsense"']
+        return self.chance.choice((words + kinds) * 8 + wrong)
+
+    def call(self, name):
+        function = FUNCTIONS[name]
+        if function.gathers and self.chance.random() < 0.6:
+            count = min(self.chance.choice(function.gathers), 6)
+            return f"{name}({', '.join(self.entries(count))})"
+        given = [
+            f"{parameter.name}={self.argument(parameter)}"
+            for parameter in function.parameters
+            if not parameter.may_be_left_out or self.chance.random() < 0.4
+        ]
+        return f"{name}({', '.join(given)})"
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_whatever_is_given_is_answered_or_refused_in_one_line(name):
+    calls = Calls(name)
+    for _ in range(12):
+        expression = calls.call(name)
+        arithmetic = calls.chance.choice(list(Arithmetic))
+        try:
+            found = calculate(expression, {}, arithmetic).value
+        except PlacedError as refused:
+            assert str(refused).isprintable(), expression
+            assert len(str(refused)) < 400, expression
+            assert 0 <= refused.position <= len(expression)
+            continue
+        for x in found.numbers:
+            try:
+                assert isinstance(shown(x), Fraction | Surd | float), expression
+            except NoAnswerError:
+                assert isinstance(x, Interval), expression

@@ -57,6 +57,9 @@ quit
 """
 
 
+EVENING = (Path(__file__).parents[2] / "docs" / "samples" / "evening.calc").read_text("utf-8")
+
+
 class Terminal:
     """A terminal with a session on it; keys go in, and what it was sent comes out."""
 
@@ -173,6 +176,26 @@ def test_a_terminal_shows_what_a_file_prints(terminal):
     assert terminal.until_end() == 0
     position = 0
     for line in str(package.calc(LINES)).splitlines():
+        if line.strip() and not line.startswith(("> ", "  ")):
+            position = terminal.seen.find(f"\n{line}\n", position)
+            assert position >= 0, line
+
+
+def test_an_evening_is_the_same_on_a_terminal_from_a_file_and_in_python(
+    terminal, nmatrix, own_folder
+) -> None:
+    """The sixty lines of the documentation: the course from an object to the shader's matrix."""
+    assert EVENING.count("\n") == 60
+    wanted = str(package.calc(EVENING))
+    Path("evening.calc").write_text(EVENING, "utf-8")
+    assert nmatrix("calc evening.calc").out == wanted
+    position = 0
+    for line in EVENING.splitlines():
+        terminal.type(f"{line}\r")
+        terminal.until("> ")
+    terminal.type("\x04")
+    assert terminal.until_end() == 0
+    for line in wanted.splitlines():
         if line.strip() and not line.startswith(("> ", "  ")):
             position = terminal.seen.find(f"\n{line}\n", position)
             assert position >= 0, line

@@ -95,20 +95,6 @@ def _pivot(rows: list[list[Fraction]], start: int, column: int, *, exact: bool) 
     return None if found is None or is_zero(rows[found][column]) else found
 
 
-def determinant(A: RationalMatrix) -> Fraction:
-    """Compute a determinant: up to 4×4 by cofactors, beyond, of exact numbers, by elimination."""
-    if len(A) <= 4 or not is_exact(A):
-        return rational.determinant(A)
-    found = echelon(A)
-    if len(found.pivots) < len(A):
-        return ZERO
-    product = ONE
-    for i, row in enumerate(found.rows):
-        product = product * row[i]
-    inversions = sum(a > b for i, a in enumerate(found.order) for b in found.order[i + 1 :])
-    return -product if inversions % 2 else product
-
-
 def reduced(A: RationalMatrix, columns: int | None = None) -> tuple[RationalMatrix, Sequence[int]]:
     """Bring rows to reduced echelon form: pivots are 1, and nothing else stands in their columns.
 
@@ -171,7 +157,7 @@ def _null_space(A: Value) -> Value:
             A,
             "the null space of a matrix with independent columns",
             "only the zero vector is sent to 0",
-            "use a singular matrix",
+            "use a matrix whose columns depend on each other",
         )
     return Value(basis[0] if len(basis) == 1 else rational.transpose(basis))
 

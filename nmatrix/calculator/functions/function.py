@@ -168,7 +168,10 @@ class Function:
         is_alone = len(self.parameters) == 1
         wanted = self._gathered_or(parameter.wanted) if is_alone else parameter.wanted
         what = f"{'it' if is_alone else parameter.name} takes {wanted}, got {_shape(given)}"
-        return ArgumentError(given, what, "", f"write {self.example}")
+        step = f"write {self.example}"
+        if isinstance(given, str):
+            step = did_you_mean(given, parameter.choices, step)
+        return ArgumentError(given, what, "", step)
 
     def _gathered_or(self, wanted: str) -> str:
         """Tell the numbers that may stand for a vector, before what else is taken."""
@@ -244,7 +247,7 @@ def require_size(value: Value, sizes: int | tuple[int, ...], what: str) -> None:
 def require_square(A: Value) -> None:
     """Refuse a matrix that is not square."""
     if len(A.matrix) != len(A.matrix[0]):
-        step = "use 2×2, 3×3 or 4×4"
+        step = "use one with as many rows as columns"
         raise ArgumentError(A, A.shape, "a square matrix is needed", step)
 
 

@@ -15,7 +15,7 @@ from nmatrix.calculator.functions.function import (
     word,
     zero_vector,
 )
-from nmatrix.calculator.functions.rotations import ORDERS, about_axis, by_quaternion
+from nmatrix.calculator.functions.rotations import ORDER, about_axis, by_quaternion
 from nmatrix.calculator.numbers import angle, is_zero
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Convention
@@ -139,12 +139,25 @@ FUNCTIONS: dict[str, Function] = {
     "world": Function(
         (
             vector("translate", NOTHING),
-            Parameter("rotate", (ValueKind.VECTOR,), is_optional=True),
+            Parameter(
+                "rotate",
+                (ValueKind.VECTOR,),
+                is_optional=True,
+                words="three angles about x, y and z, in degrees",
+                is_angle=True,
+            ),
             Parameter("scale", _ONE_OR_THREE, Value(ONE)),
             vector("shear", NOTHING),
-            Parameter("quaternion", (ValueKind.VECTOR,), is_optional=True),
-            Parameter("axis_angle", (ValueKind.VECTOR,), is_optional=True),
-            word("order", *ORDERS),
+            Parameter(
+                "quaternion", (ValueKind.VECTOR,), is_optional=True, words="a vector x, y, z, w"
+            ),
+            Parameter(
+                "axis_angle",
+                (ValueKind.VECTOR,),
+                is_optional=True,
+                words="a vector x, y, z, angle",
+            ),
+            ORDER,
             word("convention", *CONVENTIONS),
         ),
         "the matrix of an object's place: moved, turned by three angles in degrees, a quaternion "

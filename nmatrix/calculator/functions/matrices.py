@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
 
-from nmatrix.calculator.functions.elimination import determinant
 from nmatrix.calculator.functions.function import (
     Function,
     NoAnswerForArgumentError,
@@ -22,7 +22,7 @@ from nmatrix.calculator.numbers import Float64, is_zero
 from nmatrix.calculator.operators import power
 from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
 from nmatrix.linear import rational
-from nmatrix.linear.rational import RationalMatrix, RationalVector
+from nmatrix.linear.rational import ZERO, RationalMatrix, RationalVector
 
 HIGHEST = 9999  # power, as after ^
 
@@ -41,6 +41,7 @@ def _of_affine(
     function: Callable[[RationalMatrix], RationalMatrix | RationalVector],
 ) -> Callable[..., Value]:
     def compute(M: Value) -> Value:
+        require_square(M)
         require_size(M, 4, "a 4×4 matrix")
         return Value(function(M.matrix))
 
@@ -51,13 +52,45 @@ def _identity(n: Value) -> Value:
     return Value(rational.identity(whole(n, LARGEST, "the size", least=1)))
 
 
+def determinants(rows: Sequence[RationalVector]) -> Callable[[tuple[int, ...]], Fraction]:
+    """Make a function of columns: the determinant of the last rows, as many, in those columns.
+
+    It is expanded by its first row, and each smaller one is computed once.
+    """
+
+    @cache
+    def of(columns: tuple[int, ...]) -> Fraction:
+        if len(columns) <= 2:
+            return rational.determinant(
+                tuple(tuple(row[j] for j in columns) for row in rows[len(rows) - len(columns) :])
+            )
+        first = rows[len(rows) - len(columns)]
+        terms = (
+            (-1) ** k * first[j] * of(columns[:k] + columns[k + 1 :])
+            for k, j in enumerate(columns)
+            if first[j]
+        )
+        return sum(terms, ZERO)
+
+    return of
+
+
+def determinant(A: RationalMatrix) -> Fraction:
+    """Compute a determinant of any size, by its first row."""
+    return determinants(A)(tuple(range(len(A))))
+
+
 def cofactors(A: RationalMatrix) -> RationalMatrix:
     """Compute the cofactor matrix of any size."""
-    if len(A) <= 4:
+    n = len(A)
+    if n <= 4:
         return rational.cofactor_matrix(A)
-    places = range(len(A))
-    minors = [[determinant(rational.minor(A, i, j)) for j in places] for i in places]
-    return tuple(tuple((-1) ** (i + j) * minors[i][j] for j in places) for i in places)
+    found = []
+    for i in range(n):
+        of = determinants((*A[:i], *A[i + 1 :]))
+        others = [tuple(k for k in range(n) if k != j) for j in range(n)]
+        found.append(tuple((-1) ** (i + j) * of(columns) for j, columns in enumerate(others)))
+    return tuple(found)
 
 
 def inverted(A: Value) -> RationalMatrix:

@@ -223,8 +223,8 @@ def _refined(p: Polynomial, low: Fraction, high: Fraction, bits: int) -> tuple[F
         parts = 1 << leap
         step = (high - low) / parts
         at_low, at_high = value_at(p, low), value_at(p, high)
-        share = middle(at_low / (at_low - at_high))
-        place = min(parts - 1, int(share * parts))
+        share = middle(at_low) / (middle(at_low) - middle(at_high))
+        place = min(parts - 1, int(share * parts))  # both signs differ, so it is from 0 to 1
         left = low + place * step
         ends = [value_at(p, left), value_at(p, left + step)]
         for end, value in zip((left, left + step), ends, strict=True):

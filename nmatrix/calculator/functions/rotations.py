@@ -6,16 +6,17 @@ Where a matrix also scales or shears, its rotation is the one of M = T · R · d
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nmatrix.calculator.functions.function import (
     FOUR,
     Function,
     NoAnswerForArgumentError,
+    Parameter,
     matrix,
     require_size,
     turn,
     vector,
-    word,
     zero_vector,
 )
 from nmatrix.calculator.functions.matrices import block_of
@@ -49,6 +50,9 @@ ORDERS = tuple(
     for axes in (AXES, AXES.lower())
     for order in ((a, b, c) for a in axes for b in axes for c in axes)
     if len(set(order)) == 3
+)
+ORDER = Parameter(
+    "order", is_optional=True, words="a permutation of XYZ or of xyz, in quotes", choices=ORDERS
 )
 
 
@@ -202,7 +206,7 @@ FUNCTIONS: dict[str, Function] = {
         _quaternion_of,
     ),
     "euler": Function(
-        (matrix("M"), word("order", *ORDERS, default="XYZ")),
+        (matrix("M"), replace(ORDER, default="XYZ")),
         "the three angles about x, y and z, in degrees, of the rotation in a matrix; the order is "
         "that of the product",
         "entries of the product of three rotations, read backwards",

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
 
-from nmatrix.calculator.functions.elimination import determinant, is_exact
+from nmatrix.calculator.functions.elimination import is_exact
 from nmatrix.calculator.functions.function import (
     ArgumentError,
     Function,
@@ -19,6 +19,7 @@ from nmatrix.calculator.functions.function import (
     require_square,
     word,
 )
+from nmatrix.calculator.functions.matrices import determinant
 from nmatrix.calculator.functions.roots import middle, real_roots
 from nmatrix.calculator.numbers import (
     Float64,
@@ -56,8 +57,9 @@ def _eigenvalues(A: Value) -> Value:
     _checked(A, "eigenvalues")
     found = spectrum(A.matrix)
     if not found:
-        why = "it turns every vector of the plane, or of each of its planes"
-        raise NoAnswerForArgumentError(A, "no eigenvalue is a real number", why, "use another")
+        why = "no vector keeps its direction: the map turns them all"
+        step = "use one that keeps a direction"
+        raise NoAnswerForArgumentError(A, "a matrix without real eigenvalues", why, step)
     return Value(tuple(one for one, times in found for _ in range(times)))
 
 
