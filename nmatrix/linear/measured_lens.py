@@ -19,6 +19,10 @@ from nmatrix.linear.viewport import Viewport
 from nmatrix.report import Number, Vector
 
 
+Turn = Callable[[Fraction], Angle]  # of degrees
+Read = Callable[[Number], Fraction]
+
+
 @dataclass(frozen=True)
 class HorizontalField:
     """A field of view from left to right, in degrees; the height follows from the aspect."""
@@ -28,6 +32,10 @@ class HorizontalField:
     def __post_init__(self) -> None:
         read_fields(self, degrees=named("fov_x", float_turn))
         check_field(self.degrees, "fov_x", "horizontal")
+
+    def half(self, turn: Turn, read: Read) -> Angle:
+        """The angle from the view axis to the right side."""
+        return turn(read(self.degrees) / 2)
 
 
 @dataclass(frozen=True)
@@ -106,8 +114,6 @@ class SideAngles:
                 )
 
 
-Turn = Callable[[Fraction], Angle]  # of degrees
-Read = Callable[[Number], Fraction]
 MeasuredLens = HorizontalField | FilmBack | Intrinsics | SideAngles
 
 
@@ -149,7 +155,7 @@ def sides_at_distance_one(
     """
     match lens:
         case HorizontalField():
-            right = _tangent(turn(read(lens.degrees) / 2))
+            right = _tangent(lens.half(turn, read))
             return _centred(right, right / aspect)
         case FilmBack():
             width, height = (read(side) / (2 * read(lens.focal)) for side in lens.sensor)
