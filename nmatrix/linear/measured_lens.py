@@ -18,7 +18,6 @@ from nmatrix.linear.values import named, number, read_fields, vector
 from nmatrix.linear.viewport import Viewport
 from nmatrix.report import Number, Vector
 
-
 Turn = Callable[[Fraction], Angle]  # of degrees
 Read = Callable[[Number], Fraction]
 
@@ -34,7 +33,7 @@ class HorizontalField:
         check_field(self.degrees, "fov_x", "horizontal")
 
     def half(self, turn: Turn, read: Read) -> Angle:
-        """The angle from the view axis to the right side."""
+        """Make the angle from the view axis to the right side."""
         return turn(read(self.degrees) / 2)
 
 
