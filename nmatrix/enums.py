@@ -245,6 +245,14 @@ class Layout(StrEnum):
     COLUMN_MAJOR = "column-major"
 
 
+class Numbers(StrEnum):
+    """How a number is written for people: 1/3 and √3/2, or 0.333333 and 0.866025, or both."""
+
+    EXACT = "exact"
+    DECIMAL = "decimal"
+    BOTH = "both"
+
+
 class Format(StrEnum):
     """The formats that a report can be written in."""
 
@@ -419,3 +427,19 @@ class AxisName(StrEnum):
     UNREAL = "unreal"
     OPENCV = "opencv"
     ROS = "ros"
+
+
+class DeterminantBy(StrEnum):
+    """The ways to work a determinant out on paper."""
+
+    EXPANSION = "expansion"
+    SARRUS = "sarrus"
+    ELIMINATION = "elimination"
+
+
+class InverseBy(StrEnum):
+    """The ways to work an inverse out on paper; by blocks it is for affine matrices."""
+
+    ADJUGATE = "adjugate"
+    GAUSS = "gauss"
+    BLOCKS = "blocks"

@@ -221,6 +221,20 @@ class MissingPackageError(NMatrixError, ImportError):
     exit_code = 4
 
 
+def placed(error: NMatrixError, place: str) -> NMatrixError:
+    """Make an error of the same kind that says first where it happened.
+
+    Examples
+    --------
+    >>> print(placed(NoAnswerError("1/0", "nothing is divided by 0"), "line 3"))
+    line 3: 1/0: nothing is divided by 0
+    """
+    kinds = (IllegalValueError, NoAnswerError, CheckFailedError, MissingPackageError)
+    kind = next((one for one in kinds if isinstance(error, one)), NMatrixError)
+    what, *others = error.parts
+    return kind(f"{place}: {what}", *others)
+
+
 LONGEST_QUOTE = 40  # characters
 LONGEST_NAME = 60
 

@@ -1,7 +1,8 @@
 """A formula as a tree, read from the line that a person would type.
 
-The line is what `derive` prints as text: `(A t)ᵀ (N n)`, `tan θ = (κ − 1/κ) / 2`, `√3/2`. A slash
-takes what stands directly before and after it; a function's name takes what follows it.
+The line is what text shows: `(A t)ᵀ (N n)`, `tan θ = (κ − 1/κ) / 2`, `√3/2`. A slash takes what
+stands directly before and after it, a number before a root with that root, as in `3√2/4`; a
+function's name takes what follows it. A column of `|` in a matrix is the bar of [A | I].
 """
 
 from __future__ import annotations
@@ -9,6 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+
+from nmatrix.typed_rows import TypedRows, bar_of
 
 APART = ",  "  # between two statements, which stand further apart than two numbers
 OPERATORS = ("det", "tan", "sin", "cos", "arctan", "max")  # which LaTeX and Typst know by name
@@ -45,6 +48,13 @@ class Name:
 @dataclass(frozen=True)
 class Numeral:
     """A number, as typed."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Words:
+    """Plain words where a letter would stand."""
 
     text: str
 
@@ -96,13 +106,13 @@ class Fence:
 
 @dataclass(frozen=True)
 class Grid:
-    """A matrix."""
+    """A matrix; `bar` is how many columns stand before its vertical line, 0 where it has none."""
 
     rows: tuple[tuple[Node, ...], ...]
+    bar: int = 0
 
 
-Node = Name | Numeral | Sign | Row | Power | Quotient | Root | Fence | Grid
-TypedRows = tuple[tuple[str, ...], ...]
+Node = Name | Numeral | Words | Sign | Row | Power | Quotient | Root | Fence | Grid
 
 
 def parse(text: str) -> Node:
@@ -127,9 +137,15 @@ def parse_parts(parts: Sequence[str | TypedRows]) -> Row:
             line += part
             continue
         found += _line(line)
-        found.append(Grid(tuple(tuple(map(parse, row)) for row in part)))
+        found.append(_grid(part))
         line = ""
     return Row((*found, *_line(line)))
+
+
+def _grid(rows: TypedRows) -> Grid:
+    bar = bar_of(rows)
+    cells = (row[:bar] + row[bar + 1 :] if bar else row for row in rows)
+    return Grid(tuple(tuple(map(parse, row)) for row in cells), bar)
 
 
 def _line(text: str) -> list[Node]:
@@ -172,13 +188,21 @@ def _plain_piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
         inside, rest = _plain_piece(rest)
         return Root(_bare(inside)), rest
     if head[0].isdigit():
-        return Numeral(head), rest
+        return _number(head, rest)
     if head in FUNCTIONS and rest and rest[0][0] not in f")|=,{RAISED}":
         argument, rest = _piece(rest)
         return Row((Name(head), argument)), rest
     if head[0].isalpha():
         return Name(head), rest
     return Sign(APART if head.startswith(",") and head != "," else head), rest
+
+
+def _number(head: str, rest: Sequence[str]) -> tuple[Node, Sequence[str]]:
+    """Read a number, with the root that it stands before: 3√2 is one piece."""
+    if not (rest and rest[0] == "√"):
+        return Numeral(head), rest
+    root, rest = _plain_piece(rest)
+    return Row((Numeral(head), root)), rest
 
 
 def _joined(items: Sequence[Node]) -> Node:

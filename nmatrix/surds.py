@@ -10,13 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from math import gcd, isfinite, isqrt, lcm
 from typing import TypeGuard
 
 BITS = 280  # of a root, where a number between two bounds is asked for
 MOST_TERMS = 16  # of a sum: four roots that are independent
-LONGEST = 4096  # bits of a denominator before a root
+MOST_BITS = 4096  # bits of a denominator before a root
 TRIED = 10_000  # divisors; two factors beyond them leave a number of at least TRIED²
+LONGEST = 12  # characters of a number that a person still reads as one
+# A float is looked for among fractions with such denominators, and among the roots of such
+# fractions up to a size: there are so few of them that no other float is one by chance.
+OF_FRACTIONS, OF_SQUARES, LARGEST_ROOT = 1000, 10_000, 100
+CLOSE = Fraction(1, 2**50)  # how far the square of a float may be from that of the root it is of
 
 Rational = int | Fraction
 
@@ -169,15 +174,26 @@ class Surd:
         >>> print((root(6) - root(2)) / 4, root(Fraction(8, 9)), 1 - root(5))
         (√6 − √2)/4 2√2/3 1 − √5
         """
-        bottom = lcm(*(q.denominator for _, q in self.terms))
-        tops = [(d, int(q * bottom)) for d, q in self.terms]
-        ordered = sorted(tops, key=lambda term: term[1] < 0)  # a sum does not begin with a minus
-        written = "".join(_written(d, top, is_first=not i) for i, (d, top) in enumerate(ordered))
+        tops, bottom = self.over_one_denominator
+        written = "".join(_written(d, top, is_first=not i) for i, (d, top) in enumerate(tops))
         if bottom == 1:
             return written
         if all(top < 0 for _, top in tops):  # −(√2 + √6)/4
             return f"−{-self}"
         return f"{written}/{bottom}" if len(tops) == 1 else f"({written})/{bottom}"
+
+    @property
+    def over_one_denominator(self) -> tuple[list[tuple[int, int]], int]:
+        """Its roots, each with the whole number before it, and what divides their sum.
+
+        Examples
+        --------
+        >>> ((root(6) - root(2)) / 4).over_one_denominator
+        ([(6, 1), (2, -1)], 4)
+        """
+        bottom = lcm(*(q.denominator for _, q in self.terms))
+        tops = [(d, int(q * bottom)) for d, q in self.terms]
+        return sorted(tops, key=lambda term: term[1] < 0), bottom  # no sum begins with a minus
 
 
 def root(square: Rational) -> Fraction | Surd:
@@ -198,9 +214,73 @@ def root(square: Rational) -> Fraction | Surd:
     return _sum([(inside, Fraction(outside, value.denominator))])
 
 
-def is_short(value: object, longest: int = 12) -> TypeGuard[Fraction | Surd]:
-    """Tell whether a number is exact and short enough to be read as one."""
-    return isinstance(value, (Fraction, Surd)) and len(str(value)) <= longest
+def sine(degrees: Rational) -> Fraction | Surd | None:
+    """Find the sine of an angle if it is a sum of roots of fractions; None if it is none.
+
+    Of a rational number of degrees it is one for multiples of 15° and odd multiples of 18°, and
+    for no others.
+
+    Examples
+    --------
+    >>> print(sine(-60), sine(Fraction(75)), sine(20))
+    −√3/2 (√2 + √6)/4 None
+    """
+    turned = Fraction(degrees) % 360
+    sharp = min(turned % 180, 180 - turned % 180)
+    found = SINES.get(sharp)
+    return -found if found is not None and turned > 180 else found
+
+
+def is_short(value: object) -> TypeGuard[Fraction | Surd]:
+    """Tell whether a number is exact and short enough to be read as one.
+
+    Examples
+    --------
+    >>> is_short(Fraction(1234, 5678)), is_short(Fraction(10**9, 7**9)), is_short(0.5)
+    (True, False, False)
+    """
+    if not isinstance(value, (Fraction, Surd)):
+        return False
+    parts = [q for _, q in value.terms] if isinstance(value, Surd) else [value]
+    most = 10**LONGEST  # what is longer may have more digits than Python writes
+    return (
+        all(max(abs(q.numerator), q.denominator) < most for q in parts)
+        and all(d < most for d, _ in _terms(value) or ())
+        and len(str(value)) <= LONGEST
+    )
+
+
+def short_number(value: float | Fraction | Surd) -> Fraction | Surd | None:
+    """Find the short exact number that a value is; None where there is none.
+
+    A float64 is taken for p/q or (p/q)√d only if it is the float64 nearest to that number, with q
+    at most 1000, or, for a root, up to 100 in size and with a square whose denominator is at most
+    10 000. Of random floats between 1/100 and 100 less than one in ten million is one.
+
+    Examples
+    --------
+    >>> print(short_number(1 / 3), short_number(3**0.5 / 2), short_number(0.1), short_number(2.0))
+    1/3 √3/2 1/10 2
+    >>> print(short_number(0.333333), short_number(0.30000000000000004), short_number(0.866025))
+    None None None
+    """
+    if isinstance(value, float):
+        return _nearest_short(value) if isfinite(value) else None
+    exact = Fraction(value) if isinstance(value, int) else value
+    return exact if is_short(exact) else None
+
+
+def _nearest_short(value: float) -> Fraction | Surd | None:
+    exact = Fraction(value)
+    ratio = exact.limit_denominator(OF_FRACTIONS)
+    if float(ratio) == value:
+        return ratio if is_short(ratio) else None
+    square = exact * exact
+    near = square.limit_denominator(OF_SQUARES)
+    if abs(exact) > LARGEST_ROOT or not near or abs(near - square) > CLOSE * square:
+        return None
+    found = root(near) if value > 0 else -root(near)
+    return found if is_short(found) and float(found) == value else None
 
 
 def _terms(value: object) -> tuple[tuple[int, Fraction], ...] | None:
@@ -216,8 +296,8 @@ def _sum(terms: Iterable[tuple[int, Fraction]]) -> Fraction | Surd:
     left = tuple(sorted((d, q) for d, q in total.items() if q))
     if len(left) > MOST_TERMS:
         raise TooManyRootsError(f"a sum of {len(left)} roots")
-    if any(q.denominator.bit_length() > LONGEST for _, q in left):
-        raise TooManyRootsError(f"a sum of roots over more than {LONGEST} bits")
+    if any(q.denominator.bit_length() > MOST_BITS for _, q in left):
+        raise TooManyRootsError(f"a sum of roots over more than {MOST_BITS} bits")
     if not left:
         return Fraction(0)
     return left[0][1] if len(left) == 1 and left[0][0] == 1 else Surd(left)
@@ -252,3 +332,16 @@ def _written(under: int, before: int, *, is_first: bool) -> str:
     sign = ("−" if before < 0 else "") if is_first else (" − " if before < 0 else " + ")
     factor = "" if abs(before) == 1 and under > 1 else str(abs(before))
     return f"{sign}{factor}{f'√{under}' if under > 1 else ''}"
+
+
+SINES: dict[Fraction, Fraction | Surd] = {
+    Fraction(0): Fraction(0),
+    Fraction(15): (root(6) - root(2)) / 4,
+    Fraction(18): (root(5) - 1) / 4,
+    Fraction(30): Fraction(1, 2),
+    Fraction(45): root(2) / 2,
+    Fraction(54): (root(5) + 1) / 4,
+    Fraction(60): root(3) / 2,
+    Fraction(75): (root(6) + root(2)) / 4,
+    Fraction(90): Fraction(1),
+}

@@ -43,7 +43,7 @@ class NormalRequest:
     method: NormalRule = NormalRule.EXACT
 
 
-def normal(setup: Setup, request: NormalRequest) -> Report:
+def normal(setup: Setup, request: NormalRequest, *, steps: bool = False) -> Report:
     """Answer with the normal matrix of S · M, and with the normals through it.
 
     Examples
@@ -67,6 +67,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         "cofactor_matrix": linear_map.cofactor_matrix,
         **transform_data(found),
         "normals": [one.data for one in answered],
+        "steps": None,
     }
     blocks = (
         Heading(f"Normal matrix: object to {request.space} space"),
@@ -75,7 +76,7 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         *transform_blocks(found),
         *(block for i, one in enumerate(answered) for block in one.blocks(i)),
     )
-    return Report(
+    report = Report(
         "normal",
         data,
         blocks,
@@ -83,6 +84,11 @@ def normal(setup: Setup, request: NormalRequest) -> Report:
         _failure(found, answered),
         brief=_brief(request, Quantity("normal_matrix", matrix, title), found, answered),
     )
+    if steps:
+        from nmatrix.answers.steps import of_normals, with_steps  # most answers are without
+
+        return with_steps(report, of_normals(setup, request.space, request.method, request.normals))
+    return report
 
 
 def _brief(

@@ -46,7 +46,7 @@ _WHERE = {
 }
 
 
-def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
+def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED, *, steps: bool = False) -> Report:
     """Answer with the projection matrix of a scene; of a given one, with what its entries say.
 
     Examples
@@ -72,6 +72,7 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
         "intrinsics": intrinsics,
         "readings": None if readings is None else [reading_data(one) for one in readings],
         **table.data,
+        "steps": None,
     }
     shown = Quantity("clip_from_camera", P, "P")
     told = (Verdict(_verdict(lens)),) if readings is None else tuple(_told(readings))
@@ -90,7 +91,12 @@ def projection(setup: Setup, asked: DepthRequest = NOTHING_ASKED) -> Report:
         (*(() if own else ("the matrix",)), *((GAPS,) if table.steps is not None else ())),
         SCREEN + max(len(table.pairs or ()) - FEW, 0),
     )
-    return Report("projection", data, blocks, remarks, glsl=table.glsl, brief=brief)
+    report = Report("projection", data, blocks, remarks, glsl=table.glsl, brief=brief)
+    if steps:
+        from nmatrix.answers.steps import of_projection, with_steps  # most answers are without
+
+        return with_steps(report, of_projection(setup))
+    return report
 
 
 def _readings(lens: Lens) -> tuple[Reading, ...] | None:

@@ -30,8 +30,8 @@ from nmatrix.report import (
 from nmatrix.scene.setup import Setup
 
 
-def view(setup: Setup) -> Report:
-    """Answer with the view matrix of a scene, also as R · T.
+def view(setup: Setup, *, steps: bool = False) -> Report:
+    """Answer with the view matrix of a scene, also as R · T; its steps are for who asks.
 
     Examples
     --------
@@ -72,6 +72,7 @@ def view(setup: Setup) -> Report:
         "mirrored": found.mirrored,
         "readings": [reading_data(one) for one in readings] if given else None,
         **elsewhere,
+        "steps": None,
     }
     remarks = [*placed.remarks, *transform_remarks(found)]
     whole = setup.view.typed_matrix is not None
@@ -81,7 +82,12 @@ def view(setup: Setup) -> Report:
         remarks.append(_NO_HAND)
     told = shown | {key: matrix for key, matrix in elsewhere.items() if matrix is not None}
     blocks = _blocks(told, found, readings)
-    return Report("view", data, blocks, tuple(remarks), brief=_brief(blocks))
+    report = Report("view", data, blocks, tuple(remarks), brief=_brief(blocks))
+    if steps:
+        from nmatrix.answers.steps import of_view, with_steps  # most answers are without
+
+        return with_steps(report, of_view(setup))
+    return report
 
 
 def _brief(blocks: Sequence[Block]) -> Brief:

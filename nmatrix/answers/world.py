@@ -18,8 +18,8 @@ from nmatrix.report import Block, Brief, Cells, Heading, Quantity, Report, Table
 from nmatrix.scene.setup import Setup
 
 
-def world(setup: Setup) -> Report:
-    """Answer with the world matrix of a scene.
+def world(setup: Setup, *, steps: bool = False) -> Report:
+    """Answer with the world matrix of a scene; its steps are for who asks for them.
 
     Examples
     --------
@@ -41,6 +41,7 @@ def world(setup: Setup) -> Report:
         "needs_inverse_transpose": found.needs_inverse_transpose,
         "worst_angle_without_deg": found.worst_angle_deg,
         "parts": None if parts is None else parts_data(parts),
+        "steps": None,
     }
     blocks: list[Block] = [
         Heading("World matrix: world from object, M = T · R · S · H"),
@@ -56,7 +57,12 @@ def world(setup: Setup) -> Report:
         blocks += [Heading(f"Parts, {how}"), parts_table(parts)]
         remarks += parts_remarks(parts)
     brief = _brief(setup, blocks, found, parts)
-    return Report("world", data, tuple(blocks), tuple(remarks), brief=brief)
+    report = Report("world", data, tuple(blocks), tuple(remarks), brief=brief)
+    if steps:
+        from nmatrix.answers.steps import of_world, with_steps  # most answers are without
+
+        return with_steps(report, of_world(setup))
+    return report
 
 
 def _brief(

@@ -328,9 +328,7 @@ def _rotation(given: dict[str, Any], order: str, convention: Convention) -> tupl
             places.turns("turn", turn, ()),
         )
     angles = places.turns("rotate", given.get("rotate", (0, 0, 0)), XYZ)
-    if convention is Convention.STANDARD:
-        return (lambda turns: affine.rotation(turns, order)), angles
-    return (lambda turns: affine.course_rotation(turns, convention)), angles
+    return (lambda turns: affine.rotation(turns, order, convention)), angles
 
 
 def _through(

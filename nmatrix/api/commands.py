@@ -25,12 +25,14 @@ def calc(
     steps: bool = False,
     rounded: bool = False,
 ) -> Report:
-    """Compute an expression of the matrix calculator, in exact fractions.
+    r"""Compute an expression of the matrix calculator, or run the statements of a session.
 
     Parameters
     ----------
     expression
-        Over M, V and P of the setup, literals, and the names of `let`.
+        Over M, V and P of the setup, literals, and the names of `let`; or statements, a line each,
+        as `nmatrix calc FILE` has them: then the text is the transcript, `lines` in the data are
+        what each came to, and `failure` is the first error.
     let
         Numbers, vectors and matrices by name.
     steps
@@ -41,7 +43,7 @@ def calc(
     Raises
     ------
     IllegalValueError
-        For a fault in the expression, with a caret in front of it.
+        For a fault in an expression, with a caret in front of it.
     NoAnswerError
         For the inverse of a singular matrix, a division by zero, a direction of length zero.
 
@@ -49,14 +51,21 @@ def calc(
     --------
     >>> calc("det(A) / 4", let={"A": [[1, 2], [3, 4]]}).data["value"]
     -0.5
+    >>> print(calc("d = 2\nd^3"), end="")
+    > d = 2
+    d  2
+    > d^3
+    ans  8
     """
     from nmatrix.calculator.answer import report
-    from nmatrix.calculator.evaluate import calculate
-    from nmatrix.calculator.names import names_of, with_name
+    from nmatrix.calculator.names import EVERY_NAME, names_of, with_name
+    from nmatrix.calculator.session import Session, Settings
     from nmatrix.calculator.values import Arithmetic
+    from nmatrix.output.transcript import Disk, is_session, transcript
+    from nmatrix.output.write import OutputOptions
 
     typed = text(expression, "expression")
-    names = names_of(setup_values(setup), typed)
+    names = names_of(setup_values(setup), EVERY_NAME if is_session(typed) else typed)
     for name, value in _mapping({} if let is None else let, "let").items():
         rows = (
             ((Fraction(number(value, name)),),)
@@ -65,7 +74,13 @@ def calc(
         )
         names = with_name(names, text(name, "let"), rows)
     arithmetic = Arithmetic.FLOAT if flag(rounded, "rounded") else Arithmetic.EXACT
-    return Report(report(calculate(typed, names, arithmetic), with_steps=flag(steps, "steps")))
+    settings = Settings(steps=flag(steps, "steps"), arithmetic=arithmetic)
+    session = Session(names, settings)
+    if is_session(typed):
+        return Report(transcript(session, typed, OutputOptions(), Disk()))
+    return Report(
+        report(session.calculation(typed), with_steps=settings.steps, inverse_by=settings.by)
+    )
 
 
 def derive(case: str = "rule", world: Part = None) -> Report:

@@ -17,7 +17,7 @@ from nmatrix.enums import (
     Space,
     chosen,
 )
-from nmatrix.linear.values import named_file, number, plain_value, real, refused, vector
+from nmatrix.linear.values import flag, named_file, number, plain_value, real, refused, vector
 from nmatrix.samples import file_or_sample
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
@@ -120,19 +120,33 @@ class Setup:
         found.__dict__["values"] = values
         return found
 
-    def world(self) -> Report:
-        """Return the world matrix, what kind of map it is, its parts and its normal matrix."""
+    def world(self, *, steps: bool = False) -> Report:
+        """Return the world matrix, what kind of map it is, its parts and its normal matrix.
+
+        Parameters
+        ----------
+        steps
+            Whether to add, line by line, how the matrices come about.
+        """
         from nmatrix.answers.world import world
 
-        return Report(world(self.values))
+        return Report(world(self.values, steps=flag(steps, "steps")))
 
-    def view(self) -> Report:
-        """Return the view matrix, its two factors and the camera's axes."""
+    def view(self, *, steps: bool = False) -> Report:
+        """Return the view matrix, its two factors and the camera's axes.
+
+        Parameters
+        ----------
+        steps
+            Whether to add, line by line, how the matrix comes about.
+        """
         from nmatrix.answers.view import view
 
-        return Report(view(self.values))
+        return Report(view(self.values, steps=flag(steps, "steps")))
 
-    def projection(self, *, at: object = (), depth_value: object = ()) -> Report:
+    def projection(
+        self, *, at: object = (), depth_value: object = (), steps: bool = False
+    ) -> Report:
         """Return the projection matrix and the gaps between surfaces that its depth can tell.
 
         Parameters
@@ -141,12 +155,14 @@ class Setup:
             Distances whose window depth is asked for.
         depth_value
             Stored depths, from 0 to 1, whose distance is asked for.
+        steps
+            Whether to add, line by line, how the matrix comes about.
         """
         from nmatrix.answers.depth import DepthRequest
         from nmatrix.answers.projection import projection
 
         asked = DepthRequest(_numbers(at, "at"), _numbers(depth_value, "depth_value"))
-        return Report(projection(self.values, asked))
+        return Report(projection(self.values, asked, steps=flag(steps, "steps")))
 
     def normal(
         self,
@@ -154,6 +170,7 @@ class Setup:
         *,
         space: str | Space = Space.WORLD,
         method: str | NormalRule = NormalRule.EXACT,
+        steps: bool = False,
     ) -> Report:
         """Return the normal matrix from object space, and what becomes of some normals.
 
@@ -165,6 +182,8 @@ class Setup:
             One normal or several, in object space.
         method
             exact, or inverse, cofactor, none to compare with.
+        steps
+            Whether to add, line by line, how the matrix and each normal come about.
         """
         from nmatrix.answers.normal import NormalRequest, normal
 
@@ -173,7 +192,7 @@ class Setup:
             space_named(space),
             chosen(NormalRule, method, "method", NORMAL_METHODS),
         )
-        return Report(normal(self.values, request))
+        return Report(normal(self.values, request, steps=flag(steps, "steps")))
 
     def light(self, space: str | Space | None = None) -> Report:
         """Return the light's direction and position in a space, or in the four usual ones."""

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
+from nmatrix.calculator.operands import RefusedError
+from nmatrix.errors import FrameError, IllegalValueError, NMatrixError, NoAnswerError
 
 WINDOW = 30  # characters shown on either side of the caret
 
 
-class _PlacedError(NMatrixError):
-    """An error at one character of an expression; `position` counts characters from 0."""
+class PlacedError(NMatrixError):
+    """An error at one character of an expression; `position` counts characters from 0.
+
+    `without_caret` is for those who draw the caret themselves, under what was typed.
+    """
 
     def __init__(self, expression: str, position: int, what: str, why: str) -> None:
         super().__init__(f"{what} (character {position + 1})", why, _caret(expression, position))
         self.position = position
+        self.without_caret = NMatrixError(what, why)
 
 
-class CalculatorError(_PlacedError, IllegalValueError):
+class CalculatorError(PlacedError, IllegalValueError):
     """A fault in an expression.
 
     Examples
@@ -25,7 +30,7 @@ class CalculatorError(_PlacedError, IllegalValueError):
     """
 
 
-class NoValueError(_PlacedError, NoAnswerError):
+class NoValueError(PlacedError, NoAnswerError):
     """A sound expression with an operation that has no answer.
 
     Examples
@@ -33,6 +38,24 @@ class NoValueError(_PlacedError, NoAnswerError):
     >>> print(NoValueError("1/0", 1, "/", "nothing is divided by 0"))
     / (character 2): nothing is divided by 0; see the caret: 1^/0
     """
+
+
+class MeaningError(PlacedError, FrameError):
+    """Numbers that fit and spaces that do not; it knows the mistake and the nearest right form.
+
+    Examples
+    --------
+    >>> print(MeaningError("V @ l", 2, "@", RefusedError("l is in camera space"), "l"))
+    @ (character 3): l is in camera space; write l; see the caret: V ^@ l
+    """
+
+    def __init__(
+        self, expression: str, position: int, what: str, refused: RefusedError, instead: str = ""
+    ) -> None:
+        told = f"; write {instead}" if instead else ""
+        named = f"; check calls it {refused.mistake}" if refused.mistake else ""
+        super().__init__(expression, position, what, f"{refused.why}{told}{named}")
+        self.instead, self.mistake = instead, refused.mistake
 
 
 def _caret(expression: str, at: int) -> str:

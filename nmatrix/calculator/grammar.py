@@ -8,6 +8,7 @@ two entries, and a sign with a blank before it and none behind begins the next o
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.tokens import Token, TokenKind, tokens
@@ -26,6 +27,7 @@ from nmatrix.calculator.tree import (
     Turn,
     Word,
 )
+from nmatrix.calculator.values import LARGEST
 
 DEEPEST = 100  # levels of nesting; Python's own stack holds about 1000
 LONGEST_EXPONENT = 4  # digits
@@ -149,8 +151,7 @@ class _Parser:
         if after.text == "√":  # 3√2 is one number
             root = self.operand(depth + 1)
             return Infix(number.start, root.end, "*", number, root, root.start)
-        why = f"a product is written with its sign: {token.text}*{after.text}"
-        raise self.fault(after.start, "a product", why)
+        raise self.fault(after.start, *_behind_a_number(token.text, after.text))
 
     def is_call(self) -> bool:
         token = self.ahead()
@@ -232,10 +233,16 @@ class _Parser:
         if token.is_sign(","):
             rows, token = self.listed(inner, depth)
             inner = Bracket(opening.start, token.end, (rows,))
-        if not token.is_sign(")"):
-            raise self.fault(opening.start, "(", "its ) is missing")
+        self.closed(opening, token)
         self.brackets = outside
-        return inner
+        return replace(inner, start=opening.start, end=token.end)
+
+    def closed(self, opening: Token, closing: Token) -> None:
+        """Refuse what stands where the ) of a bracket belongs."""
+        if closing.kind is TokenKind.END:
+            raise self.fault(opening.start, "(", "its ) is missing")
+        if not closing.is_sign(")"):
+            raise self.fault(closing.start, *_stray(closing, "a comma or ) belongs here"))
 
     def listed(self, first: Node, depth: int) -> tuple[tuple[Node, ...], Token]:
         """Read the rest of a list (1, 2, 3)."""
@@ -265,10 +272,7 @@ class _Parser:
             elif not self.next.is_sign(")"):
                 break
         closing = self.take()
-        if not closing.is_sign(")"):
-            if closing.kind is TokenKind.END:
-                raise self.fault(opening.start, "(", "its ) is missing")
-            raise self.fault(closing.start, *_stray(closing, "a comma or ) belongs here"))
+        self.closed(opening, closing)
         self.brackets = outside
         return Call(name.start, closing.end, name.text, tuple(arguments), tuple(named))
 
@@ -289,6 +293,9 @@ class _Parser:
             elif token.kind is TokenKind.END:
                 raise self.fault(opening.start, "[", "its ] is missing")
             else:
+                if max(len(rows), len(row)) == LARGEST:
+                    why = f"a matrix has at most {LARGEST} rows and columns"
+                    raise self.fault(token.start, "bracket", why)
                 row.append(self.expression(0, depth + 1))
                 self.comma()
         self.brackets = outside
@@ -328,8 +335,19 @@ def _missing(token: Token) -> tuple[str, str]:
     return f"{token.text.strip() or 'a line end'}", "a number, a name or a bracket belongs here"
 
 
+def _behind_a_number(number: str, after: str) -> tuple[str, str]:
+    """Tell what letters or a bracket close behind a number may have been meant for."""
+    if after[0] == "_":
+        return "a number", f"digits stand together: write {number}{after.replace('_', '')}"
+    if number == "0" and after[0] in "xXbBoO":
+        return "a number", "numbers are decimal: write 16 for 0x10"
+    return "a product", f"it is written with its sign: {number}*{after}"
+
+
 def _stray(token: Token, otherwise: str) -> tuple[str, str]:
     """Tell why an expression ends before this token."""
+    if token.kind is TokenKind.NUMBER and not token.after_blank and token.text[0] == ".":
+        return "a number", "it has a point already"
     if token.kind in (TokenKind.NAME, TokenKind.NUMBER, TokenKind.ANGLE, TokenKind.PASTED):
         return "expression", "a sign is missing: products are written a*b, of matrices A @ B"
     if token.is_sign("=", ":"):

@@ -1,14 +1,18 @@
-"""The names that an expression may use: M, V and P of a setup, and those that the user adds."""
+"""The names that have values: M, V and P of a setup, and those that the user adds."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
+from nmatrix.calculator.evaluate import CONSTANTS
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.camera import LensValue, looking_at, window_depth
 from nmatrix.calculator.functions.rotations import about_axis, by_quaternion
+from nmatrix.calculator.meanings import SCENE
 from nmatrix.calculator.numbers import angle
+from nmatrix.calculator.statements import Keyword
 from nmatrix.calculator.values import Value
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.affine import compose, rotation_by
@@ -21,7 +25,9 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
-SCENE_NAMES = ("M", "V", "P")
+SCENE_NAMES = tuple(SCENE)
+EVERY_NAME = " ".join(SCENE_NAMES)  # the text of those who may ask for all of them
+ANSWERS = ("ans", "ans2")  # the last value of an expression, and the one before
 THROUGH_THE_LENS = ("P", "depth_of", "distance_of")
 SHORT = 15  # digits of a decimal that a float64 tells from every other one
 LARGEST_BOTTOM = 10**4  # of a ratio that a longer decimal is read as: 16/9, 1/3
@@ -34,11 +40,11 @@ def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[
     setup. All three are exact: every number is the one that was typed, and roots and sines are
     those of the functions of the calculator.
     """
-    names = {"M": Value(_world(typed or setup.world))}
+    names = {"M": Value(_world(typed or setup.world), SCENE["M"])}
     if "V" in expression:
-        names["V"] = Value(_view(setup.view))
+        names["V"] = Value(_view(setup.view), SCENE["V"])
     if any(word in expression for word in THROUGH_THE_LENS):
-        names["P"] = _lens(setup.lens)
+        names["P"] = replace(_lens(setup.lens), meaning=SCENE["P"])
     return names
 
 
@@ -102,7 +108,7 @@ def _lens(lens: Lens) -> Value:
 
 
 def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> dict[str, Value]:
-    """Add a name for a number, a vector (one row) or a matrix.
+    """Add a name for a number, a vector or a matrix.
 
     Raises
     ------
@@ -120,10 +126,39 @@ def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> di
             "it is NAME=MATRIX",
             f'try {quantity("let")} "A=1 0; 0 2"',
         )
-    if name in FUNCTIONS or name in SCENE_NAMES or name in names:
-        raise IllegalValueError(
-            f"{quantity('let')} {name}", "the name is taken", "choose another one"
-        )
+    if name in SCENE_NAMES or name in names or other_meaning(name):
+        why = other_meaning(name) or "the name is taken"
+        raise IllegalValueError(f"{quantity('let')} {name}", why, "choose another one")
+    return {**names, name: value_of(rows)}
+
+
+def value_of(rows: RationalMatrix) -> Value:
+    """Make a number, a vector (of one row or one column) or a matrix of rows.
+
+    Examples
+    --------
+    >>> value_of(((Fraction(1),), (Fraction(2),))).shape
+    'a vector of 2'
+    """
+    if len(rows[0]) == 1:
+        rows = (tuple(row[0] for row in rows),)
     if len(rows) == 1:
-        return {**names, name: Value(rows[0][0] if len(rows[0]) == 1 else rows[0])}
-    return {**names, name: Value(rows)}
+        return Value(rows[0][0] if len(rows[0]) == 1 else rows[0])
+    return Value(rows)
+
+
+def other_meaning(name: str) -> str:
+    """Tell what else a name means, so that no value may have it; empty if it is free.
+
+    Examples
+    --------
+    >>> other_meaning("det"), other_meaning("M")
+    ('it is a function', '')
+    """
+    others = {
+        "it is a function": FUNCTIONS,
+        "it begins a statement": list(Keyword),
+        "it is a number": CONSTANTS,
+        "it is the last value, or the one before": ANSWERS,
+    }
+    return next((told for told, names in others.items() if name in names), "")

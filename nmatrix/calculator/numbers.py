@@ -14,33 +14,22 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import copysign, inf, isfinite, isnan, isqrt, nan
 
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import DEGREES, PI, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text
 from nmatrix.surds import BITS as ROOT_BITS
-from nmatrix.surds import Surd, TooManyRootsError
+from nmatrix.surds import SINES, Surd, TooManyRootsError, sine
 from nmatrix.surds import root as exact_root
 
 SERIES = Fraction(1, 2**130)  # the relative error of a sine or an arctangent
 GUARD_BITS = 16  # of an end behind the first bit that is not known
 SLOWEST = 57  # degrees in which a sine changes by less than one: 180/π is more
-# The sines that are sums of roots of fractions: no other of a rational number of degrees is.
-SINES = {
-    Fraction(0): Fraction(0),
-    Fraction(15): (exact_root(6) - exact_root(2)) / 4,
-    Fraction(18): (exact_root(5) - 1) / 4,
-    Fraction(30): Fraction(1, 2),
-    Fraction(45): exact_root(2) / 2,
-    Fraction(54): (exact_root(5) + 1) / 4,
-    Fraction(60): exact_root(3) / 2,
-    Fraction(75): (exact_root(6) + exact_root(2)) / 4,
-    Fraction(90): Fraction(1),
-}
 
 # A sine whose square is one of these belongs to so many degrees: sin² θ = (1 − cos 2θ)/2.
 DEGREES_BY_SQUARE = {
-    (1 + sign * sine) / 2: (90 + sign * turned) / 2
-    for turned, sine in SINES.items()
+    (1 + sign * known) / 2: (90 + sign * turned) / 2
+    for turned, known in SINES.items()
     for sign in (1, -1)
 }
 
@@ -258,6 +247,8 @@ class PiMultiple(Ordered):
         return PiMultiple(abs(self.times))
 
     def __add__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if not isinstance(other, PiMultiple):
             return self if other == 0 else self.between + other
         total = self.times + other.times
@@ -270,11 +261,15 @@ class PiMultiple(Ordered):
         return -self + other
 
     def __mul__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if isinstance(other, int | Fraction):
             return PiMultiple(self.times * other) if other else Fraction(0)
         return self.between * (other.between if isinstance(other, PiMultiple) else other)
 
     def __truediv__(self, other: Exact | Interval | PiMultiple) -> Exact | Interval | PiMultiple:
+        if isinstance(other, Symbolic):
+            return NotImplemented
         if isinstance(other, PiMultiple):
             return self.times / other.times
         if isinstance(other, int | Fraction):
@@ -288,7 +283,7 @@ class PiMultiple(Ordered):
     __rmul__ = __mul__
 
 
-Number = Fraction | Surd | Interval | PiMultiple | Float64
+Number = Fraction | Surd | Interval | PiMultiple | Float64 | Symbolic
 
 
 def is_zero(x: Exact | Number) -> bool:
@@ -326,6 +321,8 @@ def is_negative(x: Exact | Number) -> bool:
     """
     if is_zero(x):
         return False
+    if isinstance(x, Symbolic):
+        return x.is_negative
     return x.value < 0 if isinstance(x, Float64) else bounds(x)[1] <= 0
 
 
@@ -336,6 +333,8 @@ def may_be_positive(x: Exact | Number) -> bool:
 
 def size(x: Exact | Number) -> Fraction | float:
     """Measure how far from 0 a number may be."""
+    if isinstance(x, Symbolic):
+        return Fraction(bool(x))  # any letter may be a pivot
     if isinstance(x, Float64):
         return abs(x.value)
     low, high = bounds(x)
@@ -350,6 +349,8 @@ def bits_of(x: Number) -> int:
         return max(max(d.bit_length(), bits_of(q)) for d, q in x.terms)
     if isinstance(x, PiMultiple):
         return bits_of(x.times)
+    if isinstance(x, Symbolic):
+        return 1  # its length is bounded where it is simplified
     return max(n.bit_length() for end in bounds(x) for n in end.as_integer_ratio())
 
 
@@ -371,6 +372,8 @@ def shown(x: Number) -> Fraction | Surd | float:
                 "use rational entries, or angles whose sines are roots",
             )
         return x.shown
+    if isinstance(x, Symbolic):
+        raise x.unknown
     return x.value if isinstance(x, Float64) else x
 
 
@@ -414,6 +417,8 @@ def root(square: Exact | Number) -> Number:
     """
     if isinstance(square, Float64):
         return Float64(math.sqrt(square.value))
+    if isinstance(square, Symbolic):
+        return square.root()
     with suppress(TooManyRootsError):
         if isinstance(square, Fraction):
             return exact_root(square)
@@ -450,6 +455,8 @@ def angle(degrees: Exact | Number) -> Angle:
         turned = degrees.value if degrees.times is None else nearest(degrees.times * 180)
         exact = Angle.degrees(turned if isfinite(turned) else Float64(nan).value)
         return Angle(float64(exact.sine), float64(exact.cosine))  # type: ignore[arg-type]
+    if isinstance(degrees, Symbolic):
+        return Angle(*degrees.sine_and_cosine())  # type: ignore[arg-type]
     if isinstance(degrees, PiMultiple):
         degrees = in_degrees(degrees)
     return Angle(_sine(degrees), _sine(degrees + 90))  # type: ignore[arg-type]
@@ -533,6 +540,8 @@ def bounds(x: Exact | Number) -> tuple[Fraction, Fraction]:
         return x.low, x.high
     if isinstance(x, Surd):
         return x.near()
+    if isinstance(x, Symbolic):
+        raise x.unknown
     exact = Fraction(x.value if isinstance(x, Float64) else x)
     return exact, exact
 
@@ -554,10 +563,9 @@ def _sine(degrees: Exact | Interval) -> Exact | Interval:
         least, most = bounds(_sine((low + high) / 2))
         change = (high - low) / 2 / SLOWEST
         return enclosed(least - change, most + change)
-    turned = degrees % 360
-    sharp = min(turned % 180, 180 - turned % 180)
-    if sharp in SINES:
-        return SINES[sharp] if turned <= 180 else -SINES[sharp]
+    known = sine(degrees)
+    if known is not None:
+        return known
     found = Angle.degrees(degrees).sine
     error = abs(found) * SERIES
     return enclosed(found - error, found + error)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nmatrix.calculator.numbers import Number, is_zero, shown, size
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.calculator.values import Arithmetic, Entries, Value, ValueKind, each
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import rational
@@ -197,6 +198,9 @@ def nearly_equal(a: Value, b: Value) -> tuple[bool, str]:
     IllegalValueError
         For two kinds or sizes.
     """
+    for one in (*a.numbers, *b.numbers):
+        if isinstance(one, Symbolic):
+            raise one.unknown
     largest = max(size(x) for value in (a, b) for x in value.numbers)
     off = max(size(one) for one in _differences(a, b))
     told = f"The largest difference is {short_text(Fraction(off), 3)}."

@@ -56,9 +56,9 @@ _TOKEN = re.compile(
     (?P<blank>[ \t\r]+ | \#[^\n]*)
     | (?P<line_end>\n)
     | (?P<angle>(?:{_DIGITS}(?:\*?(?:pi|π))?|pi|π)(?:/[0-9]+(?:\.[0-9]+)?)?
-        (?:deg|rad|turns?|°)(?![A-Za-z0-9_]))
+        [ ]?(?:deg|rad|turns?|°)(?![A-Za-z0-9_]))
     | (?P<number>{_DIGITS}(?![0-9]))
-    | (?P<name>[A-Za-z_][A-Za-z0-9_]*|π)
+    | (?P<name>[A-Za-zΑ-Ωα-ω_][A-Za-z0-9_]*)
     | "(?P<word>[A-Za-z_]{{1,40}})" | '(?P<letters>[A-Za-z_]{{1,40}})'
     | (?P<raised>[⁻ᵀ⁰¹²³⁴⁵⁶⁷⁸⁹]+)
     | (?P<sign>\*\*|==|~=|≈|[-+*/@^=()\[\],;:.·×√−{{}}])
@@ -75,7 +75,7 @@ _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 NEAREST = {  # what other languages write, and what is written here
     "'": "write A.T or A^T for a transpose",
     "%": "there is no remainder here",
-    "!": "write 1*2*3 for a factorial",
+    "!": "write 1*2*3 for a factorial, (a == b) for a comparison",
     "&": "write the two expressions on lines of their own",
     "|": "write length(v) for the length of a vector, abs(x) for a size",
     "$": "write the expression without the signs of TeX",

@@ -10,13 +10,14 @@ from typing import Any, TypeAlias, TypeVar
 
 from nmatrix.calculator.meanings import Meaning
 from nmatrix.calculator.numbers import Number, bits_of, enclosure, float64, shown
+from nmatrix.calculator.symbolic import Symbolic
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.report import Shown
+from nmatrix.report import LARGEST_MATRIX, Shown
 from nmatrix.surds import Surd
 
 LARGEST_BITS = 4096  # of a numerator or denominator: four float64 of any size, multiplied
-LARGEST = 8  # rows and columns: the eight corners of a box fit
+LARGEST = LARGEST_MATRIX  # rows and columns
 
 Changed = TypeVar("Changed")
 Nested: TypeAlias = Changed | tuple[Changed, ...] | tuple[tuple[Changed, ...], ...]
@@ -94,6 +95,12 @@ class Value:
         return all(isinstance(entry, (Fraction, Surd)) for entry in self.numbers)
 
     @property
+    def letters(self) -> list[str]:
+        """The names without a value in its entries."""
+        symbolic = (one for one in self.numbers if isinstance(one, Symbolic))
+        return sorted({letter for one in symbolic for letter in one.letters})
+
+    @property
     def shown(self) -> Nested[Shown]:
         """The entries as they may be printed: exact, or to the digits known.
 
@@ -121,6 +128,8 @@ class Value:
         """
         if self.kind is ValueKind.TRUTH:
             return self
+        if self.letters:
+            return replace(self, entries=each(self.entries, _tidied))
         if arithmetic is Arithmetic.FLOAT:
             return replace(self, entries=each(self.entries, float64))
         bits = max(map(bits_of, self.numbers))
@@ -131,6 +140,10 @@ class Value:
                 f"try {quantity('float')}",
             )
         return self
+
+
+def _tidied(x: Number) -> Number:
+    return x.tidied() if isinstance(x, Symbolic) else x
 
 
 def each(entries: Entries, change: Callable[[Any], Changed]) -> Nested[Changed]:

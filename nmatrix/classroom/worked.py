@@ -6,37 +6,29 @@ cofactors.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING
 
 from nmatrix.enums import Space
 from nmatrix.errors import NoAnswerError
-from nmatrix.lessons.notation import LARGEST_BOTTOM, written
-from nmatrix.linear.rational import (
-    RationalMatrix,
-    RationalVector,
-    apply,
-    cofactor_matrix,
-    determinant,
-    dot,
-    linear_part,
-    scaled,
-)
-from nmatrix.linear.rounding import short_text
-from nmatrix.report import Block, Cells, Formula, Heading, Table, Text
+from nmatrix.linear.rational import RationalVector
+from nmatrix.report import Block, Cells, Heading, Table, Text
 from nmatrix.spaces.light_and_eye import light_in
+from nmatrix.surds import TooManyRootsError
+from nmatrix.working.determinants import cofactors
+from nmatrix.working.inverses import determinant_by_cofactors, inverse_transpose
+from nmatrix.working.vectors import dot
+from nmatrix.working.working import Matrix, Notation, middle, short, stands_for
 
 if TYPE_CHECKING:
     from nmatrix.scene.setup import Setup
 
 SHOWN_SPACES = (Space.OBJECT, Space.WORLD, Space.CAMERA)
-DIGITS = 4  # of a number that is no short fraction
-LARGEST_TOP = 10**6  # of a number that is written out
-_POWER = re.compile(r"\^(−?[0-9]+)")
-_SMALL = str.maketrans("−0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+DIGITS = 4  # of a number that is no short fraction or root
+BY = Notation(partial(short, digits=DIGITS))
 PAIRS = tuple(
     (tuple(map(Fraction, n)), tuple(map(Fraction, t)))
     for n, t in (
@@ -61,55 +53,74 @@ def in_each(spaces: Iterable[Space], row: Callable[[Space], Cells]) -> tuple[Cel
 def worked(setup: Setup) -> tuple[Block, ...]:
     """Take one normal through the given scene, and its light and eye through the spaces."""
     maps = setup.maps
-    M = maps.world_from_object.exact
-    return (
-        Heading("The numbers of this scene, step by step"),
-        Text("1. The world matrix M, and its 3×3 block A, which leaves the translation out:"),
-        _shown("M = ", M, ",  A = ", linear_part(M)),
-        *_normal_matrix(linear_part(M)),
-        *_one_normal(setup, linear_part(M)),
-        Text("The camera:"),
-        _shown("V = ", maps.camera_from_world.exact),
-        _light_and_eye(setup),
-    )
+    M, V = maps.world_from_object.exact, maps.camera_from_world.exact
+    try:
+        numbers = tuple(_numbers(setup, _with_roots(M), _with_roots(V)))
+    except TooManyRootsError:
+        numbers = tuple(_numbers(setup, M, V))
+    return (*numbers, _light_and_eye(setup))
 
 
-def _normal_matrix(A: RationalMatrix) -> Iterator[Block]:
-    C, det = cofactor_matrix(A), determinant(A)
+def _with_roots(matrix: Matrix) -> Matrix:
+    return tuple(tuple(map(stands_for, row)) for row in matrix)
+
+
+def _numbers(setup: Setup, M: Matrix, V: Matrix) -> Iterator[Block]:
+    A = tuple(tuple(row[:3]) for row in M[:3])
+    yield Heading("The numbers of this scene, step by step")
+    yield Text("1. The world matrix M, and its 3×3 block A, which leaves the translation out:")
+    yield BY.formula("M = ", M, ",  A = ", A)
+    yield from _normal_matrix(A)
+    yield from _one_normal(setup, A)
+    yield Text("The camera:")
+    yield BY.formula("V = ", V)
+
+
+def _normal_matrix(A: Matrix) -> Iterator[Block]:
+    """Write the lines of the inverse transpose: cofactors, determinant, their quotient, a check."""
     yield Text("2. The cofactors C of A, and its determinant:")
-    yield _shown("C = ", C, ",  det A = ", det)
-    if det:
-        yield Text("3. The normal matrix is C over the determinant:")
-        yield _shown("A⁻ᵀ = C / det A = ", scaled(C, 1 / det))
-    else:
+    C = cofactors(A, by=BY, shown=False)
+    line, det = determinant_by_cofactors(A, C.value, "A", BY)
+    if BY.is_zero(det):
+        yield from (step.formula for step in (*C.steps, line))
         yield Text("3. The determinant is 0: A flattens and has no inverse. C takes its place.")
+        return
+    *others, quotient, check = inverse_transpose(A, by=BY).steps[1:]
+    yield from (step.formula for step in others)
+    yield Text("3. The normal matrix is C over the determinant; the check gives I:")
+    yield from (step.formula for step in (quotient, check))
 
 
-def _one_normal(setup: Setup, A: RationalMatrix) -> Iterator[Block]:
+def _one_normal(setup: Setup, A: Matrix) -> Iterator[Block]:
     """Carry the pair of a normal and a tangent on which A itself does worst."""
-    C, det = cofactor_matrix(A), determinant(A)
-    by, letter = (scaled(C, 1 / det), "A⁻ᵀ") if det else (C, "C")
+    C, det = cofactors(A, by=BY).value, BY.determinant(A)
+    by, letter = (C, "C") if BY.is_zero(det) else (inverse_transpose(A, by=BY).value, "A⁻ᵀ")
 
     def lean(pair: tuple[RationalVector, RationalVector]) -> tuple[bool, Fraction]:
         n, t = pair
-        return any(apply(by, n)), abs(dot(apply(A, n), apply(A, t)))
+        wrong = BY.dot(BY.apply(A, n), BY.apply(A, t))
+        return any(BY.apply(by, n)), abs(middle(wrong))
 
     n, t = max(PAIRS, key=lean)
-    moved, Ct, wrong = apply(A, t), apply(by, n), apply(A, n)
+    moved, right, wrong = BY.apply(A, t), BY.apply(by, n), BY.apply(A, n)
     yield Text("4. One normal n and one tangent t of the object, for which n · t = 0:")
-    yield _shown("n = ", _column(n), ",  t = ", _column(t), ",  A t = ", _column(moved))
-    if not any(Ct):
+    yield BY.formula("n = ", n, ",  t = ", t, ",  A t = ", moved)
+    if all(map(BY.is_zero, right)):
         yield Text("C n is 0 for every n: A leaves a line or a point, which has no normal.")
         return
-    yield _shown(f"{letter} n = ", _column(Ct), ",  A n = ", _column(wrong))
+    yield BY.formula(f"{letter} n = ", right, ",  A n = ", wrong)
     yield Text(f"5. The right angle: {letter} n keeps it.")
-    yield _shown(
-        f"({letter} n) · (A t) = ", dot(Ct, moved), ",  (A n) · (A t) = ", dot(wrong, moved)
+    lines = (
+        dot(right, moved, (f"({letter} n)", "(A t)"), BY),
+        dot(wrong, moved, ("(A n)", "(A t)"), BY),
     )
-    angle = setup.maps.world_from_object.linear_map.angle_without_deg(n) if det else None
-    if angle is not None and dot(wrong, moved):
-        yield Text(f"A n leans {_in_words(Fraction(angle))}° away from {letter} n.")
-    elif det:
+    yield from (step.formula for one in lines for step in one.steps[2:])
+    if BY.is_zero(det):
+        return
+    angle = setup.maps.world_from_object.linear_map.angle_without_deg(n)
+    if angle is not None and not BY.is_zero(lines[1].value):
+        yield Text(f"A n leans {short(Fraction(angle), DIGITS)}° away from {letter} n.")
+    else:
         yield Text("Here A n keeps it as well.")
 
 
@@ -131,50 +142,5 @@ def _light_and_eye(setup: Setup) -> Table:
     return Table((*columns, "e, the eye"), rows, "The light and the eye, space by space")
 
 
-def _shown(*parts: str | Fraction | RationalMatrix) -> Formula:
-    """Put words, numbers and matrices side by side, in short numbers."""
-    return Formula(tuple(_part(one) for one in parts))
-
-
-def _part(part: str | Fraction | RationalMatrix) -> str | tuple[tuple[str, ...], ...]:
-    if isinstance(part, str):
-        return part
-    if isinstance(part, Fraction):
-        return _short(part)
-    return tuple(tuple(map(_short, row)) for row in part)
-
-
-def _short(x: Fraction) -> str:
-    """Write a short fraction as it is, and any other number in four digits.
-
-    Examples
-    --------
-    >>> _short(Fraction(-1, 2)), _short(Fraction(2, 3001)), _short(Fraction(10) ** 400)
-    ('−1/2', '0.0006664', '10^400')
-    """
-    if x.denominator <= LARGEST_BOTTOM and abs(x) < LARGEST_TOP:
-        return written(x)
-    mantissa, mark, exponent = short_text(x, DIGITS).replace("-", "−").partition("e")
-    if not mark:
-        return mantissa
-    power = f"10^{exponent.removeprefix('+').replace('−0', '−').lstrip('0')}"
-    return power.join(mantissa.rsplit("1", 1)) if mantissa in ("1", "−1") else f"{mantissa}·{power}"
-
-
-def _column(v: Sequence[Fraction]) -> RationalMatrix:
-    return tuple((x,) for x in v)
-
-
 def _in_a_row(vector: Sequence[float | Fraction]) -> str:
-    return f"({', '.join(_in_words(Fraction(x)) for x in vector)})"
-
-
-def _in_words(x: Fraction) -> str:
-    """Write a number in a sentence or a cell.
-
-    Examples
-    --------
-    >>> _in_words(Fraction(-3, 10**8))
-    '−3·10⁻⁸'
-    """
-    return _POWER.sub(lambda power: power[1].translate(_SMALL), _short(x))
+    return f"({', '.join(short(Fraction(x), DIGITS) for x in vector)})"

@@ -21,6 +21,7 @@ from nmatrix.cli.command import (
     with_flat_options,
 )
 from nmatrix.cli.environment import usual
+from nmatrix.cli.prompt import converse, on_terminal, usual_session
 from nmatrix.cli.show import ColorWhen, fail, put, show_page
 from nmatrix.errors import IllegalValueError, NMatrixError, printable, refusal
 from nmatrix.version import __version__
@@ -92,6 +93,8 @@ def _run(words: list[str], when: ColorWhen) -> int:
         show_page(_page_of_help(others), when)
     elif first.startswith("-"):
         _answer_for_the_program(first, others, when)
+    elif words == ["calc"] and on_terminal():
+        converse(usual_session)
     else:
         command = load(_known(first))
         if asks_for(HELP_OPTIONS, others):

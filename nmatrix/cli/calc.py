@@ -1,18 +1,36 @@
-"""`nmatrix calc`: an expression over the scene's matrices and those that --let names."""
+"""`nmatrix calc`: an expression, or a session from a file, a pipe or a terminal."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Iterable
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.command import EXPRESSION
+from nmatrix.cli.prompt import converse, on_terminal
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions
-from nmatrix.cli.shared_options import CommonOptions
-from nmatrix.cli.show import show
+from nmatrix.cli.shared_options import CommonOptions, option_name
+from nmatrix.cli.show import options_of, put, show
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.errors import IllegalValueError
+from nmatrix.enums import Format, InverseBy
+from nmatrix.errors import IllegalValueError, printable
+
+if TYPE_CHECKING:
+    from nmatrix.calculator.values import Value
+
+ENDINGS = (".txt", ".calc", ".nmatrix", ".md")  # of files, and of no expression
+
+
+class Source(StrEnum):
+    """What `nmatrix calc` is given."""
+
+    EXPRESSION = "expression"
+    STATEMENTS = "statements"
+    TERMINAL = "terminal"
+
 
 HELP = {
     "calc": r"""nmatrix calc "inverse_transpose(linear(M))" --scale 1 2 1
@@ -21,7 +39,8 @@ nmatrix calc "P @ V @ M @ point(\[1, 1, 1])" --steps
 
 nmatrix calc "det(A) * inverse(A)" --let "A=2 1; 1 1"
 
-Over M, V, P, literals and --let names.""",
+Over M, V, P, literals and --let names. Alone it is a session, where help tells more; a file of
+statements, or - for stdin, runs with the same answers.""",
 }
 
 
@@ -32,32 +51,105 @@ def calc(
     lens: LensOptions,
     scene: SceneOptions,
     common: CommonOptions,
-    expression: Annotated[str, Argument(metavar=EXPRESSION, help="What to compute.")],
+    expression: Annotated[
+        str | None,
+        Argument(
+            metavar=EXPRESSION,
+            help="What to compute, a file of statements, or - for stdin.",
+            show_default=False,
+        ),
+    ] = None,
     let: Annotated[
         list[str] | None,
         Option("--let", metavar="NAME=MATRIX", help="Name a matrix; repeat for more."),
     ] = None,
     steps: Annotated[bool, Option("--steps", help="Show every operation.")] = False,
+    by: Annotated[
+        InverseBy | None, Option("--by", help="Work inverses out in this way (with --steps).")
+    ] = None,
     float64: Annotated[
         bool, Option("--float", help="Round every product and sum to float64.")
     ] = False,
+    untyped: Annotated[
+        bool, Option("--untyped", help="Forget spaces: any map goes anywhere.")
+    ] = False,
 ) -> None:
-    """Show the value of an expression."""
+    """Show the value of an expression, or run a session."""
     from nmatrix.calculator.answer import report
-    from nmatrix.calculator.evaluate import calculate
-    from nmatrix.calculator.names import names_of, with_name
+    from nmatrix.calculator.names import EVERY_NAME
+    from nmatrix.calculator.session import Session, Settings
     from nmatrix.calculator.values import Arithmetic
+    from nmatrix.output.transcript import Disk, is_session, transcript
+    from nmatrix.output.write import write
+    from nmatrix.report import Report
 
-    groups = OptionGroups(world, view, lens, scene=scene)
+    source, text = _source(expression, common)
+    settings = Settings(
+        steps=steps or by is not None,
+        by=by,
+        digits=common.digits_checked,
+        arithmetic=Arithmetic.FLOAT if float64 else Arithmetic.EXACT,
+        untyped=untyped,
+        layout=common.input_layout,
+    )
+    is_single = source is Source.EXPRESSION and not is_session(text)
+    used = text if is_single else EVERY_NAME
+    names = _names(OptionGroups(world, view, lens, scene=scene), let or (), used, common)
+    session = Session(names, settings)
+    if source is Source.TERMINAL:
+        told = Report("calc", {}, (), (*common.sources.about, *common.sources.remarks))
+        if told.remarks:
+            put(write(told.spelled(option_name), options_of(common)))
+        converse(lambda: (session, lambda: options_of(common)))
+    elif is_single:
+        show(
+            report(session.calculation(text), with_steps=settings.steps, inverse_by=settings.by),
+            common,
+        )
+    else:
+        show(transcript(session, text, options_of(common), Disk()), common)
+
+
+def _source(expression: str | None, common: CommonOptions) -> tuple[Source, str]:
+    """Find out what is asked; the name of a file of statements holds a point."""
+    from nmatrix.output.transcript import text_of
+    from nmatrix.reading.files import existing_file, file_bytes
+
+    if expression is None and on_terminal():
+        if common.format_is_typed and common.format is not Format.TEXT:
+            raise IllegalValueError(
+                f"--format {common.format}",
+                "a session on a terminal is text",
+                f"write show M as {common.format} there",
+            )
+        return Source.TERMINAL, ""
+    if expression is None or expression == "-":
+        content = common.sources.standard_input("cut it down")
+        return Source.STATEMENTS, text_of(content, "standard input")
+    path = existing_file(expression) if "." in expression else None
+    if path is not None:
+        return Source.STATEMENTS, text_of(file_bytes(path), f"file ({printable(expression)})")
+    if expression.endswith(ENDINGS) and expression.isprintable():
+        raise IllegalValueError(
+            f"file ({printable(expression)})", "there is no such file", "check the path"
+        )
+    return Source.EXPRESSION, expression
+
+
+def _names(
+    groups: OptionGroups, definitions: Iterable[str], text: str, common: CommonOptions
+) -> dict[str, Value]:
+    """Name M, of V and P what the text may ask for, and the matrices of --let."""
+    from nmatrix.calculator.names import names_of, with_name
+
     setup = groups.setup(common, is_of_node=False)
-    piped = (world.world_matrix or "").partition("#")[0] == "-"  # stdin is read once
-    names = names_of(setup, expression, None if piped else groups.typed_world(common, setup))
-    for definition in let or ():
-        name, equals, text = definition.partition("=")
+    piped = (groups.world.world_matrix or "").partition("#")[0] == "-"  # stdin is read once
+    names = names_of(setup, text, None if piped else groups.typed_world(common, setup))
+    for definition in definitions:
+        name, equals, matrix = definition.partition("=")
         if not equals:
             raise IllegalValueError(
                 f"--let ({definition[:40]})", "it is NAME=MATRIX", 'try --let "A=1 0; 0 2"'
             )
-        names = with_name(names, name.strip(), common.sources.literal(text.strip()).rows_exact)
-    arithmetic = Arithmetic.FLOAT if float64 else Arithmetic.EXACT
-    show(report(calculate(expression, names, arithmetic), with_steps=steps), common)
+        names = with_name(names, name.strip(), common.sources.literal(matrix.strip()).rows_exact)
+    return names

@@ -9,7 +9,7 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions, ToleranceOption
-from nmatrix.cli.shared_options import CommonOptions, among, option_name
+from nmatrix.cli.shared_options import CommonOptions, StepsOption, among, option_name
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import OrderOption, WorldOptions
 from nmatrix.enums import NORMAL_METHODS, AxisName, NormalRule, chosen
@@ -59,20 +59,32 @@ def complete_axes(incomplete: str) -> list[str]:
 
 
 def world(
-    world: WorldOptions, tolerance: ToleranceOption, scene: SceneOptions, common: CommonOptions
+    *,
+    world: WorldOptions,
+    tolerance: ToleranceOption,
+    scene: SceneOptions,
+    common: CommonOptions,
+    steps: StepsOption = False,
 ) -> None:
     """Show the world matrix."""
     from nmatrix.answers.world import world as answer
 
     groups = OptionGroups(world=world, scene=scene)
-    show(answer(groups.setup(common, tolerance=tolerance)), common)
+    show(answer(groups.setup(common, tolerance=tolerance), steps=steps), common)
 
 
-def view(view: ViewOptions, scene: SceneOptions, common: CommonOptions) -> None:
+def view(
+    *,
+    view: ViewOptions,
+    scene: SceneOptions,
+    common: CommonOptions,
+    steps: StepsOption = False,
+) -> None:
     """Show the view matrix."""
     from nmatrix.answers.view import view as answer
 
-    show(answer(OptionGroups(view=view, scene=scene).setup(common, is_of_node=False)), common)
+    setup = OptionGroups(view=view, scene=scene).setup(common, is_of_node=False)
+    show(answer(setup, steps=steps), common)
 
 
 def projection(
@@ -87,6 +99,7 @@ def projection(
         str | None,
         Option("--depth-value", metavar="DEPTH...", help="Stored depths to tell the distance of."),
     ] = None,
+    steps: StepsOption = False,
 ) -> None:
     """Show the projection matrix."""
     from nmatrix.answers.depth import DepthRequest
@@ -97,7 +110,7 @@ def projection(
         () if depth_value is None else number_list(depth_value, "--depth-value"),
     )
     setup = OptionGroups(lens=lens, scene=scene).setup(common, is_of_node=False)
-    show(answer(setup, asked), common)
+    show(answer(setup, asked, steps=steps), common)
 
 
 def normal(
@@ -124,6 +137,7 @@ def normal(
             help="Right, or one of three to compare with.",
         ),
     ] = NORMAL_METHODS[0].value,
+    steps: StepsOption = False,
 ) -> None:
     """Show the normal matrix and the normals through it."""
     from nmatrix.answers.normal import NormalRequest
@@ -137,7 +151,8 @@ def normal(
         space=groups.shading_space(),
         method=chosen(NormalRule, method, "method", NORMAL_METHODS),
     )
-    show(answer(groups.setup(common, tolerance=tolerance), request), common)
+    setup = groups.setup(common, tolerance=tolerance)
+    show(answer(setup, request, steps=steps), common)
 
 
 def identify(

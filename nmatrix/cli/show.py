@@ -41,7 +41,16 @@ def show(report: Report, common: CommonOptions) -> None:
     """Write a report in the format asked for, then raise what it ends in, if anything."""
     from nmatrix.cli.shared_options import option_name  # it imports this module
 
-    options = OutputOptions(
+    remarks = (*common.sources.about, *common.sources.remarks, *report.remarks)
+    told = replace(report, remarks=remarks, about=len(common.sources.about))
+    put(_written(told.spelled(option_name), options_of(common), common))
+    if report.failure is not None:
+        raise report.failure
+
+
+def options_of(common: CommonOptions) -> OutputOptions:
+    """Choose how an answer is written, as the command line and stdout have it."""
+    return OutputOptions(
         format=common.format,
         digits=common.digits_checked,
         layout=common.layout,
@@ -49,12 +58,8 @@ def show(report: Report, common: CommonOptions) -> None:
         width=width(),
         colour=_colour(common),
         full=common.full,
+        numbers=common.numbers,
     )
-    remarks = (*common.sources.about, *common.sources.remarks, *report.remarks)
-    told = replace(report, remarks=remarks, about=len(common.sources.about))
-    put(_written(told.spelled(option_name), options, common))
-    if report.failure is not None:
-        raise report.failure
 
 
 def _written(report: Report, options: OutputOptions, common: CommonOptions) -> str:

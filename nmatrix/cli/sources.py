@@ -74,13 +74,23 @@ class Sources:
         """Keep what is to be said about the way something was read, once."""
         self.remarks += [one for one in sentences if one not in self.remarks]
 
-    def _stdin(self) -> str:
+    def standard_input(self, next_step: str) -> bytes:
+        """Read all of standard input, once; `next_step` is what to do where it is too long.
+
+        Raises
+        ------
+        IllegalValueError
+            If it was read before, is closed, or is longer than any file that is read.
+        """
         if self._stdin_used:
             raise IllegalValueError(
-                "- (standard input)", "it can be read only once", "put one matrix in a file"
+                "- (standard input)", "it can be read only once", "put one of them in a file"
             )
         self._stdin_used = True
-        content = _standard_input("pass one matrix")
+        return _standard_input(next_step)
+
+    def _stdin(self) -> str:
+        content = self.standard_input("pass one matrix")
         if not content.strip():
             raise IllegalValueError(
                 STDIN, "it is empty", "pipe a matrix in, or write it as an argument"

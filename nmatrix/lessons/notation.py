@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.report import Formula, Number
+from nmatrix.working import working
 
 LARGEST_BOTTOM = 1000  # of a fraction that is written as one
-
-_ROOT = re.compile(r"sqrt\((\d+)\)")
-_INDEX = re.compile(r"_(\d)")
-_ZEROS = re.compile(r"(/|(?<!\d))(\d*?[1-9])(0{15,})(?!\d)")
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def formula(*parts: object) -> Formula:
@@ -40,28 +34,16 @@ def _part(part: object) -> str | tuple[tuple[str, ...], ...]:
 
 
 def written(value: object) -> str:
-    """Write a number or an expression: √3/2, s₁ for s_1, 10²⁰ for a one with twenty zeros.
+    """Write a number or an expression; a fraction with a large denominator in four digits.
 
     Examples
     --------
-    >>> written(Fraction(-1, 2)), written(Fraction(3)), written(10**20)
-    ('−1/2', '3', '10²⁰')
+    >>> written(Fraction(-1, 2)), written(Fraction(1, 3001))
+    ('−1/2', '0.0003')
     """
-    text = str(value)
     if isinstance(value, Fraction) and value.denominator > LARGEST_BOTTOM:
-        text = f"{float(value):.4f}"
-    text = _ZEROS.sub(_power_of_ten, _ROOT.sub(r"√\1", text))
-    return (
-        _INDEX.sub(lambda found: found[1].translate(_LOWERED), text)
-        .replace("**2", "²")
-        .replace("**3", "³")
-        .replace("**", "^")
-        .replace("*", "·")
-        .replace("sqrt", "√")
-        .replace("-", "−")
-        .replace("kappa", "κ")
-        .replace("_", "")
-    )
+        return f"{float(value):.4f}".replace("-", "−")
+    return working.written(value)
 
 
 def in_parentheses(values: Iterable[Number]) -> str:
@@ -73,14 +55,6 @@ def in_parentheses(values: Iterable[Number]) -> str:
     '(1, −1/2, 0)'
     """
     return f"({', '.join(written(Fraction(value)) for value in values)})"
-
-
-def _power_of_ten(number: re.Match[str]) -> str:
-    slash, factor, zeros = number.groups()
-    power = f"10{str(len(zeros)).translate(_RAISED)}"
-    if factor == "1":
-        return slash + power
-    return f"/({factor}*{power})" if slash else f"{factor}*{power}"
 
 
 def typed(rows: RationalMatrix) -> str:

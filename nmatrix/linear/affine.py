@@ -29,6 +29,7 @@ from nmatrix.report import Number
 Real = TypeVar("Real", int, Fraction)
 
 AXES = "XYZ"
+Turn = TypeVar("Turn", int, float, Fraction, Angle)  # all can turn the other way
 CANCELLED = Fraction(1, 1 << 125)  # of its terms: a sum below it is what their rounding left
 
 
@@ -68,34 +69,44 @@ def checked_order(order: str) -> str:
     return order
 
 
-def rotation(turns: Sequence[Angle | float], order: str = "XYZ") -> RationalMatrix:
-    """Build the 3×3 rotation by three angles, always given about x, y, z.
+def sequence(
+    turns: Sequence[Turn], order: str = "XYZ", convention: Convention = Convention.STANDARD
+) -> tuple[tuple[str, Turn], ...]:
+    """List the three turns by their axes, as the product of their rotations reads.
 
     Capitals are intrinsic: the product reads as the order does, `XYZ` is Rx·Ry·Rz. Small letters
-    are extrinsic: the product reads backwards, `xyz` is Rz·Ry·Rx.
+    are extrinsic: the product reads backwards, `xyz` is Rz·Ry·Rx. The first angle of the course's
+    library turns about y and its second about x; in the labs' version the y and z rotations turn
+    the other way, too.
 
     Raises
     ------
     IllegalValueError
         If the order is not a permutation of `XYZ` or of `xyz`.
+
+    Examples
+    --------
+    >>> sequence((10, 20, 30), "ZYX"), sequence((10, 20, 30), convention=Convention.POLIMI)
+    ((('Z', 30), ('Y', 20), ('X', 10)), (('X', 20), ('Y', -10), ('Z', -30)))
     """
-    about = {axis: rotation_about(axis, turn) for axis, turn in zip(AXES, turns, strict=True)}
-    sequence = checked_order(order) if order.isupper() else checked_order(order)[::-1].upper()
-    return _known(product(*(about[axis] for axis in sequence)))
-
-
-def course_rotation(turns: Sequence[Angle | float], convention: Convention) -> RationalMatrix:
-    """Build the rotation of the course's library from its three angles.
-
-    Its first angle turns about y and its second about x; in the labs' version the y and z
-    rotations turn the other way, too.
-    """
-    rx, ry, rz = map(as_angle, turns)
+    x, y, z = turns
     if convention is Convention.POLIMI:
-        rx, rz = -rx, -rz
-    return _known(
-        product(rotation_about("X", ry), rotation_about("Y", rx), rotation_about("Z", rz))
-    )
+        return ("X", y), ("Y", -x), ("Z", -z)
+    if convention is not Convention.STANDARD:
+        return ("X", y), ("Y", x), ("Z", z)
+    about = {"X": x, "Y": y, "Z": z}
+    axes = checked_order(order) if order.isupper() else checked_order(order)[::-1].upper()
+    return tuple((axis, about[axis]) for axis in axes)
+
+
+def rotation(
+    turns: Sequence[Angle | float],
+    order: str = "XYZ",
+    convention: Convention = Convention.STANDARD,
+) -> RationalMatrix:
+    """Build the 3×3 rotation by three angles about x, y, z, in the order that `sequence` says."""
+    angles = sequence([as_angle(turn) for turn in turns], order, convention)
+    return _known(product(*(rotation_about(axis, turn) for axis, turn in angles)))
 
 
 def rotation_by(
@@ -111,10 +122,7 @@ def rotation_by(
     >>> rotation_by((90, 0, 0), convention=Convention.POLIMI) == rotation_by((0, -90, 0))
     True
     """
-    turns = [turn(angle) for angle in degrees]
-    if convention is Convention.STANDARD:
-        return rotation(turns, order)
-    return course_rotation(turns, convention)
+    return rotation([turn(angle) for angle in degrees], order, convention)
 
 
 def _known(R: RationalMatrix) -> RationalMatrix:

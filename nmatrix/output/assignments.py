@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from nmatrix.enums import FINDING_FORMATS, Format
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.numbers import (
+    is_list,
     is_matrix,
     is_number,
     is_vector,
@@ -16,7 +17,7 @@ from nmatrix.output.numbers import (
     round_trip_text,
     significant,
 )
-from nmatrix.report import Report, Shown, ShownMatrix, ShownVector, Value
+from nmatrix.report import Report, Shown, ShownMatrix, ShownVector, Step, Value
 from nmatrix.version import __version__
 
 _RESERVED = (
@@ -86,9 +87,11 @@ def program(report: Report, language: Language) -> str:
 def statements(data: Mapping[str, Value], language: Language) -> Iterator[str]:
     """Write a statement for every number, vector, matrix and truth value of the data.
 
-    Words are left out: a program computes with numbers. What no float64 can hold is a comment.
+    Words and steps are left out: a program computes with numbers. What no float64 can hold is a
+    comment.
     """
-    for leaf in leaves(data):
+    numbers = {key: value for key, value in data.items() if not _is_derivation(key, value)}
+    for leaf in leaves(numbers):
         value = leaf.value
         if value is None:
             yield _commented(f"{leaf.key} is null", language)
@@ -99,6 +102,13 @@ def statements(data: Mapping[str, Value], language: Language) -> Iterator[str]:
                 yield _commented(f"{leaf.key} {note}", language)
             else:
                 yield language.statement(identifier(leaf.key), value)
+
+
+def _is_derivation(key: str, value: Value) -> bool:
+    """Recognise the lines of a derivation, and their place where nobody asked for them."""
+    if value is None:
+        return key == "steps"
+    return is_list(value) and any(isinstance(one, Step) for one in value)
 
 
 def _commented(text: str, language: Language) -> str:

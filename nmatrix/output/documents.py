@@ -5,7 +5,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 
-from nmatrix.output.numbers import is_matrix, is_number, is_vector, leaves, significant
+from nmatrix.enums import Numbers
+from nmatrix.formula import Grid, Node, Row, Sign, parse
+from nmatrix.output.exact import SAME, exact_and_decimal, formula_of, relation
+from nmatrix.output.numbers import is_matrix, is_number, is_vector, leaves
+from nmatrix.output.symbols import label, letter
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import (
     Blank,
@@ -18,7 +22,7 @@ from nmatrix.report import (
     PageBreak,
     Quantity,
     Report,
-    Shown,
+    ShownMatrix,
     Step,
     Symbols,
     Table,
@@ -33,12 +37,12 @@ Cells = Sequence[Sequence[str]]
 class Dialect(ABC):
     """How one document format writes each kind of block.
 
-    Sentences and titles come in unescaped; cells and values are already written, by `number`
-    inside a matrix, by `inline` for a number elsewhere, by `words` for all else.
+    Sentences and titles come in unescaped; cells and values are already written, by `inline` for
+    numbers, by `words` for all else.
     """
 
     def __init__(self, options: OutputOptions) -> None:
-        self.digits = options.digits
+        self.options = options
 
     @abstractmethod
     def heading(self, text: str) -> str:
@@ -53,12 +57,15 @@ class Dialect(ABC):
         """Write the one-line conclusion."""
 
     @abstractmethod
-    def matrix(self, key: str, title: str, cells: Cells) -> str:
-        """Write a matrix, or a vector as one column, under its key."""
+    def matrix(self, key: str, title: str, equation: Node) -> str:
+        """Write a matrix, or a vector as one column, in the equation that names it.
 
-    def scalar(self, key: str, title: str, value: str) -> str:
-        """Write a number or a word under its title, or else its key."""
-        return f"{self.words(title or key)}: {value}"
+        Its key is for programs; the title says what the name does not.
+        """
+
+    def scalar(self, title: str, value: str) -> str:
+        """Write a number or a word under its title."""
+        return f"{self.words(title)}: {value}"
 
     @abstractmethod
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
@@ -106,13 +113,9 @@ class Dialect(ABC):
         """End a printed page, where the format has pages."""
         return ""
 
-    def number(self, text: str) -> str:
-        """Write a formatted number inside a matrix."""
-        return text
-
-    def inline(self, text: str) -> str:
-        """Write a formatted number in a sentence or a table."""
-        return text
+    @abstractmethod
+    def inline(self, node: Node) -> str:
+        """Write a number, or an equation of one, in a sentence or a table."""
 
     def inline_formula(self, formula: Formula) -> str:
         """Write a formula in a sentence or a table, on one line."""
@@ -183,23 +186,45 @@ def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901, PLR0912  # one
 
 def _quantity(block: Quantity, dialect: Dialect) -> str:
     value = block.value
+    rows = _rows(value)
+    if rows is not None:
+        name, about = label(block.key, block.title)
+        return dialect.matrix(block.key, about, _equation(name, rows, dialect.options))
+    shown = _cell(value, dialect)
+    if is_number(value) and (symbol := letter(block.key)):
+        left = (*_pieces(parse(symbol)), Sign(SAME))
+        shown = dialect.inline(Row((*left, *_pieces(formula_of(value, dialect.options)))))
+    return dialect.scalar(block.title or block.key, shown + dialect.words(block.unit))
+
+
+def _rows(value: object) -> ShownMatrix | None:
+    """Take a matrix as it is and a vector as one column."""
     if is_matrix(value):
-        cells = [[_number(entry, dialect) for entry in row] for row in value]
-        return dialect.matrix(block.key, block.title, cells)
-    if is_vector(value):
-        column = [[_number(entry, dialect)] for entry in value]
-        return dialect.matrix(block.key, block.title, column)
-    shown = _cell(value, dialect) + dialect.words(block.unit)
-    return dialect.scalar(block.key, block.title, shown)
+        return value
+    return tuple((entry,) for entry in value) if is_vector(value) else None
 
 
-def _number(value: Shown, dialect: Dialect) -> str:
-    return dialect.number(significant(value, dialect.digits))
+def _equation(name: Node, rows: ShownMatrix, options: OutputOptions) -> Node:
+    """Set a matrix equal to its name; a second one of decimals follows where both are wanted."""
+    left = (*_pieces(name), Sign(SAME))
+    if options.numbers is not Numbers.BOTH:
+        return Row((*left, _grid(rows, options)))
+    exact, decimal = (_grid(rows, one) for one in exact_and_decimal(options))
+    sign = relation((entry for row in rows for entry in row), options.digits)
+    return Row((*left, exact, *(() if sign is None else (Sign(sign), decimal))))
+
+
+def _grid(rows: ShownMatrix, options: OutputOptions) -> Grid:
+    return Grid(tuple(tuple(formula_of(entry, options) for entry in row) for row in rows))
+
+
+def _pieces(node: Node) -> tuple[Node, ...]:
+    return node.items if isinstance(node, Row) else (node,)
 
 
 def _cell(value: object, dialect: Dialect) -> str:
     if is_number(value):
-        return dialect.inline(significant(value, dialect.digits))
+        return dialect.inline(formula_of(value, dialect.options))
     if isinstance(value, Formula):
         return dialect.inline_formula(value)
     if value is None:

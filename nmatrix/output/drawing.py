@@ -1,26 +1,37 @@
 """Matrices, vectors, formulas and tables drawn in characters, for people.
 
 A matrix has box brackets, aligned points, named axes, and a bar before t, the translation column
-of an affine 4×4. Columns of a table are aligned and fit the width: long sentences are wrapped
-inside their cells.
+of an affine 4×4; fractions and roots end where a whole number would. Columns of a table are aligned
+and fit the width: long sentences are wrapped inside their cells.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from itertools import chain
 from textwrap import TextWrapper, wrap
 
+from nmatrix.enums import Numbers
 from nmatrix.linear.rational import is_affine
-from nmatrix.output.numbers import significant
-from nmatrix.output.style import AXES, Line, Span, Style, plain, width
+from nmatrix.output.exact import exact_and_decimal, relation, written
+from nmatrix.output.style import AXES, Line, Span, Style, plain, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
-from nmatrix.report import Formula, ShownMatrix, ShownVector
+from nmatrix.report import Formula, Shown, ShownMatrix, ShownVector
+from nmatrix.typed_rows import GAP, TypedRows, bar_of, columns_of
 
-GAP = "  "
 MARGIN = 8  # row name, two brackets, the bar
 _WORDS = re.compile(r"\s+|\S+")
 _NAMES = re.compile("/*[^/]+/*|/+")  # of a path, each with its separator
+_BREAKS = tuple(  # where a formula may go on below: first before a statement, last before a term
+    map(
+        re.compile,
+        (r"(?<!\s)(?= +⇒ )|(?<=,  )", r"(?<!\s)(?= [=≈] )", r"(?<!\s)(?= [+−·→] (?!det ))"),
+    )
+)
+HANGING = "    "  # before what goes on below
+BESIDE = 12  # columns of that, and of a name and a sign before a matrix that is cut
+FORMULA = 78  # columns of a formula: with its indentation a line of 80
 NARROWEST = 8  # columns that a wrapped cell of a table keeps
 AXIS_NAMES = "xyzw"
 BRACKETS = {  # of one row; of the first, a middle and the last of several
@@ -33,10 +44,14 @@ BARS = {Charset.UNICODE: "│", Charset.ASCII: "|"}
 def aligned(texts: Sequence[str]) -> list[str]:
     """Pad numbers to one width, with their decimal points under each other.
 
+    What has no point ends before that place.
+
     Examples
     --------
     >>> aligned(["0", "-1.5", "10"])
     [' 0  ', '-1.5', '10  ']
+    >>> aligned(["√3/2", "-1/2", "0.25"])
+    ['√3/2   ', '-1/2   ', '   0.25']
     """
     parts = [_at_point(text) for text in texts]
     left = max(len(whole) for whole, _ in parts)
@@ -58,6 +73,9 @@ def _brackets(rows: int, charset: Charset) -> list[tuple[str, str]]:
 def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
     """Draw a matrix; one too wide is cut between its columns.
 
+    Where both exact numbers and decimals are wanted, the matrix of decimals stands beside, or
+    below.
+
     Examples
     --------
     >>> from nmatrix.output.style import render
@@ -66,10 +84,13 @@ def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
     ⎡ 1  0   ⎤
     ⎣ 0  0.5 ⎦
     """
-    columns = _columns(matrix, options.digits, aligned)
+    if options.numbers is Numbers.BOTH:
+        exact, decimal = (draw_matrix(matrix, one) for one in exact_and_decimal(options))
+        return _side_by_side(exact, decimal, relation(chain(*matrix), options.digits), options)
+    columns = _columns(matrix, options, aligned)
     groups = _groups(columns, options.width)
     if len(groups) > 1:
-        columns = _columns(matrix, options.digits, _right)
+        columns = _columns(matrix, options, _right)
         groups = _groups(columns, options.width)
     lines: list[Line] = []
     for group in groups:
@@ -79,21 +100,53 @@ def draw_matrix(matrix: ShownMatrix, options: OutputOptions) -> list[Line]:
 
 def draw_vector(vector: ShownVector, options: OutputOptions) -> list[Line]:
     """Draw a vector in one row, or as a column where the row would be too wide."""
-    texts = [significant(entry, options.digits) for entry in vector]
-    row: list[Span] = [Span("(")]
-    for place, text in enumerate(texts):
-        row += [Span(GAP if place else " "), _number(text)]
-    row.append(Span(" )"))
-    if width(tuple(row)) + len(GAP) <= options.width:
-        return [tuple(row)]
+    row = _row(vector, options)
+    if width(row) + len(GAP) <= options.width:
+        return [row]
     return draw_matrix(tuple((entry,) for entry in vector), options)
 
 
+def _row(vector: ShownVector, options: OutputOptions) -> Line:
+    if options.numbers is Numbers.BOTH:
+        exact, decimal = (_row(vector, one) for one in exact_and_decimal(options))
+        sign = relation(vector, options.digits)
+        return exact if sign is None else (*exact, _between(sign, options), *decimal)
+    spans = [Span("(")]
+    for place, entry in enumerate(vector):
+        spans += [Span(GAP if place else " "), _number(_text(entry, options))]
+    return (*spans, Span(" )"))
+
+
+def _side_by_side(
+    exact: list[Line], decimal: list[Line], sign: str | None, options: OutputOptions
+) -> list[Line]:
+    """Put two drawings of a matrix side by side, or one below the other where they are too wide."""
+    if sign is None:
+        return exact
+    between = _between(sign, options)
+    left, right = max(map(width, exact)), max(map(width, decimal))
+    if len(exact) != len(decimal) or len(GAP) + left + len(between.text) + right > options.width:
+        return [*exact, (between,), *decimal]
+    middle, gap = len(exact) // 2, Span(" " * len(between.text))
+    return [
+        (*one, Span(" " * (left - width(one))), between if place == middle else gap, *other)
+        for place, (one, other) in enumerate(zip(exact, decimal, strict=True))
+    ]
+
+
+def _between(sign: str, options: OutputOptions) -> Span:
+    return Span(f" {spelled(sign, options.charset)} ", Style.DIM)
+
+
+def _text(entry: Shown, options: OutputOptions) -> str:
+    return spelled(written(entry, options), options.charset)
+
+
 def _columns(
-    matrix: ShownMatrix, digits: int, align: Callable[[Sequence[str]], list[str]]
+    matrix: ShownMatrix, options: OutputOptions, align: Callable[[Sequence[str]], list[str]]
 ) -> list[list[str]]:
     columns = zip(*matrix, strict=True)
-    return [align([significant(entry, digits) for entry in column]) for column in columns]
+    return [align([_text(entry, options) for entry in column]) for column in columns]
 
 
 def _right(texts: Sequence[str]) -> list[str]:
@@ -117,7 +170,7 @@ def _draw_group(
     matrix: ShownMatrix, columns: list[list[str]], group: range, charset: Charset
 ) -> list[Line]:
     barred = 3 if is_affine(matrix) and group[0] < 3 <= group[-1] else None
-    named = len(matrix) >= 3 and len(columns) == len(matrix)
+    named = 3 <= len(matrix) == len(columns) <= len(AXIS_NAMES)
     names = "xyzt" if is_affine(matrix) else AXIS_NAMES
     lines = [_header(columns, group, barred, names)] if named else []
     for place, (opening, closing) in enumerate(_brackets(len(matrix), charset)):
@@ -157,8 +210,11 @@ def _number(text: str) -> Span:
     return Span(text, Style.DIM if text.strip() == "0" else Style.PLAIN)
 
 
-def draw_formula(formula: Formula) -> str:
+def draw_formula(formula: Formula, width: int = FORMULA) -> str:
     """Draw a formula as it was typed, with tall brackets around its matrices.
+
+    What is wider than `width` goes on below, from a sign between two of its terms; a matrix that
+    is wider by itself, from a column.
 
     Examples
     --------
@@ -166,7 +222,77 @@ def draw_formula(formula: Formula) -> str:
     A = ⎡ 1   0 ⎤
         ⎣ 0  −2 ⎦
     """
-    blocks = [[part] if isinstance(part, str) else _drawn_cells(part) for part in formula.parts]
+    parts = [
+        piece
+        for part in formula.parts
+        for piece in ([part] if isinstance(part, str) else _cut(part, width - BESIDE))
+    ]
+    return "\n".join(map(_drawn_band, _bands(parts, width, _BREAKS)))
+
+
+def _cut(cells: TypedRows, width: int) -> list[TypedRows]:
+    """Cut a matrix that is too wide between its columns; dots stand for those that are elsewhere.
+
+    Examples
+    --------
+    >>> _cut((("100", "200", "300"),), 16)
+    [(('100', '200', '…'),), (('…', '300'),)]
+    """
+    dots, bar = ("…",) * len(cells), bar_of(cells)
+    pieces: list[list[tuple[str, ...]]] = [[]]
+    for place, column in enumerate(zip(*cells, strict=True)):
+        is_behind = bar and place == bar + 1  # the bar stays with what it parts from the rest
+        wider = (*pieces[-1], column, *([dots] if place + 1 < len(cells[0]) else []))
+        if len(pieces[-1]) > 1 and not is_behind and columns_of([_rows(wider)]) > width:
+            pieces[-1].append(dots)
+            pieces.append([dots])
+        pieces[-1].append(column)
+    return [_rows(piece) for piece in pieces]
+
+
+def _rows(columns: Sequence[tuple[str, ...]]) -> TypedRows:
+    return tuple(zip(*columns, strict=True))
+
+
+def _bands(
+    parts: Sequence[str | TypedRows], width: int, breaks: Sequence[re.Pattern[str]]
+) -> list[list[str | TypedRows]]:
+    """Cut parts into bands that fit, between statements if that does, else before weaker signs."""
+    bands: list[list[str | TypedRows]] = []
+    for group in _unbroken(parts, breaks[0]):
+        head, *rest = group
+        hung = [HANGING, head.lstrip() if isinstance(head, str) else head, *rest]
+        if bands and columns_of((*bands[-1], *group)) <= width:
+            bands[-1] += group
+        elif columns_of(hung if bands else group) <= width or len(breaks) == 1:
+            bands.append(hung if bands else group)
+        else:
+            bands += _bands(hung if bands else group, width, breaks[1:])
+    return bands
+
+
+def _unbroken(
+    parts: Sequence[str | TypedRows], sign: re.Pattern[str]
+) -> list[list[str | TypedRows]]:
+    """Cut parts before the signs that a line may begin with, outside of parentheses."""
+    groups: list[list[str | TypedRows]] = [[]]
+    depth = 0
+    for part in parts:
+        if not isinstance(part, str) and part[0][0] == "…":
+            groups.append([])
+        pieces = sign.split(part) if isinstance(part, str) else [part]
+        for place, piece in enumerate(pieces):
+            if place and not depth:
+                groups.append([])
+            groups[-1].append(piece)
+            if isinstance(piece, str):
+                depth += piece.count("(") - piece.count(")")
+    return [group for group in groups if group != [""]]
+
+
+def _drawn_band(parts: Sequence[str | TypedRows]) -> str:
+    """Draw what stands side by side, each matrix with its middle on the line of the text."""
+    blocks = [[part] if isinstance(part, str) else _drawn_cells(part) for part in parts]
     height = max(map(len, blocks))
     padded = []
     for block in blocks:
@@ -178,13 +304,19 @@ def draw_formula(formula: Formula) -> str:
     return "\n".join("".join(line).rstrip() for line in zip(*padded, strict=True))
 
 
-def _drawn_cells(cells: Sequence[Sequence[str]]) -> list[str]:
+def _drawn_cells(cells: TypedRows) -> list[str]:
+    bar = bar_of(cells)
     rows = zip(*map(_right, zip(*cells, strict=True)), strict=True)
     around = _brackets(len(cells), Charset.UNICODE)
     return [
-        f"{opening} {GAP.join(row)} {closing}"
+        f"{opening} {GAP.join(_barred(row, bar))} {closing}"
         for row, (opening, closing) in zip(rows, around, strict=True)
     ]
+
+
+def _barred(row: Sequence[str], bar: int) -> Sequence[str]:
+    """Draw the bar of [A | I] in the place of its cells."""
+    return (*row[:bar], BARS[Charset.UNICODE], *row[bar + 1 :]) if bar else row
 
 
 def draw_table(

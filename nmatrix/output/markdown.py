@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nmatrix.formula import Node, Numeral
 from nmatrix.output.documents import Cells, Dialect, compose
-from nmatrix.output.formulas.latex import bmatrix, latex
-from nmatrix.output.latex import power_of_ten, symbol
+from nmatrix.output.formulas.latex import latex
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
@@ -25,12 +25,9 @@ class Markdown(Dialect):
     def strong(self, text: str) -> str:
         return f"**{escaped(text)}**"
 
-    def matrix(self, key: str, title: str, cells: Cells) -> str:
-        about = f" ({escaped(title)})" if title else ""
-        return f"`{key}`{about}\n\n$$\n{symbol(key)} = {bmatrix(cells)}\n$$"
-
-    def scalar(self, key: str, title: str, value: str) -> str:
-        return f"`{key}`{f' ({escaped(title)})' if title else ''}: {value}"
+    def matrix(self, key: str, title: str, equation: Node) -> str:
+        about = f"{escaped(title)}\n\n" if title else ""
+        return f"{about}<!-- key: {key} -->\n$$\n{latex(equation)}\n$$"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         head = [escaped(column) for column in columns]
@@ -41,11 +38,8 @@ class Markdown(Dialect):
     def formula(self, formula: Formula) -> str:
         return f"$$\n{latex(formula.tree)}\n$$"
 
-    def number(self, text: str) -> str:
-        return power_of_ten(text)
-
-    def inline(self, text: str) -> str:
-        return f"${power_of_ten(text)}$" if "e" in text else text
+    def inline(self, node: Node) -> str:
+        return node.text if isinstance(node, Numeral) else f"${latex(node)}$"
 
     def words(self, text: str) -> str:
         return escaped(text)

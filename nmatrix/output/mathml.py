@@ -6,9 +6,11 @@ import re
 from collections.abc import Sequence
 from html import escape
 
+from nmatrix.formula import Node, Numeral
 from nmatrix.output.documents import Cells, Dialect, compose
-from nmatrix.output.formulas.mathml import equation, mathml, matrix
-from nmatrix.output.formulas.spoken import matrix_in_words, spoken
+from nmatrix.output.formulas.mathml import equation as displayed
+from nmatrix.output.formulas.mathml import inline, mathml
+from nmatrix.output.formulas.spoken import spoken
 from nmatrix.output.spelling import RAISED
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
@@ -48,13 +50,12 @@ class MathML(Dialect):
     def strong(self, text: str) -> str:
         return f"<p><strong>{prose(text)}</strong></p>"
 
-    def matrix(self, key: str, title: str, cells: Cells) -> str:
+    def matrix(self, key: str, title: str, equation: Node) -> str:
         about = f"<p>{prose(title)}</p>\n" if title else ""
-        body = f"<mi>{escape(key)}</mi><mo>=</mo>{matrix([list(map(_cell, row)) for row in cells])}"
-        return about + equation(body, matrix_in_words(key, cells))
+        return about + displayed(mathml(equation), spoken(equation), key)
 
-    def scalar(self, key: str, title: str, value: str) -> str:
-        return f"<p>{prose(title or key)}: {value}</p>"
+    def scalar(self, title: str, value: str) -> str:
+        return f"<p>{prose(title)}: {value}</p>"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         caption = f"<caption>{prose(title)}</caption>" if title else ""
@@ -63,7 +64,7 @@ class MathML(Dialect):
         return f"<table>{caption}<tr>{head}</tr>{body}</table>"
 
     def formula(self, formula: Formula) -> str:
-        return equation(mathml(formula.tree), spoken(formula.tree))
+        return displayed(mathml(formula.tree), spoken(formula.tree))
 
     def code(self, language: str, text: str) -> str:
         return f'<pre><code class="language-{escape(language)}">{escape(text)}</code></pre>'
@@ -72,14 +73,10 @@ class MathML(Dialect):
         items = "".join(f"<li>{prose(remark)}</li>" for remark in remarks)
         return f"<ul>{items}</ul>"
 
+    def inline(self, node: Node) -> str:
+        if isinstance(node, Numeral):
+            return escape(node.text)
+        return inline(mathml(node), spoken(node))
+
     def words(self, text: str) -> str:
         return prose(text)
-
-
-def _cell(text: str) -> str:
-    mantissa, mark, exponent = text.partition("e")
-    number = f"<mn>{escape(mantissa.replace('-', '−'))}</mn>"
-    if mark:
-        power = f"<msup><mn>10</mn><mn>{str(int(exponent)).replace('-', '−')}</mn></msup>"
-        number = f"<mrow>{number}<mo>×</mo>{power}</mrow>"
-    return number

@@ -11,10 +11,9 @@ from typing import TypeGuard
 from nmatrix.enums import Layout
 from nmatrix.linear.rational import transpose
 from nmatrix.linear.rounding import short_text
-from nmatrix.report import Shown, ShownMatrix, ShownVector, Step, Value
+from nmatrix.report import LARGEST_MATRIX, Shown, ShownMatrix, ShownVector, Step, Value
 from nmatrix.surds import Surd
 
-LARGEST_MATRIX = 8
 ROUND_TRIP = 17  # digits that every float64 is read back from
 
 

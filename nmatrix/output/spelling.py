@@ -6,6 +6,7 @@ import re
 import unicodedata
 
 RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ]+")  # a whole exponent
+_ROOT = re.compile(r"√(\w+)")
 _ON_THE_LINE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789-T")
 # Letters with accents, indices and Greek need no line: their Unicode names spell them.
 _SPELLINGS = {
@@ -126,6 +127,8 @@ def sayable(text: str, encoding: str) -> str:
     'A^-T is 90 deg - theta, to 10^-14'
     >>> sayable("90° − θ, to 10⁻¹ or n²", "cp1252")
     '90° - theta, to 10^-1 or n²'
+    >>> sayable("√3/2", "ascii")
+    'sqrt(3)/2'
     """
     if text.isascii() or _knows(encoding, text):
         return text
@@ -133,7 +136,7 @@ def sayable(text: str, encoding: str) -> str:
         lambda found: (
             found[0] if _knows(encoding, found[0]) else "^" + found[0].translate(_ON_THE_LINE)
         ),
-        text,
+        text if _knows(encoding, "√") else _ROOT.sub(r"sqrt(\1)", text),
     )
     return "".join(one if _knows(encoding, one) else _spelling(one) for one in level)
 

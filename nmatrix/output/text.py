@@ -12,7 +12,8 @@ from itertools import groupby
 from textwrap import wrap
 
 from nmatrix.output.drawing import draw_formula, draw_matrix, draw_table, draw_vector
-from nmatrix.output.numbers import is_matrix, is_number, is_vector, significant
+from nmatrix.output.exact import written
+from nmatrix.output.numbers import is_matrix, is_number, is_vector
 from nmatrix.output.style import Line, Span, Style, plain, printable, render, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import (
@@ -221,7 +222,7 @@ class _Writer:
             lines = draw_vector(value, replace(self.options, width=room))
             return [*lines[:-1], (*lines[-1], Span(unit))] if unit else lines
         if is_number(value):
-            return [plain(significant(value, self.options.digits) + unit)]
+            return [plain(self._spelled(written(value, self.options)) + unit)]
         if value is None:
             return [(Span("none", Style.DIM),)]
         return [plain(line) for line in self._wrapped(str(value) + unit, indent)] or [()]
@@ -240,16 +241,22 @@ class _Writer:
         if isinstance(cell, bool):
             return "yes" if cell else "no"
         if is_number(cell):
-            return significant(cell, self.options.digits)
+            return self._spelled(written(cell, self.options))
         if isinstance(cell, Formula):
             return self._spelled(draw_formula(cell))
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:
-        text = self._spelled(draw_formula(block))
-        if "\n" in text:
-            return [(INDENT, Span(line)) for line in text.splitlines()]
-        return [(INDENT, Span(line)) for line in self._wrapped(text, 2)]
+        lines = self._spelled(draw_formula(block, self.options.width - 2)).splitlines()
+        if not all(isinstance(part, str) for part in block.parts):
+            return [(INDENT, Span(line)) for line in lines]
+        return [(INDENT, Span(piece)) for line in lines for piece in self._hung(line)]
+
+    def _hung(self, line: str) -> list[str]:
+        """Wrap a line of a formula where no sign broke it, below its first word."""
+        indent = line[: len(line) - len(line.lstrip())]
+        room = max(self.options.width - 2, 10)
+        return wrap(line.strip(), room, initial_indent=indent, subsequent_indent=indent) or [""]
 
     def _step(self, block: Step) -> list[Line]:
         mark = MARKS[self.options.charset, block.verified]

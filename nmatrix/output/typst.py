@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from nmatrix.formula import Node
 from nmatrix.output.documents import Cells, Dialect, compose
-from nmatrix.output.formulas.typst import matrix, typst
+from nmatrix.output.formulas.typst import typst
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import Formula, Report
 
@@ -27,9 +28,9 @@ class Typst(Dialect):
     def strong(self, text: str) -> str:
         return f"*{escaped(text)}*"
 
-    def matrix(self, key: str, title: str, cells: Cells) -> str:
+    def matrix(self, key: str, title: str, equation: Node) -> str:
         about = f"{escaped(title)}\n" if title else ""
-        return f'{about}$ #raw("{key}") = {matrix(cells)} $'
+        return f"{about}// key: {key}\n$ {typst(equation)} $"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         lines = [[escaped(column) for column in columns], *rows]
@@ -40,12 +41,8 @@ class Typst(Dialect):
     def formula(self, formula: Formula) -> str:
         return f"$ {typst(formula.tree)} $"
 
-    def number(self, text: str) -> str:
-        mantissa, mark, exponent = text.partition("e")
-        return f"{mantissa} times 10^({int(exponent)})" if mark else text
-
-    def inline(self, text: str) -> str:
-        return f"${self.number(text)}$"
+    def inline(self, node: Node) -> str:
+        return f"${typst(node)}$"
 
     def words(self, text: str) -> str:
         return escaped(text)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Protocol, assert_never
 
-from nmatrix.enums import Format, Layout
+from nmatrix.enums import Format, Layout, Numbers
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.values import whole
 from nmatrix.report import Report
@@ -42,6 +42,8 @@ class OutputOptions:
         Columns of text.
     full
         Whether text shows all of an answer that has a short form.
+    numbers
+        Whether people read fractions and roots, decimals, or both; None leaves it to the report.
     """
 
     format: Format = Format.TEXT
@@ -51,6 +53,7 @@ class OutputOptions:
     width: int = 80
     colour: Colour = Colour.PLAIN
     full: bool = False
+    numbers: Numbers | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "digits", whole(self.digits, "digits"))
@@ -84,7 +87,10 @@ def write(report: Report, options: OutputOptions) -> str:
     >>> print(write(answer, OutputOptions(Format.CSV)).splitlines()[-1])
     value,,,2.0
     """
-    return _writer(options.format)(report.spelled(str), options)
+    how = replace(options, numbers=options.numbers or report.numbers)
+    of_floats = report.numbers is Numbers.DECIMAL is not how.numbers
+    told = report.in_floats() if of_floats else report
+    return _writer(options.format)(told.spelled(str), how)
 
 
 def _writer(chosen: Format) -> Writer:  # noqa: C901, PLR0912  # one branch for each format

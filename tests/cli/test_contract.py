@@ -20,16 +20,16 @@ RAY = "ray point_world point_object"
 KEYS = {
     "world": "world_from_object normal_matrix cofactor_matrix determinant determinant_sign rank "
     "condition transform transform_exact mirrored needs_inverse_transpose worst_angle_without_deg "
-    "parts",
+    "parts steps",
     "view": "camera_from_world rotation translation eye right up forward normal_matrix handed "
-    "mirrored readings world_from_camera extrinsics",
+    "mirrored readings world_from_camera extrinsics steps",
     "identify '1 2 3; 4 5 6; 7 8 10'": "readings ambiguous",
     "axes blender unity": "to_from mirrors unit_scale matrix parts winding_flips",
     "projection": "clip_from_camera handed clip_y depth_range near far left right bottom top "
-    "fov_y_deg fov_x_deg aspect intrinsics readings depth_step depths",
+    "fov_y_deg fov_x_deg aspect intrinsics readings depth_step depths steps",
     "normal --scale 1 2 1 --normal 1 1 0": "normal_matrix cofactor_matrix determinant "
-    "determinant_sign rank condition transform transform_exact mirrored normals",
-    "calc 1+1": "expression value kind exact steps",
+    "determinant_sign rank condition transform transform_exact mirrored normals steps",
+    "calc 1+1": "expression value kind to from space exact steps",
     "light": "spaces",
     "light camera": "space space_from_world direction direction_unnormalised "
     "direction_course_rule rules_differ_deg position",
@@ -375,8 +375,10 @@ def test_a_built_entry_beyond_every_float_is_null_and_shown_in_text(nmatrix) -> 
     assert nmatrix("world --scale 1e309 1 1").code == 2
 
 
-def test_the_rank_of_an_irrational_matrix_is_refused(nmatrix) -> None:
-    found = nmatrix("calc 'rank(rotate_x(30).T @ rotate_x(30) - identity(4))'")
+def test_the_rank_of_a_matrix_of_roots_is_exact_and_of_other_irrationals_refused(nmatrix) -> None:
+    line = "calc 'rank(rotate_x({0}).T @ rotate_x({0}) - identity(4))' -f json"
+    assert nmatrix(line.format(30)).data["exact"] == "0"
+    found = nmatrix(line.format(20))
     assert found.code == 3
     assert found.is_one_line
     assert nmatrix("calc 'rank(rotate_x(90))' -f json").data["exact"] == "4"

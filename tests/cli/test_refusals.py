@@ -23,7 +23,7 @@ from nmatrix.cli.catalogue import COMMANDS
         ("view --handed=up", "--handed (up)", "try right"),
         ("world extra", "argument (extra)", "leave it out"),
         ("normal '1 0 0; 0 1 0; 0 0 1' more", "argument (more)", "leave it out"),
-        ("calc", "EXPRESSION", "try nmatrix calc"),
+        ("identify", "MATRIX", "try nmatrix identify"),
         ("calc M --stpes", "option (--stpes)", "did you mean --steps?"),
         ("calc --stpes M", "option (--stpes)", "did you mean --steps?"),
         ("calc M -M", "option (-M)", "see --help"),
@@ -83,7 +83,7 @@ def test_help_has_a_panel_for_each_group_that_the_command_takes(
     assert shown - {"Scene"} == panels
 
 
-@pytest.mark.parametrize("expression", ["-M", "-(1+2)", "-det(M)", "--det(M)", "-M @ -M", "-.5*M"])
+@pytest.mark.parametrize("expression", ["-M", "-(1+2)", "-det(M)", "--det(M)", "-M + -M", "-.5*M"])
 def test_an_expression_may_begin_with_a_minus(nmatrix, expression: str) -> None:
     for line in (f"'{expression}' --scale 1 2 1", f"--scale 1 2 1 -f text -- '{expression}'"):
         code, out, err = nmatrix(f"calc {line}")

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.calculator.meanings import Meaning
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.errors import IllegalValueError, NoAnswerError, did_you_mean
 
@@ -96,8 +95,6 @@ class Function:
         From the arguments to the value; raises `IllegalValueError` and `NoAnswerError`.
     working
         The steps by hand, where there is more than one.
-    meaning
-        The space or map that the result is, where the arguments tell it; refuses what has none.
     remarks
         What is to be said of a result beside its value.
     gathers
@@ -112,7 +109,6 @@ class Function:
     result: str
     compute: Callable[..., Value]
     working: Callable[..., Working] | None = None
-    meaning: Callable[..., Meaning | None] | None = None
     remarks: Callable[..., Iterable[str]] | None = None
     gathers: range = range(0)
 
@@ -172,7 +168,10 @@ class Function:
         is_alone = len(self.parameters) == 1
         wanted = self._gathered_or(parameter.wanted) if is_alone else parameter.wanted
         what = f"{'it' if is_alone else parameter.name} takes {wanted}, got {_shape(given)}"
-        return ArgumentError(given, what, "", f"write {self.example}")
+        step = f"write {self.example}"
+        if isinstance(given, str):
+            step = did_you_mean(given, parameter.choices, step)
+        return ArgumentError(given, what, "", step)
 
     def _gathered_or(self, wanted: str) -> str:
         """Tell the numbers that may stand for a vector, before what else is taken."""

@@ -20,7 +20,7 @@ from nmatrix.calculator.numbers import angle, is_zero
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Convention
 from nmatrix.linear import rational
-from nmatrix.linear.affine import course_rotation, rotation, shear_matrix
+from nmatrix.linear.affine import rotation, shear_matrix
 from nmatrix.linear.rational import ONE, RationalMatrix, RationalVector
 
 CONVENTIONS = {one.value.replace("-", "_"): one for one in Convention}
@@ -96,7 +96,7 @@ def _rotation(
         return about_axis(tuple(axis), angle(turned))
     turns = list(map(angle, _three(rotate or NOTHING, "three angles")))
     named = CONVENTIONS.get(convention, Convention.STANDARD)
-    return rotation(turns, order) if named is Convention.STANDARD else course_rotation(turns, named)
+    return rotation(turns, order, named)
 
 
 def _require_direction(given: Value, v: RationalVector) -> None:

@@ -1,8 +1,7 @@
-"""Functions of vectors: lengths, angles, products, ways between two, and the w of points."""
+"""Functions of vectors: lengths, angles, products, ways between two."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 
 from nmatrix.calculator.functions.function import (
@@ -35,14 +34,6 @@ from nmatrix.linear.rational import ZERO, RationalVector
 
 HALF = Fraction(1, 2)
 _NUMBERS = (ValueKind.SCALAR, ValueKind.VECTOR, ValueKind.MATRIX)
-
-
-def _with_w(w: int) -> Callable[..., Value]:
-    def compute(v: Value) -> Value:
-        require_size(v, 3, "a vector of 3")
-        return Value((*v.vector, Fraction(w)))
-
-    return compute
 
 
 def length_of(v: RationalVector) -> Fraction:
@@ -166,24 +157,6 @@ def _is_known_zero(x: Number) -> bool:
 
 
 FUNCTIONS: dict[str, Function] = {
-    "point": Function(
-        (vector(),),
-        "a point in homogeneous coordinates",
-        "w = 1: points move with the translation",
-        "(x, y, z) → (x, y, z, 1)",
-        "point([1, 2, 3])",
-        "[1, 2, 3, 1]",
-        _with_w(1),
-    ),
-    "vector": Function(
-        (vector(),),
-        "a direction in homogeneous coordinates",
-        "w = 0: vectors do not move with the translation",
-        "(x, y, z) → (x, y, z, 0)",
-        "vector([1, 2, 3])",
-        "[1, 2, 3, 0]",
-        _with_w(0),
-    ),
     "normalize": Function(
         (vector(),),
         "the vector of length 1 in the same direction",

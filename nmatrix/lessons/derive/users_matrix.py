@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.lessons.derive.steps import cofactors, determinant, equal, is_zero, normal_form, step
+from nmatrix.lessons.derive.steps import determinant, equal, is_zero, normal_form, step
 from nmatrix.lessons.notation import formula, written
 from nmatrix.linear.angle import Angle
 from nmatrix.report import Number, Step
 from nmatrix.scene.world import World
+from nmatrix.working.determinants import cofactors
+from nmatrix.working.inverses import determinant_by_cofactors, inverse_transpose
+from nmatrix.working.working import Matrix, Notation
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -18,42 +22,36 @@ OF_UNIT_LENGTH = "your matrix, exactly; the quaternion was brought to length one
 
 
 def users_matrix(world: World) -> list[Step]:
-    """Put a world's 3×3 block into the rule, in exact numbers."""
+    """Put a world's 3×3 block into the rule, in exact numbers, line by line as on paper."""
     import sympy as sp
 
     M = exact_matrix(world)
     A_ = M[:3, :3]
-    K, det = cofactors(A_).applyfunc(tidy), tidy(determinant(A_))
-    named = Named(A_)
-    steps = [
-        step(
-            formula("A = ", named(A_), ",  det A = ", named(det)),
-            TYPED if world.quaternion is None else OF_UNIT_LENGTH,
-            proved=equal(determinant(A_), det),
-        ),
-        *named.steps(),
-        step(
-            formula("C = ", named(K)),
-            "its cofactors",
-            proved=equal(A_.T * K, det * sp.eye(3)),
-        ),
-    ]
-    if det == 0:
-        rank = A_.rank(iszerofunc=is_zero)
-        left = "C is what is left" if rank == 2 else "C is zero as well"
-        because = f"det A = 0 and the rank is {rank}: no inverse transpose; {left}"
-        proved = rank < 3 and K.is_zero_matrix is (rank < 2)
-        return [*steps, step(formula("det A = ", det), because, proved=proved)]
-    normal_matrix = (K / det).applyfunc(tidy)
-    return [
-        *steps,
-        step(
-            formula("A⁻ᵀ = ", named(normal_matrix)),
-            "your normal matrix: the cofactors over the determinant",
-            proved=equal(A_.T * normal_matrix, sp.eye(3)),
-        ),
-        *_translation(M, normal_matrix, named),
-    ]
+    A, named = tuple(map(tuple, A_.tolist())), Named(A_)
+    by = Notation(
+        lambda entry: written(named(sp.sympify(entry))),
+        is_zero,
+        tidy,
+        agree=equal,
+        spells_out=not named.angles,
+    )
+    if is_zero(determinant(A_)):
+        C = cofactors(A, by=by)
+        line, _ = determinant_by_cofactors(A, C.value, "A", by)
+        found: list[Step] = [*C.steps, line, _no_inverse(A_, C.value)]
+    else:
+        carrier = inverse_transpose(A, by=by)
+        found = [*carrier.steps, *_translation(M, carrier.value, named)]
+    about = TYPED if world.quaternion is None else OF_UNIT_LENGTH
+    return [replace(found[0], because=about), *named.steps(), *found[1:]]
+
+
+def _no_inverse(A_: sp.Matrix, C: Matrix) -> Step:
+    rank = A_.rank(iszerofunc=is_zero)
+    left = "C is what is left" if rank == 2 else "C is zero as well"
+    because = f"det A = 0 and the rank is {rank}: no inverse transpose; {left}"
+    is_nothing = all(is_zero(entry) for row in C for entry in row)
+    return step(formula("det A = 0"), because, proved=rank < 3 and is_nothing is (rank < 2))
 
 
 class Named:
@@ -104,14 +102,14 @@ def _typed(degrees: sp.Rational) -> str:
     return short if Fraction(short) == exact else str(exact)
 
 
-def _translation(M: sp.Matrix, normal_matrix: sp.Matrix, named: Named) -> list[Step]:
+def _translation(M: sp.Matrix, carrier: Matrix, named: Named) -> list[Step]:
     """Show where the translation goes, if there is one: to the last row of M⁻ᵀ."""
     import sympy as sp
 
     A_, t = M[:3, :3], M[:3, 3]
     if not any(t):
         return []
-    row = (-(normal_matrix.T * t)).applyfunc(tidy).T
+    row = (-(sp.Matrix(carrier).T * t)).applyfunc(tidy).T
     return [
         step(
             formula("−(A⁻¹ t)ᵀ = ", named(row)),
@@ -142,6 +140,7 @@ def tidy(expression: sp.Expr) -> sp.Expr:
     """Simplify an expression: no needless roots, sines and products."""
     import sympy as sp
 
+    expression = sp.sympify(expression)
     if not expression.has(sp.sin, sp.cos):
         return sp.radsimp(sp.expand(expression))
     top, bottom = sp.fraction(expression)

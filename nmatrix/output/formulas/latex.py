@@ -21,7 +21,9 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
+from nmatrix.output.formulas.latex_words import escaped
 
 SIGNS = {  # a sign that is missing here is a fault of ours, and not to be printed as it is
     APART: r",\; ",
@@ -36,18 +38,28 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "≠": r" \neq ",
     "≤": r" \le ",
     "≥": r" \ge ",
+    "≈": r" \approx ",
     "<": " < ",
     ">": " > ",
     "→": r" \to ",
+    "←": r" \leftarrow ",
+    "↔": r" \leftrightarrow ",
     "⇒": r" \;\Rightarrow\; ",
     "⇔": r" \;\Leftrightarrow\; ",
     "°": r"^\circ",
 }
-LETTERS = {"κ": r"\kappa", "θ": r"\theta", "σ": r"\sigma", "λ": r"\lambda", "π": r"\pi"}
+LETTERS = {
+    "κ": r"\kappa",
+    "θ": r"\theta",
+    "σ": r"\sigma",
+    "λ": r"\lambda",
+    "π": r"\pi",
+    "∞": r"\infty",
+}
 EXPONENTS = str.maketrans({"⊤": r"\mathsf T", "′": r"\prime", "−": "-"})
 
 
-def latex(node: Node) -> str:
+def latex(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     r"""Print a tree.
 
     Examples
@@ -61,6 +73,8 @@ def latex(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = rf"\text{{{escaped(text)}}}"
         case Sign(text):
             found = SIGNS[text]
         case Row(items):
@@ -74,8 +88,9 @@ def latex(node: Node) -> str:
             found = rf"\sqrt{{{latex(inside)}}}"
         case Fence(inside, bars):
             found = f"|{latex(inside)}|" if bars else f"({latex(inside)})"
-        case Grid(rows):
-            found = bmatrix([list(map(latex, row)) for row in rows])
+        case Grid(rows, bar):
+            cells = [list(map(latex, row)) for row in rows]
+            found = _augmented(cells, bar) if bar else bmatrix(cells)
     return found
 
 
@@ -90,8 +105,18 @@ def bmatrix(cells: Sequence[Sequence[str]]) -> str:
       0 & 2
     \end{bmatrix}
     """
-    body = " \\\\\n".join("  " + " & ".join(row) for row in cells)
-    return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
+    return f"\\begin{{bmatrix}}\n{_body(cells)}\n\\end{{bmatrix}}"
+
+
+def _augmented(cells: Sequence[Sequence[str]], bar: int) -> str:
+    """Put printed cells into square brackets, with a line behind so many columns."""
+    columns = f"{'c' * bar}|{'c' * (len(cells[0]) - bar)}"
+    begin, end = rf"\left[\begin{{array}}{{{columns}}}", r"\end{array}\right]"
+    return f"{begin}\n{_body(cells)}\n{end}"
+
+
+def _body(cells: Sequence[Sequence[str]]) -> str:
+    return " \\\\\n".join("  " + " & ".join(row) for row in cells)
 
 
 def _name(name: Name) -> str:

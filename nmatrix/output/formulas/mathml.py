@@ -19,12 +19,14 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
+NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 WIDE = '<mspace width="1em"></mspace>'
 
 
-def mathml(node: Node) -> str:
+def mathml(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     """Print a tree as elements.
 
     Examples
@@ -37,7 +39,9 @@ def mathml(node: Node) -> str:
         case Name():
             found = _name(node)
         case Numeral(text):
-            found = f"<mn>{escape(text)}</mn>"
+            found = f"<mn>{escape(text.replace('-', '−'))}</mn>"
+        case Words(text):
+            found = f"<mtext>{escape(text)}</mtext>"
         case Sign(text):
             found = f"<mo>,</mo>{WIDE}" if text == APART else f"<mo>{escape(text)}</mo>"
         case Row(items):
@@ -51,26 +55,40 @@ def mathml(node: Node) -> str:
         case Fence(inside, bars):
             left, right = ("|", "|") if bars else ("(", ")")
             found = f"<mrow><mo>{left}</mo>{mathml(inside)}<mo>{right}</mo></mrow>"
-        case Grid(rows):
-            found = matrix([list(map(mathml, row)) for row in rows])
+        case Grid(rows, bar):
+            found = matrix([list(map(mathml, row)) for row in rows], bar)
     return found
 
 
-def equation(body: str, said: str) -> str:
-    """Put elements on a line of their own, with the sentence that is heard in their place."""
-    head = '<math display="block" xmlns="http://www.w3.org/1998/Math/MathML"'
+def equation(body: str, said: str, key: str = "") -> str:
+    """Put elements on a line of their own, with the sentence that is heard in their place.
+
+    A key names the quantity to programs.
+    """
+    named = f' data-key="{escape(key)}"' if key else ""
+    head = f'<math display="block" xmlns="{NAMESPACE}"{named}'
     return f'{head} alttext="{escape(said)}">{body}</math>'
 
 
-def matrix(cells: Sequence[Sequence[str]]) -> str:
-    """Put printed cells into square brackets.
+def inline(body: str, said: str) -> str:
+    """Put elements among words, with what is heard in their place."""
+    return f'<math xmlns="{NAMESPACE}" alttext="{escape(said)}">{body}</math>'
+
+
+def matrix(cells: Sequence[Sequence[str]], bar: int = 0) -> str:
+    """Put printed cells into square brackets, with a line behind so many columns.
 
     Examples
     --------
     >>> matrix([["<mn>1</mn>"]])
     '<mrow><mo>[</mo><mtable><mtr><mtd><mn>1</mn></mtd></mtr></mtable><mo>]</mo></mrow>'
     """
-    rows = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in cells)
+    line = ' style="border-left: 1px solid"'
+    opened = [f"<mtd{line if place == bar > 0 else ''}>" for place in range(len(cells[0]))]
+    rows = "".join(
+        f"<mtr>{''.join(f'{td}{cell}</mtd>' for td, cell in zip(opened, row, strict=True))}</mtr>"
+        for row in cells
+    )
     return f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
 
 

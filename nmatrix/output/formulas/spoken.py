@@ -16,6 +16,7 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
 SIGNS = {
@@ -25,6 +26,7 @@ SIGNS = {
     "⇔": "exactly if",
     "≤": "is at most",
     "≥": "is at least",
+    "≈": "is about",
     "<": "is less than",
     ">": "is greater than",
     "+": "plus",
@@ -36,6 +38,8 @@ SIGNS = {
     APART: ",",
     "/": "over",
     "→": "becomes",
+    "←": "becomes",
+    "↔": "changes places with",
     "°": "degrees",
 }
 POWERS = {
@@ -48,7 +52,7 @@ POWERS = {
     "−2": "to the minus two",
     "s": "to the s",
 }
-LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi"}
+LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi", "∞": "infinity"}
 FUNCTIONS = {
     "det": "the determinant of",
     "tan": "tangent of",
@@ -60,7 +64,7 @@ FUNCTIONS = {
 }
 
 
-def spoken(node: Node) -> str:
+def spoken(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     """Read a tree aloud.
 
     Examples
@@ -74,6 +78,8 @@ def spoken(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = text
         case Sign(text):
             found = SIGNS.get(text, text)
         case Row(items):
@@ -83,11 +89,11 @@ def spoken(node: Node) -> str:
         case Quotient(top, bottom):
             found = f"{_grouped(top)} over {_grouped(bottom)}"
         case Root(inside):
-            found = f"the root of {_grouped(inside)}"
+            found = _root(inside)
         case Fence(inside, bars):
             found = f"the length of {_grouped(inside)}" if bars else _grouped(inside)
-        case Grid(rows):
-            found = _grid(rows)
+        case Grid(rows, bar):
+            found = _grid(rows, bar)
     return found
 
 
@@ -99,8 +105,11 @@ def _name(name: Name) -> str:
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
-    """Read each piece aloud; a length after another thing multiplies it."""
+    """Read each piece aloud; a length after another thing, or × after a number, multiplies it."""
     for i, item in enumerate(items):
+        if i and item == Sign("×") and isinstance(items[i - 1], Numeral):
+            yield "times"
+            continue
         if i and _is_length(item) and not isinstance(items[i - 1], Sign):
             yield "times"
         yield spoken(item)
@@ -122,6 +131,13 @@ def _power(base: Node, exponent: str) -> str:
     return f"{_whole(base)} {said}"
 
 
+def _root(inside: Node) -> str:
+    """Read a root aloud; of a number it needs no words between."""
+    return (
+        f"root {inside.text}" if isinstance(inside, Numeral) else f"the root of {_grouped(inside)}"
+    )
+
+
 def _whole(node: Node) -> str:
     """Read a base aloud so that its end is heard before the exponent."""
     if isinstance(node, Fence) and isinstance(node.inside, Row):
@@ -135,19 +151,12 @@ def _grouped(node: Node) -> str:
     return f"the group {spoken(node)} end of group," if is_long else spoken(node)
 
 
-def _grid(rows: tuple[tuple[Node, ...], ...]) -> str:
+def _grid(rows: tuple[tuple[Node, ...], ...], bar: int) -> str:
     if len(rows[0]) == 1:
         return f"the vector {', '.join(spoken(row[0]) for row in rows)}"
-    lines = "; ".join(", ".join(map(spoken, row)) for row in rows)
+    lines = "; ".join(_said(row[:bar]) + " bar " * (bar > 0) + _said(row[bar:]) for row in rows)
     return f"the {len(rows)} by {len(rows[0])} matrix with rows {lines}"
 
 
-def matrix_in_words(name: str, cells: Sequence[Sequence[str]]) -> str:
-    """Read a matrix of printed numbers aloud.
-
-    Examples
-    --------
-    >>> matrix_in_words("M", [["1", "0"], ["0", "2"]])
-    'M is the matrix with rows 1, 0; 0, 2'
-    """
-    return f"{name} is the matrix with rows {'; '.join(', '.join(row) for row in cells)}"
+def _said(cells: Sequence[Node]) -> str:
+    return ", ".join(map(spoken, cells))

@@ -18,6 +18,7 @@ from nmatrix.formula import (
     Root,
     Row,
     Sign,
+    Words,
 )
 
 SIGNS = {
@@ -25,6 +26,9 @@ SIGNS = {
     "·": "dot",
     "×": "times",
     "≠": "!=",
+    "←": "<-",
+    "↔": "<->",
+    "≈": "approx",
     "⇒": "=>",
     "⇔": "<=>",
     "≤": "<=",
@@ -34,7 +38,7 @@ ESCAPED = '#$"\\_*`~@&;,'
 EXPONENTS = str.maketrans({"⊤": " top", "′": "prime", "−": "-"})
 
 
-def typst(node: Node) -> str:
+def typst(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     r"""Print a tree as markup.
 
     Examples
@@ -48,6 +52,8 @@ def typst(node: Node) -> str:
             found = _name(node)
         case Numeral(text):
             found = text
+        case Words(text):
+            found = quoted(text)
         case Sign(text):
             found = SIGNS.get(text, f"\\{text}" if text in ESCAPED else text)
         case Row(items):
@@ -60,13 +66,13 @@ def typst(node: Node) -> str:
             found = f"sqrt({typst(inside)})"
         case Fence(inside, bars):
             found = f"abs({typst(inside)})" if bars else f"({typst(inside)})"
-        case Grid(rows):
-            found = matrix([list(map(typst, row)) for row in rows])
+        case Grid(rows, bar):
+            found = matrix([list(map(typst, row)) for row in rows], bar)
     return found
 
 
-def matrix(cells: Sequence[Sequence[str]]) -> str:
-    """Put printed cells into square brackets.
+def matrix(cells: Sequence[Sequence[str]], bar: int = 0) -> str:
+    """Put printed cells into square brackets, with a line behind so many columns.
 
     Examples
     --------
@@ -74,7 +80,20 @@ def matrix(cells: Sequence[Sequence[str]]) -> str:
     'mat(delim: "[", 1, 0; 0, 2)'
     """
     rows = "; ".join(", ".join(row) for row in cells)
-    return f'mat(delim: "[", {rows})'
+    line = f"augment: #{bar}, " if bar else ""
+    return f'mat(delim: "[", {line}{rows})'
+
+
+def quoted(text: str) -> str:
+    r"""Write text as a string of Typst.
+
+    Examples
+    --------
+    >>> print(quoted('a "b"'))
+    "a \"b\""
+    """
+    plain = "".join(c if c.isprintable() else " " for c in text)
+    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def _name(name: Name) -> str:
@@ -83,4 +102,4 @@ def _name(name: Name) -> str:
         return f"{letter}_{below}"
     if letter in OPERATORS or len(letter) == 1:
         return letter
-    return f'op("{letter}")' if letter in FUNCTIONS else f'"{letter}"'
+    return f"op({quoted(letter)})" if letter in FUNCTIONS else quoted(letter)

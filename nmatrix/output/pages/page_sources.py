@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from nmatrix.output import latex, markdown
 from nmatrix.output.documents import Cells, blocks_in
 from nmatrix.output.formulas.latex import latex as mathematics
+from nmatrix.output.formulas.latex_words import escaped as latex_escaped
 from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
@@ -69,10 +70,10 @@ def tex(document: Document) -> bytes:
 {PACKAGES}
 \usepackage[hmargin=18mm,top=11mm,bottom=18mm,footskip=8mm]{{geometry}}
 \newcommand{{\roomhigh}}{{{document.paper.room}mm}}
-\newcommand{{\sheetfoot}}{{{latex.escaped(document.foot)}}}
+\newcommand{{\sheetfoot}}{{{latex_escaped(document.foot)}}}
 {LOOK}
 \begin{{document}}
-{_head(document.head)}{{\Large\sffamily\bfseries {latex.escaped(document.title)}\par}}
+{_head(document.head)}{{\Large\sffamily\bfseries {latex_escaped(document.title)}\par}}
 
 {body}
 \end{{document}}
@@ -90,8 +91,8 @@ def _head(fields: Sequence[Field]) -> str:
 
 
 def _latex_field(field: Field) -> str:
-    label = f"{latex.escaped(field.label)} " if field.label else ""
-    return label + (latex.escaped(field.value) or rf"\fillin{{{field.room}mm}}")
+    label = f"{latex_escaped(field.label)} " if field.label else ""
+    return label + (latex_escaped(field.value) or rf"\fillin{{{field.room}mm}}")
 
 
 class LatexPage(latex.Latex):
@@ -99,13 +100,13 @@ class LatexPage(latex.Latex):
 
     def paragraph(self, text: str) -> str:
         """Write a paragraph; one that leads to something stays on the page of it."""
-        return latex.escaped(text) + r"\nopagebreak" * text.endswith(":")
+        return latex_escaped(text) + r"\nopagebreak" * text.endswith(":")
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table with rules under its head and its end; long cells wrap, and pages turn."""
-        head = " & ".join(rf"\columnhead{{{latex.escaped(column)}}}" for column in columns)
+        head = " & ".join(rf"\columnhead{{{latex_escaped(column)}}}" for column in columns)
         body = "\n".join(f"{' & '.join(row)} \\\\" for row in rows)
-        about = f"\\textbf{{{latex.escaped(title)}}}\n\n" if title else ""
+        about = f"\\textbf{{{latex_escaped(title)}}}\n\n" if title else ""
         if all(len(cell) <= LONG or cell.startswith("$") for row in rows for cell in row):
             shape = f"@{{}}{'l' * len(columns)}@{{}}"
             whole = f"{head} \\\\ \\hline\n{body} \\hline"
@@ -121,7 +122,7 @@ class LatexPage(latex.Latex):
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Write one line of a derivation, with its reason on the same page."""
         mark = r"$\checkmark$" if verified else "not proved:"
-        reason = rf"\hspace*{{4mm}}{{\color{{soft}}{mark} {latex.escaped(because)}}}"
+        reason = rf"\hspace*{{4mm}}{{\color{{soft}}{mark} {latex_escaped(because)}}}"
         return f"{self.formula(formula)}\\nopagebreak\n{reason}"
 
     def code(self, language: str, text: str) -> str:
@@ -130,10 +131,10 @@ class LatexPage(latex.Latex):
 
     def figure(self, figure: Figure) -> str:
         """Write a picture above its caption; its alternative text stands in a comment."""
-        comment = latex.escaped(" ".join(figure.alternative.split()))
+        comment = latex_escaped(" ".join(figure.alternative.split()))
         include = rf"\includegraphics[width=\linewidth]{{{figure.path}}}"
-        title = rf"\textbf{{{latex.escaped(figure.title)}.}} " if figure.title else ""
-        caption = rf"{{\small {title}{latex.escaped(figure.caption)}}}"
+        title = rf"\textbf{{{latex_escaped(figure.title)}.}} " if figure.title else ""
+        caption = rf"{{\small {title}{latex_escaped(figure.caption)}}}"
         return f"% alt: {comment}\n{include}\\nopagebreak\n\n{caption}"
 
     def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
@@ -162,7 +163,7 @@ class LatexPage(latex.Latex):
     def task(self, task: Task, body: str) -> str:
         """Write an exercise that stays on its page, with a box for its points."""
         most = "" if task.points is None else str(task.points)
-        title = latex.escaped(task.title)
+        title = latex_escaped(task.title)
         return f"\\begin{{task}}{{{title}}}{{{most}}}\n{body}\n\\end{{task}}"
 
     def page_break(self) -> str:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain
 
+from nmatrix.formula import Node, Numeral
 from nmatrix.output.documents import Cells, blocks_in
-from nmatrix.output.formulas.spoken import matrix_in_words, spoken
-from nmatrix.output.formulas.typst import matrix, typst
+from nmatrix.output.formulas.spoken import spoken
+from nmatrix.output.formulas.typst import quoted, typst
 from nmatrix.output.mathml import ON_THE_LINE, PRODUCT
 from nmatrix.output.pages.document import (
     ANSWER_HIGH,
@@ -121,18 +122,6 @@ def prose(text: str) -> str:
     return RAISED.sub(lambda run: f"#super[{run[0].translate(ON_THE_LINE)}];", escaped(joined))
 
 
-def quoted(text: str) -> str:
-    r"""Write text as a string of Typst.
-
-    Examples
-    --------
-    >>> print(quoted('a "b"'))
-    "a \"b\""
-    """
-    plain = "".join(c if c.isprintable() else " " for c in text)
-    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'
-
-
 class TypstPage(Typst):
     """How a page writes each kind of block; every formula says what it looks like."""
 
@@ -152,10 +141,10 @@ class TypstPage(Typst):
         """Escape a text, so that it is shown as it is."""
         return prose(text)
 
-    def matrix(self, key: str, title: str, cells: Cells) -> str:
+    def matrix(self, key: str, title: str, equation: Node) -> str:
         """Write a matrix under its name."""
         about = f"#block(sticky: true)[{escaped(title)}]\n" if title else ""
-        return about + _equation(f'#raw("{key}") = {matrix(cells)}', matrix_in_words(key, cells))
+        return about + _equation(equation)
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table whose first row is its head; a short one stays on its page."""
@@ -168,12 +157,11 @@ class TypstPage(Typst):
 
     def formula(self, formula: Formula) -> str:
         """Write a formula with its sentence."""
-        return _equation(typst(formula.tree), spoken(formula.tree))
+        return _equation(formula.tree)
 
     def inline_formula(self, formula: Formula) -> str:
         """Write a formula among words, with its sentence."""
-        said = quoted(spoken(formula.tree))
-        return f"#math.equation(alt: {said}, ${typst(formula.tree)}$)"
+        return _among_words(formula.tree)
 
     def step(self, formula: Formula, because: str, *, verified: bool) -> str:
         """Write a step that stays together on a page."""
@@ -181,10 +169,9 @@ class TypstPage(Typst):
         reason = f"#pad(left: 1.2em)[#text(fill: soft)[{mark} {prose(because)}]]"
         return f"#together[\n{self.formula(formula)}\n{reason}\n]"
 
-    def inline(self, text: str) -> str:
-        """Write a number in a sentence, which a screen reader reads as it is."""
-        mantissa, mark, exponent = text.partition("e")
-        return f"{mantissa} · 10#super[{int(exponent)}]" if mark else text
+    def inline(self, node: Node) -> str:
+        """Write a number in a sentence; a screen reader reads a decimal as it is."""
+        return node.text if isinstance(node, Numeral) else _among_words(node)
 
     def figure(self, figure: Figure) -> str:
         """Write a picture with its alternative text."""
@@ -227,5 +214,9 @@ class TypstPage(Typst):
         return "#pagebreak(weak: true)"
 
 
-def _equation(body: str, said: str) -> str:
-    return f"#math.equation(block: true, alt: {quoted(said)}, $ {body} $)"
+def _equation(node: Node) -> str:
+    return f"#math.equation(block: true, alt: {quoted(spoken(node))}, $ {typst(node)} $)"
+
+
+def _among_words(node: Node) -> str:
+    return f"#math.equation(alt: {quoted(spoken(node))}, ${typst(node)}$)"

@@ -1,0 +1,74 @@
+"""The fourth coordinate: what knows its kind leaves it out, and matrices of four columns get it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from nmatrix.calculator.meanings import Kind, Located, Map
+from nmatrix.calculator.numbers import is_zero
+from nmatrix.calculator.values import Value, ValueKind
+from nmatrix.enums import Frame
+
+_W = {Kind.POINT: 1, Kind.DIRECTION: 0, Kind.NORMAL: 0}
+_SHAPES = {Map: ValueKind.MATRIX, Located: ValueKind.VECTOR}
+
+
+def w_of(value: Value) -> Fraction | None:
+    """Tell the w that a vector left out; None where it has left out none, or its kind is unknown.
+
+    Examples
+    --------
+    >>> w_of(Value((Fraction(1),) * 3, Located(Frame.WORLD, Kind.POINT)))
+    Fraction(1, 1)
+    """
+    meaning = value.meaning
+    if not isinstance(meaning, Located) or meaning.kind not in _W or len(value.vector) != 3:
+        return None
+    return Fraction(_W[meaning.kind])
+
+
+def with_w(A: Value, v: Value) -> Value:
+    """Write the w of a vector behind it, where the matrix on its left has four columns."""
+    w = w_of(v)
+    if w is None or A.kind is not ValueKind.MATRIX or len(A.matrix[0]) != 4:
+        return v
+    return Value((*v.vector, w), v.meaning)
+
+
+def as_long_as(v: Value, other: Value) -> Value:
+    """Write the w of a vector behind it, where a literal beside it has four components."""
+    w = w_of(v)
+    if w is None or other.kind is not ValueKind.VECTOR or len(other.vector) != 4:
+        return v
+    return Value((*v.vector, w), v.meaning)
+
+
+def settled(value: Value) -> Value:
+    """Leave out the w of a result whose kind tells it, after the division that it asks for.
+
+    In clip space w stays. What came from a matrix of which nothing is known may be anywhere, so
+    there nothing is divided.
+
+    Raises
+    ------
+    NoAnswerError
+        Where what is known of w leaves open if it is 0.
+
+    Examples
+    --------
+    >>> settled(Value((6, 4, 2, 2), Located(Frame.WORLD, Kind.POINT))).entries
+    (3.0, 2.0, 1.0)
+    """
+    meaning = value.meaning
+    if meaning is not None and value.kind is not _SHAPES[type(meaning)]:
+        return Value(value.entries)
+    if not isinstance(meaning, Located) or len(value.vector) != 4 or meaning.space is Frame.CLIP:
+        return value
+    *place, w = value.vector
+    if meaning.kind is Kind.NORMAL:
+        return Value(tuple(place), meaning)
+    if is_zero(w):
+        return Value(tuple(place), Located(meaning.space, Kind.DIRECTION))
+    if meaning.space is None and w != 1:
+        return Value(value.entries)
+    return Value(tuple(x / w for x in place), Located(meaning.space, Kind.POINT))

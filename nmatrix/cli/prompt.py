@@ -1,0 +1,101 @@
+"""A session of the calculator on a terminal: its prompt at once, and the rest while someone thinks.
+
+The prompt stands before the calculator is loaded. What is typed till then waits in the terminal.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from nmatrix.calculator.session import Session
+    from nmatrix.cli.line_readers import LineReader
+    from nmatrix.output.write import OutputOptions
+
+PROMPT = "> "
+Begin = Callable[[], "tuple[Session, Callable[[], OutputOptions]]"]
+
+
+def on_terminal() -> bool:
+    """Whether someone types, and reads what comes."""
+    return sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
+
+
+def usual_session() -> tuple[Session, Callable[[], OutputOptions]]:
+    """Begin a session without any option."""
+    from nmatrix.calculator.names import EVERY_NAME, names_of
+    from nmatrix.calculator.session import Session, Settings
+    from nmatrix.cli.shared_options import CommonOptions
+    from nmatrix.cli.show import options_of
+    from nmatrix.scene.setup import Setup
+
+    common = CommonOptions().as_text()
+    settings = Settings(digits=common.digits_checked)
+    return Session(names_of(Setup(), EVERY_NAME), settings), lambda: options_of(common)
+
+
+def converse(begin: Begin) -> None:
+    """Hold a session until someone leaves it; an error ends a line, and nothing else."""
+    with _prompt_first():
+        session, options = begin()
+        reader = _reader(session)
+        from nmatrix.cli.show import put
+        from nmatrix.output.transcript import Disk, turn
+    while True:
+        try:
+            statement = reader.read(session.names)
+            done = turn(session, statement, options(), Disk())
+            put(done.text)
+        except KeyboardInterrupt:
+            reader.end_line()
+        except (EOFError, OSError):  # Ctrl-D, or the terminal is gone
+            put("\n")
+            return
+        except Exception as error:  # the session outlives what should not happen
+            if "NMATRIX_DEBUG" in os.environ:
+                raise
+            put(f"error: a defect of nmatrix ({type(error).__name__}): it should not happen\n")
+        else:
+            session = done.session
+            if done.reply.quits:
+                return
+
+
+def _reader(session: Session) -> LineReader:
+    from nmatrix.cli.line_readers import History, reader_of
+
+    return reader_of(History.usual(), session.names)
+
+
+@contextmanager
+def _prompt_first() -> Iterator[None]:
+    """Show the prompt, and let keys wait unseen until the one who reads them is ready."""
+    try:
+        import signal
+        import termios
+    except ImportError:  # Windows
+        _put(PROMPT)
+        yield
+        _put("\r")
+        return
+    usual = termios.tcgetattr(0)
+    waiting = usual.copy()
+    waiting[3] &= ~(termios.ECHO | termios.ICANON)
+    ended = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal drops the line itself
+    termios.tcsetattr(0, termios.TCSANOW, waiting)
+    try:
+        _put(PROMPT)
+        yield
+    finally:
+        termios.tcsetattr(0, termios.TCSANOW, usual)
+        signal.signal(signal.SIGINT, ended)
+        _put("\r")
+
+
+def _put(text: str) -> None:
+    sys.stdout.write(text)
+    sys.stdout.flush()

@@ -1,0 +1,1 @@
+"""The steps of a calculation as a person writes them on paper, each line from the one before."""

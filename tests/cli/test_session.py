@@ -1,0 +1,231 @@
+"""A session on a real terminal, in a pipe and from a file: the same lines, the same answers."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+import nmatrix as package
+from nmatrix.cli.line_readers import History
+
+pty = pytest.importorskip("pty")
+fcntl = pytest.importorskip("fcntl")
+termios = pytest.importorskip("termios")
+struct = pytest.importorskip("struct")
+
+TOOLKIT = importlib.util.find_spec("prompt_toolkit") is not None
+READERS = ["plain", pytest.param("toolkit", marks=pytest.mark.skipif(not TOOLKIT, reason="extra"))]
+SIZE = struct.pack("HHHH", 50, 80, 0, 0)
+ESCAPE = re.compile(r"\x1b\[[0-9;?]*[a-zA-Z]|\x1b[=>]|\x1b\][^\x07]*\x07")
+LONGEST = 30  # seconds that a slow machine may take for a line
+# It makes the terminal its own first, so that Ctrl-C reaches it.
+OWN_TERMINAL = """
+import fcntl, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+from nmatrix.__main__ import main
+main()
+"""
+LINES = """\
+# the world
+M = [2 0
+  0 1/2]
+det(M)
+x = M @ [1, 2] + Qq
+inverse(M) @ M == identity(2)
+steps on
+det(M)
+show M as glsl
+numbers both
+1/3
+undo
+B = 1 2
+3 4
+
+B^2
+quit
+"""
+
+
+class Terminal:
+    """A terminal with a session on it; keys go in, and what it was sent comes out."""
+
+    def __init__(self, folder: Path, reader: str, *words: str) -> None:
+        self.ours, theirs = pty.openpty()
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, SIZE)
+        path = f"{Path(package.__file__).parents[1]}"
+        if reader == "plain":  # a package of that name that is none
+            (folder / "none" / "prompt_toolkit").mkdir(parents=True, exist_ok=True)
+            (folder / "none" / "prompt_toolkit" / "__init__.py").write_text("raise ImportError\n")
+            path = f"{folder / 'none'}{os.pathsep}{path}"
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", OWN_TERMINAL, "calc", *words],
+            stdin=theirs,
+            stdout=theirs,
+            stderr=theirs,
+            cwd=folder,
+            start_new_session=True,
+            env={**os.environ, "PYTHONPATH": path, "TERM": "xterm", "PYTHONIOENCODING": "utf-8",
+                 "NO_COLOR": "1", "PROMPT_TOOLKIT_NO_CPR": "1",
+                 "XDG_STATE_HOME": str(folder / "state")},
+        )  # fmt: skip
+        os.close(theirs)
+        self.raw, self.place = "", 0
+        self.until("> ")
+
+    def type(self, keys: str) -> None:
+        os.write(self.ours, keys.encode())
+
+    @property
+    def seen(self) -> str:
+        """What was sent, without the signs that move and colour."""
+        return ESCAPE.sub("", self.raw).replace("\r", "")
+
+    def until(self, wanted: str) -> None:
+        """Wait for a text behind the one that was waited for before."""
+        end = time.monotonic() + LONGEST
+        while (found := self.seen.find(wanted, self.place)) < 0:
+            ready, _, _ = select.select([self.ours], [], [], max(0.0, end - time.monotonic()))
+            assert ready, f"{wanted!r} did not come, but {self.seen!r}"
+            self.raw += os.read(self.ours, 65536).decode(errors="replace")
+        self.place = found + len(wanted)
+
+    def answer(self, line: str, wanted: str) -> None:
+        """Type a line, and wait for its answer and the next prompt."""
+        self.type(f"{line}\r")
+        self.until(f"{wanted}\n")
+        self.until(">")
+
+    def until_end(self) -> int:
+        """Wait for the end."""
+        with suppress(OSError):  # Linux says so when the other side is closed
+            while piece := os.read(self.ours, 65536):
+                self.raw += piece.decode(errors="replace")
+        return self.process.wait(LONGEST)
+
+    def close(self) -> None:
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        os.close(self.ours)
+
+
+@pytest.fixture(params=READERS)
+def terminal(tmp_path, request) -> Iterator[Terminal]:
+    found = Terminal(tmp_path, request.param)
+    yield found
+    found.close()
+
+
+def piped(text: str, folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "nmatrix", "calc", *words],
+        input=text, capture_output=True, text=True, check=False, cwd=folder, encoding="utf-8",
+        env={**os.environ, "PYTHONIOENCODING": "utf-8",
+             "PYTHONPATH": str(Path(package.__file__).parents[1])},
+    )  # fmt: skip
+
+
+def test_a_file_a_pipe_and_python_print_the_same_bytes(tmp_path):
+    (tmp_path / "lesson.txt").write_text(LINES)
+    from_file = piped("", tmp_path, "lesson.txt")
+    wanted = str(package.calc(LINES))
+    assert wanted.startswith("> # the world\n> M = [2 0\n    0 1/2]\nM\n")
+    assert from_file.stdout == wanted
+    for words in ((), ("-",)):
+        from_pipe = piped(LINES, tmp_path, *words)
+        assert (from_pipe.stdout, from_pipe.stderr) == (wanted, from_file.stderr)
+    assert from_file.returncode == 2
+    assert from_file.stderr.startswith("error: line 5: name Qq (character 14): ")
+    assert from_file.stderr.count("\n") == 1
+
+
+def test_a_run_ends_in_the_code_of_its_first_error(tmp_path):
+    assert piped("1/0\n1/\n", tmp_path).returncode == 3
+    assert piped("1/\n1/0\n", tmp_path).returncode == 2
+    assert "and 1 other statement failed" in piped("1/\n1/0\n", tmp_path).stderr
+    assert piped("1\n", tmp_path).returncode == 0
+    assert piped("", tmp_path).stdout == ">\n"
+
+
+@pytest.mark.parametrize("content", [b"\x00", b"\xff\xfe\xff", b"1+" * 10**6])
+def test_what_is_no_text_is_refused_at_once(tmp_path, content):
+    (tmp_path / "file.txt").write_bytes(content)
+    done = piped("", tmp_path, "file.txt")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("error: ")
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_terminal_shows_what_a_file_prints(terminal):
+    """Line for line; how a line looks while it is typed is the reader's business."""
+    terminal.type(LINES.replace("\n", "\r"))
+    assert terminal.until_end() == 0
+    position = 0
+    for line in str(package.calc(LINES)).splitlines():
+        if line.strip() and not line.startswith(("> ", "  ")):
+            position = terminal.seen.find(f"\n{line}\n", position)
+            assert position >= 0, line
+
+
+def test_ctrl_c_ends_the_line_and_ctrl_d_the_session(terminal):
+    terminal.answer("a = 5", "a  5")
+    terminal.type("b = [1 2")
+    terminal.until("b = [1 2")
+    terminal.type("\x03")
+    terminal.until(">")
+    terminal.answer("a + 1/", "it ends too early")
+    terminal.answer("a * 7", "ans  35")
+    terminal.type("\x04")
+    assert terminal.until_end() == 0
+
+
+def test_tab_completes_a_name_and_the_arrow_brings_a_line_back(terminal):
+    terminal.answer("Neptune = 11", "Neptune  11")
+    terminal.answer("2*Nep\t", "ans  22")
+    terminal.answer("\x1b[A\x1b[A", "Neptune  11")
+
+
+def test_a_kill_leaves_the_history_whole(terminal, tmp_path):
+    terminal.type("k = [1\r2]\r")
+    terminal.until("k  ( 1  2 )\n")
+    os.kill(terminal.process.pid, signal.SIGKILL)
+    history = History(tmp_path / "state" / "nmatrix" / "history")
+    assert history.statements() == ["k = [1\n2]"]
+
+
+def test_options_are_there_from_the_start(tmp_path):
+    terminal = Terminal(tmp_path, "plain", "--scale", "2", "3", "4", "--let", "T=5 0; 0 1")
+    terminal.answer("det(M) * det(T)", "ans  120")
+    terminal.close()
+
+
+def test_a_history_that_cannot_be_written_is_no_error(tmp_path):
+    (tmp_path / "file").write_text("")
+    history = History(tmp_path / "file" / "history")
+    history.keep("1 + 1")
+    assert history.statements() == []
+
+
+def test_a_line_of_the_history_that_was_cut_is_left_out(tmp_path):
+    history = History(tmp_path / "history")
+    for one in ("a = 1", "back\\slash \\n", "M = [1\n2]"):
+        history.keep(one)
+    with history.path.open("a") as file:
+        file.write("a half")
+    assert history.statements() == ["a = 1", "back\\slash \\n", "M = [1\n2]"]
+
+
+def test_words_that_have_no_place_in_a_session_are_refused(nmatrix, tmp_path):
+    assert "there is no such file" in nmatrix("calc lesson.txt").err
+    assert nmatrix("calc 'd = 2'").out == "> d = 2\nd  2\n"
