@@ -15,7 +15,7 @@ from typing import TypeGuard
 
 BITS = 280  # of a root, where a number between two bounds is asked for
 MOST_TERMS = 16  # of a sum: four roots that are independent
-MOST_BITS = 4096  # bits of a denominator before a root
+MOST_BITS = 4096  # of a denominator before a root
 TRIED = 10_000  # divisors; two factors beyond them leave a number of at least TRIED²
 LONGEST = 12  # characters of a number that a person still reads as one
 # A float is looked for among fractions with such denominators, and among the roots of such

@@ -270,7 +270,7 @@ RULES: dict[str, FunctionRule] = {
     **dict.fromkeys(("scale", "shear"), _always(Map())),
     **dict.fromkeys(
         (
-            "det", "rank", "trace", "identity", "length", "dot", "angle", "outer", "cross_matrix",
+            "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer", "cross_matrix",
             "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pow", "depth_of",
             "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
             "polar", "power", "quaternion", "quaternion_of", "euler", "norm",

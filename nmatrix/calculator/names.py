@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from nmatrix.calculator.evaluate import CONSTANTS
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.functions.camera import LensValue, looking_at, window_depth
+from nmatrix.calculator.functions.camera import lens_value, looking_at
 from nmatrix.calculator.functions.rotations import about_axis, by_quaternion
 from nmatrix.calculator.meanings import SCENE
 from nmatrix.calculator.numbers import angle
@@ -21,7 +21,6 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.linear.view import first_person
 from nmatrix.report import Number
 from nmatrix.scene.camera import View
-from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
@@ -44,7 +43,9 @@ def names_of(setup: Setup, expression: str, typed: World | None = None) -> dict[
     if "V" in expression:
         names["V"] = Value(_view(setup.view), SCENE["V"])
     if any(word in expression for word in THROUGH_THE_LENS):
-        names["P"] = replace(_lens(setup.lens), meaning=SCENE["P"])
+        lens = setup.lens
+        P = lens_value(lens.exact_by(_turn, as_typed), lens.clip)
+        names["P"] = replace(P, meaning=SCENE["P"])
     return names
 
 
@@ -95,16 +96,6 @@ def _view(view: View) -> RationalMatrix:
         return view.placed().camera_from_world
     eye, target, up = (Value(_all_typed(one)) for one in (view.eye, view.target, view.up))
     return looking_at(eye, target, up, view.handed)
-
-
-def _lens(lens: Lens) -> Value:
-    P = lens.exact_by(_turn, as_typed)
-    (*_, a, c), (*_, w, rest) = P[2:]
-    forward = lens.clip.forward_z
-    if any(P[2][:2]) or any(P[3][:2]):  # depth changes across the picture
-        return Value(P)
-    depth = window_depth(((forward * a, c), (forward * w, rest)), lens.clip.depth)
-    return LensValue(P, window_depth=depth)
 
 
 def with_name(names: Mapping[str, Value], name: str, rows: RationalMatrix) -> dict[str, Value]:

@@ -12,13 +12,7 @@ from typing import assert_never
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.handbook import FORMATS, USAGE, page
 from nmatrix.calculator.names import other_meaning
-from nmatrix.calculator.session import (
-    Files,
-    NoFiles,
-    Reply,
-    Session,
-    Settings,
-)
+from nmatrix.calculator.session import Files, NoFiles, Reply, Session, Settings
 from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Format, InverseBy, Numbers
@@ -28,6 +22,13 @@ from nmatrix.working.working import written
 
 MOST_DIGITS = 17
 LONGEST_CELL = 40  # characters of a value that a table shows whole
+# What other programs call a statement, alone in a line.
+OTHER_WORDS = {
+    **dict.fromkeys(("exit", "exit()", "quit()", "bye"), Keyword.QUIT),
+    **dict.fromkeys(("who", "whos", "ls", "names"), Keyword.VARS),
+    **dict.fromkeys(("?", "help()", "man"), Keyword.HELP),
+}
+WITHOUT_WORDS = (Keyword.VARS, Keyword.UNDO, Keyword.QUIT)
 
 Outcome = tuple[Session, Reply]
 
@@ -50,6 +51,10 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
             return session, _taken(asked.name, text)
         if not asked.text and asked.name is None:
             return session, Reply()
+        if asked.text in OTHER_WORDS and asked.text not in session.names:
+            keyword = OTHER_WORDS[asked.text]
+            why, step = "there is no such statement", f"write {USAGE[keyword][0]}"
+            raise IllegalValueError(asked.text, why, step)
         return session.valued(asked)
     except PlacedError as error:
         return session, Reply(error=error, at=asked.at + error.position)
@@ -60,6 +65,8 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
 def _ordered(  # noqa: PLR0911 - one branch for each
     keyword: Keyword, session: Session, asked: Statement, files: Files
 ) -> Outcome:
+    if asked.text and keyword in WITHOUT_WORDS:
+        raise _refused(asked, "it stands alone")
     match keyword:
         case Keyword.HELP:
             return session, Reply(page(asked.text))
@@ -70,9 +77,8 @@ def _ordered(  # noqa: PLR0911 - one branch for each
         case Keyword.UNDO:
             return _undo(session)
         case Keyword.STEPS | Keyword.NUMBERS | Keyword.DIGITS:
-            return session.changed(
-                asked, settings=_SETTINGS[keyword](session.settings, asked)
-            ), Reply()
+            settings = _SETTINGS[keyword](session.settings, asked)
+            return session.changed(asked, settings=settings), Reply()
         case Keyword.SAVE:
             return _save(session, asked, files)
         case Keyword.LOAD:

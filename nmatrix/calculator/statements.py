@@ -48,6 +48,7 @@ _NUMBER = r"[+\-−]?(?:[0-9]+(?:[.,][0-9]*)?|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?(
 _GIVEN = re.compile(r"\s*([A-Za-z_][A-Za-z0-9_]*)\s*=(?!=)\s*")
 _KEYWORD = re.compile(rf"\s*({'|'.join(Keyword)})(?:\s+|\Z)")
 _COMMENT = re.compile(r"(?:\A|(?<=\s))#.*")
+_DECLARED = re.compile(r"\s*\\|\s*(?:[A-Za-z_][\w:.<>]*\s+)+[A-Za-z_]\w*(?:\[[0-9]*\])*\s*=(?!=)")
 # A row: numbers with a blank, a tab, a comma or a semicolon between two of them, not a sum of two.
 _ROW = re.compile(
     rf"\s*{_NUMBER}(?:\s*[,;]\s*|\s+){_NUMBER}(?:(?:\s*[,;]\s*|\s+){_NUMBER})*[\s,;]*"
@@ -202,6 +203,17 @@ def is_matrix(text: str) -> bool:
     [True, True, False]
     """
     return has_no_brackets(text) or is_row(without_comments(text.split("\n")[0]))
+
+
+def is_declared(text: str) -> bool:
+    """Recognise a matrix that a program declares, with the type before its name, or LaTeX.
+
+    Examples
+    --------
+    >>> is_declared("const mat2 m = mat2(1, 2, 3, 4);"), is_declared("A[0, 0] = 5")
+    (True, False)
+    """
+    return _DECLARED.match(text) is not None
 
 
 def without_comments(text: str) -> str:

@@ -15,7 +15,7 @@ from nmatrix.cli.scene_options import OptionGroups, SceneOptions
 from nmatrix.cli.shared_options import CommonOptions, option_name
 from nmatrix.cli.show import options_of, put, show
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import Format, InverseBy
+from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, printable
 
 if TYPE_CHECKING:
@@ -87,6 +87,7 @@ def calc(
     settings = Settings(
         steps=steps or by is not None,
         by=by,
+        numbers=common.numbers or Numbers.EXACT,
         digits=common.digits_checked,
         arithmetic=Arithmetic.FLOAT if float64 else Arithmetic.EXACT,
         untyped=untyped,

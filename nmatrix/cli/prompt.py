@@ -41,28 +41,38 @@ def usual_session() -> tuple[Session, Callable[[], OutputOptions]]:
 def converse(begin: Begin) -> None:
     """Hold a session until someone leaves it; an error ends a line, and nothing else."""
     with _prompt_first():
-        session, options = begin()
-        reader = _reader(session)
-        from nmatrix.cli.show import put
-        from nmatrix.output.transcript import Disk, turn
-    while True:
+        begun, options = begin()
+        reader = _reader(begun)
+    session: Session | None = begun
+    while session is not None:
         try:
-            statement = reader.read(session.names)
-            done = turn(session, statement, options(), Disk())
-            put(done.text)
+            session = _after_a_line(session, reader, options())
         except KeyboardInterrupt:
             reader.end_line()
-        except (EOFError, OSError):  # Ctrl-D, or the terminal is gone
-            put("\n")
-            return
-        except Exception as error:  # the session outlives what should not happen
-            if "NMATRIX_DEBUG" in os.environ:
-                raise
-            put(f"error: a defect of nmatrix ({type(error).__name__}): it should not happen\n")
-        else:
-            session = done.session
-            if done.reply.quits:
-                return
+
+
+def _after_a_line(session: Session, reader: LineReader, options: OutputOptions) -> Session | None:
+    """Read a statement and show what it comes to; there is no session after the last one."""
+    from nmatrix.cli.show import put
+    from nmatrix.output.transcript import Disk, turn
+
+    try:
+        statement = reader.read(session.names)
+    except (EOFError, OSError):  # Ctrl-D, or the terminal is gone
+        put("\n")
+        return None
+    try:
+        done = turn(session, statement, options, Disk())
+        put(done.text)
+    except KeyboardInterrupt:
+        put("interrupted\n")
+        return session
+    except Exception as error:  # the session outlives what should not happen
+        if "NMATRIX_DEBUG" in os.environ:
+            raise
+        put(f"error: a defect of nmatrix ({type(error).__name__}): it should not happen\n")
+        return session
+    return None if done.reply.quits else done.session
 
 
 def _reader(session: Session) -> LineReader:

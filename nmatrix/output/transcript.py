@@ -22,6 +22,7 @@ from nmatrix.errors import (
     counted,
     placed,
     printable,
+    refusal,
 )
 from nmatrix.output.files import write_file
 from nmatrix.output.style import Span, Style, render, spelled
@@ -86,10 +87,13 @@ class Disk:
         IllegalValueError
             If there is one, or it cannot be written.
         """
-        path = _path(name)
-        if path.exists() and not force:
-            raise IllegalValueError(f"file ({printable(name)})", "it exists", "choose another name")
-        write_file(path, text.encode(), force=force)
+        path, told = _path(name), f"file ({printable(name)})"
+        try:
+            if path.exists() and not force:
+                raise IllegalValueError(told, "it exists", "choose another name")
+        except OSError as error:
+            raise IllegalValueError(told, refusal(error), "choose another name") from None
+        write_file(path, text.encode("utf-8", "replace"), force=force)
 
 
 def _path(name: str) -> Path:
@@ -219,7 +223,7 @@ def run(
     session: Session, text: str, options: OutputOptions, files: Files
 ) -> Iterator[tuple[int, Turn]]:
     """Carry out statements until one quits, each with the line that it begins in."""
-    for line, one in statements(text.rstrip("\n").split("\n")):
+    for line, one in statements(text.rstrip("\n").split("\n") if text.strip() else ()):
         done = turn(session, one, options, files)
         yield line, done
         session = done.session

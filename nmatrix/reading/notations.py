@@ -59,7 +59,7 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
 
 
 def has_no_brackets(text: str) -> bool:
-    """Recognise the first line of a matrix that no bracket holds together: a frame, fields, a table.
+    """Recognise the first line of a matrix without brackets: a frame, fields or a table.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def has_no_brackets(text: str) -> bool:
     found = _signed(text, NOTATIONS[:-1])
     if found is None or text.startswith("{"):
         return False
-    return found.read in (rows.framed_rows, places.fields, places.csv_report)
+    return found.read in (rows.framed_rows, drawn.drawn_text, places.fields, places.csv_report)
 
 
 def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:

@@ -61,7 +61,7 @@ def test_every_step_is_a_calculation_of_its_own_and_the_last_one_is_the_answer()
         "det(A) * inverse(A)",
         "A.T",
         "identity(2)",
-        "(A.T + identity(2))",
+        "A.T + identity(2)",
         "det(A) * inverse(A) @ (A.T + identity(2))",
         "length([3, 4])",
         expression,

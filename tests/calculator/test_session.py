@@ -28,6 +28,9 @@ from nmatrix.reading.notations import NOTATIONS
 EMPTY, NO_FILES = Session({}), NoFiles()
 
 
+PAGE = (Path(__file__).parents[2] / "docs" / "calculator.md").read_text(encoding="utf-8")
+
+
 def after(*lines: str, files=NO_FILES) -> Session:
     """Enter lines that all succeed."""
     session = EMPTY
@@ -133,6 +136,7 @@ def test_help_of_a_function_has_what_it_does_its_formula_and_an_example_that_run
     assert one.formula.split()[0] in told
     assert told.splitlines()[-1].endswith(one.example.split()[-1])
     after(one.example)
+    assert re.search(rf"\b{name}\b", PAGE)
     assert f"{name}(" in offers((), f"2 * {name[:-1]}").words
 
 
@@ -154,7 +158,12 @@ def test_a_value_is_shown_in_every_format(format_):
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda one: one.name)
 def test_every_notation_is_a_value_when_it_is_pasted(notation):
     wanted = matrix_literal(notation.example).rows_exact
-    [*_, (_, last)] = run(EMPTY, f"B = {notation.example}\n\n", OutputOptions(), NoFiles())
+    text = f"B = {notation.example}"
+    if statement(notation.example).name is not None:  # it has a name of its own
+        text = f"{notation.example}\nB = {statement(notation.example).name}"
+    if notation.example.startswith("M\n"):  # its first line is a name
+        text = f"B =\n{notation.example.removeprefix('M')}"
+    [*_, (_, last)] = run(EMPTY, f"{text}\n\n", OutputOptions(), NoFiles())
     assert last.error is None
     assert last.session.names["B"].matrix == wanted
 
@@ -173,6 +182,25 @@ def test_rows_without_brackets_end_at_an_empty_line_or_a_statement(text):
         [*_, (_, last)] = run(EMPTY, f"B = {text}{end}", OutputOptions(), NoFiles())
         assert last.error is None
         assert last.session.names["ans"].scalar == 2 * first
+
+
+def test_what_is_assigned_to_anything_but_a_name_is_refused():
+    session = after("A = [1 2; 3 4]")
+    for line in (
+        "A[0, 0] = 5",
+        "A[0, :] = [5 6]",
+        "é = [1 2]",
+        "2 = 3",
+        "A.T = [1 2; 3 4]",
+        "a b c",
+    ):
+        assert refused(line, session).exit_code == 2
+    assert after("const mat2 m = mat2(1, 2, 3, 4);").names["ans"].matrix == ((1, 3), (2, 4))
+
+
+@pytest.mark.parametrize("line", ["exit", "quit()", "whos", "?", "quit now", "undo 2", "vars all"])
+def test_what_other_programs_write_is_told_its_word_here(line):
+    assert refused(line, after("a = 1")).parts[2].startswith("write ")
 
 
 def test_a_difference_is_no_row():
@@ -215,6 +243,10 @@ def test_only_a_file_of_the_session_is_written_again(tmp_path, monkeypatch):
     Path("theirs.txt").write_text("precious\n")
     refused("save theirs.txt", after("a = 1"), Disk())
     assert Path("theirs.txt").read_text() == "precious\n"
+    for name in ("x" * 5000, "no/where", ".", "~nobody/x", "theirs.txt/x"):
+        refused(f"save {name}", after("a = 1"), Disk())
+        refused(f"load {name}", after("a = 1"), Disk())
+    after("a = 1 # \udcff", "save odd.txt", files=Disk())
     session = after("a = 1", "save mine.txt", "b = 2", "save mine.txt", files=Disk())
     assert Path("mine.txt").read_text() == "a = 1\nb = 2\n"
     session, _ = enter(session, "undo", Disk())

@@ -57,6 +57,9 @@ quit
 """
 
 
+EVENING = (Path(__file__).parents[2] / "docs" / "samples" / "evening.calc").read_text("utf-8")
+
+
 class Terminal:
     """A terminal with a session on it; keys go in, and what it was sent comes out."""
 
@@ -127,44 +130,44 @@ def terminal(tmp_path, request) -> Iterator[Terminal]:
     found.close()
 
 
-def piped(text: str, folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "nmatrix", "calc", *words],
-        input=text, capture_output=True, text=True, check=False, cwd=folder, encoding="utf-8",
-        env={**os.environ, "PYTHONIOENCODING": "utf-8",
-             "PYTHONPATH": str(Path(package.__file__).parents[1])},
-    )  # fmt: skip
-
-
-def test_a_file_a_pipe_and_python_print_the_same_bytes(tmp_path):
-    (tmp_path / "lesson.txt").write_text(LINES)
-    from_file = piped("", tmp_path, "lesson.txt")
+def test_a_file_a_pipe_and_python_print_the_same_bytes(nmatrix, own_folder):
+    Path("lesson.txt").write_text(LINES)
     wanted = str(package.calc(LINES))
     assert wanted.startswith("> # the world\n> M = [2 0\n    0 1/2]\nM\n")
-    assert from_file.stdout == wanted
+    code, out, err = nmatrix("calc lesson.txt")
+    assert out == wanted
+    assert code == 2
+    assert err.startswith("error: line 5: name Qq (character 14): ")
+    assert err.count("\n") == 1
     for words in ((), ("-",)):
-        from_pipe = piped(LINES, tmp_path, *words)
-        assert (from_pipe.stdout, from_pipe.stderr) == (wanted, from_file.stderr)
-    assert from_file.returncode == 2
-    assert from_file.stderr.startswith("error: line 5: name Qq (character 14): ")
-    assert from_file.stderr.count("\n") == 1
+        piped = subprocess.run(
+            [sys.executable, "-m", "nmatrix", "calc", *words],
+            input=LINES, capture_output=True, text=True, check=False, encoding="utf-8",
+            env={**os.environ, "PYTHONIOENCODING": "utf-8",
+                 "PYTHONPATH": str(Path(package.__file__).parents[1])},
+        )  # fmt: skip
+        assert (piped.returncode, piped.stdout, piped.stderr) == (code, out, err)
 
 
-def test_a_run_ends_in_the_code_of_its_first_error(tmp_path):
-    assert piped("1/0\n1/\n", tmp_path).returncode == 3
-    assert piped("1/\n1/0\n", tmp_path).returncode == 2
-    assert "and 1 other statement failed" in piped("1/\n1/0\n", tmp_path).stderr
-    assert piped("1\n", tmp_path).returncode == 0
-    assert piped("", tmp_path).stdout == ">\n"
+@pytest.mark.parametrize(
+    ("text", "code", "others"),
+    [("1/0\n1/\n", 3, True), ("1/\n1/0\n", 2, True), ("1\n1/0", 3, False), ("1\n", 0, False)],
+)
+def test_a_run_ends_in_the_code_of_its_first_error(nmatrix, own_folder, text, code, others):
+    Path("lines.txt").write_text(text)
+    found = nmatrix("calc lines.txt")
+    assert found.code == code
+    assert ("and 1 other statement failed" in found.err) == others
+    Path("nothing.txt").write_text("\n")
+    assert nmatrix("calc nothing.txt") == (0, "", "")
 
 
 @pytest.mark.parametrize("content", [b"\x00", b"\xff\xfe\xff", b"1+" * 10**6])
-def test_what_is_no_text_is_refused_at_once(tmp_path, content):
-    (tmp_path / "file.txt").write_bytes(content)
-    done = piped("", tmp_path, "file.txt")
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("error: ")
-    assert done.stderr.count("\n") == 1
+def test_what_is_no_text_is_refused_at_once(nmatrix, own_folder, content):
+    Path("file.txt").write_bytes(content)
+    found = nmatrix("calc file.txt")
+    assert (found.code, found.out) == (2, "")
+    assert found.is_one_line
 
 
 def test_a_terminal_shows_what_a_file_prints(terminal):
@@ -173,6 +176,26 @@ def test_a_terminal_shows_what_a_file_prints(terminal):
     assert terminal.until_end() == 0
     position = 0
     for line in str(package.calc(LINES)).splitlines():
+        if line.strip() and not line.startswith(("> ", "  ")):
+            position = terminal.seen.find(f"\n{line}\n", position)
+            assert position >= 0, line
+
+
+def test_an_evening_is_the_same_on_a_terminal_from_a_file_and_in_python(
+    terminal, nmatrix, own_folder
+) -> None:
+    """The sixty lines of the documentation: the course from an object to the shader's matrix."""
+    assert EVENING.count("\n") == 60
+    wanted = str(package.calc(EVENING))
+    Path("evening.calc").write_text(EVENING, "utf-8")
+    assert nmatrix("calc evening.calc").out == wanted
+    position = 0
+    for line in EVENING.splitlines():
+        terminal.type(f"{line}\r")
+        terminal.until("> ")
+    terminal.type("\x04")
+    assert terminal.until_end() == 0
+    for line in wanted.splitlines():
         if line.strip() and not line.startswith(("> ", "  ")):
             position = terminal.seen.find(f"\n{line}\n", position)
             assert position >= 0, line

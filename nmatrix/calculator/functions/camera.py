@@ -152,7 +152,7 @@ def _perspective(fov: Value, aspect: Value, near: Value, far: Value | str, *word
     half = angle(Value(in_degrees(fov.scalar)).scalar / 2)
     clip = _clip(*words)
     shape, *ends = map(_distance, (aspect, near, far))
-    return Value(projection.perspective(half, shape, ends[0], ends[1], clip))
+    return lens_value(projection.perspective(half, shape, ends[0], ends[1], clip), clip)
 
 
 def _sides(given: Sequence[Value]) -> projection.Sides:
@@ -167,13 +167,15 @@ def _sides(given: Sequence[Value]) -> projection.Sides:
 def _frustum(*given: Arguments) -> Value:
     sides, (near, far, *words) = _sides(given[:4]), given[4:]
     row = _depth_row(near, far, words[0], projection.perspective_depth)
-    return Value(projection.through(sides, near.scalar, row, _clip(*words)))
+    clip = _clip(*words)
+    return lens_value(projection.through(sides, near.scalar, row, clip), clip)
 
 
 def _ortho(*given: Arguments) -> Value:
     sides, (near, far, *words) = _sides(given[:4]), given[4:]
     row = _depth_row(near, far, words[0], projection.orthographic_depth)
-    return Value(projection.parallel(sides, row, _clip(*words)))
+    clip = _clip(*words)
+    return lens_value(projection.parallel(sides, row, clip), clip)
 
 
 def _viewport(width: Value, height: Value, depth: str, origin: str) -> Value:
@@ -211,6 +213,16 @@ def window_depth(z_and_w: RationalMatrix, depth: DepthRange) -> RationalMatrix:
     """Build the 2×2 map from (distance, 1) to window depth of the one that leads to z and w."""
     slope, offset = WINDOW_DEPTH[depth]
     return rational.product(((slope, offset), (ZERO, ONE)), z_and_w)
+
+
+def lens_value(P: RationalMatrix, clip: ClipSpace) -> Value:
+    """Keep how window depth runs beside a projection, where it is the same across the picture."""
+    (*_, a, c), (*_, w, rest) = P[2:]
+    if any(P[2][:2]) or any(P[3][:2]):
+        return Value(P)
+    forward = clip.forward_z
+    depth = window_depth(((forward * a, c), (forward * w, rest)), clip.depth)
+    return LensValue(P, window_depth=depth)
 
 
 def _depth_map(*given: Arguments) -> RationalMatrix:
