@@ -224,11 +224,15 @@ def _divided(arguments: Sequence[Given]) -> Meaning | None:
 
 
 def _unprojected(arguments: Sequence[Given]) -> Meaning | None:
-    """Go from the window back to where the matrix starts."""
-    window, led, *_ = _values(arguments)
-    if window.space not in (None, Frame.WINDOW):
-        why = f"{window.name} is in {window.space} space, and unproject begins in window space"
-        wanted = Operand(Value(window.value.entries, Located(Frame.WINDOW, Kind.POINT)))
+    """Go back to where the matrix starts, from the window where its viewport is given."""
+    window, led, *viewport = _values(arguments)
+    begins = Frame.WINDOW if viewport else Frame.NDC
+    if window.space not in (None, begins):
+        why = f"{window.name} is in {window.space} space, and unproject begins in {begins} space"
+        if window.space is Frame.WINDOW:
+            pixels = f"unproject({window.name}, {led.name}, viewport(640, 480))"
+            raise RefusedError(f"{why} without a viewport", forms=(pixels,))
+        wanted = Operand(Value(window.value.entries, Located(begins, Kind.POINT)), "")
         raise RefusedError(why, apart=(window, wanted))
     source = led.map.source
     return Located(source, Kind.POINT) if source else None
@@ -283,8 +287,8 @@ RULES: dict[str, FunctionRule] = {
     **dict.fromkeys(("scale", "shear"), _always(Map())),
     **dict.fromkeys(
         (
-            "det", "rank", "trace", "identity", "length", "dot", "angle", "outer", "cross_matrix",
-            "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "norm", "depth_of",
+            "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer",
+            "cross_matrix", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "depth_of",
             "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
             "polar", "quaternion_of", "euler",
         ),
