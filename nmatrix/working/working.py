@@ -403,6 +403,18 @@ def exactly_or_near(make: Callable[[Notation], Working]) -> Working:
         return make(NEAR)
 
 
+def formulas(working: Working) -> tuple[Formula, ...]:
+    """Take the lines of a calculation without their reasons.
+
+    Examples
+    --------
+    >>> line = EXACT.step("1 + 1 = 2", because="the sum", proved=True)
+    >>> formulas(Working((line,), 2))[0].parts
+    ('1 + 1 = 2',)
+    """
+    return tuple(step.formula for step in working.steps)
+
+
 def is_matrix(value: Sequence[Any]) -> bool:
     """Tell a matrix from a vector."""
     return not isinstance(value[0], str) and isinstance(value[0], Sequence)
