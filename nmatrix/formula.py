@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from nmatrix.typed_rows import TypedRows, bar_of
 
 APART = ",  "  # between two statements, which stand further apart than two numbers
-OPERATORS = ("det", "tan", "sin", "cos", "arctan", "max")  # which LaTeX and Typst know by name
-FUNCTIONS = (*OPERATORS, "sign", "rank", "fl")
+OPERATORS = ("det", "tan", "sin", "cos", "arctan", "arccos", "max")  # which LaTeX and Typst know by name
+FUNCTIONS = (*OPERATORS, "sign", "rank", "rref", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 _ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")
