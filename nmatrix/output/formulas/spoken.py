@@ -18,6 +18,7 @@ from nmatrix.formula import (
     Sign,
     Words,
 )
+from nmatrix.output.spelling import greek
 
 SIGNS = {
     "=": "equals",
@@ -50,7 +51,6 @@ POWERS = {
     "−2": "to the minus two",
     "s": "to the s",
 }
-LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi", "∞": "infinity"}
 FUNCTIONS = {
     "det": "the determinant of",
     "tan": "tangent of",
@@ -99,7 +99,8 @@ def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if letter in FUNCTIONS:
         return FUNCTIONS[letter]
-    return f"{LETTERS.get(letter, letter)} {below}".strip()
+    said = "infinity" if letter == "∞" else greek(letter) or letter
+    return f"{said} {below}".strip()
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
