@@ -167,6 +167,7 @@ TYPST = Markup(
 _TABLE = r"<mtable\b[^<>]{0,200}>"
 _KEY = r"<math\b[^<>]{0,200}?\sdata-key=\"(?P<key>[^\"]{1,200})\""
 _BETWEEN = r"(?:<[^<>]{1,200}>|[\s\[\]()|])*"
+_PLAIN_TAGS = ("mtd", "mrow", "mn", "mo", "mi", "mtext", "mstyle", "mpadded")
 _MARKUP = re.compile(r"<(?P<close>/?)(?P<tag>\w{1,20})[^<>]{0,200}>|(?P<text>[^<]+)")
 
 
@@ -201,7 +202,9 @@ def _element(tag: str, inner: list[str]) -> str:
     if tag == "msup" and len(inner) == 2:
         return f"{inner[0]}^{inner[1]}"
     joined = "".join(inner)
-    return f"√{OPEN}{joined}{CLOSE}" if tag == "msqrt" else joined
+    if tag == "msqrt":
+        return f"√{OPEN}{joined}{CLOSE}"
+    return joined if tag in _PLAIN_TAGS else f"<{tag}>"  # which is no number
 
 
 MATHML = Markup(
