@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from nmatrix.typed_rows import TypedRows, bar_of
 
 APART = ",  "  # between two statements, which stand further apart than two numbers
-OPERATORS = ("det", "tan", "sin", "cos", "arctan", "arccos", "max")  # which LaTeX and Typst know by name
+# Names that LaTeX and Typst know.
+OPERATORS = ("det", "tan", "sin", "cos", "arctan", "arccos", "max")
 FUNCTIONS = (*OPERATORS, "sign", "rank", "rref", "fl")
 RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
 LOWERED = "₀₁₂₃₄₅₆₇₈₉"

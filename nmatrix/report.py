@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from nmatrix.enums import Numbers, Severity
 from nmatrix.errors import NMatrixError, spelled
@@ -319,7 +319,8 @@ class Report:
     `findings` are the faults that a check of files met. `glsl` is code that a shader needs beside
     the numbers. `brief` is what text shows unless all is asked for; the first `about` remarks tell
     what the answer is of, and are shown with it whatever room there is. `numbers` is how people
-    read its numbers unless they say.
+    read its numbers unless they say; it is exact where fractions are kept as they were typed, while
+    those of other answers stand for the floats that programs are given.
     """
 
     command: str
@@ -344,3 +345,46 @@ class Report:
             ),
             remarks=tuple(spelled(one, spell) for one in self.remarks),
         )
+
+    def in_floats(self) -> Report:
+        """Take each fraction for the float64 nearest to it; beyond their range it stays.
+
+        Examples
+        --------
+        >>> Report("world", {"a": (Fraction(1, 2), 3)}, ()).in_floats().data
+        {'a': (0.5, 3)}
+        """
+        short = self.brief
+        return replace(
+            self,
+            data=_in_floats(self.data),
+            blocks=_in_floats(self.blocks),
+            brief=short and replace(short, blocks=_in_floats(short.blocks)),
+        )
+
+
+def _in_floats(value: Any) -> Any:  # noqa: ANN401  # whatever a report holds
+    match value:
+        case Fraction():
+            found: object = _nearest(value)
+        case Mapping():
+            found = {key: _in_floats(one) for key, one in value.items()}
+        case Quantity():
+            found = replace(value, value=_in_floats(value.value))
+        case Table():
+            found = replace(value, rows=_in_floats(value.rows))
+        case Framed() | Task():
+            found = replace(value, blocks=_in_floats(value.blocks))
+        case Sequence() if not isinstance(value, str):
+            found = tuple(map(_in_floats, value))
+        case _:
+            found = value
+    return found
+
+
+def _nearest(value: Fraction) -> float | Fraction:
+    try:
+        rounded = float(value)
+    except OverflowError:
+        return value
+    return rounded if rounded or not value else value

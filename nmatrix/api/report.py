@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nmatrix import report
-from nmatrix.enums import Format, Layout, PixelFormat, chosen
+from nmatrix.enums import Format, Layout, Numbers, PixelFormat, chosen
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.linear.values import flag, named_file
 
@@ -69,6 +69,7 @@ class Report:
         *,
         digits: int = 6,
         layout: str | Layout = Layout.ROW_MAJOR,
+        numbers: str | Numbers | None = None,
     ) -> str:
         """Return the answer as text, json, csv, latex, markdown, mathml, typst, glsl, js or numpy.
 
@@ -80,6 +81,9 @@ class Report:
             As the command line has them.
         digits
             Significant digits for people; machine formats print what reads back as the same float.
+        numbers
+            For people "exact" (1/3, √3/2 where a number is one), "decimal" or "both"; None is
+            the command's own.
 
         Raises
         ------
@@ -87,7 +91,8 @@ class Report:
             For another word, digits outside 1 to 17, or a format that cannot say this answer.
         """
         how = chosen(Format, format, "format"), digits, chosen(Layout, layout, "layout")
-        return _written(self.answer, *how)
+        told = None if numbers is None else chosen(Numbers, numbers, "numbers")
+        return _written(self.answer, *how, told)
 
     def __str__(self) -> str:
         return self.to("text")
@@ -109,11 +114,15 @@ class Report:
 
 
 def _written(
-    answer: report.Report, format_: Format, digits: int = 6, layout: Layout = Layout.ROW_MAJOR
+    answer: report.Report,
+    format_: Format,
+    digits: int = 6,
+    layout: Layout = Layout.ROW_MAJOR,
+    numbers: Numbers | None = None,
 ) -> str:
     from nmatrix.output.write import OutputOptions, write
 
-    return write(answer, OutputOptions(format_, digits, layout))
+    return write(answer, OutputOptions(format_, digits, layout, numbers=numbers))
 
 
 @dataclass(frozen=True, repr=False, eq=False)

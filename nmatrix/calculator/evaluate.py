@@ -13,8 +13,9 @@ from nmatrix.calculator.operators import BINARY
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, quantity
 from nmatrix.reading.angles import like_radians, of_pi
-from nmatrix.reading.literal import BARE_POINT, LARGEST
+from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
+from nmatrix.report import LARGEST_MATRIX
 
 Names = Mapping[str, Value]
 
@@ -118,11 +119,13 @@ class _Evaluation:
         )
 
     def _bracket(self, node: ast.expr, elements: list[ast.expr]) -> Value:
-        values = [self.value_of(element) for element in elements[: LARGEST + 1]]
+        values = [self.value_of(element) for element in elements[: LARGEST_MATRIX + 1]]
         kinds = {value.kind for value in values}
         sizes = {value.shape for value in values}
-        if not values or len(values) > LARGEST or len(sizes) != 1 or ValueKind.MATRIX in kinds:
-            raise self._fault(node, "bracket", "it holds up to 4 numbers, or rows of equal length")
+        is_long = len(values) > LARGEST_MATRIX
+        if not values or is_long or len(sizes) != 1 or ValueKind.MATRIX in kinds:
+            holds = f"it holds up to {LARGEST_MATRIX} numbers, or rows of equal length"
+            raise self._fault(node, "bracket", holds)
         return Value(tuple(value.entries for value in values))  # type: ignore[arg-type]
 
     def _call(self, node: ast.expr, name: str, arguments: list[ast.expr]) -> Value:

@@ -12,7 +12,7 @@ from typer import Option
 from nmatrix.cli.environment import usual, usual_number
 from nmatrix.cli.show import ColorWhen
 from nmatrix.cli.sources import Sources
-from nmatrix.enums import Convention, Format, Handedness, Layout
+from nmatrix.enums import Convention, Format, Handedness, Layout, Numbers
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.write import MOST_DIGITS
 from nmatrix.reading.angles import angle, radians_remark
@@ -51,6 +51,9 @@ class CommonOptions:
     json: Annotated[bool, in_output("--json", help="The same as --format json.")] = False
     digits: Annotated[
         str | None, in_output(metavar="N", help="Significant digits for people, 1 to 17 (6).")
+    ] = None
+    numbers: Annotated[
+        Numbers | None, in_output(help="Numbers for people: 1/3 and √3/2, or 0.333333 (decimal).")
     ] = None
     layout: Annotated[Layout, in_output(help="Order of written matrices.")] = Layout.ROW_MAJOR
     input_layout: Annotated[

@@ -49,6 +49,7 @@ def show(report: Report, common: CommonOptions) -> None:
         width=width(),
         colour=_colour(common),
         full=common.full,
+        numbers=common.numbers,
     )
     remarks = (*common.sources.about, *common.sources.remarks, *report.remarks)
     told = replace(report, remarks=remarks, about=len(common.sources.about))

@@ -1,8 +1,8 @@
 """Matrices, vectors, formulas and tables drawn in characters, for people.
 
 A matrix has box brackets, aligned points, named axes, and a bar before t, the translation column
-of an affine 4×4; fractions and roots end where a whole number would. Columns of a table are aligned and fit the width: long sentences are wrapped
-inside their cells.
+of an affine 4×4; fractions and roots end where a whole number would. Columns of a table are aligned
+and fit the width: long sentences are wrapped inside their cells.
 """
 
 from __future__ import annotations

@@ -21,6 +21,7 @@ from nmatrix.output.write import OutputOptions
 from nmatrix.report import Code, Report, Shown, ShownMatrix, ShownVector, Value
 
 SHADER_BREAK = "// ---- fragment shader ----"
+LARGEST = 4  # rows and columns of GLSL's matrices
 LARGEST_FLOAT32 = 3.4028234663852886e38
 OUTSIDE = "  // outside the range of float32"
 
@@ -120,8 +121,7 @@ def _typed(value: Assigned, name: str) -> tuple[str, str, ShownVector]:
     if is_matrix(value):
         return _matrix(value, name)
     if is_vector(value):
-        constructor = f"vec{len(value)}" if 2 <= len(value) <= 4 else f"float[{len(value)}]"
-        return f"{constructor} {name}", f"{constructor}({_list(value)})", value
+        return _vector(value, name)
     if is_number(value):
         if isinstance(value, int):
             return f"int {name}", str(value), ()
@@ -130,16 +130,28 @@ def _typed(value: Assigned, name: str) -> tuple[str, str, ShownVector]:
 
 
 def _matrix(value: ShownMatrix, name: str) -> tuple[str, str, ShownVector]:
+    """Declare a matrix; one larger than GLSL has is an array of its columns, or of all numbers."""
     columns = transpose(value)
     entries = tuple(entry for column in columns for entry in column)
     rows, across = len(value), len(columns)
     if across == 1:
-        return f"vec{rows} {name}", f"vec{rows}({_list(entries)})", entries
-    constructor = f"mat{across}" if rows == across else f"mat{across}x{rows}"
+        return _vector(entries, name)
+    lines = [_list(column) for column in columns]
+    if max(rows, across) <= LARGEST:
+        constructor = f"mat{across}" if rows == across else f"mat{across}x{rows}"
+    elif rows <= LARGEST:
+        constructor, lines = f"vec{rows}[{across}]", [f"vec{rows}({one})" for one in lines]
+    else:
+        constructor = f"float[{rows * across}]"
     if rows * across <= 4:
-        return f"{constructor} {name}", f"{constructor}({_list(entries)})", entries
-    lines = ",\n".join(f"    {_list(column)}" for column in columns)
-    return f"{constructor} {name}", f"{constructor}(\n{lines})", entries
+        return f"{constructor} {name}", f"{constructor}({', '.join(lines)})", entries
+    body = ",\n".join(f"    {line}" for line in lines)
+    return f"{constructor} {name}", f"{constructor}(\n{body})", entries
+
+
+def _vector(entries: ShownVector, name: str) -> tuple[str, str, ShownVector]:
+    constructor = f"vec{len(entries)}" if 2 <= len(entries) <= LARGEST else f"float[{len(entries)}]"
+    return f"{constructor} {name}", f"{constructor}({_list(entries)})", entries
 
 
 def _list(entries: ShownVector) -> str:

@@ -88,7 +88,9 @@ def write(report: Report, options: OutputOptions) -> str:
     value,,,2.0
     """
     how = replace(options, numbers=options.numbers or report.numbers)
-    return _writer(options.format)(report.spelled(str), how)
+    of_floats = report.numbers is Numbers.DECIMAL is not how.numbers
+    told = report.in_floats() if of_floats else report
+    return _writer(options.format)(told.spelled(str), how)
 
 
 def _writer(chosen: Format) -> Writer:  # noqa: C901, PLR0912  # one branch for each format

@@ -16,8 +16,9 @@ from nmatrix.reading.literal import (
     as_projection,
 )
 from nmatrix.reading.matrix import matrix_literal
+from nmatrix.report import LARGEST_MATRIX
 
-SIZES = (1, 2, 3, 4)
+SIZES = tuple(range(1, LARGEST_MATRIX + 1))
 
 
 def read_affine(values: object, name: str) -> RationalMatrix:
@@ -68,7 +69,7 @@ def is_exact(values: object) -> TypeGuard[RationalMatrix]:
 
 
 def read_matrix(values: object, name: str) -> MatrixLiteral:
-    """Return a matrix of at most 4×4 entries, or a vector as one row.
+    """Return a matrix of at most 8×8 entries, or a vector as one row.
 
     Text is read in every notation that the command line knows.
 
@@ -102,6 +103,6 @@ def _rows(values: object, name: str) -> list[list[object]]:
         side = SQUARES.get(len(rows), len(rows))
         rows = [rows[start : start + side] for start in range(0, len(rows), side)]
     if len(rows) not in SIZES:
-        raise refused(values, name, f"it has {counted(len(rows), 'row')}", "give 1 to 4")
+        raise refused(values, name, f"it has {counted(len(rows), 'row')}", f"give 1 to {SIZES[-1]}")
     width = len(listed(rows[0], name, SIZES))
     return [listed(row, f"{name}[{i}]", (width,)) for i, row in enumerate(rows)]

@@ -11,9 +11,10 @@ from dataclasses import dataclass, field
 
 from nmatrix.errors import counted, quoted
 from nmatrix.reading.contents import Tokens, cut_off, unreadable
+from nmatrix.report import LARGEST_MATRIX
 
 DEEPEST = 2  # brackets without a word before them
-MOST = 64  # numbers; a matrix has 16, a slip of the hand a few more
+MOST = LARGEST_MATRIX**2  # numbers
 PAIRS = {"[": "]", "(": ")", "{": "}", "<": ">"}
 CUT = ("…", "...", "⋯")
 
@@ -24,7 +25,8 @@ _TOKEN = re.compile(
     r"|(?P<label>[\"']?\b(?:elements|columns|matrix[23]|translation|[xyzw]_axis|[XYZO])\b[\"']?\s*:)"
     r"|<(?P<angle>Matrix [234]x[234])\b"
     # A typed array says how many numbers it has before it opens: Float32Array(16) [.
-    r"|(?:(?P<head>(?:new\s+)?[A-Za-z_][\w.:]{0,60}(?:<\w{0,20}>)?(?:\s?\([0-9]{1,2}\)(?=\s*\[))?"
+    r"|(?:(?P<head>(?:new\s+)?[A-Za-z_][\w.:]{0,60}(?:<\w{0,20}>)?"
+    r"(?:\s?\([0-9]{1,2}\)(?=\s*\[)|\[[0-9]{0,2}\](?=\())?"
     r"|\([0-9]{1,2}\)(?=\s*\[))\s*)?(?P<open>[\[({])"
     r"|(?P<close>[\])}>])|(?P<comma>,)|(?P<row>;)|(?P<line>\n)"
     r"|(?P<word>[^\s\[\](){}<>,;|│]+|<)"
@@ -89,6 +91,25 @@ def whole_text(text: str, source: str) -> Group:
     if any(one.head for one in found.groups) and len(found.groups) > 1:
         raise unreadable(source, "it holds several matrices", "give one of them")
     return found.groups[0] if len(found.groups) == 1 else found
+
+
+def closing(text: str, start: int) -> int:
+    """Find the end of the bracket that opens at `start`, behind a word or not.
+
+    Examples
+    --------
+    >>> closing("mat2(1, 2, 3, 4) + 1", 0)
+    16
+    """
+    depth = 0
+    for token in _TOKEN.finditer(text, start):
+        if token["open"] or token["angle"]:
+            depth += 1
+        elif token["close"]:
+            depth -= 1
+            if depth <= 0:
+                return token.end()
+    return len(text)
 
 
 def first_group(text: str, source: str, start: int) -> tuple[Group, int]:

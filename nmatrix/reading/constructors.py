@@ -21,14 +21,16 @@ _VECTOR = re.compile(
 )
 _PART = re.compile(r"D?Mat[23]A?|List|Array|\([0-9]{1,2}\)")  # of a larger value
 _FLAT = {"matrix3d": 16}
-_DECLARED = (
-    r"\b(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})[ \t]*=[ \t]*"
-    r"(?=(?:glm::|np\.|numpy\.)?(?:%s)[ \t\n]*\()"
+_ARRAY = re.compile(r"(?:vec[234]|float)\[[0-9]{0,2}\]")  # of columns, or of numbers
+_NAME = r"\b(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})"
+_DECLARED = rf"{_NAME}(?:\[[0-9]{{0,2}}\])?[ \t]*=[ \t]*(?=(?:glm::|np\.|numpy\.)?(?:%s)[ \t\n]*\()"
+GLSL_DECLARED = re.compile(
+    _DECLARED % r"mat[234](?:x[234])?|vec[234](?:\[[0-9]{0,2}\])?|float\[[0-9]{0,2}\]"
 )
-GLSL_DECLARED = re.compile(_DECLARED % "mat[234](?:x[234])?|vec[234]")
 NUMPY_DECLARED = re.compile(_DECLARED % "array|matrix")
+JS_DECLARED = re.compile(rf"\b(?:const|let|var)[ \t]+{_NAME}[ \t]*=[ \t]*(?=\[)")
 MOST_DECLARED = 1000
-_STATED = re.compile(r"^#.*layout: (row-major|column-major)", re.MULTILINE)
+_STATED = re.compile(r"^(?:#|//).*layout: (row-major|column-major)", re.MULTILINE)
 # nmatrix says in a comment that its matrices are columns, or writes uniforms in comments.
 _OURS = re.compile(r"^// (?:nmatrix [^\n]*column-major|uniform )", re.MULTILINE)
 # NumPy 2 prints the numbers of a plain list as np.float64(1.0).
@@ -81,9 +83,23 @@ def numpy_program(text: str, source: str) -> Contents:
     >>> numpy_program("a = np.array([[1., 2.]])", "x").quantities
     {'a': [['1.', '2.']]}
     """
+    return Contents(_declared(NUMPY_DECLARED, text, source), _stated_layout(text))
+
+
+def js_program(text: str, source: str) -> Contents:
+    """Read the lists of numbers of a JavaScript text by name, in the layout that a comment states.
+
+    Examples
+    --------
+    >>> js_program("const a = [[1, 0], [0, 1]];", "x").quantities
+    {'a': [['1', '0'], ['0', '1']]}
+    """
+    return Contents(_declared(JS_DECLARED, text, source), _stated_layout(text))
+
+
+def _stated_layout(text: str) -> Layout | None:
     stated = _STATED.search(text)
-    layout = Layout(stated[1]) if stated else None
-    return Contents(_declared(NUMPY_DECLARED, text, source), layout)
+    return Layout(stated[1]) if stated else None
 
 
 def _declared(sign: re.Pattern[str], text: str, source: str) -> dict[str, Tokens]:
@@ -114,6 +130,8 @@ def laid_out(group: Group, source: str) -> Tokens:
     vector = _VECTOR.fullmatch(group.head)
     if vector is not None:
         return [_filled(group, int(vector["size"]), source)]
+    if group.groups and _ARRAY.fullmatch(group.head):
+        return [row for column in group.groups for row in laid_out(column, source)]
     for inner in group.groups:
         _check_part(inner, source)
     sized = _SIZED.fullmatch(group.head)

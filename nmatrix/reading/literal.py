@@ -15,7 +15,6 @@ from nmatrix.linear.rational import (
     RationalMatrix,
     RoundedMatrix,
     Rows,
-    affine_matrix,
     is_affine,
     rational_matrix,
     to_floats,
@@ -23,28 +22,39 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.reading.contents import Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
-from nmatrix.reading.numbers import fraction
+from nmatrix.reading.roots import Exact, exact_number
+from nmatrix.report import LARGEST_MATRIX
+from nmatrix.surds import Surd
 
-LARGEST = 4  # rows and columns
 SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
+TypedRows = tuple[tuple[Exact, ...], ...]
 BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
 
 
 @dataclass(frozen=True)
 class MatrixLiteral:
-    """A matrix of at most 4×4 entries and where it came from.
+    """A matrix of at most 8×8 entries and where it came from.
 
-    `rows_exact` keeps the typed fractions; `rows` are the floats nearest to them; `digits` are
-    those that were typed; `exact` numbers are known as they are, however many digits they have;
+    `rows_typed` keeps the typed fractions and roots, `rows_exact` only the fractions: a root there
+    is the float nearest to it; `rows` are the floats nearest to all; `digits` are those that were
+    typed; `exact` numbers are known as they are, however many digits they have;
     `layout` is how its text was read, and the remarks say so where that is not plain to see.
     """
 
-    rows_exact: RationalMatrix
+    rows_typed: TypedRows
     source: str
     digits: TypedDigits
     exact: bool = False
     layout: Layout = Layout.ROW_MAJOR
     remarks: tuple[str, ...] = ()
+
+    @cached_property
+    def rows_exact(self) -> RationalMatrix:
+        """The entries as fractions, a root as the nearest float64."""
+        return tuple(
+            tuple(Fraction(float(one)) if isinstance(one, Surd) else one for one in row)
+            for row in self.rows_typed
+        )
 
     @cached_property
     def rows(self) -> Rows:
@@ -80,7 +90,7 @@ class MatrixLiteral:
 
     @property
     def as_typed(self) -> RationalMatrix:
-        """The typed fractions, which know their half units if any was rounded."""
+        """The entries as fractions, which know their half units if any was rounded."""
         return self._knowing(self.rows_exact)
 
     def _knowing(self, rows: RationalMatrix) -> RationalMatrix:
@@ -152,10 +162,11 @@ def as_affine(matrix: MatrixLiteral) -> MatrixLiteral:
     """
     if matrix.shape == (3, 3):
         digits = (*((*row, None) for row in matrix.digits), (None,) * 4)
-        return replace(matrix, rows_exact=affine_matrix(matrix.rows_exact), digits=digits)
+        rows = tuple((*row, Fraction(0)) for row in matrix.rows_typed)
+        return replace(matrix, rows_typed=(*rows, AFFINE_ROW), digits=digits)
     if matrix.shape == (3, 4):
-        rows = (*matrix.rows_exact, AFFINE_ROW)
-        return replace(matrix, rows_exact=rows, digits=(*matrix.digits, (None,) * 4))
+        rows = (*matrix.rows_typed, AFFINE_ROW)
+        return replace(matrix, rows_typed=rows, digits=(*matrix.digits, (None,) * 4))
     _require_4x4(matrix, "9 or 16 numbers")
     if not is_affine(matrix.rows_exact):
         raise _not_affine(matrix)
@@ -189,28 +200,34 @@ def _squared(tokens: Tokens, source: str) -> Tokens:
         flat = [text for row in tokens for text in row]
         side = SQUARES[len(flat)]
         return [flat[start : start + side] for start in range(0, len(flat), side)]
-    if max(count, len(tokens)) > LARGEST:
+    if max(count, len(tokens)) > LARGEST_MATRIX:
         raise _misshapen(count, len(tokens), source)
     return tokens
 
 
 def _misshapen(count: int, height: int, source: str) -> IllegalValueError:
     if 1 not in (count, height):
-        return unreadable(source, f"it has {height} rows of {count} numbers", "use at most 4×4")
-    total = count * height
+        most = f"use at most {LARGEST_MATRIX}×{LARGEST_MATRIX}"
+        return unreadable(source, f"it has {height} rows of {count} numbers", most)
+    return _miscounted(count * height, source)
+
+
+def _miscounted(total: int, source: str) -> IllegalValueError:
     why = f"it holds {counted(total, 'number')}, a matrix has 9 or 16"
     next_step = "give them all" if total < max(SQUARES) else "leave out what is not an entry"
     return unreadable(source, why, next_step)
 
 
-def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
+def _entry(text: str, place: tuple[int, int], source: str) -> Exact:
     name = f"row {place[0] + 1}, column {place[1] + 1} of {source}"
-    return fraction(BARE_POINT.sub("", text), name)
+    return exact_number(BARE_POINT.sub("", text), name)
 
 
 def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:
     if matrix.shape != (4, 4):
         height, width = matrix.shape
+        if 1 in matrix.shape:
+            raise _miscounted(height * width, matrix.source)
         raise unreadable(matrix.source, f"it has {height} × {width} entries", f"give {takes}")
 
 

@@ -13,6 +13,8 @@ from nmatrix.errors import IllegalValueError, printable, quantity, quoted, short
 from nmatrix.linear.rational import is_affine, transpose
 from nmatrix.reading.contents import ACCEPTED, Contents, Tokens, unreadable
 from nmatrix.reading.literal import SQUARES, MatrixLiteral, literal_from_tokens
+from nmatrix.reading.roots import in_one_word
+from nmatrix.report import LARGEST_MATRIX
 
 if TYPE_CHECKING:
     from nmatrix.reading.notations import Notation
@@ -34,7 +36,9 @@ _COLOURS = re.compile(r"\x1b\[[0-9;]{0,20}m")  # cglm prints in cyan
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _NUMBER = re.compile(r"(?<![\w.])[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?(?![\w.])")
 
-_unreadable = partial(unreadable, next_step="give it as text of at most 16 numbers")
+_unreadable = partial(
+    unreadable, next_step=f"give at most {LARGEST_MATRIX}×{LARGEST_MATRIX} numbers"
+)
 
 
 def matrix_literal(
@@ -70,15 +74,17 @@ def matrix_literal(
     if found is not None:
         raise _unreadable(origin, f"it holds the control character {found[0]!r}, so it is not text")
     try:
-        notation, contents = read(bare, origin)
+        notation, contents = read(in_one_word(bare), origin)
         tokens = _chosen(contents, key, origin)
         used = contents.layout or layout or notation.layout
         literal = literal_from_tokens(tokens, used, origin, exact=contents.exact)
     except IllegalValueError as refusal:
         raise _with_values(refusal, bare) from None
-    if layout is not None or contents.layout is not None:
-        return literal
-    return replace(literal, remarks=_remarks(literal, notation, tokens))
+    is_stated = layout is not None or contents.layout is not None
+    told = () if is_stated else _remarks(literal, notation, tokens)
+    if notation.rounded and any(map(any, literal.half_units)):
+        told = (*told, notation.rounded)
+    return replace(literal, remarks=told)
 
 
 def _remarks(literal: MatrixLiteral, notation: Notation, tokens: Tokens) -> tuple[str, ...]:

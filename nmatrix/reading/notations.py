@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from nmatrix.enums import Layout
-from nmatrix.errors import quoted
-from nmatrix.reading import constructors, jsontext, latex, places, rows
-from nmatrix.reading.brackets import first_group
+from nmatrix.errors import quantity, quoted
+from nmatrix.reading import constructors, drawn, equations, jsontext, places, rows
+from nmatrix.reading.brackets import closing
 from nmatrix.reading.contents import Contents, Tokens, unreadable
 from nmatrix.reading.literal import shaped_rows
+from nmatrix.reading.roots import in_one_word
 
 ROWS, COLUMNS = Layout.ROW_MAJOR, Layout.COLUMN_MAJOR
 
@@ -22,6 +23,7 @@ class Notation:
 
     `sign` is what its texts begin with, or a word that others never hold; `layout` is its own,
     where the text does not state one. What everybody can see, rows and lists, is not `told`.
+    `rounded` is what is to be said of numbers that were rounded to be printed.
     """
 
     name: str
@@ -31,6 +33,7 @@ class Notation:
     read: Callable[[str, str], Contents]
     layout: Layout = ROWS
     told: bool = True
+    rounded: str = ""
 
 
 def read(text: str, source: str) -> tuple[Notation, Contents]:
@@ -67,16 +70,16 @@ def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
     >>> value_at("det(mat2(1, 2, 3, 4)) + 1", 4, "x")
     ([('1', '3'), ('2', '4')], 20)
     """
-    ahead = text[start:]
-    found = _signed(ahead, _IN_BRACKETS)
+    latex = equations.LATEX_MATRIX.match(text, start)
+    if latex is not None:
+        tokens, end = equations.LATEX.matrix(text, latex, source)
+        return shaped_rows(tokens, ROWS, source), text.index("}", end) + 1
+    found = _signed(text[start:], _IN_BRACKETS)
     if found is None:
         return None
-    if found.read is constructors.bracketed:
-        group, end = first_group(text, source, start)
-        tokens = constructors.laid_out(group, source)
-    else:
-        end = _closing(text, start)
-        tokens = next(iter(found.read(text[start:end], source).quantities.values()), [])
+    end = closing(text, start)
+    contents = found.read(in_one_word(text[start:end]), source)
+    tokens = next(iter(contents.quantities.values()), [])
     return shaped_rows(tokens, found.layout, source), end
 
 
@@ -87,17 +90,6 @@ def _signed(text: str, among: Iterable[Notation]) -> Notation | None:
     return None
 
 
-def _closing(text: str, start: int) -> int:
-    """Find the end of the braces that open at `start`."""
-    depth = 0
-    for one in _BRACE.finditer(text, start):
-        depth += 1 if one[0] == "{" else -1
-        if not depth:
-            return one.end()
-    return len(text)
-
-
-_BRACE = re.compile(r"[{}]")
 _DECLARATION = re.compile(r"\A(?:[\w:<>*&\s]|\[[0-9]*\]){1,200}?(?:=|<<)\s*")
 _BRACKET = re.compile(r"[\[\](){}<>]")
 LONGEST_WORD = 40  # characters before a bracket that an error shows
@@ -148,9 +140,26 @@ NOTATIONS = (
         places.HEADER, places.csv_report, told=False,
     ),
     Notation(
-        "LaTeX", "nmatrix with -f latex, SymPy's latex(), papers",
+        "LaTeX", "nmatrix with -f latex or markdown, SymPy's latex(), papers",
         r"\begin{pmatrix} 1 & 2 & 0 \\ 0 & 3 & 0 \\ 0 & 0 & 4 \end{pmatrix}",
-        latex.MATRIX, latex.latex_notation, told=False,
+        equations.LATEX_MATRIX, equations.LATEX.read, told=False,
+    ),
+    Notation(
+        "MathML", "nmatrix with -f mathml, pages, Pandoc",
+        "<mtable><mtr><mtd><mn>1</mn></mtd><mtd><mn>2</mn></mtd><mtd><mn>0</mn></mtd></mtr>"
+        "<mtr><mtd><mn>0</mn></mtd><mtd><mn>3</mn></mtd><mtd><mn>0</mn></mtd></mtr>"
+        "<mtr><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd><mtd><mn>4</mn></mtd></mtr></mtable>",
+        re.compile(r"<mtable\b"), equations.MATHML.read, told=False,
+    ),
+    Notation(
+        "Typst", "nmatrix with -f typst, papers",
+        "mat(1, 2, 0; 0, 3, 0; 0, 0, 4)",
+        equations.TYPST_MATRIX, equations.TYPST.read, told=False,
+    ),
+    Notation(
+        "JavaScript program", "nmatrix with -f js, scripts that declare a list",
+        "const m = [[1, 2, 0], [0, 3, 0], [0, 0, 4]];",
+        constructors.JS_DECLARED, constructors.js_program, told=False,
     ),
     Notation(
         "NumPy program", "nmatrix with -f numpy, Python with np.array",
@@ -242,6 +251,13 @@ NOTATIONS = (
         "a matrix of R", "print of a matrix",
         "[,1] [,2] [,3]\n[1,]    1    2    0\n[2,]    0    3    0\n[3,]    0    0    4",
         re.compile(r"\A\[,1\]"), rows.framed_rows,
+    ),
+    Notation(
+        "a drawing", "nmatrix as text",
+        "M\n  ⎡ 1  2  0 ⎤\n  ⎢ 0  3  0 ⎥\n  ⎣ 0  0  4 ⎦",
+        drawn.DRAWING, drawn.drawn_text, told=False,
+        rounded="Read as it is drawn, to the digits shown: "
+        f"{quantity('format')} json has all of them.",
     ),
     Notation(
         "rows in a frame", "cglm, SymPy's pretty, nalgebra, Julia",

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from nmatrix.enums import Layout
 from nmatrix.reading.contents import unreadable
 from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
+from nmatrix.report import LARGEST_MATRIX
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 MAGIC = b"\x93NUMPY"
 LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 
-_unreadable = partial(unreadable, next_step="save a 3×3 or 4×4 array of floats with np.save")
+_unreadable = partial(unreadable, next_step="save a matrix of floats with np.save")
 
 
 def npy_literal(content: bytes, layout: Layout | None, source: str) -> MatrixLiteral:
@@ -27,12 +28,12 @@ def npy_literal(content: bytes, layout: Layout | None, source: str) -> MatrixLit
     Raises
     ------
     IllegalValueError
-        If the file is damaged, or holds something other than up to 16 finite numbers.
+        If the file is damaged, or holds something other than up to 64 finite numbers.
     """
     array = _array(content, source)
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
         raise _unreadable(source, f"its entries are {array.dtype}, not numbers")
-    if array.ndim not in (1, 2) or array.size > 16:
+    if array.ndim not in (1, 2) or array.size > LARGEST_MATRIX**2:
         raise _unreadable(source, f"its shape is {array.shape}")
     rows = array.reshape(1, -1) if array.ndim == 1 else array
     return literal_from_tokens(

@@ -77,6 +77,17 @@ def wrapped(entries: list[float], width: int) -> str:
     return "[\n  " + ",\n  ".join(lines) + "\n]"
 
 
+def mathml_table(m: Matrix) -> str:
+    rows = (
+        "".join(
+            "<mtd>" + ("<mo>−</mo>" if entry < 0 else "") + f"<mn>{abs(entry):g}</mn></mtd>"
+            for entry in row
+        )
+        for row in m
+    )
+    return f"<mtable>{''.join(f'<mtr>{row}</mtr>' for row in rows)}</mtable>"
+
+
 def decimal_commas(m: Matrix, between: str) -> str:
     return "\n".join(between.join(format(x, ".5f").replace(".", ",") for x in row) for row in m)
 
@@ -132,6 +143,22 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: r"\left[\begin{matrix}"  # SymPy's latex()
         + r"\\".join(joined(row, " & ") for row in m)
         + r"\end{matrix}\right]",
+    ],
+    "MathML": [
+        lambda m: f"<math>{mathml_table(m)}</math>",
+        lambda m: "<math display='block'><mi>M</mi><mo>=</mo><mfenced open='['>"
+        + mathml_table(m).replace("<mn>", "<mstyle><mn>").replace("</mn>", "</mn></mstyle>\n")
+        + "</mfenced></math>",
+    ],
+    "Typst": [
+        lambda m: f"mat({'; '.join(joined(row) for row in m)})",
+        lambda m: f'$ M = mat(delim: "[",\n  {"; ".join(joined(row) for row in m)}) $',
+        lambda m: f'mat(delim: "(", {";".join(joined(row, ",") for row in m)};)',
+        lambda m: f"$mat(delim: #none, {'; '.join(joined(row) for row in m)})$",
+    ],
+    "JavaScript program": [
+        lambda m: f"const m = [{nested(m, '[]')}];",
+        lambda m: f"var n = 3\nlet m = [\n  {nested(m, '[]', between=',' + chr(10))},\n];",
     ],
     "NumPy program": [
         lambda m: f"M = np.array([{nested(m, '[]')}])",
@@ -215,6 +242,15 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: "      [,1]  [,2]  [,3]  [,4]\n"
         + "\n".join(f"[{r},] {joined(row, '  ')}" for r, row in enumerate(m, 1)),
     ],
+    "a drawing": [
+        lambda m: "M\n"
+        + "\n".join(
+            f"  {left} {joined(row, '  ')} {right}"
+            for row, left, right in zip(m, "⎡⎢⎢"[: len(m) - 1] + "⎣", "⎤⎥⎥⎦", strict=False)
+        ),
+        lambda m: "M: its columns are x y z t\n      x  y  z  t\n"
+        + "\n".join(f"  {'xyzw'[at]} [ {joined(row, '  ')} ]" for at, row in enumerate(m)),
+    ],
     "rows in a frame": [
         lambda m: "\n".join(f"|{joined(row, '  ')}|" for row in m),
         lambda m: "Matrix (float4x4): \x1b[36m\n"  # cglm
@@ -263,6 +299,7 @@ WRITERS: dict[str, list[Writer]] = {
     ],
 }  # fmt: skip
 CASES = [(name, i) for name, written in WRITERS.items() for i in range(len(written))]
+STATED = ("CSV report", "LaTeX", "MathML", "Typst", "a drawing")
 BY_NAME = {one.name: one for one in NOTATIONS}
 
 
@@ -288,10 +325,10 @@ def test_the_layout_that_a_caller_names_wins_over_a_notation(name: str, i: int) 
     m = matrix_for(notation)
     for layout in Layout:
         found = matrix_literal(WRITERS[name][i](m), layout)
-        is_stated = name in ("CSV report", "LaTeX")  # in which everybody sees the rows
+        is_stated = name in STATED  # in which everybody sees the rows
         expected = m if is_stated or layout is notation.layout else columns(m)
         assert [list(row) for row in found.rows] == expected
-        assert found.remarks == ()
+        assert all(one == notation.rounded for one in found.remarks)
 
 
 @pytest.mark.parametrize(("name", "i"), CASES)
@@ -307,7 +344,7 @@ def test_a_remark_names_the_notation_and_how_to_read_it_the_other_way(name: str,
     elif name == "a console's array" or (name in ("lists", "braces") and is_flat):
         assert found == "" or "three.js, glTF and OpenGL store columns first" in found
     else:
-        assert found == "" or name in ("lists", "braces", "JSON")
+        assert found in ("", notation.rounded) or name in ("lists", "braces", "JSON")
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda one: one.name)
@@ -393,7 +430,11 @@ CUT = [
 def test_a_text_cut_inside_its_brackets_never_passes_for_a_whole_one(name: str, i: int) -> None:
     m = matrix_for(BY_NAME[name])
     text = WRITERS[name][i](m).strip()
-    whole = text.rpartition(r"\end")[0] or text.rstrip(";$)>]} (16\n")
+    whole = (
+        text.rpartition(r"\end")[0]
+        or text.rpartition("</mtable>")[0]
+        or text.rstrip(";$)>]} (16\n")
+    )
     for end in range(len(whole)):
         try:
             found = matrix_literal(text[:end])

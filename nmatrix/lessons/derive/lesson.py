@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from nmatrix.enums import Numbers
 from nmatrix.errors import IllegalValueError, did_you_mean
 from nmatrix.lessons.derive import derivations, kinds_of_maps, lighting
 from nmatrix.lessons.derive.users_matrix import users_matrix
@@ -94,6 +95,7 @@ def derive(case: str, world: World | None = None) -> Report:
         {"cases": [one.data for one in lessons]},
         tuple(block for one in lessons for block in one.blocks),
         tuple(remark for one in lessons for remark in one.remarks),
+        numbers=Numbers.EXACT,
     )
 
 

@@ -18,6 +18,7 @@ from nmatrix.formula import (
     Sign,
     Words,
 )
+from nmatrix.output.spelling import greek
 
 SIGNS = {
     "=": "equals",
@@ -52,7 +53,6 @@ POWERS = {
     "−2": "to the minus two",
     "s": "to the s",
 }
-LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi", "∞": "infinity"}
 FUNCTIONS = {
     "det": "the determinant of",
     "tan": "tangent of",
@@ -66,7 +66,7 @@ FUNCTIONS = {
 }
 
 
-def spoken(node: Node) -> str:
+def spoken(node: Node) -> str:  # noqa: C901  # one branch for each kind of node
     """Read a tree aloud.
 
     Examples
@@ -103,7 +103,8 @@ def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if letter in FUNCTIONS:
         return FUNCTIONS[letter]
-    return f"{LETTERS.get(letter, letter)} {below}".strip()
+    said = "infinity" if letter == "∞" else greek(letter) or letter
+    return f"{said} {below}".strip()
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
@@ -152,7 +153,9 @@ def _power(base: Node, exponent: str) -> str:
 
 def _root(inside: Node) -> str:
     """Read a root aloud; of a number it needs no words between."""
-    return f"root {inside.text}" if isinstance(inside, Numeral) else f"the root of {_grouped(inside)}"
+    return (
+        f"root {inside.text}" if isinstance(inside, Numeral) else f"the root of {_grouped(inside)}"
+    )
 
 
 def _whole(node: Node) -> str:
