@@ -26,7 +26,11 @@ _NAMES = re.compile("/*[^/]+/*|/+")  # of a path, each with its separator
 _BREAKS = tuple(  # where a formula may go on below: first before a statement, last before a term
     map(
         re.compile,
-        (r"(?<!\s)(?= +⇒ )|(?<=,  )", r"(?<!\s)(?= [=≈] )", r"(?<!\s)(?= [+−·→] (?!det ))"),
+        (
+            r"(?<!\s)(?= +(?:⇒|=>) )|(?<=,  )",
+            r"(?<!\s)(?= [=≈~] )",
+            r"(?<!\s)(?= (?:[+−·→*-]|->) (?!det ))",
+        ),
     )
 )
 HANGING = "    "  # before what goes on below
