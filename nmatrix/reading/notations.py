@@ -268,7 +268,7 @@ NOTATIONS = (
     ),
     Notation(
         "a drawing", "nmatrix as text",
-        "M\n  ⎡ 1  2  0 ⎤\n  ⎢ 0  3  0 ⎥\n  ⎣ 0  0  4 ⎦",
+        "⎡ 1  2  0 ⎤\n⎢ 0  3  0 ⎥\n⎣ 0  0  4 ⎦",
         drawn.DRAWING, drawn.drawn_text, told=False,
         rounded="Read as it is drawn, to the digits shown: "
         f"{quantity('format')} json has all of them.",

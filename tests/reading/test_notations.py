@@ -243,6 +243,11 @@ WRITERS: dict[str, list[Writer]] = {
         + "\n".join(f"[{r},] {joined(row, '  ')}" for r, row in enumerate(m, 1)),
     ],
     "a drawing": [
+        lambda m: "M = "  # as formulas are drawn
+        + "\n    ".join(
+            f"{left} {joined(row, '  ')} {right}"
+            for row, left, right in zip(m, "⎡⎢⎢"[: len(m) - 1] + "⎣", "⎤⎥⎥⎦", strict=False)
+        ),
         lambda m: "M\n"
         + "\n".join(
             f"  {left} {joined(row, '  ')} {right}"
