@@ -13,7 +13,8 @@ import transcripts
 from PIL import Image
 
 import nmatrix
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.raster.proofs.catalogue import PROOFS
 
 DOCS = Path(__file__).parents[1] / "docs"

@@ -158,7 +158,9 @@ def cross(a: Sequence[Real], b: Sequence[Real]) -> tuple[Real, ...]:
 
 
 def apply(A: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
-    """Compute A v."""
+    """Compute A v, exactly; of floats, in floats."""
+    if isinstance(A[0][0], float):
+        return tuple(sum(map(mul, row, v)) for row in A)
     return tuple(dot(row, v) for row in A)
 
 
@@ -177,6 +179,9 @@ def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
 
 def _product(A: RationalMatrix, B: RationalMatrix) -> RationalMatrix:
     n, m = len(B), len(B[0])
+    if isinstance(A[0][0], float):
+        columns = transpose(B)
+        return tuple(tuple([sum(map(mul, row, column)) for column in columns]) for row in A)
     try:
         a, bottom = integers(entry for row in A for entry in row)
         b, factor = integers(entry for row in B for entry in row)
@@ -208,6 +213,8 @@ def determinant(A: RationalMatrix) -> Fraction:
         return A[0][0]
     if len(A) == 2:
         return A[0][0] * A[1][1] - A[0][1] * A[1][0]
+    if len(A) == 3:
+        return dot(A[0], cross(A[1], A[2]))
     terms = ((-1) ** j * A[0][j] * determinant(minor(A, 0, j)) for j in range(len(A)) if A[0][j])
     return sum(terms, ZERO)
 
@@ -223,6 +230,9 @@ def cofactor_matrix(A: RationalMatrix) -> RationalMatrix:
     n = len(A)
     if n == 1:
         return ((ONE,),)
+    if n == 3:
+        a, b, c = A
+        return cross(b, c), cross(c, a), cross(a, b)
     return tuple(
         tuple((-1) ** (i + j) * determinant(minor(A, i, j)) for j in range(n)) for i in range(n)
     )
@@ -293,7 +303,17 @@ def affine_matrix(
 ) -> RationalMatrix:
     """Build the 4×4 matrix with this 3×3 block and this translation."""
     rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
-    return (*rows, AFFINE_ROW)
+    return (*rows, numbers_like(block, AFFINE_ROW))
+
+
+def numbers_like(A: RationalMatrix, values: Iterable[float | Fraction]) -> RationalVector:
+    """Take numbers exactly, or as floats for a matrix that holds floats.
+
+    Functions of this module take both: exact numbers for an answer, floats for a first look.
+    """
+    if isinstance(A[0][0], float):
+        return tuple(map(float, values))
+    return rational_vector(values)
 
 
 def solve(A: RationalMatrix, b: RationalVector) -> RationalVector:

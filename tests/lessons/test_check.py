@@ -15,7 +15,8 @@ from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.lessons.check import judge as judging
 from nmatrix.lessons.check.answer import Answer, read_answer
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject, right_answer
 from nmatrix.lessons.check.wrong import pairs, single_mistakes
 from nmatrix.linear.projection import ClipSpace, Window

@@ -12,7 +12,7 @@ import pytest
 from nmatrix.enums import Convention, DepthRange, Handedness, Space
 from nmatrix.lessons.check.answer import Answer
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.scene.camera import FirstPerson, View

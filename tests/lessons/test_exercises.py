@@ -9,7 +9,8 @@ import pytest
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Subject
 from nmatrix.lessons.exercises import scheme
 from nmatrix.lessons.exercises import sheet as sheets

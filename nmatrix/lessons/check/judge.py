@@ -23,7 +23,8 @@ from nmatrix.lessons.check.likeness import (
     likeness_to_known,
     may_be_alike,
 )
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question, Subject, right_answer
 from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
 from nmatrix.linear.exact import LinearMap
@@ -88,17 +89,20 @@ class Judge:
     @cached_property
     def singles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of single mistakes that differ from the right one."""
-        return tuple(self._distinct(single_mistakes(self.question)))
+        return tuple(self._distinct(self._single_mistakes))
 
     @cached_property
     def doubles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of two mistakes, but not what a single one gives as well."""
-        known = {_shape(self.question, one.value) for one in self.singles}
-        return tuple(
-            one
-            for one in self._distinct(pairs(self.question))
-            if _shape(self.question, one.value) not in known
-        )
+        return tuple(one for one in self._distinct(self._pairs) if not self._is_single(one))
+
+    @cached_property
+    def _single_mistakes(self) -> tuple[WrongAnswer, ...]:
+        return tuple(single_mistakes(self.question))
+
+    @cached_property
+    def _pairs(self) -> tuple[WrongAnswer, ...]:
+        return tuple(pairs(self.question))
 
     @cached_property
     def hints(self) -> tuple[Hint, ...]:
@@ -125,8 +129,8 @@ class Judge:
         names = self._single(answer)
         if names:
             return self._mistaken(answer, found, names)
-        names = self._named(answer, self.doubles)
-        if len(names) == 1:
+        names = self._named(answer, self._pairs)
+        if self._is_one_pair(names):
             return self._mistaken(answer, found, names)
         if found.lacks_only_digits:
             return self._unknown(answer, found, TOO_FEW_DIGITS)
@@ -138,7 +142,7 @@ class Judge:
         """Prefer a mistake that gives every digit of an answer which is only close to right."""
         if found.to_the_digit or self.question.tolerance is not None:
             return False
-        return any(alike.to_the_digit for _, alike in self._alike(answer, self.singles))
+        return any(alike.to_the_digit for _, alike in self._alike(answer, self._single_mistakes))
 
     def _correct(self, answer: Answer, found: Likeness) -> Judgement:
         remarks = answer.remarks if found.factor == 1 else (*answer.remarks, UP_TO_LENGTH)
@@ -154,7 +158,7 @@ class Judge:
         return is_alike(answer, scaled(self.right, Fraction(-1)), question)
 
     def _single(self, answer: Answer) -> Names:
-        names = self._named(answer, self.singles)
+        names = self._named(answer, self._single_mistakes)
         if not names and self._only_length(answer):
             return {(MistakeId.MISSING_NORMALISE,): None}
         return names
@@ -192,11 +196,42 @@ class Judge:
     def _alike(
         self, answer: Answer, wrong: tuple[WrongAnswer, ...]
     ) -> Iterator[tuple[WrongAnswer, Likeness]]:
+        """List the wrong answers that these numbers may be; most are ruled out in floats."""
         for one in wrong:
-            if may_be_alike(answer, one.floats, self.question):
-                found = likeness_to_known(answer, one.value, self.question)
-                if found is not None and found.alike_as_a_mistake:
-                    yield one, found
+            if not may_be_alike(answer, one.floats, self.question) or one.value is None:
+                continue
+            found = likeness_to_known(answer, one.value, self.question)
+            if found is None or not found.alike_as_a_mistake:
+                continue
+            if self._is_wrong(one) and (len(one.mistakes) == 1 or not self._is_single(one)):
+                yield one, found
+
+    def _is_wrong(self, one: WrongAnswer) -> bool:
+        """Tell what a mistake gives from what is right by chance."""
+        return one.value is not None and self._shape(one.value) != self._shape(self.right)
+
+    def _is_single(self, pair: WrongAnswer) -> bool:
+        """Decide if a single mistake gives the numbers of a pair."""
+        return pair.value is not None and self._shape(pair.value) in self._single_shapes
+
+    @cached_property
+    def _single_shapes(self) -> dict[RationalMatrix, set[MistakeId]]:
+        """The mistakes by the numbers that they give."""
+        found: dict[RationalMatrix, set[MistakeId]] = {}
+        for one in self._single_mistakes:
+            if one.value is not None:
+                found.setdefault(self._shape(one.value), set()).update(one.mistakes)
+        return found
+
+    def _is_one_pair(self, names: Names) -> bool:
+        """Decide if pairs are one: beside a mistake that all have, what gives the same numbers."""
+        if len(names) < 2:
+            return bool(names)
+        shared = set.intersection(*map(set, names))
+        if not shared:
+            return False
+        others = {one for pair in names for one in pair} - shared
+        return any(others <= alike for alike in self._single_shapes.values())
 
     def _only_length(self, answer: Answer) -> bool:
         """Recognise a vector of which only the length is wrong, where length one was asked for."""
@@ -217,20 +252,20 @@ class Judge:
         alike = (one for one in self.hints if is_alike(answer, one.value, self.question))
         return next((one.sentence for one in alike), None)
 
-    def _distinct(self, wrong: Iterator[WrongAnswer]) -> Iterator[WrongAnswer]:
+    def _distinct(self, wrong: tuple[WrongAnswer, ...]) -> Iterator[WrongAnswer]:
         """Leave out what is right by chance, and values that the same mistake gave before."""
-        right = _shape(self.question, self.right)
         seen: set[tuple[tuple[MistakeId, ...], RationalMatrix]] = set()
         for one in wrong:
-            shape = _shape(self.question, one.value)
-            if shape != right and (one.mistakes, shape) not in seen:
-                seen.add((one.mistakes, shape))
+            if one.value is None or not self._is_wrong(one):
+                continue
+            shape = (one.mistakes, self._shape(one.value))
+            if shape not in seen:
+                seen.add(shape)
                 yield one
 
-
-def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:
-    """Bring a value into a form that is the same for all values that count as the same."""
-    if not question.any_length:
-        return value
-    largest = max(abs(entry) for row in value for entry in row)
-    return scaled(value, 1 / largest) if largest else value
+    def _shape(self, value: RationalMatrix) -> RationalMatrix:
+        """Bring a value into a form that is the same for all values that count as the same."""
+        if not self.question.any_length:
+            return value
+        largest = max(abs(entry) for row in value for entry in row)
+        return scaled(value, 1 / largest) if largest else value

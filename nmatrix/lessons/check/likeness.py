@@ -9,7 +9,7 @@ from functools import cached_property
 from math import isnan
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
-from nmatrix.lessons.check.question import Question
+from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.tolerance import (
     A_TWENTIETH,
     NOISE,
@@ -21,6 +21,7 @@ from nmatrix.lessons.check.tolerance import (
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
 BOTTOM = 3  # of a 4×4 matrix
+ROUGH = 1e-6  # of the largest entry: floats are far better
 
 Place = tuple[int, int]
 
@@ -162,10 +163,19 @@ def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
 def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool:
     """Rule out a value by a cheap comparison in floats; True says nothing yet."""
     given = answer.floats
-    if given is None or value is None or len(given[0]) != len(value[0]):
+    if given is None or value is None:
         return True
-    a = [entry for row in given for entry in row]
-    v = [entry for row in value for entry in row]
+    if not value:
+        return False
+    if len(given) > 1 or len(given[0]) == len(value[0]):
+        a = [entry for row in given for entry in row]
+        v = [entry for row in value for entry in row]
+    else:
+        a, v = list(given[0][:3]), list(value[0][:3])
+    if question.is_vector and not question.is_direction and len(a) > 3:
+        a, v = a[:3], v[:3]  # the fourth one may have been divided by
+        if given[0][3] != 1:
+            return True
     factor = 1.0
     if question.any_length:
         square = sum(y * y for y in v)
@@ -177,7 +187,7 @@ def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool
         limit = answer.coarsest / 2 + float(RELATIVE) * largest
     else:
         limit = float(question.tolerance)
-    far = 1.01 * limit + 1e-9 * largest
+    far = 1.01 * limit + ROUGH * largest
     return not any(abs(x - factor * y) > far for x, y in zip(a, v, strict=True))
 
 
@@ -188,7 +198,7 @@ def _comparable(
         return given, value
     if len(given[0]) == 3:
         return given, (value[0][:3],)
-    if question.is_direction:
+    if question.is_direction or question.subject is Subject.TRACE:
         return given, value
     return (with_w_one(given[0]),), (with_w_one(value[0]),)
 

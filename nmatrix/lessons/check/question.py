@@ -10,9 +10,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from functools import lru_cache
+from math import cos, hypot, radians, sin
+from typing import cast
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
+from nmatrix.linear.angle import Angle
+from nmatrix.linear.axes import AxisChange
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     ONE,
@@ -20,17 +24,27 @@ from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
     apply,
+    determinant,
     identity,
     inverse,
+    inverse_transpose,
     linear_part,
+    numbers_like,
     product,
     rational_vector,
+    translation,
 )
 from nmatrix.linear.rounding import integers, unit
-from nmatrix.report import Vector
-from nmatrix.scene.camera import View
-from nmatrix.scene.setup import Setup
+from nmatrix.linear.viewport import Viewport, window_from_ndc
+from nmatrix.report import Number, Vector
+from nmatrix.scene.camera import PlacedCamera, View
+from nmatrix.scene.lens import Lens
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
+from nmatrix.spaces.exact_maps import WorldLight
+
+FARTHEST = 10_000  # of places, for a first look in floats
+STEEP = Fraction(1, 10**6)  # of a determinant to the cube of the largest entry
 
 
 class Subject(StrEnum):
@@ -42,6 +56,8 @@ class Subject(StrEnum):
     NORMAL = "normal"
     LIGHT = "light"
     EYE = "eye"
+    TRACE = "trace"
+    AXES = "axes"
 
 
 class LightPart(StrEnum):
@@ -67,6 +83,10 @@ class Question:
         A normal to carry, in object space; without one the normal matrix is asked for.
     light
         Which part of the light; needed where the light has both.
+    point, window
+        The vertex to trace, in object space, into normalised device coordinates or into a window.
+    axes
+        The axis systems: their F is asked for, or with a world matrix M, F · M · F⁻¹.
     """
 
     subject: Subject
@@ -76,6 +96,9 @@ class Question:
     tolerance: Fraction | None = None
     normal: Vector | None = None
     light: LightPart = LightPart.DIRECTION
+    point: Vector = (0, 0, 0)
+    window: Viewport | None = None
+    axes: AxisChange | None = None
 
     def __post_init__(self) -> None:
         if self.tolerance is not None and self.tolerance < 0:
@@ -90,6 +113,12 @@ class Question:
                 "only a direction has a length to bring to 1",
                 "leave it out",
             )
+        if self.subject is Subject.AXES and self.axes is None:
+            raise IllegalValueError(
+                "check axes",
+                "it compares a way between two axis systems",
+                f"give {quantity('from')} blender {quantity('to')} opengl, or others",
+            )
 
     @property
     def is_direction(self) -> bool:
@@ -101,7 +130,26 @@ class Question:
     @property
     def is_vector(self) -> bool:
         """Whether a direction or a point is asked for, not a matrix."""
-        return self.is_direction or self.subject in (Subject.LIGHT, Subject.EYE)
+        return self.is_direction or self.subject in (Subject.LIGHT, Subject.EYE, Subject.TRACE)
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The parts of the scene that the answer, or a wrong matrix in its place, depends on."""
+        subject = self.subject
+        if subject is Subject.PROJECTION:
+            return ("lens",)
+        if subject is Subject.VIEW:
+            return ("view",)
+        if subject is Subject.TRACE:
+            return ("world", "view", "lens")
+        seen = ("view",) if self.space is Space.CAMERA else ()
+        lit = ("light",) if subject is Subject.LIGHT or self.space is Space.LIGHT else ()
+        return ("world", *seen, *lit)
+
+    @property
+    def asks_for_F(self) -> bool:
+        """Whether the way between two axis systems is asked for, and no matrix told by it."""
+        return self.subject is Subject.AXES and self.setup.world == World()
 
     @property
     def any_length(self) -> bool:
@@ -111,11 +159,15 @@ class Question:
 
 @dataclass(frozen=True)
 class Matrices:
-    """The matrices that an answer is computed from; a mistake may replace one of them."""
+    """The matrices that an answer is computed from; a mistake may replace one of them.
+
+    Their entries are exact, or floats for a first look: the same functions take both.
+    """
 
     world_from_object: RationalMatrix
     camera_from_world: RationalMatrix
     space_from_world: RationalMatrix
+    clip_from_camera: RationalMatrix
 
     @property
     def space_from_object(self) -> RationalMatrix:
@@ -124,16 +176,70 @@ class Matrices:
 
 
 def right_matrices(question: Question) -> Matrices:
-    """Build M, V and S as they should be.
+    """Build M, V, S and P as they should be.
 
     Raises
     ------
     NoAnswerError
         Where the space does not exist, as object space of a singular world matrix.
     """
-    M = _world_from_object(question.setup.world)
-    V = _camera_from_world(question.setup.view)
-    return Matrices(M, V, _space_from_world(question, M, V))
+    setup, subject = question.setup, question.subject
+    M = identity(4) if subject is Subject.PROJECTION else _world_from_object(setup.world)
+    V = identity(4) if subject is Subject.PROJECTION else _camera_from_world(setup.view)
+    projects = subject in (Subject.PROJECTION, Subject.TRACE)
+    P = _clip_from_camera(setup.lens) if projects else identity(4)
+    return Matrices(M, V, _space_from_world(question, M, V), P)
+
+
+def float_matrices(question: Question) -> Matrices:
+    """Build M, V, S and P of floats, a few units of their last place off.
+
+    Raises
+    ------
+    ArithmeticError, NMatrixError
+        Where the space does not exist, or floats do not tell.
+    """
+    setup, subject = question.setup, question.subject
+    M = IN_FLOATS if subject is Subject.PROJECTION else _float_world(setup.world)
+    V = IN_FLOATS if subject is Subject.PROJECTION else _float_view(setup.view)
+    projects = subject in (Subject.PROJECTION, Subject.TRACE)
+    P = _floats(_clip_from_camera(setup.lens)) if projects else IN_FLOATS
+    if question.space in (Space.WORLD, Space.STATIC):
+        S = IN_FLOATS
+    elif question.space is Space.CAMERA:
+        S = V
+    elif question.space is Space.OBJECT:
+        S = inverse(M)
+    else:
+        S = _floats(setup.maps.space_from_world(question.space).exact)
+    return Matrices(M, V, S, P)
+
+
+def is_of_usual_size(question: Question) -> bool:
+    """Decide if floats tell answers apart: nothing is far away, and no map is nearly flat."""
+    try:
+        at = right_matrices(question)
+        places = [eye_of(question.setup.view), rational_vector(question.point)]
+        places += [translation(at.world_from_object), translation(at.camera_from_world)]
+        places += [
+            rational_vector(question.normal or ()),
+            rational_vector(question.setup.view.target),
+        ]
+        if question.subject is Subject.LIGHT:
+            places.append(light_vector(question))
+    except NoAnswerError:
+        return False
+    block = linear_part(at.world_from_object)
+    largest = max(abs(entry) for row in block for entry in row)
+    near = all(abs(component) < FARTHEST for place in places for component in place)
+    return near and largest < FARTHEST and abs(determinant(block)) > STEEP * largest**3
+
+
+def _floats(A: RationalMatrix) -> RationalMatrix:
+    return cast("RationalMatrix", tuple(tuple(map(float, row)) for row in A))
+
+
+IN_FLOATS = _floats(identity(4))
 
 
 @lru_cache(maxsize=256)  # two mistakes at once leave most of a scene as one of them does
@@ -141,9 +247,40 @@ def _world_from_object(world: World) -> RationalMatrix:
     return world.world_from_object
 
 
-@lru_cache(maxsize=64)
 def _camera_from_world(view: View) -> RationalMatrix:
-    return view.placed().camera_from_world
+    return _placed(view).camera_from_world
+
+
+@lru_cache(maxsize=64)
+def _placed(view: View) -> PlacedCamera:
+    return view.placed()
+
+
+@lru_cache(maxsize=64)
+def _placed_light(light: Light) -> WorldLight:
+    return light.placed()
+
+
+@lru_cache(maxsize=64)
+def _clip_from_camera(lens: Lens) -> RationalMatrix:
+    return lens.clip_from_camera
+
+
+@lru_cache(maxsize=512)
+def _float_world(world: World) -> RationalMatrix:
+    return _floats(world.matrix or world.exact_by(_float_angle))
+
+
+@lru_cache(maxsize=256)
+def _float_view(view: View) -> RationalMatrix:
+    found = view.by_angles(_float_angle) if view.angles else _camera_from_world(view)
+    return _floats(found)
+
+
+@lru_cache(maxsize=256)
+def _float_angle(degrees: Number) -> Angle:
+    turned = radians(degrees)
+    return Angle(sin(turned), cos(turned))  # type: ignore[arg-type]  # sums and products will do
 
 
 def _space_from_world(question: Question, M: RationalMatrix, V: RationalMatrix) -> RationalMatrix:
@@ -186,12 +323,72 @@ def raw_answer(question: Question, by: Matrices) -> RationalMatrix:
     if question.subject is Subject.VIEW:
         return by.camera_from_world
     if question.subject is Subject.PROJECTION:
-        return question.setup.lens.clip_from_camera
+        return by.clip_from_camera
     if question.subject is Subject.EYE:
-        return (apply(S, (*question.setup.camera.eye, ONE)),)
+        return (apply(S, numbers_like(S, (*eye_of(question.setup.view), ONE))),)
     if question.subject is Subject.LIGHT:
-        return (apply(S, light_vector(question)),)
-    return _normal(question, LinearMap.of(linear_part(by.space_from_object)))
+        return (apply(S, numbers_like(S, light_vector(question))),)
+    if question.subject is Subject.TRACE:
+        return (traced(question, by),)
+    if question.subject is Subject.AXES:
+        return told_in_other_axes(question, by)
+    return _normal(question, linear_part(by.space_from_object))
+
+
+def eye_of(view: View) -> RationalVector:
+    """Take the eye in world space: as it was given, or out of the camera's matrix."""
+    return rational_vector(view.eye) if view.typed_matrix is None else _placed(view).eye
+
+
+def clip_point(question: Question, by: Matrices) -> RationalVector:
+    """Take the vertex to clip space, undivided."""
+    M = by.world_from_object
+    world = apply(M, numbers_like(M, (*question.point, ONE)))
+    return apply(by.clip_from_camera, apply(by.camera_from_world, world))
+
+
+def traced(question: Question, by: Matrices) -> RationalVector:
+    """Take the vertex to normalised device coordinates, or to the window, with w = 1.
+
+    Raises
+    ------
+    NoAnswerError
+        For a vertex that is not in front of the eye.
+    """
+    x, y, z, w = clip_point(question, by)
+    if w <= 0:
+        raise NoAnswerError(
+            f"clip w ({float(w):g})", "the vertex is not in front of the eye", "move it or the eye"
+        )
+    return in_window(question, (x / w, y / w, z / w, ONE))
+
+
+def in_window(question: Question, ndc: RationalVector) -> RationalVector:
+    """Take normalised device coordinates to the window, if that is asked for."""
+    if question.window is None:
+        return ndc
+    size = question.window
+    return apply(window_from_ndc(size.width, size.height, question.setup.lens.clip), ndc)
+
+
+def told_in_other_axes(question: Question, by: Matrices) -> RationalMatrix:
+    """Take F, or F · M · F⁻¹."""
+    F, back = way_between(question, by)
+    return F if question.asks_for_F else product(F, by.world_from_object, back)
+
+
+def way_between(question: Question, by: Matrices) -> tuple[RationalMatrix, RationalMatrix]:
+    """Take F, from one axis system to the other, and F⁻¹."""
+    assert question.axes is not None  # a question of axes has them
+    F, back = _there_and_back(question.axes)
+    if isinstance(by.world_from_object[0][0], float):
+        return _floats(F), _floats(back)
+    return F, back
+
+
+@lru_cache(maxsize=8)
+def _there_and_back(axes: AxisChange) -> tuple[RationalMatrix, RationalMatrix]:
+    return axes.to_from, inverse(axes.to_from)
 
 
 def light_vector(question: Question) -> RationalVector:
@@ -202,7 +399,7 @@ def light_vector(question: Question) -> RationalVector:
     IllegalValueError
         If the light has no such part.
     """
-    light = question.setup.light.placed()
+    light = _placed_light(question.setup.light)
     part = light.direction if question.light is LightPart.DIRECTION else light.position
     if part is None:
         raise IllegalValueError(
@@ -220,10 +417,19 @@ def finished(question: Question, raw: RationalMatrix) -> RationalMatrix:
     *direction, w = raw[0]
     if not any(direction):
         return raw
+    if isinstance(direction[0], float):
+        length = hypot(*direction)
+        return ((*(x / length for x in direction), w),)
     return ((*rational_vector(unit(integers(direction)[0])), w),)
 
 
-def _normal(question: Question, linear_map: LinearMap) -> RationalMatrix:
+def _normal(question: Question, block: RationalMatrix) -> RationalMatrix:
+    if isinstance(block[0][0], float):
+        N = inverse_transpose(block)
+        if question.normal is None:
+            return N
+        return ((*apply(N, numbers_like(N, question.normal)), ZERO),)
+    linear_map = LinearMap.of(block)
     if question.normal is None:
         return linear_map.inverse_transpose
     n = rational_vector(question.normal)

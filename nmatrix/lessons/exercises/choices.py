@@ -5,7 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nmatrix.lessons.check.judge import Judge
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
 from nmatrix.lessons.exercises.exercise import LETTERS, Choice, Exercise, Option

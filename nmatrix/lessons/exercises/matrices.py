@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from nmatrix.enums import Space
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake
 from nmatrix.lessons.exercises.scheme import Draws
