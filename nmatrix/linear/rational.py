@@ -214,7 +214,7 @@ def determinant(A: RationalMatrix) -> Fraction:
     if len(A) == 2:
         return A[0][0] * A[1][1] - A[0][1] * A[1][0]
     if len(A) == 3:
-        return dot(A[0], cross(A[1], A[2]))
+        return sum(map(mul, A[0], cross(A[1], A[2])), ZERO)
     terms = ((-1) ** j * A[0][j] * determinant(minor(A, 0, j)) for j in range(len(A)) if A[0][j])
     return sum(terms, ZERO)
 

@@ -93,7 +93,9 @@ def verdict(question, value):
 
 def typed(rows) -> Answer:
     """Return exact numbers as an answer with all their digits."""
-    return Answer(tuple(map(tuple, rows)), tuple(tuple(17 for _ in row) for row in rows))
+    return Answer(
+        tuple(map(tuple, rows)), tuple(tuple(Fraction(1, 10**17) for _ in row) for row in rows)
+    )
 
 
 # One scene in which no mistake is hidden by a symmetry.
@@ -191,7 +193,7 @@ MADE = [
     ("view", {}, "degrees-as-radians", camera(unit=1)),
     ("view", {}, "rotation-sign", camera(-25, 40, -10)),
     ("view", {}, "wrong-handedness", [*V[:2], [-x for x in V[2]], V[3]]),
-    ("view", {}, "scale-before-translate", affine([r[:3] for r in V[:3]], [-3, -1, -2.5])),
+    ("view", {}, "view-translation", affine([r[:3] for r in V[:3]], [-3, -1, -2.5])),
     ("projection", {}, "degrees-as-radians", projection(1 / tan(25), 1.5)),
     ("projection", {}, "wrong-handedness", projection(F, 1.5, g=1)),
     ("projection", {}, "depth-range", projection(F, 1.5, depth="vulkan")),
@@ -364,8 +366,8 @@ def test_angles_of_the_light_matter_in_its_own_space():
         for one in single_mistakes(question)
         if one.mistakes == (MistakeId.DEGREES_AS_RADIANS,)
     ]
-    assert len(set(named) - {right_answer(question)}) == 3, (
-        "the world's angles, the light's, and both"
+    assert len(set(named) - {right_answer(question)}) == 2 * 3, (
+        "of two units: the world's angles, the light's, and both"
     )
 
 

@@ -67,7 +67,7 @@ def confusion(scenes: range) -> dict[MistakeId, Counter[str]]:
         judge = Judge(question)
         for wrong in judge.singles:
             rows = tuple(tuple(Fraction(float(x)) for x in row) for row in wrong.value)
-            all_digits = tuple(tuple(17 for _ in row) for row in rows)
+            all_digits = tuple(tuple(Fraction(1, 10**17) for _ in row) for row in rows)
             judged = judge.judge(Answer(rows, all_digits))
             if judged.verdict is Outcome.CORRECT:
                 continue  # as near to the right answer as three digits can tell

@@ -7,14 +7,14 @@ before what is only close: where an angle is tiny, the right answer is close to 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
 
 from nmatrix.lessons.check.answer import Answer
-from nmatrix.lessons.check.hints import Hint, hints, left_out
+from nmatrix.lessons.check.hints import Hint, hints, left_out, undivided
 from nmatrix.lessons.check.likeness import (
     Likeness,
     Place,
@@ -34,7 +34,8 @@ RIGHT = "This is right."
 UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
 NO_MISTAKE = "No known mistake, nor two of them, gives these numbers."
 TOO_FEW_DIGITS = (
-    "Right to the digits given, but a zero stands where there is a number: give more of its digits."
+    "Nearly right: a whole number or a zero stands where there is a number with more digits; give "
+    "them, behind a point."
 )
 SEVERAL = "Several pairs of mistakes give these numbers:"
 TWO_SIDED = (
@@ -91,6 +92,11 @@ class Judge:
         """The wrong answers of single mistakes that differ from the right one."""
         return tuple(self._distinct(self._single_mistakes))
 
+    def wrong_by(self, mistake: MistakeId) -> tuple[RationalMatrix, ...]:
+        """The different wrong answers of one mistake, none where it does not show here."""
+        made = (one for one in self._single_mistakes if one.mistakes == (mistake,))
+        return tuple(one.value for one in self._distinct(made) if one.value is not None)
+
     @cached_property
     def doubles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of two mistakes, but not what a single one gives as well."""
@@ -126,16 +132,17 @@ class Judge:
             return self._correct(answer, found)
         if self._is_other_side(answer):
             return Judgement(Outcome.CORRECT, self.right, found.difference, remarks=(TWO_SIDED,))
-        names = self._single(answer)
+        names = self._single(answer, found)
         if names:
             return self._mistaken(answer, found, names)
-        names = self._named(answer, self._pairs)
+        names = self._named(answer, found, self._pairs)
         if self._is_one_pair(names):
             return self._mistaken(answer, found, names)
         if found.lacks_only_digits:
             return self._unknown(answer, found, TOO_FEW_DIGITS)
         several = f"{SEVERAL} {', '.join(map('+'.join, names))}." if names else NO_MISTAKE
-        hint = self._hint(answer) or left_out(self.question, found)
+        hint = self._hint(answer) or undivided(self.question, found)
+        hint = hint or left_out(self.question, found)
         return self._unknown(answer, found, hint or several)
 
     def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
@@ -157,8 +164,8 @@ class Judge:
             return False
         return is_alike(answer, scaled(self.right, Fraction(-1)), question)
 
-    def _single(self, answer: Answer) -> Names:
-        names = self._named(answer, self._single_mistakes)
+    def _single(self, answer: Answer, found: Likeness) -> Names:
+        names = self._named(answer, found, self._single_mistakes)
         if not names and self._only_length(answer):
             return {(MistakeId.MISSING_NORMALISE,): None}
         return names
@@ -187,11 +194,12 @@ class Judge:
             alike.append(hint)
         return " ".join([*sentences, *(f"Or, with the same numbers here: {did}" for did in alike)])
 
-    def _named(self, answer: Answer, wrong: tuple[WrongAnswer, ...]) -> Names:
+    def _named(self, answer: Answer, right: Likeness, wrong: tuple[WrongAnswer, ...]) -> Names:
         """Name the mistakes whose numbers these are: to every digit, or else nearly."""
         alike = list(self._alike(answer, wrong))
         to_the_digit = {one.mistakes: None for one, found in alike if found.to_the_digit}
-        return to_the_digit or {one.mistakes: None for one, _ in alike}
+        clear = {one.mistakes: None for one, found in alike if found.is_clear_of(right)}
+        return to_the_digit or clear
 
     def _alike(
         self, answer: Answer, wrong: tuple[WrongAnswer, ...]
@@ -252,7 +260,7 @@ class Judge:
         alike = (one for one in self.hints if is_alike(answer, one.value, self.question))
         return next((one.sentence for one in alike), None)
 
-    def _distinct(self, wrong: tuple[WrongAnswer, ...]) -> Iterator[WrongAnswer]:
+    def _distinct(self, wrong: Iterable[WrongAnswer]) -> Iterator[WrongAnswer]:
         """Leave out what is right by chance, and values that the same mistake gave before."""
         seen: set[tuple[tuple[MistakeId, ...], RationalMatrix]] = set()
         for one in wrong:

@@ -237,12 +237,13 @@ MISTAKES: dict[MistakeId, Mistake] = {
     ),
     MistakeId.CLIP_Y: Mistake(
         "You left out the flip of y in clip space, or made one where none belongs.",
-        "In Vulkan y in clip space points down, so the second row is negated; in OpenGL, Direct3D, Metal and WebGPU it points up.",
+        "In Vulkan y in clip space points down, so the second row is negated; in OpenGL, "
+        "Direct3D, Metal and WebGPU it points up.",
         "nmatrix projection --api vulkan",
         _for(misplaced(lens.y_turned, entries=Entries.ROW_Y), *SEEN),
     ),
     MistakeId.VIEW_TRANSLATION: Mistake(
-        "The last column is not −R·eye: the eye or the target stands there unturned, or turned by Rᵀ.",
+        "The last column is not −R·eye: the eye or the target stands there, or Rᵀ turned it.",
         "V = R·T(−eye): the eye is turned with everything else, so that V takes it to the origin.",
         "nmatrix view --eye 3 1 2",
         _for(misplaced(*view.OTHER_TRANSLATIONS, entries=Entries.TRANSLATION), Subject.VIEW),
@@ -285,13 +286,15 @@ MISTAKES: dict[MistakeId, Mistake] = {
     ),
     MistakeId.PERSPECTIVE_ROW: Mistake(
         "The last row has the wrong sign, or is not that of a perspective.",
-        "It makes w the distance in front of the camera: 0 0 −1 0 where that looks down −z, 0 0 1 0 where it looks down +z.",
+        "It makes w the distance in front of the camera: 0 0 −1 0 where that looks down −z, "
+        "0 0 1 0 where it looks down +z.",
         "nmatrix projection --fov 60",
         _for(misplaced(*lens.LAST_ROWS, entries=Entries.ROW_W), Subject.PROJECTION),
     ),
     MistakeId.DEPTH_SIGN: Mistake(
         "A sign of the third row is turned.",
-        "Near and far decide it: the row takes z = near and z = far to the two ends of the depth range.",
+        "The row takes the two distances near and far to the two ends of the depth range: put "
+        "them in and see.",
         "nmatrix projection --near 1 --far 10",
         _for(misplaced(*lens.DEPTH_SIGNS, entries=Entries.ROW_Z), Subject.PROJECTION),
     ),
@@ -359,7 +362,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
     ),
     MistakeId.QUATERNION_LENGTH: Mistake(
         "You used the quaternion without bringing it to length 1.",
-        "The formulas of the matrix hold for length 1: divide the four numbers by their length first.",
+        "The formulas of the matrix hold for length 1: divide the four numbers by their length.",
         "nmatrix world --quaternion 0 3 0 4",
         _for(misread(parts.quaternion_of_any_length), *OF_PARTS),
     ),
@@ -399,7 +402,8 @@ MISTAKES: dict[MistakeId, Mistake] = {
     ),
     MistakeId.LIGHT_TOWARDS: Mistake(
         "You gave the direction to the lamp.",
-        "The direction of a light is the one in which it travels; the l of the lighting formulas points to the lamp, against it.",
+        "The direction of a light is the one in which it travels; the l of the lighting formulas "
+        "points to the lamp, against it.",
         "nmatrix light --light-direction 0 -1 0",
         _for(
             when(normals.is_light_direction, misread(light=normals.towards_the_lamp)), Subject.LIGHT
@@ -413,7 +417,8 @@ MISTAKES: dict[MistakeId, Mistake] = {
     ),
     MistakeId.WINDOW_Y: Mistake(
         "You counted y from the other side of the window.",
-        "In OpenGL window y counts from the bottom; in Direct3D, Metal, Vulkan and WebGPU from the top.",
+        "In OpenGL window y counts from the bottom; in Direct3D, Metal, Vulkan and WebGPU from "
+        "the top.",
         "nmatrix trace --point 1 1 1 --api vulkan",
         _for(misruled(tracing.y_from_the_other_side), Subject.TRACE),
     ),

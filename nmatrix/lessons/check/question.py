@@ -6,6 +6,7 @@ A vector is written with its w: 0 for a direction, 1 for a point.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -147,7 +148,7 @@ class Question:
         return ("world", *seen, *lit)
 
     @property
-    def asks_for_F(self) -> bool:
+    def asks_for_way(self) -> bool:
         """Whether the way between two axis systems is asked for, and no matrix told by it."""
         return self.subject is Subject.AXES and self.setup.world == World()
 
@@ -317,22 +318,17 @@ def right_answer(question: Question) -> RationalMatrix:
 
 def raw_answer(question: Question, by: Matrices) -> RationalMatrix:
     """Compute the answer of these matrices before a direction is brought to length one."""
+    return _ANSWERS[question.subject](question, by)
+
+
+def _moved_eye(question: Question, by: Matrices) -> RationalMatrix:
     S = by.space_from_world
-    if question.subject is Subject.WORLD:
-        return by.world_from_object
-    if question.subject is Subject.VIEW:
-        return by.camera_from_world
-    if question.subject is Subject.PROJECTION:
-        return by.clip_from_camera
-    if question.subject is Subject.EYE:
-        return (apply(S, numbers_like(S, (*eye_of(question.setup.view), ONE))),)
-    if question.subject is Subject.LIGHT:
-        return (apply(S, numbers_like(S, light_vector(question))),)
-    if question.subject is Subject.TRACE:
-        return (traced(question, by),)
-    if question.subject is Subject.AXES:
-        return told_in_other_axes(question, by)
-    return _normal(question, linear_part(by.space_from_object))
+    return (apply(S, numbers_like(S, (*eye_of(question.setup.view), ONE))),)
+
+
+def _moved_light(question: Question, by: Matrices) -> RationalMatrix:
+    S = by.space_from_world
+    return (apply(S, numbers_like(S, light_vector(question))),)
 
 
 def eye_of(view: View) -> RationalVector:
@@ -371,10 +367,10 @@ def in_window(question: Question, ndc: RationalVector) -> RationalVector:
     return apply(window_from_ndc(size.width, size.height, question.setup.lens.clip), ndc)
 
 
-def told_in_other_axes(question: Question, by: Matrices) -> RationalMatrix:
+def _told_in_other_axes(question: Question, by: Matrices) -> RationalMatrix:
     """Take F, or F · M · F⁻¹."""
     F, back = way_between(question, by)
-    return F if question.asks_for_F else product(F, by.world_from_object, back)
+    return F if question.asks_for_way else product(F, by.world_from_object, back)
 
 
 def way_between(question: Question, by: Matrices) -> tuple[RationalMatrix, RationalMatrix]:
@@ -423,7 +419,8 @@ def finished(question: Question, raw: RationalMatrix) -> RationalMatrix:
     return ((*rational_vector(unit(integers(direction)[0])), w),)
 
 
-def _normal(question: Question, block: RationalMatrix) -> RationalMatrix:
+def _normal(question: Question, by: Matrices) -> RationalMatrix:
+    block = linear_part(by.space_from_object)
     if isinstance(block[0][0], float):
         N = inverse_transpose(block)
         if question.normal is None:
@@ -441,3 +438,15 @@ def _normal(question: Question, block: RationalMatrix) -> RationalMatrix:
     flattens = not linear_map.integer_determinant
     N = linear_map.cofactor_matrix if flattens else linear_map.inverse_transpose
     return ((*apply(N, n), ZERO),)
+
+
+_ANSWERS: Mapping[Subject, Callable[[Question, Matrices], RationalMatrix]] = {
+    Subject.WORLD: lambda _, by: by.world_from_object,
+    Subject.VIEW: lambda _, by: by.camera_from_world,
+    Subject.PROJECTION: lambda _, by: by.clip_from_camera,
+    Subject.NORMAL: _normal,
+    Subject.LIGHT: _moved_light,
+    Subject.EYE: _moved_eye,
+    Subject.TRACE: lambda question, by: (traced(question, by),),
+    Subject.AXES: _told_in_other_axes,
+}

@@ -221,8 +221,7 @@ def _shown_mistakes(
     """Make each planned mistake once; None where one does not show, or two look alike."""
     found: list[ExpectedMistake] = []
     for mistake in planned:
-        values = (one.value for one in judge.singles if one.mistakes == (mistake,))
-        texts = (typed(_asked_for(judge, value)) for value in values)
+        texts = (typed(_asked_for(judge, value)) for value in judge.wrong_by(mistake))
         named = next((text for text in texts if _is_named(judge, mistake, text)), None)
         if named is None or named in (one.text for one in found):
             return None

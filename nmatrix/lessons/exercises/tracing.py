@@ -31,11 +31,10 @@ def trace(draws: Draws) -> Exercise | None:
     setup = Setup(world, View(eye=(0, 0, 5 + further)), lens)
     judge = Judge(Question(Subject.TRACE, setup, point=point))
     right = judge.right[0]
-    made = {one.mistakes[0]: one.value[0] for one in judge.singles}
-    wrong = {mistake: made.get(mistake, right) for mistake in PLANNED}
     if any(abs(x) > 1 for x in right[:3]):
         return None  # the vertex should be seen
-    if len({right, *wrong.values()}) <= len(wrong):
+    wrong = {one: made[0][0] for one in PLANNED if (made := judge.wrong_by(one))}
+    if len(set(wrong.values())) < len(PLANNED):
         return None
     return Exercise(
         draws.number,

@@ -20,7 +20,7 @@ def flipped_on_both_sides(question: Question, by: Matrices) -> RationalMatrix | 
     M = by.world_from_object
     if question.subject is Subject.WORLD:
         return transpose(with_negated(transpose(with_negated(M, Z)), Z))
-    if question.asks_for_F:
+    if question.asks_for_way:
         return None
     F, _ = way_between(question, by)
     return product(F, M, F)
@@ -31,7 +31,7 @@ def flipped_on_the_left(question: Question, by: Matrices) -> RationalMatrix | No
     M = by.world_from_object
     if question.subject is Subject.WORLD:
         return with_negated(M, Z)
-    return None if question.asks_for_F else product(way_between(question, by)[0], M)
+    return None if question.asks_for_way else product(way_between(question, by)[0], M)
 
 
 def flipped_on_the_right(question: Question, by: Matrices) -> RationalMatrix | None:
@@ -39,7 +39,7 @@ def flipped_on_the_right(question: Question, by: Matrices) -> RationalMatrix | N
     M = by.world_from_object
     if question.subject is Subject.WORLD:
         return transpose(with_negated(transpose(M), Z))
-    return None if question.asks_for_F else product(M, way_between(question, by)[1])
+    return None if question.asks_for_way else product(M, way_between(question, by)[1])
 
 
 def _rows_exchanged(A: RationalMatrix, y_sign: int, z_sign: int) -> RationalMatrix:

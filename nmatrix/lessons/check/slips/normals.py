@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from math import hypot
 
@@ -35,33 +35,37 @@ _OF_VECTORS = (NormalRule.TRANSLATED, NormalRule.FOUR_COMPONENT)  # not seen in 
 
 def normal_by(rule: NormalRule) -> Rule:
     """Move a normal by another rule than the right one, or take the 3×3 block of that rule."""
-    return partial(_normal_by, rule, False)
+    return partial(_normal_by, rule, lambda n: n)
 
 
 def unit_normal_by(rule: NormalRule) -> Rule:
     """Move a normal of length 1 by another rule than the right one."""
-    return partial(_normal_by, rule, True)
+    return partial(_normal_by, rule, _unit)
 
 
 def _normal_by(
-    rule: NormalRule, of_length_one: bool, question: Question, by: Matrices
+    rule: NormalRule,
+    prepared: Callable[[RationalVector], RationalVector],
+    question: Question,
+    by: Matrices,
 ) -> RationalMatrix | None:
-    if question.normal is None and rule in _OF_VECTORS:
+    if not _can_break(rule, question, by):
         return None
-    if rule is NormalRule.FOUR_COMPONENT and not question.unit:
-        return None  # the length is all that is wrong with it
-    if rule is NormalRule.COFACTOR and determinant(linear_part(by.space_from_object)) > 0:
-        return None  # without a mirror the sign is right
     found = normal_transform(rule, by.space_from_object)
-    if found is None:
-        return None
-    if question.normal is None:
-        return linear_part(found.matrix)
-    n = rational_vector(question.normal)
-    moved = found.applied_to(_unit(n) if of_length_one else n)
-    if found.components == 3:
-        return (moved,)
-    return (_of_length_one(moved),)
+    if found is None or question.normal is None:
+        return None if found is None else linear_part(found.matrix)
+    moved = found.applied_to(prepared(rational_vector(question.normal)))
+    return (moved if found.components == 3 else _of_length_one(moved),)
+
+
+def _can_break(rule: NormalRule, question: Question, by: Matrices) -> bool:
+    if question.normal is None and rule in _OF_VECTORS:
+        return False
+    if rule is NormalRule.FOUR_COMPONENT:
+        return question.unit  # or else the length is all that is wrong with it
+    if rule is NormalRule.COFACTOR:  # without a mirror the sign is right
+        return determinant(linear_part(by.space_from_object)) < 0
+    return True
 
 
 def moved_normal(question: Question, by: Matrices) -> RationalMatrix | None:
