@@ -11,7 +11,7 @@ from fractions import Fraction
 from nmatrix.enums import Space
 from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError, quantity
 from nmatrix.lessons.check.answer import Answer, shaped
-from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
+from nmatrix.lessons.check.judge import NO_MISTAKE, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.linear.rounding import short_text
@@ -44,7 +44,17 @@ def check(question: Question, literal: MatrixLiteral) -> Report:
         asked, answer, found = best_judgement(judges(question), literal)
     except NoAnswerError as error:
         return _without_answer(question, error)
+    if found.explanation == NO_MISTAKE and not asked.is_vector:
+        found = replace(found, explanation=f"{NO_MISTAKE} {_by_itself(literal)}")
     return judged(asked, answer, found)
+
+
+def _by_itself(literal: MatrixLiteral) -> str:
+    """Tell what a matrix that nothing explains is by itself."""
+    from nmatrix.answers.identify import described
+    from nmatrix.linear.identify import identify
+
+    return f"By itself your matrix is {described(identify(literal.as_floats)[0])}."
 
 
 def _without_answer(question: Question, error: NoAnswerError) -> Report:
@@ -146,6 +156,8 @@ def _command(question: Question) -> str:
     """Name the command that answers the question."""
     if question.subject in (Subject.LIGHT, Subject.EYE):
         return f"{question.subject} {question.space}"
+    if question.axes is not None:
+        return f"axes {question.axes.source.name} {question.axes.target.name}"
     return question.subject.value
 
 
@@ -175,6 +187,11 @@ def _named(question: Question) -> str:
         return f"the light {question.light} in {space} space"
     if subject is Subject.EYE:
         return f"the eye in {space} space"
+    if subject is Subject.TRACE:
+        return f"the vertex in {'NDC' if question.window is None else 'the window'}"
+    if question.axes is not None:
+        told = "F" if question.asks_for_way else "the matrix"
+        return f"{told} from {question.axes.source.name} to {question.axes.target.name}"
     return f"the {subject} matrix"
 
 

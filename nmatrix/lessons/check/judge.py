@@ -93,7 +93,7 @@ class Judge:
         return tuple(self._distinct(self._single_mistakes))
 
     def wrong_by(self, mistake: MistakeId) -> tuple[RationalMatrix, ...]:
-        """The different wrong answers of one mistake, none where it does not show here."""
+        """List the different wrong answers of one mistake; none where it does not show here."""
         made = (one for one in self._single_mistakes if one.mistakes == (mistake,))
         return tuple(one.value for one in self._distinct(made) if one.value is not None)
 

@@ -118,7 +118,7 @@ class Question:
             raise IllegalValueError(
                 "check axes",
                 "it compares a way between two axis systems",
-                f"give {quantity('from')} blender {quantity('to')} opengl, or others",
+                "name both, such as from blender to opengl",
             )
 
     @property
@@ -143,6 +143,8 @@ class Question:
             return ("view",)
         if subject is Subject.TRACE:
             return ("world", "view", "lens")
+        if self.asks_for_way:
+            return ()
         seen = ("view",) if self.space is Space.CAMERA else ()
         lit = ("light",) if subject is Subject.LIGHT or self.space is Space.LIGHT else ()
         return ("world", *seen, *lit)

@@ -10,7 +10,7 @@ from itertools import product as choices
 from nmatrix.lessons.check.computation import Rule
 from nmatrix.lessons.check.question import Matrices, Question, Subject, raw_answer, way_between
 from nmatrix.lessons.check.slips.view import Z, with_negated
-from nmatrix.linear.rational import RationalMatrix, product, transpose
+from nmatrix.linear.rational import RationalMatrix, identity, product, transpose
 
 SIDES = ((True, True), (True, False), (False, True))  # of a matrix: rows, columns
 
@@ -52,7 +52,7 @@ def _up_taken(y_sign: int, z_sign: int, *, before: bool, after: bool) -> Rule:
     """Exchange y and z in what comes out, in what goes in, or in both."""
 
     def rule(question: Question, by: Matrices) -> RationalMatrix:
-        told = raw_answer(question, by)
+        told = identity(4) if question.asks_for_way else raw_answer(question, by)
         if before:
             told = _rows_exchanged(told, y_sign, z_sign)
         if after:
