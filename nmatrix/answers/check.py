@@ -14,6 +14,9 @@ from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import NO_MISTAKE, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
+from nmatrix.lessons.map_sentences import verdict
+from nmatrix.linear.classify import classify
+from nmatrix.linear.rational import AFFINE_ROW
 from nmatrix.linear.rounding import short_text
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Tone, Value, Verdict
@@ -50,11 +53,14 @@ def check(question: Question, literal: MatrixLiteral) -> Report:
 
 
 def _by_itself(literal: MatrixLiteral) -> str:
-    """Tell what a matrix that nothing explains is by itself."""
+    """Tell what a matrix that nothing explains is by itself, as `identify` does."""
+    rows = literal.as_floats
+    if len(rows) == 3 or rows[3] == AFFINE_ROW:
+        return verdict(classify(rows)).replace("This", "By itself this", 1)
     from nmatrix.answers.identify import described
     from nmatrix.linear.identify import identify
 
-    return f"By itself your matrix is {described(identify(literal.as_floats)[0])}."
+    return f"By itself this is {described(identify(rows)[0])}."
 
 
 def _without_answer(question: Question, error: NoAnswerError) -> Report:

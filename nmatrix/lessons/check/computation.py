@@ -7,11 +7,11 @@ stages, both in the description, or in different entries of a matrix.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import product, zip_longest
 from typing import Any
 
@@ -26,12 +26,14 @@ from nmatrix.lessons.check.question import (
     right_matrices,
 )
 from nmatrix.linear.rational import RationalMatrix, transpose
+from nmatrix.linear.values import with_fields
 from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
-from nmatrix.scene.setup import Light, Setup
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
 Place = Callable[[Question, Matrices], Matrices | None]
+Parts = Mapping[str, Any]  # of a setup, by their names
 Rule = Callable[[Question, Matrices], RationalMatrix | None]
 
 NO_ANSWER = (NMatrixError, ArithmeticError)  # of a mistaken scene, which is then no candidate
@@ -50,22 +52,27 @@ class Misreading:
     light: Callable[[Light], Iterator[Light]] | None = None
     together: bool = False
 
-    def of(self, setup: Setup, parts: tuple[str, ...]) -> Iterator[Setup]:
+    def of(self, parts: Parts) -> Iterator[Parts]:
         """Misread those parts of a scene that an answer depends on."""
-        misread = {part: tuple(self._part(setup, part)) for part in parts}
+        misread = {part: _variants(getattr(self, part), value) for part, value in parts.items()}
         for part, variants in misread.items():
             for one in variants:
-                yield replace(setup, **{part: one})
+                yield {**parts, part: one}
         if self.together and sum(map(bool, misread.values())) > 1:
             for ones in zip_longest(*misread.values()):
-                parts_read = zip(misread, ones, strict=True)
-                yield replace(setup, **{part: one for part, one in parts_read if one is not None})
+                read = zip(misread, ones, strict=True)
+                yield {**parts, **{part: one for part, one in read if one is not None}}
 
-    def _part(self, setup: Setup, part: str) -> Iterator[Any]:
-        """List what a part becomes, up to what floats cannot hold: the inverse of a tiny aspect."""
-        misread = getattr(self, part)
-        with suppress(*NO_ANSWER):
-            yield from () if misread is None else misread(getattr(setup, part))
+
+@lru_cache(maxsize=512)  # two mistakes at once leave most parts as they are
+def _variants(misread: Callable[[Any], Iterator[Any]] | None, part: object) -> tuple[Any, ...]:
+    """List what a part becomes, up to what floats cannot hold: the inverse of a tiny aspect."""
+    found: list[Any] = []
+    with suppress(*NO_ANSWER):
+        for one in () if misread is None else misread(part):
+            if one != part and one not in found:
+                found.append(one)
+    return tuple(found)
 
 
 class Entries(Enum):
@@ -211,8 +218,14 @@ def written_unnormalised(question: Question) -> tuple[Computation, ...]:
 class MisreadScene:
     """A misread scene, with the matrices that are right in it."""
 
-    question: Question
+    asked: Question
+    parts: Parts
     has_floats: bool
+
+    @cached_property
+    def question(self) -> Question:
+        """What is asked, of the misread scene."""
+        return with_fields(self.asked, setup=with_fields(self.asked.setup, **self.parts))
 
     @cached_property
     def matrices(self) -> Matrices:
@@ -239,8 +252,9 @@ class MisreadScenes:
     def __init__(self, question: Question) -> None:
         self.question = question
         self._has_floats = is_of_usual_size(question)
+        parts = {part: getattr(question.setup, part) for part in question.parts}
         self._known: dict[tuple[Misreading, ...], tuple[MisreadScene, ...]] = {
-            (): (MisreadScene(question, self._has_floats),)
+            (): (MisreadScene(question, parts, self._has_floats),)
         }
 
     def of(self, misreadings: tuple[Misreading, ...]) -> tuple[MisreadScene, ...]:
@@ -251,11 +265,6 @@ class MisreadScenes:
 
     def _made(self, misreadings: tuple[Misreading, ...]) -> Iterator[MisreadScene]:
         *before, last = misreadings
-        parts = self.question.parts
-        seen = set()
         for scene in self.of(tuple(before)):
-            for setup in last.of(scene.question.setup, parts):
-                what_matters = tuple(getattr(setup, part) for part in parts)
-                if what_matters not in seen:
-                    seen.add(what_matters)
-                    yield MisreadScene(replace(self.question, setup=setup), self._has_floats)
+            for parts in last.of(scene.parts):
+                yield MisreadScene(self.question, parts, self._has_floats)

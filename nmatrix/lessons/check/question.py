@@ -45,6 +45,7 @@ from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import WorldLight
 
 FARTHEST = 10_000  # of places, for a first look in floats
+TINY = 1e-9  # a w that may be what floats left of 0
 STEEP = Fraction(1, 10**6)  # of a determinant to the cube of the largest entry
 
 
@@ -206,7 +207,7 @@ def float_matrices(question: Question) -> Matrices:
     M = IN_FLOATS if subject is Subject.PROJECTION else _float_world(setup.world)
     V = IN_FLOATS if subject is Subject.PROJECTION else _float_view(setup.view)
     projects = subject in (Subject.PROJECTION, Subject.TRACE)
-    P = _floats(_clip_from_camera(setup.lens)) if projects else IN_FLOATS
+    P = _float_lens(setup.lens) if projects else IN_FLOATS
     if question.space in (Space.WORLD, Space.STATIC):
         S = IN_FLOATS
     elif question.space is Space.CAMERA:
@@ -278,6 +279,11 @@ def _float_world(world: World) -> RationalMatrix:
 def _float_view(view: View) -> RationalMatrix:
     found = view.by_angles(_float_angle) if view.angles else _camera_from_world(view)
     return _floats(found)
+
+
+@lru_cache(maxsize=64)
+def _float_lens(lens: Lens) -> RationalMatrix:
+    return _floats(_clip_from_camera(lens))
 
 
 @lru_cache(maxsize=256)
@@ -354,6 +360,8 @@ def traced(question: Question, by: Matrices) -> RationalVector:
         For a vertex that is not in front of the eye.
     """
     x, y, z, w = clip_point(question, by)
+    if isinstance(w, float) and abs(w) < TINY:
+        raise ArithmeticError("floats do not tell on which side of the eye it is")
     if w <= 0:
         raise NoAnswerError(
             f"clip w ({float(w):g})", "the vertex is not in front of the eye", "move it or the eye"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, product
 
+from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.check.computation import NO_ANSWER, MisreadScenes, Way
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
@@ -35,6 +36,8 @@ class WrongAnswer:
         """The answer in floats; empty where there is none, None where they do not tell."""
         try:
             found = self.way.floats()
+        except NoAnswerError:
+            return ()
         except NO_ANSWER:
             return None
         if found is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from fractions import Fraction
 
 from nmatrix.linear.affine import rotation_from_quaternion, shear_matrix
@@ -25,7 +25,6 @@ from nmatrix.scene.world import World
 NOWHERE, AS_IT_IS, UPRIGHT = (0, 0, 0), (1, 1, 1), (0, 0, 0)
 
 
-@dataclass(frozen=True)
 class ScaledAfterTurning(World):
     """An object whose parts are multiplied T · S · R · H."""
 
