@@ -51,6 +51,7 @@ IN_ANOTHER_UNIT = misread(
     together=True,
 )
 OF_THE_OTHER_HAND = either(misread(view=view.look_at_of_the_other_hand), misplaced(view.mirrored))
+Y_TURNED = misplaced(lens.y_turned, entries=Entries.ROW_Y)
 
 MISTAKES: dict[MistakeId, Mistake] = {
     MistakeId.NOT_TRANSPOSED: Mistake(
@@ -240,7 +241,10 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "In Vulkan y in clip space points down, so the second row is negated; in OpenGL, "
         "Direct3D, Metal and WebGPU it points up.",
         "nmatrix projection --api vulkan",
-        _for(misplaced(lens.y_turned, entries=Entries.ROW_Y), *SEEN),
+        {
+            Subject.PROJECTION: Y_TURNED,
+            Subject.TRACE: when(tracing.ends_before_the_window, Y_TURNED),
+        },
     ),
     MistakeId.VIEW_TRANSLATION: Mistake(
         "The last column is not −R·eye: the eye or the target stands there, or Rᵀ turned it.",

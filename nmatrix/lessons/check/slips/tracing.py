@@ -8,6 +8,11 @@ from nmatrix.lessons.check.question import Matrices, Question, clip_point, in_wi
 from nmatrix.linear.rational import ONE, RationalMatrix
 
 
+def ends_before_the_window(question: Question) -> bool:
+    """Recognise a vertex that is not taken to the window, where y may be counted either way."""
+    return question.window is None
+
+
 def not_divided(question: Question, by: Matrices) -> RationalMatrix:
     """Stop at clip coordinates, or take them to the window as they are."""
     clip = clip_point(question, by)
