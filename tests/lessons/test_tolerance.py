@@ -38,6 +38,8 @@ NEAR_BUT_WRONG = [
     # what hides what, question, answer, where it is wrong
     ("a translation hides a scale", Question(Subject.WORLD, FAR),
      "1 0 0 5000; 0 2 0 3; 0 0 1 0; 0 0 0 1", ((1, 1),)),
+    ("a translation hides a scale with decimals", Question(Subject.WORLD, FAR),
+     "1.0 0 0 5000.0; 0 1.9 0 3.0; 0 0 1.0 0; 0 0 0 1", ((1, 1),)),
     ("a translation hides the corner", Question(Subject.WORLD, FAR),
      "1 0 0 5000; 0 1 0 3; 0 0 1 0; 0 0 0 0", ((3, 3),)),
     ("one scale hides another", Question(Subject.WORLD, Setup(World(scale=(5000, 1, 1)))),
