@@ -41,7 +41,7 @@ def rotation_about(axis: str, turn: Angle | float) -> RationalMatrix:
     """
     angle = as_angle(turn)
     s, c = angle.sine, angle.cosine
-    zero, one = numbers_like(((s,),), (ZERO, ONE))
+    zero, one = (0.0, 1.0) if isinstance(s, float) else (ZERO, ONE)
     if axis == "X":
         return ((one, zero, zero), (zero, c, -s), (zero, s, c))
     if axis == "Y":

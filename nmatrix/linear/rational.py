@@ -24,6 +24,7 @@ Real = TypeVar("Real", float, Fraction)
 ZERO = Fraction(0)
 ONE = Fraction(1)
 AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
+FLOAT_AFFINE_ROW: RationalVector = (0.0, 0.0, 0.0, 1.0)  # type: ignore[assignment]  # floats inside
 SINGLE, DOUBLE = 24, 53  # bits of a float32 and of a float64
 
 
@@ -303,7 +304,7 @@ def affine_matrix(
 ) -> RationalMatrix:
     """Build the 4×4 matrix with this 3×3 block and this translation."""
     rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
-    return (*rows, numbers_like(block, AFFINE_ROW))
+    return (*rows, FLOAT_AFFINE_ROW if isinstance(block[0][0], float) else AFFINE_ROW)
 
 
 def numbers_like(A: RationalMatrix, values: Iterable[float | Fraction]) -> RationalVector:
@@ -311,9 +312,14 @@ def numbers_like(A: RationalMatrix, values: Iterable[float | Fraction]) -> Ratio
 
     Functions of this module take both: exact numbers for an answer, floats for a first look.
     """
-    if isinstance(A[0][0], float):
-        return tuple(map(float, values))
-    return rational_vector(values)
+    return numbers_in_floats(values) if isinstance(A[0][0], float) else rational_vector(values)
+
+
+def numbers_in_floats(values: Iterable[float | Fraction]) -> RationalVector:
+    """Take numbers as floats, a unit of their last place off, where exact ones are expected."""
+    # Far faster than float(), which asks a fraction for two whole numbers and divides these.
+    floats = [one if isinstance(one, float) else one.numerator / one.denominator for one in values]
+    return tuple(floats)  # type: ignore[arg-type]  # floats inside
 
 
 def solve(A: RationalMatrix, b: RationalVector) -> RationalVector:

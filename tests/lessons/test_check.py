@@ -20,7 +20,7 @@ from nmatrix.lessons.check.judge import Judge, Outcome
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject, right_answer
-from nmatrix.lessons.check.wrong import pairs, single_mistakes
+from nmatrix.lessons.check.wrong import WrongAnswers
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
@@ -344,7 +344,7 @@ def test_a_symmetric_matrix_cannot_tell_and_also_says_so():
 def test_a_plain_inverse_is_never_a_layout():
     for space in (Space.WORLD, Space.CAMERA):
         question = asked(Subject.NORMAL, SETUP, space=space)
-        named = {name for one in single_mistakes(question) for name in one.mistakes}
+        named = {name for one in WrongAnswers(question).of_singles() for name in one.mistakes}
         assert MistakeId.TRANSPOSED_LAYOUT not in named
 
 
@@ -369,7 +369,7 @@ def test_angles_of_the_light_matter_in_its_own_space():
     question = asked(Subject.NORMAL, setup, space=Space.LIGHT)
     named = [
         one.value
-        for one in single_mistakes(question)
+        for one in WrongAnswers(question).of_singles()
         if one.mistakes == (MistakeId.DEGREES_AS_RADIANS,)
     ]
     assert len(set(named) - {right_answer(question)}) == 2 * 3, (
@@ -504,7 +504,7 @@ def test_a_pair_never_takes_the_name_of_a_single_mistake():
     doubles = Judge(question).doubles
     assert doubles
     assert not any(one.value in singles for one in doubles)
-    assert len(list(pairs(question))) > len(doubles)
+    assert len(list(WrongAnswers(question).of_pairs())) > len(doubles)
 
 
 def test_without_its_slip_a_mistake_is_not_recognised(monkeypatch):

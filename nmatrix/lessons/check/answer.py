@@ -9,18 +9,19 @@ from functools import cached_property
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, counted
 from nmatrix.lessons.check.question import Question, Subject
-from nmatrix.lessons.check.tolerance import FEWEST
+from nmatrix.lessons.check.tolerance import FEWEST, RELATIVE
 from nmatrix.linear.rational import (
     ONE,
     ZERO,
     RationalMatrix,
-    Rows,
     affine_matrix,
     linear_part,
     to_floats,
 )
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.matrix import matrix_literal
+
+ROUGH = 1e-6  # of the largest entry: floats are far better
 
 
 @dataclass(frozen=True)
@@ -36,22 +37,32 @@ class Answer:
     remarks: tuple[str, ...] = ()
 
     @cached_property
-    def floats(self) -> Rows | None:
-        """The numbers in float64, for a first look; None where one is beyond."""
-        return floats_or_none(self.rows)
+    def floats(self) -> tuple[float, ...] | None:
+        """The numbers in float64, row by row, for a first look; None where one is beyond."""
+        try:
+            return tuple(entry for row in to_floats(self.rows) for entry in row)
+        except IllegalValueError:
+            return None
+
+    def reach(self, tolerance: Fraction | None) -> float:
+        """Bound how far a value may be off that a first look does not rule out, at its length.
+
+        What is alike is nearly as large as the answer itself.
+        """
+        if tolerance is not None:
+            return 1.01 * float(tolerance) + ROUGH * self._largest
+        return self._usual_reach
 
     @cached_property
-    def coarsest(self) -> float:
-        """The largest unit of a last place that counts when a mistake is looked for."""
-        return float(max(min(place or FEWEST, FEWEST) for row in self.last_places for place in row))
+    def _largest(self) -> float:
+        return max(map(abs, self.floats or (0.0,)))
 
-
-def floats_or_none(rows: RationalMatrix) -> Rows | None:
-    """Round numbers to float64; None where one is beyond."""
-    try:
-        return to_floats(rows)
-    except IllegalValueError:
-        return None
+    @cached_property
+    def _usual_reach(self) -> float:
+        """Allow for the coarsest last place that counts when a mistake is looked for."""
+        places = (place for row in self.last_places for place in row)
+        coarsest = float(max(min(place or FEWEST, FEWEST) for place in places))
+        return 0.51 * coarsest + (1.01 * float(RELATIVE) + ROUGH) * self._largest
 
 
 def read_answer(text: str, question: Question, layout: Layout | None = None) -> Answer:

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
-from functools import cached_property, lru_cache
+from functools import cache, cached_property
 from itertools import product, zip_longest
-from typing import Any
+from typing import Any, TypeVar
 
 from nmatrix.errors import NMatrixError
 from nmatrix.lessons.check.question import (
@@ -34,9 +34,29 @@ from nmatrix.scene.world import World
 
 Place = Callable[[Question, Matrices], Matrices | None]
 Parts = Mapping[str, Any]  # of a setup, by their names
+Part = TypeVar("Part")
+Made = TypeVar("Made")
 Rule = Callable[[Question, Matrices], RationalMatrix | None]
 
 NO_ANSWER = (NMatrixError, ArithmeticError)  # of a mistaken scene, which is then no candidate
+
+
+class Remembered:
+    """What functions gave for parts of scenes: two mistakes at once leave most parts as they are.
+
+    A part is known by its identity, which is cheaper to compare than all of its numbers.
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[Callable[[Any], Any], int], tuple[object, Any]] = {}
+
+    def __call__(self, function: Callable[[Part], Made], part: Part) -> Made:
+        """Call a function with a part, unless that was done before."""
+        key = (function, id(part))
+        if key not in self._known:
+            self._known[key] = (part, function(part))  # the part is kept, and so is its identity
+        made: Made = self._known[key][1]
+        return made
 
 
 @dataclass(frozen=True)
@@ -52,27 +72,37 @@ class Misreading:
     light: Callable[[Light], Iterator[Light]] | None = None
     together: bool = False
 
-    def of(self, parts: Parts) -> Iterator[Parts]:
+    def of(self, parts: Parts, remembered: Remembered) -> Iterator[Parts]:
         """Misread those parts of a scene that an answer depends on."""
-        misread = {part: _variants(getattr(self, part), value) for part, value in parts.items()}
-        for part, variants in misread.items():
+        changed: dict[str, tuple[Any, ...]] = {}
+        for name, part in parts.items():
+            misread = getattr(self, name)
+            changed[name] = () if misread is None else remembered(_lister(misread), part)
+        for name, variants in changed.items():
             for one in variants:
-                yield {**parts, part: one}
-        if self.together and sum(map(bool, misread.values())) > 1:
-            for ones in zip_longest(*misread.values()):
-                read = zip(misread, ones, strict=True)
-                yield {**parts, **{part: one for part, one in read if one is not None}}
+                yield {**parts, name: one}
+        if self.together and sum(map(bool, changed.values())) > 1:
+            for ones in zip_longest(*changed.values()):
+                read = zip(changed, ones, strict=True)
+                yield {**parts, **{name: one for name, one in read if one is not None}}
 
 
-@lru_cache(maxsize=512)  # two mistakes at once leave most parts as they are
-def _variants(misread: Callable[[Any], Iterator[Any]] | None, part: object) -> tuple[Any, ...]:
-    """List what a part becomes, up to what floats cannot hold: the inverse of a tiny aspect."""
-    found: list[Any] = []
-    with suppress(*NO_ANSWER):
-        for one in () if misread is None else misread(part):
-            if one != part and one not in found:
-                found.append(one)
-    return tuple(found)
+@cache
+def _lister(misread: Callable[[Any], Iterator[Any]]) -> Callable[[Any], tuple[Any, ...]]:
+    """Make a function that lists what a part becomes, each thing once, if it is no longer the part.
+
+    The list ends at what floats cannot hold, such as the inverse of a tiny aspect.
+    """
+
+    def listed(part: object) -> tuple[Any, ...]:
+        found: list[Any] = []
+        with suppress(*NO_ANSWER):
+            for one in misread(part):
+                if one != part and one not in found:
+                    found.append(one)
+        return tuple(found)
+
+    return listed
 
 
 class Entries(Enum):
@@ -221,6 +251,7 @@ class MisreadScene:
     asked: Question
     parts: Parts
     has_floats: bool
+    remembered: Remembered
 
     @cached_property
     def question(self) -> Question:
@@ -243,7 +274,7 @@ class MisreadScene:
         """
         if not self.has_floats:
             raise ArithmeticError("a scene that is too large or too flat")
-        return float_matrices(self.question)
+        return float_matrices(self.question, self.remembered)
 
 
 class MisreadScenes:
@@ -253,8 +284,9 @@ class MisreadScenes:
         self.question = question
         self._has_floats = is_of_usual_size(question)
         parts = {part: getattr(question.setup, part) for part in question.parts}
+        self._remembered = Remembered()
         self._known: dict[tuple[Misreading, ...], tuple[MisreadScene, ...]] = {
-            (): (MisreadScene(question, parts, self._has_floats),)
+            (): (MisreadScene(question, parts, self._has_floats, self._remembered),)
         }
 
     def of(self, misreadings: tuple[Misreading, ...]) -> tuple[MisreadScene, ...]:
@@ -266,5 +298,5 @@ class MisreadScenes:
     def _made(self, misreadings: tuple[Misreading, ...]) -> Iterator[MisreadScene]:
         *before, last = misreadings
         for scene in self.of(tuple(before)):
-            for parts in last.of(scene.parts):
-                yield MisreadScene(self.question, parts, self._has_floats)
+            for parts in last.of(scene.parts, self._remembered):
+                yield MisreadScene(self.question, parts, self._has_floats, self._remembered)

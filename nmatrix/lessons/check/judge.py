@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
+from itertools import takewhile
 
 from nmatrix.lessons.check.answer import Answer
 from nmatrix.lessons.check.hints import Hint, hints, left_out, undivided
@@ -26,7 +27,7 @@ from nmatrix.lessons.check.likeness import (
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question, Subject, right_answer
-from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
+from nmatrix.lessons.check.wrong import WrongAnswer, WrongAnswers
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, linear_part, scaled
 
@@ -88,27 +89,39 @@ class Judge:
         return right_answer(self.question)
 
     @cached_property
+    def wrong(self) -> WrongAnswers:
+        """The wrong answers of one mistake and of two."""
+        return WrongAnswers(self.question)
+
+    @cached_property
     def singles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of single mistakes that differ from the right one."""
-        return tuple(self._distinct(self._single_mistakes))
-
-    def wrong_by(self, mistake: MistakeId) -> tuple[RationalMatrix, ...]:
-        """List the different wrong answers of one mistake; none where it does not show here."""
-        made = (one for one in self._single_mistakes if one.mistakes == (mistake,))
-        return tuple(one.value for one in self._distinct(made) if one.value is not None)
+        return tuple(self._distinct(self.wrong.of_singles()))
 
     @cached_property
     def doubles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of two mistakes, but not what a single one gives as well."""
         return tuple(one for one in self._distinct(self._pairs) if not self._is_single(one))
 
+    def wrong_by(self, mistake: MistakeId) -> tuple[RationalMatrix, ...]:
+        """List the different wrong answers of one mistake; none where it does not show here."""
+        made = self._distinct(self.wrong.of(mistake))
+        return tuple(one.value for one in made if one.value is not None)
+
+    def is_first_to_give(self, mistake: MistakeId, answer: Answer) -> bool:
+        """Decide if a mistake is the first of the table to give these numbers, to every digit."""
+        for earlier in takewhile(lambda one: one is not mistake, MistakeId):
+            if any(one.to_the_digit for _, one in self._alike(answer, self.wrong.of(earlier))):
+                return False
+        return any(one.to_the_digit for _, one in self._alike(answer, self.wrong.of(mistake)))
+
     @cached_property
     def _single_mistakes(self) -> tuple[WrongAnswer, ...]:
-        return tuple(single_mistakes(self.question))
+        return tuple(self.wrong.of_singles())
 
     @cached_property
     def _pairs(self) -> tuple[WrongAnswer, ...]:
-        return tuple(pairs(self.question))
+        return tuple(self.wrong.of_pairs())
 
     @cached_property
     def hints(self) -> tuple[Hint, ...]:

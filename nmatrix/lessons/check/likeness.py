@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import isnan
+from math import isnan, nan
+from operator import mul
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.check.tolerance import (
     A_TWENTIETH,
     NOISE,
-    RELATIVE,
     EntryDifference,
     Written,
     yardsticks,
@@ -21,7 +21,7 @@ from nmatrix.lessons.check.tolerance import (
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
 BOTTOM = 3  # of a 4×4 matrix
-ROUGH = 1e-6  # of the largest entry: floats are far better
+SMALLEST = 1e-6  # of the sum of an answer's squares
 
 Place = tuple[int, int]
 
@@ -85,6 +85,8 @@ class Likeness:
     @cached_property
     def wrong(self) -> tuple[Place, ...]:
         """The entries that are too far off."""
+        if self.given == self.wanted:
+            return ()
         tolerance = self.question.tolerance
         if tolerance is not None:
             return self._where(lambda off: off.difference > tolerance)
@@ -184,30 +186,24 @@ def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool
     given = answer.floats
     if given is None or value is None:
         return True
-    if not value:
+    numbers = [entry for row in value for entry in row]
+    if question.is_vector:
+        numbers = numbers[: len(given)]
+        if len(given) > 3 and given[3] not in (0, 1):
+            return True  # of a point it may have to be divided by
+    if not numbers:
         return False
-    if len(given) > 1 or len(given[0]) == len(value[0]):
-        a = [entry for row in given for entry in row]
-        v = [entry for row in value for entry in row]
-    else:
-        a, v = list(given[0][:3]), list(value[0][:3])
-    if question.is_vector and not question.is_direction and len(a) > 3:
-        a, v = a[:3], v[:3]  # the fourth one may have been divided by
-        if given[0][3] != 1:
-            return True
-    factor = 1.0
-    if question.any_length:
-        square = sum(y * y for y in v)
-        factor = sum(x * y for x, y in zip(a, v, strict=True)) / square if square else 0.0
-        if not factor > 0:
-            return isnan(factor)  # an overflow says nothing
-    largest = max(map(abs, v)) * factor
-    if question.tolerance is None:
-        limit = answer.coarsest / 2 + float(RELATIVE) * largest
-    else:
-        limit = float(question.tolerance)
-    far = 1.01 * limit + ROUGH * largest
-    return not any(abs(x - factor * y) > far for x, y in zip(a, v, strict=True))
+    factor = _float_factor(given, numbers) if question.any_length else 1.0
+    if not factor > 0:
+        return isnan(factor)
+    far = answer.reach(question.tolerance)
+    return not any(abs(x - factor * y) > far for x, y in zip(given, numbers, strict=True))
+
+
+def _float_factor(given: Sequence[float], numbers: Sequence[float]) -> float:
+    """Take the factor of least squares; NaN where what floats left of a difference has none."""
+    square = sum([y * y for y in numbers])
+    return sum(map(mul, given, numbers)) / square if square > SMALLEST else nan
 
 
 def _comparable(

@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import cos, hypot, radians, sin
-from typing import cast
+from typing import Any
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
@@ -30,6 +30,7 @@ from nmatrix.linear.rational import (
     inverse,
     inverse_transpose,
     linear_part,
+    numbers_in_floats,
     numbers_like,
     product,
     rational_vector,
@@ -45,6 +46,7 @@ from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import WorldLight
 
 FARTHEST = 10_000  # of places, for a first look in floats
+TURN = 360
 TINY = 1e-9  # a w that may be what floats left of 0
 STEEP = Fraction(1, 10**6)  # of a determinant to the cube of the largest entry
 
@@ -122,19 +124,19 @@ class Question:
                 "name both, such as from blender to opengl",
             )
 
-    @property
+    @cached_property
     def is_direction(self) -> bool:
         """Whether a vector without a place is asked for."""
         if self.subject is Subject.NORMAL:
             return self.normal is not None
         return self.subject is Subject.LIGHT and self.light is LightPart.DIRECTION
 
-    @property
+    @cached_property
     def is_vector(self) -> bool:
         """Whether a direction or a point is asked for, not a matrix."""
         return self.is_direction or self.subject in (Subject.LIGHT, Subject.EYE, Subject.TRACE)
 
-    @property
+    @cached_property
     def parts(self) -> tuple[str, ...]:
         """The parts of the scene that the answer, or a wrong matrix in its place, depends on."""
         subject = self.subject
@@ -150,12 +152,12 @@ class Question:
         lit = ("light",) if subject is Subject.LIGHT or self.space is Space.LIGHT else ()
         return ("world", *seen, *lit)
 
-    @property
+    @cached_property
     def asks_for_way(self) -> bool:
         """Whether the way between two axis systems is asked for, and no matrix told by it."""
         return self.subject is Subject.AXES and self.setup.world == World()
 
-    @property
+    @cached_property
     def any_length(self) -> bool:
         """Whether the answer counts up to a positive factor."""
         return not self.unit and (self.is_direction or self.subject is Subject.NORMAL)
@@ -195,27 +197,32 @@ def right_matrices(question: Question) -> Matrices:
     return Matrices(M, V, _space_from_world(question, M, V), P)
 
 
-def float_matrices(question: Question) -> Matrices:
+FloatsOf = Callable[[Callable[[Any], RationalMatrix], Any], RationalMatrix]
+
+
+def float_matrices(question: Question, floats_of: FloatsOf) -> Matrices:
     """Build M, V, S and P of floats, a few units of their last place off.
+
+    `floats_of` calls a builder with a part of the scene, unless it remembers what that gave.
 
     Raises
     ------
     ArithmeticError, NMatrixError
         Where the space does not exist, or floats do not tell.
     """
-    setup, subject = question.setup, question.subject
-    M = IN_FLOATS if subject is Subject.PROJECTION else _float_world(setup.world)
-    V = IN_FLOATS if subject is Subject.PROJECTION else _float_view(setup.view)
-    projects = subject in (Subject.PROJECTION, Subject.TRACE)
-    P = _float_lens(setup.lens) if projects else IN_FLOATS
-    if question.space in (Space.WORLD, Space.STATIC):
+    setup, subject, space = question.setup, question.subject, question.space
+    if subject is Subject.PROJECTION:
+        return Matrices(IN_FLOATS, IN_FLOATS, IN_FLOATS, floats_of(_float_lens, setup.lens))
+    M, V = floats_of(_float_world, setup.world), floats_of(_float_view, setup.view)
+    P = floats_of(_float_lens, setup.lens) if subject is Subject.TRACE else IN_FLOATS
+    if space in (Space.WORLD, Space.STATIC):
         S = IN_FLOATS
-    elif question.space is Space.CAMERA:
+    elif space is Space.CAMERA:
         S = V
-    elif question.space is Space.OBJECT:
+    elif space is Space.OBJECT:
         S = inverse(M)
     else:
-        S = _floats(setup.maps.space_from_world(question.space).exact)
+        S = _floats(setup.maps.space_from_world(space).exact)
     return Matrices(M, V, S, P)
 
 
@@ -240,7 +247,7 @@ def is_of_usual_size(question: Question) -> bool:
 
 
 def _floats(A: RationalMatrix) -> RationalMatrix:
-    return cast("RationalMatrix", tuple(tuple(map(float, row)) for row in A))
+    return tuple(numbers_in_floats(row) for row in A)
 
 
 IN_FLOATS = _floats(identity(4))
@@ -270,25 +277,22 @@ def _clip_from_camera(lens: Lens) -> RationalMatrix:
     return lens.clip_from_camera
 
 
-@lru_cache(maxsize=512)
 def _float_world(world: World) -> RationalMatrix:
     return _floats(world.matrix or world.exact_by(_float_angle))
 
 
-@lru_cache(maxsize=256)
 def _float_view(view: View) -> RationalMatrix:
     found = view.by_angles(_float_angle) if view.angles else _camera_from_world(view)
     return _floats(found)
 
 
-@lru_cache(maxsize=64)
 def _float_lens(lens: Lens) -> RationalMatrix:
     return _floats(_clip_from_camera(lens))
 
 
 @lru_cache(maxsize=256)
 def _float_angle(degrees: Number) -> Angle:
-    turned = radians(degrees)
+    turned = radians(degrees % TURN)  # exactly, or a huge angle would turn by noise
     return Angle(sin(turned), cos(turned))  # type: ignore[arg-type]  # sums and products will do
 
 

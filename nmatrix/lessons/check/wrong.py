@@ -14,10 +14,6 @@ from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question
 from nmatrix.linear.rational import RationalMatrix, Rows
 
-SMALLEST = (
-    1e-3  # of an answer's largest entry: smaller ones may be what floats left of a difference
-)
-
 
 @dataclass(frozen=True, eq=False)
 class WrongAnswer:
@@ -40,28 +36,38 @@ class WrongAnswer:
             return ()
         except NO_ANSWER:
             return None
-        if found is None:
-            return ()
-        largest = max(abs(entry) for row in found for entry in row)
-        return found if largest > SMALLEST else None  # type: ignore[return-value]  # floats inside
+        return () if found is None else found  # type: ignore[return-value]  # floats inside
 
 
-def single_mistakes(question: Question) -> Iterator[WrongAnswer]:
-    """Make every mistake that can happen here, in the order of the table."""
-    scenes = MisreadScenes(question)
-    for mistake in MistakeId:
-        for made in MISTAKES[mistake].made_in(question):
-            for way in made.ways(scenes):
-                yield WrongAnswer((mistake,), way)
+class WrongAnswers:
+    """The wrong answers to one question, made when they are first asked for."""
 
+    def __init__(self, question: Question) -> None:
+        self._question = question
+        self._scenes = MisreadScenes(question)
+        self._by_mistake: dict[MistakeId, tuple[WrongAnswer, ...]] = {}
 
-def pairs(question: Question) -> Iterator[WrongAnswer]:
-    """Make every two mistakes that can happen at once."""
-    scenes = MisreadScenes(question)
-    made = {mistake: MISTAKES[mistake].made_in(question) for mistake in MistakeId}
-    for first, second in combinations(MistakeId, 2):
-        for one, other in product(made[first], made[second]):
-            both = one + other
-            if both is not None:
-                for way in both.ways(scenes):
-                    yield WrongAnswer((first, second), way)
+    def of(self, mistake: MistakeId) -> tuple[WrongAnswer, ...]:
+        """Make one mistake in every way that it can happen here."""
+        if mistake not in self._by_mistake:
+            self._by_mistake[mistake] = tuple(
+                WrongAnswer((mistake,), way)
+                for made in MISTAKES[mistake].made_in(self._question)
+                for way in made.ways(self._scenes)
+            )
+        return self._by_mistake[mistake]
+
+    def of_singles(self) -> Iterator[WrongAnswer]:
+        """Make every mistake that can happen here, in the order of the table."""
+        for mistake in MistakeId:
+            yield from self.of(mistake)
+
+    def of_pairs(self) -> Iterator[WrongAnswer]:
+        """Make every two mistakes that can happen at once."""
+        made = {mistake: MISTAKES[mistake].made_in(self._question) for mistake in MistakeId}
+        for first, second in combinations(MistakeId, 2):
+            for one, other in product(made[first], made[second]):
+                both = one + other
+                if both is not None:
+                    for way in both.ways(self._scenes):
+                        yield WrongAnswer((first, second), way)

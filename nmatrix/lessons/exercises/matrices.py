@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.lessons.check.judge import Judge, Outcome
+from nmatrix.lessons.check.judge import Judge
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake
@@ -230,5 +230,4 @@ def _shown_mistakes(
 
 
 def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
-    judged = Computed(judge).judge(text)
-    return judged.verdict is Outcome.MISTAKE and judged.mistakes == (mistake,)
+    return judge.is_first_to_give(mistake, Computed(judge).answer(text))

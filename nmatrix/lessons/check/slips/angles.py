@@ -6,7 +6,7 @@ Each takes one part of a scene and lists what the mistake makes of it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import permutations, product
 from math import degrees, radians
 
@@ -20,6 +20,7 @@ from nmatrix.linear.rational import (
     apply,
     numbers_like,
 )
+from nmatrix.linear.values import with_fields
 from nmatrix.report import Number, Vector
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.setup import Light
@@ -32,7 +33,7 @@ def world_in_another_unit(world: World) -> Iterator[World]:
     """Take the angles of an object for radians, or convert them once too often."""
     if world.matrix is None:
         for convert in UNITS:
-            yield replace(world, rotate_degrees=_converted(world.rotate_degrees, convert))
+            yield with_fields(world, rotate_degrees=_converted(world.rotate_degrees, convert))
 
 
 def view_in_another_unit(view: View) -> Iterator[View]:
@@ -46,7 +47,7 @@ def light_in_another_unit(light: Light) -> Iterator[Light]:
     """Take the angles of a light for radians, or convert them once too often."""
     if light.angles_degrees is not None:
         for convert in UNITS:
-            yield replace(light, angles_degrees=_converted(light.angles_degrees, convert))
+            yield with_fields(light, angles_degrees=_converted(light.angles_degrees, convert))
 
 
 def world_in_another_order(world: World) -> Iterator[World]:
@@ -54,7 +55,7 @@ def world_in_another_order(world: World) -> Iterator[World]:
     standard = _standard(world)
     if standard is not None:
         for order in permutations(AXES):
-            yield replace(standard, order="".join(order))
+            yield with_fields(standard, order="".join(order))
 
 
 def view_in_another_order(view: View) -> Iterator[View]:
@@ -72,10 +73,10 @@ def world_turned_back(world: World) -> Iterator[World]:
         return
     if world.quaternion is not None:
         x, y, z, w = world.quaternion
-        yield replace(world, quaternion=(-x, -y, -z, w))
+        yield with_fields(world, quaternion=(-x, -y, -z, w))
     else:
         for turned in _signs(world.rotate_degrees):
-            yield replace(world, rotate_degrees=turned)
+            yield with_fields(world, rotate_degrees=turned)
 
 
 def view_turned_back(view: View) -> Iterator[View]:
@@ -89,7 +90,7 @@ def world_of_another_convention(world: World) -> Iterator[World]:
     """Take the angles of an object by another convention."""
     if world.matrix is None and world.quaternion is None:
         for convention in Convention:
-            yield replace(world, convention=convention, order="XYZ")
+            yield with_fields(world, convention=convention, order="XYZ")
 
 
 def view_of_another_convention(view: View) -> Iterator[View]:
@@ -98,7 +99,7 @@ def view_of_another_convention(view: View) -> Iterator[View]:
         up, sideways, roll = _turns(view.angles)
         for convention in Convention:
             for angles in (view.angles, FirstPerson(float(sideways), float(up), float(roll))):
-                yield replace(view, convention=convention, angles=angles)
+                yield with_fields(view, convention=convention, angles=angles)
 
 
 @dataclass(frozen=True)
@@ -126,7 +127,7 @@ def _turns(angles: FirstPerson) -> Vector:
 
 
 def _looking(view: View, turns: Vector) -> View:
-    return replace(view, angles=FirstPerson(*map(float, turns)))
+    return with_fields(view, angles=FirstPerson(*map(float, turns)))
 
 
 def _converted(values: Vector, convert: Callable[[float], float]) -> Vector:
@@ -149,4 +150,6 @@ def _standard(world: World) -> World | None:
         Convention.POLIMI: (y, -x, -z),
         Convention.POLIMI_ASSIGNMENTS: (y, x, z),
     }
-    return replace(world, rotate_degrees=turned[world.convention], convention=Convention.STANDARD)
+    return with_fields(
+        world, rotate_degrees=turned[world.convention], convention=Convention.STANDARD
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import fields, replace
+from dataclasses import fields
 from fractions import Fraction
 
 from nmatrix.linear.affine import rotation_from_quaternion, shear_matrix
@@ -19,6 +19,7 @@ from nmatrix.linear.rational import (
     rational_vector,
     scaled,
 )
+from nmatrix.linear.values import with_fields
 from nmatrix.report import Number
 from nmatrix.scene.world import World
 
@@ -30,7 +31,7 @@ class ScaledAfterTurning(World):
 
     def exact_by(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
         """Build M of angles as `turn` makes them."""
-        turned = linear_part(World.exact_by(replace(self, scale=AS_IT_IS), turn))
+        turned = linear_part(World.exact_by(with_fields(self, scale=AS_IT_IS), turn))
         stretch = numbers_like(turned, self.scale)
         block = tuple(tuple(f * x for x in row) for f, row in zip(stretch, turned, strict=True))
         return affine_matrix(block, numbers_like(turned, self.translate))
@@ -45,37 +46,37 @@ def scaled_after_turning(world: World) -> Iterator[World]:
 def not_moved(world: World) -> Iterator[World]:
     """Leave out the translation."""
     if world.matrix is None:
-        yield replace(world, translate=NOWHERE)
+        yield with_fields(world, translate=NOWHERE)
     else:
-        yield replace(world, matrix=affine_matrix(linear_part(world.matrix)))
+        yield with_fields(world, matrix=affine_matrix(linear_part(world.matrix)))
 
 
 def not_turned(world: World) -> Iterator[World]:
     """Leave out the rotation."""
     if world.matrix is None:
-        yield replace(world, rotate_degrees=UPRIGHT, quaternion=None, axis_angle=None)
+        yield with_fields(world, rotate_degrees=UPRIGHT, quaternion=None, axis_angle=None)
 
 
 def not_scaled(world: World) -> Iterator[World]:
     """Leave out the scale, or take one of its factors for all three axes."""
     if world.matrix is None:
         for factor in dict.fromkeys((1, *world.scale)):
-            yield replace(world, scale=(factor,) * 3)
+            yield with_fields(world, scale=(factor,) * 3)
 
 
 def only_turned(world: World) -> Iterator[World]:
     """Leave out the scale, and with it the shear or not."""
     if world.matrix is None:
-        yield replace(world, scale=AS_IT_IS)
-        yield replace(world, scale=AS_IT_IS, shear=UPRIGHT)
+        yield with_fields(world, scale=AS_IT_IS)
+        yield with_fields(world, scale=AS_IT_IS, shear=UPRIGHT)
 
 
 def quaternion_in_another_order(world: World) -> Iterator[World]:
     """Take the first number of a quaternion for its w, or its w for the first number."""
     if world.matrix is None and world.quaternion is not None:
         x, y, z, w = world.quaternion
-        yield replace(world, quaternion=(y, z, w, x))
-        yield replace(world, quaternion=(w, x, y, z))
+        yield with_fields(world, quaternion=(y, z, w, x))
+        yield with_fields(world, quaternion=(w, x, y, z))
 
 
 def quaternion_of_any_length(world: World) -> Iterator[World]:
