@@ -108,12 +108,13 @@ class Judge:
         made = self._distinct(self.wrong.of(mistake))
         return tuple(one.value for one in made if one.value is not None)
 
-    def is_first_to_give(self, mistake: MistakeId, answer: Answer) -> bool:
-        """Decide if a mistake is the first of the table to give these numbers, to every digit."""
-        for earlier in takewhile(lambda one: one is not mistake, MistakeId):
-            if any(one.to_the_digit for _, one in self._alike(answer, self.wrong.of(earlier))):
-                return False
-        return any(one.to_the_digit for _, one in self._alike(answer, self.wrong.of(mistake)))
+    def is_given_before(self, mistake: MistakeId, answer: Answer) -> bool:
+        """Decide if a mistake before this one in the table gives every digit of an answer."""
+        return any(
+            found.to_the_digit
+            for earlier in takewhile(lambda one: one is not mistake, MistakeId)
+            for _, found in self._alike(answer, self.wrong.of(earlier))
+        )
 
     @cached_property
     def _single_mistakes(self) -> tuple[WrongAnswer, ...]:
@@ -229,7 +230,11 @@ class Judge:
 
     def _is_wrong(self, one: WrongAnswer) -> bool:
         """Tell what a mistake gives from what is right by chance."""
-        return one.value is not None and self._shape(one.value) != self._shape(self.right)
+        return one.value is not None and self._shape(one.value) != self._right_shape
+
+    @cached_property
+    def _right_shape(self) -> RationalMatrix:
+        return self._shape(self.right)
 
     def _is_single(self, pair: WrongAnswer) -> bool:
         """Decide if a single mistake gives the numbers of a pair."""

@@ -222,12 +222,9 @@ def _shown_mistakes(
     found: list[ExpectedMistake] = []
     for mistake in planned:
         texts = (typed(_asked_for(judge, value)) for value in judge.wrong_by(mistake))
-        named = next((text for text in texts if _is_named(judge, mistake, text)), None)
+        read = Computed(judge).answer
+        named = next((one for one in texts if not judge.is_given_before(mistake, read(one))), None)
         if named is None or named in (one.text for one in found):
             return None
         found.append(ExpectedMistake(mistake, named))
     return tuple(found)
-
-
-def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
-    return judge.is_first_to_give(mistake, Computed(judge).answer(text))

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import permutations, product
-from math import degrees, radians
+from math import degrees, isinf, radians
 
 from nmatrix.enums import Convention
 from nmatrix.linear import rational as exact
@@ -131,7 +131,10 @@ def _looking(view: View, turns: Vector) -> View:
 
 
 def _converted(values: Vector, convert: Callable[[float], float]) -> Vector:
-    return tuple(convert(float(value)) for value in values)
+    found = tuple(convert(float(value)) for value in values)
+    if any(map(isinf, found)):
+        raise OverflowError("an angle beyond float64")
+    return found
 
 
 def _signs(values: Vector) -> Iterator[Vector]:
