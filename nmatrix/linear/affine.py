@@ -122,6 +122,8 @@ def _known(R: RationalMatrix) -> RationalMatrix:
     √½ · √½ is then ½, so that what lies halfway between two floats is rounded to the even one.
     A proof's sines are polynomials, which nothing cuts.
     """
+    if isinstance(R[0][0], float):
+        return R
     return tuple(
         tuple(
             quotient(entry.numerator, entry.denominator, KNOWN_BITS)

@@ -161,8 +161,19 @@ def cross(a: Sequence[Real], b: Sequence[Real]) -> tuple[Real, ...]:
 def apply(A: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
     """Compute A v, exactly; of floats, in floats."""
     if isinstance(A[0][0], float):
-        return tuple(sum(map(mul, row, v)) for row in A)
+        return _times(A, v)
     return tuple(dot(row, v) for row in A)
+
+
+def _times(rows: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
+    """Multiply rows of floats by a vector; written out, as there are thousands of them."""
+    if len(v) == 3:
+        x, y, z = v
+        return tuple([a * x + b * y + c * z for a, b, c in rows])
+    if len(v) == 4:
+        x, y, z, w = v
+        return tuple([a * x + b * y + c * z + d * w for a, b, c, d in rows])
+    return tuple(sum(map(mul, row, v), ZERO) for row in rows)
 
 
 def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
@@ -182,7 +193,7 @@ def _product(A: RationalMatrix, B: RationalMatrix) -> RationalMatrix:
     n, m = len(B), len(B[0])
     if isinstance(A[0][0], float):
         columns = transpose(B)
-        return tuple(tuple([sum(map(mul, row, column)) for column in columns]) for row in A)
+        return tuple([_times(columns, row) for row in A])
     try:
         a, bottom = integers(entry for row in A for entry in row)
         b, factor = integers(entry for row in B for entry in row)

@@ -12,12 +12,11 @@ from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from math import cos, hypot, radians, sin
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.axes import AxisChange
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import (
     ONE,
@@ -44,6 +43,9 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 from nmatrix.spaces.exact_maps import WorldLight
+
+if TYPE_CHECKING:
+    from nmatrix.linear.axes import AxisChange
 
 FARTHEST = 10_000  # of places, for a first look in floats
 TURN = 360
