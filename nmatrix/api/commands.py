@@ -134,7 +134,7 @@ def check(
     from nmatrix.answers.check import check as checked
     from nmatrix.enums import chosen
     from nmatrix.lessons.check.question import Question, Subject
-    from nmatrix.linear.axes import AxisChange, axis_system
+    from nmatrix.linear.axes import axis_change
     from nmatrix.linear.viewport import read_viewport
 
     question = Question(
@@ -146,7 +146,7 @@ def check(
         normal=None if normal is None else vector(normal, "normal"),
         point=vector(point, "point"),
         window=None if window is None else read_viewport(window, "window"),
-        axes=None if axes is None else AxisChange(*map(axis_system, axes)),
+        axes=None if axes is None else axis_change(axes),
     )
     return Report(checked(question, read_matrix(answer, "answer")))
 

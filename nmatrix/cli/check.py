@@ -275,11 +275,11 @@ def _question(
 def _axes(options: CheckOptions) -> AxisChange | None:
     if options.from_axes is None and options.to_axes is None:
         return None
-    from nmatrix.linear.axes import AxisChange, axis_system
+    from nmatrix.linear.axes import axis_change
 
     if options.from_axes is None or options.to_axes is None:
         given, missing = ("--from", "--to") if options.to_axes is None else ("--to", "--from")
         raise IllegalValueError(
             f"{given} alone", "a way leads from one system to another", f"add {missing} opengl"
         )
-    return AxisChange(axis_system(options.from_axes), axis_system(options.to_axes))
+    return axis_change((options.from_axes, options.to_axes))

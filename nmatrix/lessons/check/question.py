@@ -229,7 +229,7 @@ def float_matrices(question: Question, floats_of: FloatsOf) -> Matrices:
 
 
 def is_of_usual_size(question: Question) -> bool:
-    """Decide if floats tell answers apart: nothing is far away, and no map is nearly flat."""
+    """Decide if floats tell answers apart: nothing is far away, and no flat map is inverted."""
     try:
         at = right_matrices(question)
         places = [eye_of(question.setup.view), rational_vector(question.point)]
@@ -244,8 +244,10 @@ def is_of_usual_size(question: Question) -> bool:
         return False
     block = linear_part(at.world_from_object)
     largest = max(abs(entry) for row in block for entry in row)
-    near = all(abs(component) < FARTHEST for place in places for component in place)
-    return near and largest < FARTHEST and abs(determinant(block)) > STEEP * largest**3
+    if largest >= FARTHEST or any(abs(x) >= FARTHEST for place in places for x in place):
+        return False
+    is_inverted = question.subject is Subject.NORMAL or question.space is Space.OBJECT
+    return not is_inverted or abs(determinant(block)) > STEEP * largest**3
 
 
 def _floats(A: RationalMatrix) -> RationalMatrix:
