@@ -10,7 +10,7 @@ from math import isnan, nan
 from operator import mul
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
-from nmatrix.lessons.check.question import Question, Subject
+from nmatrix.lessons.check.question import Question
 from nmatrix.lessons.check.tolerance import (
     A_TWENTIETH,
     NOISE,
@@ -189,19 +189,19 @@ def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool
     numbers = [entry for row in value for entry in row]
     if question.is_vector:
         numbers = numbers[: len(given)]
-        if len(given) > 3 and given[3] not in (0, 1):
-            return True  # of a point it may have to be divided by
     if not numbers:
         return False
-    factor = _float_factor(given, numbers) if question.any_length else 1.0
-    if not factor > 0:
+    factor = _float_factor(given, numbers, question)
+    if question.any_length and not factor > 0:
         return isnan(factor)
-    far = answer.reach(question.tolerance)
+    far = answer.reach(question.tolerance) * max(1.0, abs(factor) if question.is_point else 1.0)
     return not any(abs(x - factor * y) > far for x, y in zip(given, numbers, strict=True))
 
 
-def _float_factor(given: Sequence[float], numbers: Sequence[float]) -> float:
-    """Take the factor of least squares; NaN where what floats left of a difference has none."""
+def _float_factor(given: Sequence[float], numbers: Sequence[float], question: Question) -> float:
+    """Take the w of a point, or the factor of least squares; NaN if only noise would have one."""
+    if not question.any_length:
+        return given[3] or 1.0 if question.is_point and len(given) > 3 else 1.0
     square = sum([y * y for y in numbers])
     return sum(map(mul, given, numbers)) / square if square > SMALLEST else nan
 
@@ -213,7 +213,7 @@ def _comparable(
         return given, value
     if len(given[0]) == 3:
         return given, (value[0][:3],)
-    if question.is_direction or question.subject is Subject.TRACE:
+    if not question.is_point:
         return given, value
     return (with_w_one(given[0]),), (with_w_one(value[0]),)
 

@@ -47,7 +47,7 @@ from nmatrix.spaces.exact_maps import WorldLight
 if TYPE_CHECKING:
     from nmatrix.linear.axes import AxisChange
 
-FARTHEST = 10_000  # of places, for a first look in floats
+FARTHEST = 100_000  # of places, for a first look in floats
 TURN = 360
 TINY = 1e-9  # a w that may be what floats left of 0
 STEEP = Fraction(1, 10**6)  # of a determinant to the cube of the largest entry
@@ -137,6 +137,11 @@ class Question:
     def is_vector(self) -> bool:
         """Whether a direction or a point is asked for, not a matrix."""
         return self.is_direction or self.subject in (Subject.LIGHT, Subject.EYE, Subject.TRACE)
+
+    @cached_property
+    def is_point(self) -> bool:
+        """Whether a place is asked for, of which any w but 0 counts."""
+        return self.is_vector and not self.is_direction and self.subject is not Subject.TRACE
 
     @cached_property
     def parts(self) -> tuple[str, ...]:
