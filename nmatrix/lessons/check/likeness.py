@@ -21,7 +21,7 @@ from nmatrix.lessons.check.tolerance import (
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
 
 BOTTOM = 3  # of a 4×4 matrix
-SMALLEST = 1e-6  # of the sum of an answer's squares
+SMALLEST = 1e-6  # of the sum of an answer's squares, and of its w
 
 Place = tuple[int, int]
 
@@ -191,6 +191,10 @@ def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool
         numbers = numbers[: len(given)]
     if not numbers:
         return False
+    if question.is_point and len(given) > 3:
+        if abs(numbers[3]) < SMALLEST:
+            return True
+        numbers = [y / numbers[3] for y in numbers]
     factor = _float_factor(given, numbers, question)
     if question.any_length and not factor > 0:
         return isnan(factor)
