@@ -18,7 +18,7 @@ from nmatrix.lessons.check.tolerance import (
     Written,
     yardsticks,
 )
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, dot, scaled
 
 BOTTOM = 3  # of a 4×4 matrix
 SMALLEST = 1e-6  # of the sum of an answer's squares, and of its w
@@ -181,12 +181,11 @@ def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
     return found is not None and found.alike
 
 
-def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool:
-    """Rule out a value by a cheap comparison in floats; True says nothing yet."""
+def may_be_alike(answer: Answer, numbers: Sequence[float] | None, question: Question) -> bool:
+    """Rule out the numbers of a value by a cheap comparison in floats; True says nothing yet."""
     given = answer.floats
-    if given is None or value is None:
+    if given is None or numbers is None:
         return True
-    numbers = [entry for row in value for entry in row]
     if question.is_vector:
         numbers = numbers[: len(given)]
     if not numbers:

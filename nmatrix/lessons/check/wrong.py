@@ -12,7 +12,7 @@ from nmatrix.lessons.check.computation import NO_ANSWER, MisreadScenes, Way
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question
-from nmatrix.linear.rational import RationalMatrix, Rows
+from nmatrix.linear.rational import RationalMatrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,15 +28,15 @@ class WrongAnswer:
         return self.way.value
 
     @cached_property
-    def floats(self) -> Rows | None:
-        """The answer in floats; empty where there is none, None where they do not tell."""
+    def floats(self) -> list[float] | None:
+        """The answer in floats, row by row; empty if there is none, None if floats do not tell."""
         try:
             found = self.way.floats()
         except NoAnswerError:
-            return ()
+            return []
         except NO_ANSWER:
             return None
-        return () if found is None else found  # type: ignore[return-value]  # floats inside
+        return [entry for row in found or () for entry in row]  # type: ignore[misc]  # floats inside
 
 
 class WrongAnswers:
