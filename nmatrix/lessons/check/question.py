@@ -296,7 +296,7 @@ def _float_view(view: View) -> RationalMatrix:
 
 
 def _float_lens(lens: Lens) -> RationalMatrix:
-    return _floats(_clip_from_camera(lens))
+    return _floats(lens.exact)
 
 
 @lru_cache(maxsize=256)

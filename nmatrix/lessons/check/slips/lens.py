@@ -16,6 +16,7 @@ from nmatrix.lessons.check.computation import Computation, Entries, Place, mispl
 from nmatrix.lessons.check.question import Matrices, Question
 from nmatrix.linear.projection import Window
 from nmatrix.linear.rational import ONE, ZERO, RationalVector, diagonal, product
+from nmatrix.linear.values import with_fields
 from nmatrix.scene.lens import Lens
 
 OTHER_HAND = {Handedness.RIGHT: Handedness.LEFT, Handedness.LEFT: Handedness.RIGHT}
@@ -190,13 +191,13 @@ def _seeing(lens: Lens, tangent: float) -> Lens:
     """Open a window that is so high at distance 1, above the axis."""
     top = lens.near * tangent
     right = float(top * lens.aspect_ratio)
-    return replace(lens, frustum=Window(-right, right, -top, top))
+    return with_fields(lens, frustum=Window(-right, right, -top, top))
 
 
 def _of_shape(lens: Lens, aspect: float) -> Lens:
-    shaped = replace(lens, aspect=aspect)
+    shaped = with_fields(lens, aspect=aspect)
     return shaped if lens.frustum is None else _seeing(shaped, _tangent(lens))
 
 
 def _with_clip(lens: Lens, depth: DepthRange, handed: Handedness) -> Lens:
-    return replace(lens, clip=replace(lens.clip, depth=depth, handed=handed))
+    return with_fields(lens, clip=replace(lens.clip, depth=depth, handed=handed))
