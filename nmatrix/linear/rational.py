@@ -287,7 +287,9 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
 
 def is_affine(A: Sequence[Sequence[float | Fraction]]) -> bool:
     """Recognise an affine 4×4 matrix by its last row, 0 0 0 1."""
-    return len(A) == 4 and tuple(A[3]) == AFFINE_ROW
+    if len(A) != 4:
+        return False
+    return tuple(A[3]) == (FLOAT_AFFINE_ROW if isinstance(A[3][0], float) else AFFINE_ROW)
 
 
 def _affine_inverse(A: RationalMatrix) -> RationalMatrix:
