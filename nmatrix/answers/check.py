@@ -11,9 +11,12 @@ from fractions import Fraction
 from nmatrix.enums import Space
 from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError, quantity
 from nmatrix.lessons.check.answer import Answer, shaped
-from nmatrix.lessons.check.judge import Judge, Judgement, Outcome
+from nmatrix.lessons.check.judge import NO_MISTAKE, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject
+from nmatrix.lessons.map_sentences import verdict
+from nmatrix.linear.classify import classify
+from nmatrix.linear.rational import AFFINE_ROW
 from nmatrix.linear.rounding import short_text
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.report import Block, Heading, Report, Table, Text, Tone, Value, Verdict
@@ -44,7 +47,20 @@ def check(question: Question, literal: MatrixLiteral) -> Report:
         asked, answer, found = best_judgement(judges(question), literal)
     except NoAnswerError as error:
         return _without_answer(question, error)
+    if found.explanation == NO_MISTAKE and not asked.is_vector:
+        found = replace(found, explanation=f"{NO_MISTAKE} {_by_itself(literal)}")
     return judged(asked, answer, found)
+
+
+def _by_itself(literal: MatrixLiteral) -> str:
+    """Tell what a matrix that nothing explains is by itself, as `identify` does."""
+    rows = literal.as_floats
+    if len(rows) == 3 or rows[3] == AFFINE_ROW:
+        return verdict(classify(rows)).replace("This", "By itself this", 1)
+    from nmatrix.answers.identify import described
+    from nmatrix.linear.identify import identify
+
+    return f"By itself this is {described(identify(rows)[0])}."
 
 
 def _without_answer(question: Question, error: NoAnswerError) -> Report:
@@ -146,6 +162,8 @@ def _command(question: Question) -> str:
     """Name the command that answers the question."""
     if question.subject in (Subject.LIGHT, Subject.EYE):
         return f"{question.subject} {question.space}"
+    if question.axes is not None:
+        return f"axes {question.axes.source.name} {question.axes.target.name}"
     return question.subject.value
 
 
@@ -175,6 +193,11 @@ def _named(question: Question) -> str:
         return f"the light {question.light} in {space} space"
     if subject is Subject.EYE:
         return f"the eye in {space} space"
+    if subject is Subject.TRACE:
+        return f"the vertex in {'NDC' if question.window is None else 'the window'}"
+    if question.axes is not None:
+        told = "F" if question.asks_for_way else "the matrix"
+        return f"{told} from {question.axes.source.name} to {question.axes.target.name}"
     return f"the {subject} matrix"
 
 

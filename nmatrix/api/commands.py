@@ -114,6 +114,9 @@ def check(
     unit: bool = False,
     tolerance: float | None = None,
     normal: object = None,
+    point: object = (0, 0, 0),
+    window: object = None,
+    axes: tuple[str, str] | None = None,
 ) -> Report:
     """Judge an answer: right to its digits, or the mistake that gives these numbers.
 
@@ -122,15 +125,20 @@ def check(
     Parameters
     ----------
     what
-        world, view, projection, normal, light or eye.
+        world, view, projection, normal, light, eye, trace or axes.
     answer
-        Text in any notation, or an array-like: a matrix, or 3 or 4 numbers for light and eye.
+        Text in any notation, or an array-like: a matrix, or 3 or 4 numbers for a vector.
     unit
         A direction must have length 1.
     tolerance
         How far an entry may be off, in place of the digits given.
     normal
         The normal to carry, in object space, where that and not the matrix is asked for.
+    point, window
+        The vertex that is traced, in object space: into NDC, or into a window of so many pixels,
+        width and height.
+    axes
+        The axis systems, from and to: F is asked for, or with a world matrix F · M · F⁻¹.
 
     Examples
     --------
@@ -141,6 +149,8 @@ def check(
     from nmatrix.answers.check import check as checked
     from nmatrix.enums import chosen
     from nmatrix.lessons.check.question import Question, Subject
+    from nmatrix.linear.axes import axis_change
+    from nmatrix.linear.viewport import read_viewport
 
     question = Question(
         chosen(Subject, what, "what"),
@@ -149,6 +159,9 @@ def check(
         unit=flag(unit, "unit"),
         tolerance=None if tolerance is None else Fraction(number(tolerance, "tolerance")),
         normal=None if normal is None else vector(normal, "normal"),
+        point=vector(point, "point"),
+        window=None if window is None else read_viewport(window, "window"),
+        axes=None if axes is None else axis_change(axes),
     )
     return Report(checked(question, read_matrix(answer, "answer")))
 

@@ -21,7 +21,7 @@ from nmatrix.calculator.rules import PROJECTED, raised
 from nmatrix.calculator.rules import meaning_of as meaning_of_operator
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 
 Given = Operand | str | None  # an argument: a value, a word, or left out
 FunctionRule = Callable[[Sequence[Given]], Meaning | None]

@@ -9,7 +9,7 @@ from enum import StrEnum
 from nmatrix.calculator.meanings import Carries, Kind, Located, Map
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 
 LONGEST_NAME = 60  # characters of an operand in a sentence
 UNDIVIDED = Located(Frame.CLIP, Kind.POINT)

@@ -23,7 +23,7 @@ from nmatrix.calculator.operands import (
 )
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.linear import rational
 
 Rule = Callable[[Operand, Operand], Meaning | None]

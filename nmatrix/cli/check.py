@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Argument, Option
 
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import CommonOptions, among
+from nmatrix.cli.shared_options import AXES, CommonOptions, among
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.sources import table
+from nmatrix.enums import AxisName
 from nmatrix.errors import IllegalValueError, did_you_mean
 from nmatrix.reading.numbers import fraction, numbers
 from nmatrix.samples import file_or_sample, samples
@@ -22,20 +23,26 @@ if TYPE_CHECKING:
 
     from nmatrix.answers.grades import JudgeRecord
     from nmatrix.lessons.check.question import Question
+    from nmatrix.linear.axes import AxisChange
 
 HELP = {
     "check": """nmatrix check normal "1 0 0; 0 0.5 0; 0 0 1" --scale 1 2 1
 
-nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
+nmatrix check trace "0.1 0.2 0.9" --point 1 2 0 --eye 3 1 5
 
-nmatrix check normal --batch answers --scale 1 2 1
+nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
 
 Exit 0 if it is right, 1 if not.""",
 }
 
 EXERCISE = "exercise"
 IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
-USUAL_ANSWERS = {"normal": "1 0 0; 0 1 0; 0 0 1", "light": "0 0 1", "eye": "0 0 5"}
+USUAL_ANSWERS = {
+    "normal": "1 0 0; 0 1 0; 0 0 1",
+    "light": "0 0 1",
+    "eye": "0 0 5",
+    "trace": "0 0 0.98",
+}
 EXERCISE_COLUMNS = ("student", "exercise", "answer")
 
 
@@ -52,11 +59,47 @@ class CheckOptions:
         str | None,
         Option(metavar="X Y Z", help="check normal: the normal to carry, not the matrix."),
     ] = None
+    point: Annotated[
+        str | None,
+        Option(metavar="X Y Z", help="check trace: the vertex, in object space (0 0 0)."),
+    ] = None
+    window: Annotated[
+        bool, Option("--window", help="check trace: to the --viewport (512 512), not to NDC.")
+    ] = False
+    from_axes: Annotated[
+        str | None,
+        Option(
+            "--from",
+            metavar="AXES",
+            help=f"check axes: from {AXES}",
+            autocompletion=among(AxisName),
+        ),
+    ] = None
+    to_axes: Annotated[
+        str | None,
+        Option(
+            "--to",
+            metavar="AXES",
+            help="check axes: to another.",
+            autocompletion=among(AxisName),
+        ),
+    ] = None
 
     @property
     def limit(self) -> Fraction | None:
         """The tolerance that was typed."""
         return None if self.tolerance is None else fraction(self.tolerance, "--tolerance")
+
+    @property
+    def of_one_subject(self) -> dict[str, tuple[str, bool]]:
+        """The options that one WHAT alone takes: which one it is, and whether it was given."""
+        return {
+            "--normal": ("normal", self.normal is not None),
+            "--point": ("trace", self.point is not None),
+            "--window": ("trace", self.window),
+            "--from": ("axes", self.from_axes is not None),
+            "--to": ("axes", self.to_axes is not None),
+        }
 
 
 def _subjects() -> list[str]:
@@ -80,7 +123,7 @@ def check(
         str,
         Argument(
             metavar="WHAT",
-            help="world, view, projection, normal, light, eye or exercise.",
+            help="world, view, projection, normal, light, eye, trace, axes or exercise.",
             autocompletion=among(_subjects),
         ),
     ],
@@ -187,7 +230,7 @@ def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:
     given = {
         "--unit": options.unit,
         "--tolerance": options.tolerance is not None,
-        "--normal": options.normal is not None,
+        **{name: is_given for name, (_, is_given) in options.of_one_subject.items()},
         "a scene": groups.is_given,
     }
     for name, is_given in given.items():
@@ -211,15 +254,32 @@ def _question(
             did_you_mean(what, _subjects(), "try normal"),
         )
     subject = Subject(what)
-    if options.normal is not None and subject is not Subject.NORMAL:
-        raise IllegalValueError(
-            f"--normal with check {what}", "it is the normal to carry", "use check normal"
-        )
+    for name, (of, is_given) in options.of_one_subject.items():
+        if is_given and what != of:
+            why = f"it belongs to check {of}"
+            raise IllegalValueError(f"{name} with check {what}", why, f"use check {of}")
+    setup = groups.setup(common)
     return Question(
         subject,
-        groups.setup(common),
+        setup,
         groups.shading_space(),
         unit=options.unit,
         tolerance=options.limit,
         normal=None if options.normal is None else numbers(options.normal, 3, "--normal"),
+        point=(0, 0, 0) if options.point is None else numbers(options.point, 3, "--point"),
+        window=groups.scene.window(setup.lens) if options.window else None,
+        axes=_axes(options),
     )
+
+
+def _axes(options: CheckOptions) -> AxisChange | None:
+    if options.from_axes is None and options.to_axes is None:
+        return None
+    from nmatrix.linear.axes import axis_change
+
+    if options.from_axes is None or options.to_axes is None:
+        given, missing = ("--from", "--to") if options.to_axes is None else ("--to", "--from")
+        raise IllegalValueError(
+            f"{given} alone", "a way leads from one system to another", f"add {missing} opengl"
+        )
+    return axis_change((options.from_axes, options.to_axes))

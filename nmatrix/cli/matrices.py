@@ -9,7 +9,7 @@ from typer import Argument, Option
 
 from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions, SpaceOptions, ToleranceOption
-from nmatrix.cli.shared_options import CommonOptions, StepsOption, among, option_name
+from nmatrix.cli.shared_options import AXES, CommonOptions, StepsOption, among, option_name
 from nmatrix.cli.show import show
 from nmatrix.cli.world_options import OrderOption, WorldOptions
 from nmatrix.enums import NORMAL_METHODS, AxisName, NormalRule, chosen
@@ -48,14 +48,6 @@ nmatrix normal --scale 1 2 1 --rotate 0 30 0 --space camera
 
 nmatrix world --scale 1 2 1 -f json | nmatrix normal - --normal 1 1 0""",
 }
-
-
-AXES = f"{', '.join(AxisName)}, or three signed axes."
-
-
-def complete_axes(incomplete: str) -> list[str]:
-    """List the axis systems that begin so."""
-    return [name for name in AxisName if name.startswith(incomplete)]
 
 
 def world(
@@ -170,8 +162,10 @@ def identify(
 
 def axes(
     *,
-    source: Annotated[str, Argument(metavar="FROM", help=AXES, autocompletion=complete_axes)],
-    target: Annotated[str, Argument(metavar="TO", help="The same.", autocompletion=complete_axes)],
+    source: Annotated[str, Argument(metavar="FROM", help=AXES, autocompletion=among(AxisName))],
+    target: Annotated[
+        str, Argument(metavar="TO", help="The same.", autocompletion=among(AxisName))
+    ],
     matrix: Annotated[
         str | None, Argument(metavar="MATRIX", help="A matrix of FROM to tell in TO.")
     ] = None,

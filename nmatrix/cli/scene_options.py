@@ -21,6 +21,7 @@ from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.classify import BUILT, FROM_FILE
+from nmatrix.linear.viewport import Viewport
 from nmatrix.reading.numbers import fractions, number
 from nmatrix.samples import file_or_sample, samples
 from nmatrix.scene.lens import Lens
@@ -178,6 +179,12 @@ class SceneOptions:
         from nmatrix.scene.chosen import setup_before
 
         return setup_before(self.scene, self.chosen, aspect)
+
+    def window(self, lens: Lens) -> Viewport:
+        """Choose the window: the lens's own, else the scene's picture."""
+        if lens.viewport is not None:
+            return lens.viewport
+        return Viewport(*((512, 512) if self.scene is None else self.scene.settings.size))
 
     def told(self, *, is_changed: bool) -> Iterator[str]:
         """Name the node that an answer is of, if there is a scene."""

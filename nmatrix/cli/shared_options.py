@@ -12,7 +12,7 @@ from typer import Option
 from nmatrix.cli.environment import usual, usual_number
 from nmatrix.cli.show import ColorWhen
 from nmatrix.cli.sources import Sources
-from nmatrix.enums import Convention, Format, Handedness, Layout, Numbers
+from nmatrix.enums import AxisName, Convention, Format, Handedness, Layout, Numbers
 from nmatrix.errors import IllegalValueError
 from nmatrix.output.write import MOST_DIGITS
 from nmatrix.reading.angles import angle, radians_remark
@@ -38,6 +38,7 @@ HandedOption = Annotated[
 ]
 SHARED = ("convention", "handed")
 USUAL_DIGITS = 6
+AXES = f"{', '.join(AxisName)}, or three signed axes."
 OUTSIDE = "Read files too that a file names outside of its own folder."
 
 

@@ -13,9 +13,7 @@ from nmatrix.cli.show import show
 from nmatrix.cli.world_options import LightOptions, WorldOptions
 from nmatrix.enums import Reflection, Shading
 from nmatrix.errors import IllegalValueError
-from nmatrix.linear.viewport import Viewport
 from nmatrix.reading.numbers import number, numbers
-from nmatrix.scene.setup import Setup
 
 HELP = {
     "light": """nmatrix light camera --eye 3 3 3 --light-angles -60 -120
@@ -135,11 +133,4 @@ def trace(
         "pixel": None if pixel is None else numbers(pixel, 2, "--pixel"),
         "depth_value": None if depth_value is None else number(depth_value, "--depth-value"),
     }
-    show(answer_to(given, setup, _window(setup, scene)), common)
-
-
-def _window(setup: Setup, scene: SceneOptions) -> Viewport:
-    """Choose the window: the one that is given, else the scene's picture."""
-    if setup.lens.viewport is not None:
-        return setup.lens.viewport
-    return Viewport(*((512, 512) if scene.scene is None else scene.scene.settings.size))
+    show(answer_to(given, setup, scene.window(setup.lens)), common)

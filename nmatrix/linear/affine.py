@@ -20,6 +20,7 @@ from nmatrix.linear.rational import (
     RationalVector,
     affine_matrix,
     identity,
+    numbers_like,
     product,
     rational_vector,
 )
@@ -44,11 +45,12 @@ def rotation_about(axis: str, turn: Angle | float) -> RationalMatrix:
     """
     angle = as_angle(turn)
     s, c = angle.sine, angle.cosine
+    zero, one = (0.0, 1.0) if isinstance(s, float) else (ZERO, ONE)
     if axis == "X":
-        return ((ONE, ZERO, ZERO), (ZERO, c, -s), (ZERO, s, c))
+        return ((one, zero, zero), (zero, c, -s), (zero, s, c))
     if axis == "Y":
-        return ((c, ZERO, s), (ZERO, ONE, ZERO), (-s, ZERO, c))
-    return ((c, -s, ZERO), (s, c, ZERO), (ZERO, ZERO, ONE))
+        return ((c, zero, s), (zero, one, zero), (-s, zero, c))
+    return ((c, -s, zero), (s, c, zero), (zero, zero, one))
 
 
 def checked_order(order: str) -> str:
@@ -131,6 +133,8 @@ def _known(R: RationalMatrix) -> RationalMatrix:
     √½ · √½ is then ½, so that what lies halfway between two floats is rounded to the even one.
     A proof's sines are polynomials, which nothing cuts.
     """
+    if isinstance(R[0][0], float):
+        return R
     return tuple(
         tuple(
             quotient(entry.numerator, entry.denominator, KNOWN_BITS)
@@ -248,7 +252,8 @@ def sum_of_rounded(*terms: Fraction) -> Fraction:
 def shear_matrix(shear: RationalVector) -> RationalMatrix:
     """Build H, which moves x along y (xy) and along z (xz), and y along z (yz)."""
     xy, xz, yz = shear
-    return ((ONE, xy, xz), (ZERO, ONE, yz), (ZERO, ZERO, ONE))
+    zero, one = numbers_like((shear,), (ZERO, ONE))
+    return ((one, xy, xz), (zero, one, yz), (zero, zero, one))
 
 
 def compose(
@@ -265,11 +270,11 @@ def compose(
     >>> to_floats(compose(identity(3), scale=(1, 2, 1), translate=(5, 0, 0)))[0:2]
     ((1.0, 0.0, 0.0, 5.0), (0.0, 2.0, 0.0, 0.0))
     """
-    stretch = rational_vector(scale)
+    stretch = numbers_like(turned, scale)
     block = tuple(tuple(map(mul, row, stretch)) for row in turned)  # R · diag(scale)
     if any(shear):
-        block = product(block, shear_matrix(rational_vector(shear)))
-    return affine_matrix(block, rational_vector(translate))
+        block = product(block, shear_matrix(numbers_like(turned, shear)))
+    return affine_matrix(block, numbers_like(turned, translate))
 
 
 def translation_matrix(offset: Sequence[float | Fraction]) -> RationalMatrix:

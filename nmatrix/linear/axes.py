@@ -8,6 +8,7 @@ forward. A matrix M of one becomes F · M · F⁻¹ of the other.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -144,6 +145,30 @@ class AxisChange:
         """Tell a matrix between two frames of the source in the target: F · M · F⁻¹."""
         F = self.to_from
         return product(F, M, inverse(F))
+
+
+def axis_change(names: Sequence[str]) -> AxisChange:
+    """Read two axis systems, from and to.
+
+    Raises
+    ------
+    IllegalValueError
+        For another count of them, and for one that is none.
+
+    Examples
+    --------
+    >>> axis_change(("blender", "opengl")).target.name
+    'opengl'
+    """
+    is_list = isinstance(names, Sequence) and not isinstance(names, str)
+    if not is_list or len(names) != 2 or not all(isinstance(name, str) for name in names):
+        raise IllegalValueError(
+            f"axes ({printable(str(names))})",
+            "it is two axis systems, from and to",
+            'try ("blender", "opengl")',
+        )
+    source, target = map(axis_system, names)
+    return AxisChange(source, target)
 
 
 def _axis(signed: str) -> tuple[Fraction, ...]:

@@ -24,6 +24,7 @@ Real = TypeVar("Real", float, Fraction)
 ZERO = Fraction(0)
 ONE = Fraction(1)
 AFFINE_ROW = (ZERO, ZERO, ZERO, ONE)
+FLOAT_AFFINE_ROW: RationalVector = (0.0, 0.0, 0.0, 1.0)  # type: ignore[assignment]  # floats inside
 SINGLE, DOUBLE = 24, 53  # bits of a float32 and of a float64
 
 
@@ -163,8 +164,21 @@ def cross(a: Sequence[Real], b: Sequence[Real]) -> tuple[Real, ...]:
 
 
 def apply(A: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
-    """Compute A v."""
+    """Compute A v, exactly; of floats, in floats."""
+    if isinstance(A[0][0], float):
+        return _times(A, v)
     return tuple(dot(row, v) for row in A)
+
+
+def _times(rows: RationalMatrix, v: Sequence[Fraction]) -> RationalVector:
+    """Multiply rows of floats by a vector; written out, as there are thousands of them."""
+    if len(v) == 3:
+        x, y, z = v
+        return tuple([a * x + b * y + c * z for a, b, c in rows])
+    if len(v) == 4:
+        x, y, z, w = v
+        return tuple([a * x + b * y + c * z + d * w for a, b, c, d in rows])
+    return tuple(sum(map(mul, row, v), ZERO) for row in rows)
 
 
 def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
@@ -182,6 +196,9 @@ def product(A: RationalMatrix, *others: RationalMatrix) -> RationalMatrix:
 
 def _product(A: RationalMatrix, B: RationalMatrix) -> RationalMatrix:
     n, m = len(B), len(B[0])
+    if isinstance(A[0][0], float):
+        columns = transpose(B)
+        return tuple([_times(columns, row) for row in A])
     try:
         a, bottom = integers(entry for row in A for entry in row)
         b, factor = integers(entry for row in B for entry in row)
@@ -213,6 +230,8 @@ def determinant(A: RationalMatrix) -> Fraction:
         return A[0][0]
     if len(A) == 2:
         return A[0][0] * A[1][1] - A[0][1] * A[1][0]
+    if len(A) == 3:
+        return sum(map(mul, A[0], cross(A[1], A[2])), ZERO)
     terms = ((-1) ** j * A[0][j] * determinant(minor(A, 0, j)) for j in range(len(A)) if A[0][j])
     return sum(terms, ZERO)
 
@@ -228,6 +247,9 @@ def cofactor_matrix(A: RationalMatrix) -> RationalMatrix:
     n = len(A)
     if n == 1:
         return ((ONE,),)
+    if n == 3:
+        a, b, c = A
+        return cross(b, c), cross(c, a), cross(a, b)
     return tuple(
         tuple((-1) ** (i + j) * determinant(minor(A, i, j)) for j in range(n)) for i in range(n)
     )
@@ -270,7 +292,9 @@ def inverse(A: RationalMatrix) -> RationalMatrix:
 
 def is_affine(A: Sequence[Sequence[object]]) -> bool:
     """Recognise an affine 4×4 matrix by its last row, 0 0 0 1."""
-    return len(A) == 4 and tuple(A[3]) == AFFINE_ROW
+    if len(A) != 4:
+        return False
+    return tuple(A[3]) == (FLOAT_AFFINE_ROW if isinstance(A[3][0], float) else AFFINE_ROW)
 
 
 def _affine_inverse(A: RationalMatrix) -> RationalMatrix:
@@ -298,7 +322,22 @@ def affine_matrix(
 ) -> RationalMatrix:
     """Build the 4×4 matrix with this 3×3 block and this translation."""
     rows = tuple((*row, t) for row, t in zip(block, offset, strict=True))
-    return (*rows, AFFINE_ROW)
+    return (*rows, FLOAT_AFFINE_ROW if isinstance(block[0][0], float) else AFFINE_ROW)
+
+
+def numbers_like(A: RationalMatrix, values: Iterable[float | Fraction]) -> RationalVector:
+    """Take numbers exactly, or as floats for a matrix that holds floats.
+
+    Functions of this module take both: exact numbers for an answer, floats for a first look.
+    """
+    return numbers_in_floats(values) if isinstance(A[0][0], float) else rational_vector(values)
+
+
+def numbers_in_floats(values: Iterable[float | Fraction]) -> RationalVector:
+    """Take numbers as floats, a unit of their last place off, where exact ones are expected."""
+    # Far faster than float(), which asks a fraction for two whole numbers and divides these.
+    floats = [one if isinstance(one, float) else one.numerator / one.denominator for one in values]
+    return tuple(floats)  # type: ignore[arg-type]  # floats inside
 
 
 def solve(A: RationalMatrix, b: RationalVector) -> RationalVector:

@@ -19,6 +19,7 @@ from nmatrix.linear.rational import (
     Rows,
     affine_matrix,
     apply,
+    cofactor_matrix,
     determinant,
     inverse,
     linear_part,
@@ -120,7 +121,7 @@ RULES: Mapping[NormalRule, Rule] = {
     NormalRule.INVERSE: Rule("np.linalg.inv(A).T, in float64", _float64_inverse_transpose),
     NormalRule.COFACTOR: Rule(
         "C, the cofactors without the sign of det",
-        lambda M: _linear(LinearMap.of(linear_part(M)).cofactor_matrix),
+        lambda M: _linear(cofactor_matrix(linear_part(M))),
     ),
     NormalRule.NONE: Rule("A itself", lambda M: _linear(linear_part(M))),
     NormalRule.NOT_TRANSPOSED: Rule("A⁻¹, not transposed", _not_transposed),

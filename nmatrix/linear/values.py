@@ -13,7 +13,7 @@ from numbers import Rational, Real
 from os import PathLike, fsencode, fspath
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 from nmatrix.errors import LONGEST_QUOTE, IllegalValueError, quantity
 from nmatrix.report import Number, Vector
@@ -21,6 +21,7 @@ from nmatrix.report import Number, Vector
 WHOLE = "the matrix is the whole answer"
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 
+Frozen = TypeVar("Frozen")
 Reader = Callable[[Any, str], object]  # of a value, under the name that an error speaks of
 
 
@@ -166,6 +167,22 @@ def read_fields(value: object, **readers: Reader) -> None:
         given = getattr(value, field)
         if given is not None or getattr(type(value), field, None) is not None:
             object.__setattr__(value, field, read(given, field))
+
+
+def with_fields(value: Frozen, **changes: object) -> Frozen:
+    """Copy a frozen value with other fields that were read already: nothing is checked again.
+
+    Examples
+    --------
+    >>> from nmatrix.linear.projection import Window
+    >>> with_fields(Window(-1, 1, -1, 1), top=2).top
+    2
+    """
+    copy = object.__new__(type(value))
+    known = value.__dict__
+    names = type(value).__dataclass_fields__  # type: ignore[attr-defined]  # a frozen dataclass
+    copy.__dict__.update({name: known[name] for name in names}, **changes)
+    return copy
 
 
 def named(name: str, read: Reader) -> Reader:

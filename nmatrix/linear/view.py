@@ -23,6 +23,7 @@ from nmatrix.linear.rational import (
     apply,
     cross,
     dot,
+    numbers_like,
     product,
     rational_vector,
 )
@@ -152,5 +153,5 @@ def first_person(
         rotation_about("X", -as_angle(elevation)),
         rotation_about("Y", sideways if convention is Convention.POLIMI else -sideways),
     )
-    offset = apply(turned, rational_vector(eye))
+    offset = apply(turned, numbers_like(turned, eye))
     return affine_matrix(turned, tuple(-component for component in offset))

@@ -52,6 +52,11 @@ class Digits:
         return max(0, self.behind - self.exponent)
 
     @property
+    def has_point(self) -> bool:
+        """Whether digits behind a point were typed, or an exponent that stands for them."""
+        return bool(self.behind) or self.exponent < 0
+
+    @property
     def is_rounded(self) -> bool:
         """Whether there are enough of them to take the number for a rounded one."""
         return not self.is_whole and max(self.behind, self.significant) >= ENOUGH

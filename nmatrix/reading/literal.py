@@ -12,6 +12,7 @@ from nmatrix.errors import IllegalValueError, counted, quantity
 from nmatrix.linear.projection import is_lens
 from nmatrix.linear.rational import (
     AFFINE_ROW,
+    ZERO,
     RationalMatrix,
     RoundedMatrix,
     Rows,
@@ -67,10 +68,11 @@ class MatrixLiteral:
         return len(self.rows_exact), len(self.rows_exact[0])
 
     @property
-    def decimals(self) -> tuple[tuple[int | None, ...], ...]:
-        """The digits behind the point of each entry, None for p/q."""
+    def last_places(self) -> RationalMatrix:
+        """One unit of the last decimal of each entry, 0 of a whole number or a fraction."""
         return tuple(
-            tuple(None if one is None else one.decimals for one in row) for row in self.digits
+            tuple(ZERO if one is None or not one.has_point else one.last_place for one in row)
+            for row in self.digits
         )
 
     @property

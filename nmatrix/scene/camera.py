@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -18,7 +19,7 @@ from nmatrix.linear.rational import (
 from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
 from nmatrix.linear.view import first_person, look_at
 from nmatrix.reading.arrays import read_affine
-from nmatrix.report import Vector
+from nmatrix.report import Number, Vector
 from nmatrix.scene.measured_view import Extrinsics, MeasuredView, measured_view
 
 _POLIMI = (
@@ -131,21 +132,19 @@ class View:
         if self.measured is not None:
             return PlacedCamera(self.measured.camera_from_world, self.measured.eye)
         if self.angles is not None:
-            return self._by_angles(self.angles)
+            remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
+            exact = rounded_for_display(self.by_angles(Angle.degrees))
+            return PlacedCamera(exact, rational_vector(self.eye), remarks)
         found = look_at(self.eye, self.target, self.up, self.handed)
         remarks = () if found.stand_in is None else (_instead_of_up(found.stand_in),)
         return PlacedCamera(found.camera_from_world, rational_vector(self.eye), remarks)
 
-    def _by_angles(self, angles: FirstPerson) -> PlacedCamera:
-        exact = first_person(
-            self.eye,
-            Angle.degrees(angles.elevation),
-            Angle.degrees(angles.angle),
-            Angle.degrees(angles.roll),
-            self.convention,
-        )
-        remarks = (_POLIMI,) if self.convention is Convention.POLIMI else ()
-        return PlacedCamera(rounded_for_display(exact), rational_vector(self.eye), remarks)
+    def by_angles(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
+        """Build the view matrix of the two angles and the roll, which `turn` makes of degrees."""
+        assert self.angles is not None  # that is when it is asked for
+        given = self.angles
+        elevation, angle, roll = turn(given.elevation), turn(given.angle), turn(given.roll)
+        return first_person(self.eye, elevation, angle, roll, self.convention)
 
 
 def _read_angles(given: object, name: str) -> FirstPerson:

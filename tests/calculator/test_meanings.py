@@ -20,7 +20,7 @@ from nmatrix.calculator.operands import Operand, RefusedError, Sort
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.errors import FrameError, NMatrixError
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.linear.rational import rational_matrix
 
 F = Fraction

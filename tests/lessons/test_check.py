@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import csv
 import random
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 from math import cos, pi, sin, tan
+from pathlib import Path
 
 import pytest
 
@@ -15,9 +17,10 @@ from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.lessons.check import judge as judging
 from nmatrix.lessons.check.answer import Answer, read_answer
 from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import LightPart, Question, Subject, right_answer
-from nmatrix.lessons.check.wrong import pairs, single_mistakes
+from nmatrix.lessons.check.wrong import WrongAnswers
 from nmatrix.linear.projection import ClipSpace, Window
 from nmatrix.scene.camera import FirstPerson, View
 from nmatrix.scene.lens import Lens
@@ -92,7 +95,9 @@ def verdict(question, value):
 
 def typed(rows) -> Answer:
     """Return exact numbers as an answer with all their digits."""
-    return Answer(tuple(map(tuple, rows)), tuple(tuple(17 for _ in row) for row in rows))
+    return Answer(
+        tuple(map(tuple, rows)), tuple(tuple(Fraction(1, 10**17) for _ in row) for row in rows)
+    )
 
 
 # One scene in which no mistake is hidden by a symmetry.
@@ -190,7 +195,7 @@ MADE = [
     ("view", {}, "degrees-as-radians", camera(unit=1)),
     ("view", {}, "rotation-sign", camera(-25, 40, -10)),
     ("view", {}, "wrong-handedness", [*V[:2], [-x for x in V[2]], V[3]]),
-    ("view", {}, "scale-before-translate", affine([r[:3] for r in V[:3]], [-3, -1, -2.5])),
+    ("view", {}, "view-translation", affine([r[:3] for r in V[:3]], [-3, -1, -2.5])),
     ("projection", {}, "degrees-as-radians", projection(1 / tan(25), 1.5)),
     ("projection", {}, "wrong-handedness", projection(F, 1.5, g=1)),
     ("projection", {}, "depth-range", projection(F, 1.5, depth="vulkan")),
@@ -238,6 +243,10 @@ def test_every_mistake_has_its_record_in_the_order_of_the_enum():
 
 def test_every_mistake_is_made_on_purpose():
     made = {MistakeId(mistake) for _, _, mistake, _ in MADE}
+    with Path(__file__).with_name("real_code.csv").open(encoding="utf-8", newline="") as file:
+        made |= {
+            MistakeId(one) for row in csv.DictReader(file) for one in row["mistake"].split("+")
+        }
     assert made == {*MistakeId} - {MistakeId.COFACTOR_SIGN}, "that one needs a mirror, as above"
 
 
@@ -335,7 +344,7 @@ def test_a_symmetric_matrix_cannot_tell_and_also_says_so():
 def test_a_plain_inverse_is_never_a_layout():
     for space in (Space.WORLD, Space.CAMERA):
         question = asked(Subject.NORMAL, SETUP, space=space)
-        named = {name for one in single_mistakes(question) for name in one.mistakes}
+        named = {name for one in WrongAnswers(question).of_singles() for name in one.mistakes}
         assert MistakeId.TRANSPOSED_LAYOUT not in named
 
 
@@ -360,11 +369,11 @@ def test_angles_of_the_light_matter_in_its_own_space():
     question = asked(Subject.NORMAL, setup, space=Space.LIGHT)
     named = [
         one.value
-        for one in single_mistakes(question)
+        for one in WrongAnswers(question).of_singles()
         if one.mistakes == (MistakeId.DEGREES_AS_RADIANS,)
     ]
-    assert len(set(named) - {right_answer(question)}) == 3, (
-        "the world's angles, the light's, and both"
+    assert len(set(named) - {right_answer(question)}) == 2 * 3, (
+        "of two units: the world's angles, the light's, and both"
     )
 
 
@@ -495,7 +504,7 @@ def test_a_pair_never_takes_the_name_of_a_single_mistake():
     doubles = Judge(question).doubles
     assert doubles
     assert not any(one.value in singles for one in doubles)
-    assert len(list(pairs(question))) > len(doubles)
+    assert len(list(WrongAnswers(question).of_pairs())) > len(doubles)
 
 
 def test_without_its_slip_a_mistake_is_not_recognised(monkeypatch):

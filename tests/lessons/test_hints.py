@@ -9,7 +9,7 @@ import pytest
 
 from nmatrix.enums import Space
 from nmatrix.lessons.check.answer import read_answer
-from nmatrix.lessons.check.hints import HALF_UNDONE, LEFT_OUT, NOT_MOVED, SCALED_LAST
+from nmatrix.lessons.check.hints import HALF_UNDONE, LEFT_OUT, NOT_MOVED, NOT_YET
 from nmatrix.lessons.check.judge import NO_MISTAKE, TOO_FEW_DIGITS, Judge, Outcome
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.scene.camera import View
@@ -20,13 +20,16 @@ from nmatrix.scene.world import World
 BOX = World(translate=(1, 2, 3), rotate_degrees=(0, 0, 90), scale=(2, 4, 1))
 SETUP = Setup(BOX, View(eye=(5, 0, 0)), light=Light((1, 2, 2), position=(4, 5, 6)))
 NO_PLACE = NOT_MOVED.format(space="world")
+FROM_BEHIND = Setup(BOX, View(eye=(5, 1, 3), target=(0, 1, 3)))
+TRACED = Question(Subject.TRACE, FROM_BEHIND, point=(-0.5, -0.5, 0))
 CASES = [
     (Question(Subject.EYE, SETUP, Space.OBJECT), "5 0 0", NO_PLACE),
     (Question(Subject.EYE, SETUP, Space.OBJECT), "4 -2 -3", HALF_UNDONE),
     (Question(Subject.LIGHT, SETUP, Space.OBJECT, light=LightPart.POSITION), "3 3 3", HALF_UNDONE),
     (Question(Subject.LIGHT, SETUP, Space.CAMERA, light=LightPart.DIRECTION), "1 2 2", NO_PLACE),
     (Question(Subject.NORMAL, SETUP, normal=(1, 2, 5)), "1 2 5", NOT_MOVED.format(space="object")),
-    (Question(Subject.WORLD, SETUP), "0 -2 0 1; 4 0 0 2; 0 0 1 3; 0 0 0 1", SCALED_LAST),
+    (TRACED, "3 1 3", NOT_YET.format(frame="world space")),
+    (TRACED, "0 0 -2 1", NOT_YET.format(frame="camera space")),
 ]
 
 
@@ -64,19 +67,14 @@ IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
 @pytest.mark.parametrize(
     ("question", "text", "part"),
     [
-        (MOVED, IDENTITY, "the translation is"),
-        (MOVED, IDENTITY.replace("0", "0.0"), "the translation is"),
-        (MOVED, "1 0 0; 0 1 0; 0 0 1", "the translation is"),
         (MOVED, "1 0 0 0.5; 0 1 0 0; 0 0 1 0; 0 0 0 1", "row 2 column 4 and row 3 column 4 are"),
-        (Question(Subject.WORLD, SETUP), "0 -4 0; 2 0 0; 0 0 1", "the translation is"),
-        (Question(Subject.VIEW, SETUP), "0 0 -1; 0 1 0; 1 0 0", "the translation is"),
         (Question(Subject.WORLD, Setup()), f"{IDENTITY[:-1]}0", "row 4 is"),
         (TURNED, "0.866 0 0 3; 0 0.866 0 0; 0 0 1 7; 0 0 0 1",
          "row 1 column 2 and row 2 column 1 are"),
         (TURNED, "0.866 -0.5 0 3; 0 0 0 0; 0 0 1 7; 0 0 0 1", "row 2 is"),
         (TURNED, "0 -0.5 0 3; 0 0.866 0 0; 0 0 1 7; 0 0 0 1", "column 1 is"),
-        (FLAT, "0.0875 0 0 0; 0 0.0875 0 0; 0 0 -1 0; 0 0 -1 0", "column 4 is"),
-        (FLAT, "0 0 0 0; 0 0 0 0; 0 0 -1 -0.002; 0 0 -1 0",
+        (FLAT, "0.0875 0 0 0; 0 0.0875 0 0; 0 0 -1.00002 0; 0 0 -1 0", "column 4 is"),
+        (FLAT, "0 0 0 0; 0 0 0 0; 0 0 -1.00002 -0.002; 0 0 -1 0",
          "row 1 column 1 and row 2 column 2 are"),
         (Question(Subject.EYE, Setup(view=View(eye=(3, 2, 5)))), "3 0 5", "y is"),
         (Question(Subject.EYE, Setup(view=View(eye=(3, 2, 5)))), "0 0 5", "x and y are"),
@@ -85,6 +83,21 @@ IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
 def test_what_is_left_out_is_named(question, text, part) -> None:
     found = Judge(question).judge(read_answer(text, question))
     assert (found.verdict, found.explanation) == (Outcome.UNKNOWN, LEFT_OUT.format(part=part))
+
+
+@pytest.mark.parametrize(
+    ("question", "text"),
+    [
+        (MOVED, IDENTITY),
+        (MOVED, IDENTITY.replace("0", "0.0")),
+        (MOVED, "1 0 0; 0 1 0; 0 0 1"),
+        (Question(Subject.WORLD, SETUP), "0 -4 0; 2 0 0; 0 0 1"),
+        (Question(Subject.VIEW, SETUP), "0 0 -1; 0 1 0; 1 0 0"),
+    ],
+)
+def test_a_translation_left_out_is_a_mistake_with_a_name(question, text) -> None:
+    found = Judge(question).judge(read_answer(text, question))
+    assert "translation-missing" in (found.mistake, *found.also)
 
 
 def drawn_question(draw) -> Question:
@@ -98,7 +111,8 @@ def drawn_question(draw) -> Question:
     view = View(eye=(3, draw.randint(-2, 2), 5.5))
     lens = Lens(draw.choice([30, 60, 90]), draw.choice([1, 2]), draw.choice([0.001, 0.1, 1]), 50)
     setup = Setup(world, view, lens, Light(position=(4, draw.randint(-3, 3), 0.5)))
-    subject = draw.choice([one for one in Subject if one is not Subject.NORMAL])
+    not_asked = (Subject.NORMAL, Subject.TRACE, Subject.AXES)
+    subject = draw.choice([one for one in Subject if one not in not_asked])
     space = draw.choice([Space.WORLD, Space.CAMERA, Space.OBJECT])
     return Question(subject, setup, space, light=LightPart.POSITION)
 
@@ -108,8 +122,6 @@ def parts_named(sentence: str, rows) -> set[tuple[int, int]]:
     places = {(int(i) - 1, int(j) - 1) for i, j in re.findall(r"row (\d) column (\d)", sentence)}
     if places:
         return places
-    if "translation" in sentence:
-        return {(i, 3) for i in range(3)}
     for axis, name in enumerate(["row", "column"]):
         for number in re.findall(rf"{name} (\d) is", sentence):
             every = {(i, j) for i in range(len(rows)) for j in range(len(rows[0]))}

@@ -1,4 +1,4 @@
-"""What to say of an answer whose mistake has no name: a step left out, two steps exchanged."""
+"""What to say of an answer whose mistake has no name: a step not made, numbers left out."""
 
 from __future__ import annotations
 
@@ -7,16 +7,20 @@ from dataclasses import dataclass, replace
 
 from nmatrix.enums import Space
 from nmatrix.lessons.check.likeness import Likeness
-from nmatrix.lessons.check.question import Question, Subject, light_vector, right_matrices
+from nmatrix.lessons.check.question import (
+    Question,
+    Subject,
+    light_vector,
+    right_matrices,
+    traced,
+)
+from nmatrix.lessons.check.tolerance import RELATIVE
 from nmatrix.linear.rational import (
     ONE,
     ZERO,
     RationalMatrix,
     RationalVector,
-    affine_matrix,
-    diagonal,
-    linear_part,
-    product,
+    apply,
     rational_vector,
     translation,
     transpose,
@@ -25,7 +29,8 @@ from nmatrix.linear.rational import (
 NOT_MOVED = "These are the numbers in {space} space: nothing was moved."
 HALF_UNDONE = "The translation was subtracted; what is left is to undo the 3×3 block."
 LEFT_OUT = "The rest is right; {part} left out: 0 stands where a number belongs."
-SCALED_LAST = "You scaled after turning, T · S · R; in M = T · R · S the scale comes first."
+NOT_YET = "These are the numbers in {frame}: the way goes on from there."
+DIVIDE = "Divided by the fourth number, w, these are right: w is 1 when that is done."
 
 
 @dataclass(frozen=True)
@@ -47,10 +52,20 @@ def hints(question: Question) -> Iterator[Hint]:
     >>> next(hints(eye)).sentence
     'These are the numbers in world space: nothing was moved.'
     """
-    if question.is_vector:
+    if question.subject is Subject.TRACE:
+        yield from _on_the_way(question)
+    elif question.is_vector:
         yield from _of_vectors(question)
-    elif question.subject is Subject.WORLD:
-        yield from _of_worlds(question)
+
+
+def undivided(question: Question, found: Likeness) -> str | None:
+    """Recognise a traced vertex whose w is not 1 and divides its x, y and z to the right ones."""
+    if question.subject is not Subject.TRACE or len(found.given[0]) < 4 or not found.given[0][3]:
+        return None
+    *place, w = found.given[0]
+    allowance = RELATIVE * max(ONE, *map(abs, found.wanted[0]))
+    near = all(abs(x / w - y) <= allowance for x, y in zip(place, found.wanted[0], strict=False))
+    return DIVIDE if near else None
 
 
 def left_out(question: Question, found: Likeness) -> str | None:
@@ -73,14 +88,11 @@ def left_out(question: Question, found: Likeness) -> str | None:
 
 
 def _part(question: Question, found: Likeness) -> str:
-    """Take the largest part that the wrong zeros are all of: the translation, a row, a column."""
+    """Take the largest part that the wrong zeros are all of: a row, a column."""
     if question.is_vector:
         return _listed(["xyzw"[j] for _, j in found.wrong])
     given, turned = found.given, transpose(found.given)
     rows, columns = ({place[axis] for place in found.wrong} for axis in (0, 1))
-    is_affine = question.subject is not Subject.PROJECTION
-    if is_affine and columns == {3} and 3 not in rows and not any(turned[3][:3]):
-        return "the translation is"
     for name, lines, at in (("row", given, rows), ("column", turned, columns)):
         if len(at) == 1 and not any(lines[min(at)]):
             return f"{name} {min(at) + 1} is"
@@ -112,9 +124,13 @@ def _not_moved(question: Question) -> tuple[RationalVector, Space]:
     return (*rational_vector(question.normal), ZERO), Space.OBJECT
 
 
-def _of_worlds(question: Question) -> Iterator[Hint]:
-    world = question.setup.world
-    if world.matrix is None and not any(world.shear):
-        turned = linear_part(replace(world, scale=(1, 1, 1)).world_from_object)
-        scaled = product(diagonal(rational_vector(world.scale)), turned)
-        yield Hint(affine_matrix(scaled, translation(world.world_from_object)), SCALED_LAST)
+def _on_the_way(question: Question) -> Iterator[Hint]:
+    """List the vertex in each frame before the last one that is asked for."""
+    at = right_matrices(question)
+    world = apply(at.world_from_object, (*rational_vector(question.point), ONE))
+    camera = apply(at.camera_from_world, world)
+    yield Hint((world,), NOT_YET.format(frame="world space"))
+    yield Hint((camera,), NOT_YET.format(frame="camera space"))
+    if question.window is not None:
+        ndc = traced(replace(question, window=None), at)
+        yield Hint((ndc,), NOT_YET.format(frame="normalised device coordinates"))

@@ -7,14 +7,15 @@ before what is only close: where an angle is tiny, the right answer is close to 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
+from itertools import takewhile
 
 from nmatrix.lessons.check.answer import Answer
-from nmatrix.lessons.check.hints import Hint, hints, left_out
+from nmatrix.lessons.check.hints import Hint, hints, left_out, undivided
 from nmatrix.lessons.check.likeness import (
     Likeness,
     Place,
@@ -23,9 +24,10 @@ from nmatrix.lessons.check.likeness import (
     likeness_to_known,
     may_be_alike,
 )
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question, Subject, right_answer
-from nmatrix.lessons.check.wrong import WrongAnswer, pairs, single_mistakes
+from nmatrix.lessons.check.wrong import WrongAnswer, WrongAnswers
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, linear_part, scaled
 
@@ -33,7 +35,8 @@ RIGHT = "This is right."
 UP_TO_LENGTH = "Right up to length: a positive factor changes no direction."
 NO_MISTAKE = "No known mistake, nor two of them, gives these numbers."
 TOO_FEW_DIGITS = (
-    "Right to the digits given, but a zero stands where there is a number: give more of its digits."
+    "Nearly right: a whole number or a zero stands where there is a number with more digits; give "
+    "them, behind a point."
 )
 SEVERAL = "Several pairs of mistakes give these numbers:"
 TWO_SIDED = (
@@ -86,19 +89,40 @@ class Judge:
         return right_answer(self.question)
 
     @cached_property
+    def wrong(self) -> WrongAnswers:
+        """The wrong answers of one mistake and of two."""
+        return WrongAnswers(self.question)
+
+    @cached_property
     def singles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of single mistakes that differ from the right one."""
-        return tuple(self._distinct(single_mistakes(self.question)))
+        return tuple(self._distinct(self.wrong.of_singles()))
 
     @cached_property
     def doubles(self) -> tuple[WrongAnswer, ...]:
         """The wrong answers of two mistakes, but not what a single one gives as well."""
-        known = {_shape(self.question, one.value) for one in self.singles}
-        return tuple(
-            one
-            for one in self._distinct(pairs(self.question))
-            if _shape(self.question, one.value) not in known
+        return tuple(one for one in self._distinct(self._pairs) if not self._is_single(one))
+
+    def wrong_by(self, mistake: MistakeId) -> tuple[RationalMatrix, ...]:
+        """List the different wrong answers of one mistake; none where it does not show here."""
+        made = self._distinct(self.wrong.of(mistake))
+        return tuple(one.value for one in made if one.value is not None)
+
+    def is_given_before(self, mistake: MistakeId, answer: Answer) -> bool:
+        """Decide if a mistake before this one in the table gives every digit of an answer."""
+        return any(
+            found.to_the_digit
+            for earlier in takewhile(lambda one: one is not mistake, MistakeId)
+            for _, found in self._alike(answer, self.wrong.of(earlier))
         )
+
+    @cached_property
+    def _single_mistakes(self) -> tuple[WrongAnswer, ...]:
+        return tuple(self.wrong.of_singles())
+
+    @cached_property
+    def _pairs(self) -> tuple[WrongAnswer, ...]:
+        return tuple(self.wrong.of_pairs())
 
     @cached_property
     def hints(self) -> tuple[Hint, ...]:
@@ -122,23 +146,24 @@ class Judge:
             return self._correct(answer, found)
         if self._is_other_side(answer):
             return Judgement(Outcome.CORRECT, self.right, found.difference, remarks=(TWO_SIDED,))
-        names = self._single(answer)
+        names = self._single(answer, found)
         if names:
             return self._mistaken(answer, found, names)
-        names = self._named(answer, self.doubles)
-        if len(names) == 1:
+        names = self._named(answer, found, self._pairs)
+        if self._is_one_pair(names):
             return self._mistaken(answer, found, names)
         if found.lacks_only_digits:
             return self._unknown(answer, found, TOO_FEW_DIGITS)
         several = f"{SEVERAL} {', '.join(map('+'.join, names))}." if names else NO_MISTAKE
-        hint = self._hint(answer) or left_out(self.question, found)
+        hint = self._hint(answer) or undivided(self.question, found)
+        hint = hint or left_out(self.question, found)
         return self._unknown(answer, found, hint or several)
 
     def _is_rather_a_mistake(self, answer: Answer, found: Likeness) -> bool:
         """Prefer a mistake that gives every digit of an answer which is only close to right."""
         if found.to_the_digit or self.question.tolerance is not None:
             return False
-        return any(alike.to_the_digit for _, alike in self._alike(answer, self.singles))
+        return any(alike.to_the_digit for _, alike in self._alike(answer, self._single_mistakes))
 
     def _correct(self, answer: Answer, found: Likeness) -> Judgement:
         remarks = answer.remarks if found.factor == 1 else (*answer.remarks, UP_TO_LENGTH)
@@ -153,8 +178,8 @@ class Judge:
             return False
         return is_alike(answer, scaled(self.right, Fraction(-1)), question)
 
-    def _single(self, answer: Answer) -> Names:
-        names = self._named(answer, self.singles)
+    def _single(self, answer: Answer, found: Likeness) -> Names:
+        names = self._named(answer, found, self._single_mistakes)
         if not names and self._only_length(answer):
             return {(MistakeId.MISSING_NORMALISE,): None}
         return names
@@ -183,20 +208,56 @@ class Judge:
             alike.append(hint)
         return " ".join([*sentences, *(f"Or, with the same numbers here: {did}" for did in alike)])
 
-    def _named(self, answer: Answer, wrong: tuple[WrongAnswer, ...]) -> Names:
+    def _named(self, answer: Answer, right: Likeness, wrong: tuple[WrongAnswer, ...]) -> Names:
         """Name the mistakes whose numbers these are: to every digit, or else nearly."""
         alike = list(self._alike(answer, wrong))
         to_the_digit = {one.mistakes: None for one, found in alike if found.to_the_digit}
-        return to_the_digit or {one.mistakes: None for one, _ in alike}
+        clear = {one.mistakes: None for one, found in alike if found.is_clear_of(right)}
+        return to_the_digit or clear
 
     def _alike(
         self, answer: Answer, wrong: tuple[WrongAnswer, ...]
     ) -> Iterator[tuple[WrongAnswer, Likeness]]:
+        """List the wrong answers that these numbers may be; most are ruled out in floats."""
         for one in wrong:
-            if may_be_alike(answer, one.floats, self.question):
-                found = likeness_to_known(answer, one.value, self.question)
-                if found is not None and found.alike_as_a_mistake:
-                    yield one, found
+            if not may_be_alike(answer, one.floats, self.question) or one.value is None:
+                continue
+            found = likeness_to_known(answer, one.value, self.question)
+            if found is None or not found.alike_as_a_mistake:
+                continue
+            if self._is_wrong(one) and (len(one.mistakes) == 1 or not self._is_single(one)):
+                yield one, found
+
+    def _is_wrong(self, one: WrongAnswer) -> bool:
+        """Tell what a mistake gives from what is right by chance."""
+        return one.value is not None and self._shape(one.value) != self._right_shape
+
+    @cached_property
+    def _right_shape(self) -> RationalMatrix:
+        return self._shape(self.right)
+
+    def _is_single(self, pair: WrongAnswer) -> bool:
+        """Decide if a single mistake gives the numbers of a pair."""
+        return pair.value is not None and self._shape(pair.value) in self._single_shapes
+
+    @cached_property
+    def _single_shapes(self) -> dict[RationalMatrix, set[MistakeId]]:
+        """The mistakes by the numbers that they give."""
+        found: dict[RationalMatrix, set[MistakeId]] = {}
+        for one in self._single_mistakes:
+            if one.value is not None:
+                found.setdefault(self._shape(one.value), set()).update(one.mistakes)
+        return found
+
+    def _is_one_pair(self, names: Names) -> bool:
+        """Decide if pairs are one: beside a mistake that all have, what gives the same numbers."""
+        if len(names) < 2:
+            return bool(names)
+        shared = set.intersection(*map(set, names))
+        if not shared:
+            return False
+        others = {one for pair in names for one in pair} - shared
+        return any(others <= alike for alike in self._single_shapes.values())
 
     def _only_length(self, answer: Answer) -> bool:
         """Recognise a vector of which only the length is wrong, where length one was asked for."""
@@ -217,20 +278,20 @@ class Judge:
         alike = (one for one in self.hints if is_alike(answer, one.value, self.question))
         return next((one.sentence for one in alike), None)
 
-    def _distinct(self, wrong: Iterator[WrongAnswer]) -> Iterator[WrongAnswer]:
+    def _distinct(self, wrong: Iterable[WrongAnswer]) -> Iterator[WrongAnswer]:
         """Leave out what is right by chance, and values that the same mistake gave before."""
-        right = _shape(self.question, self.right)
         seen: set[tuple[tuple[MistakeId, ...], RationalMatrix]] = set()
         for one in wrong:
-            shape = _shape(self.question, one.value)
-            if shape != right and (one.mistakes, shape) not in seen:
-                seen.add((one.mistakes, shape))
+            if one.value is None or not self._is_wrong(one):
+                continue
+            shape = (one.mistakes, self._shape(one.value))
+            if shape not in seen:
+                seen.add(shape)
                 yield one
 
-
-def _shape(question: Question, value: RationalMatrix) -> RationalMatrix:
-    """Bring a value into a form that is the same for all values that count as the same."""
-    if not question.any_length:
-        return value
-    largest = max(abs(entry) for row in value for entry in row)
-    return scaled(value, 1 / largest) if largest else value
+    def _shape(self, value: RationalMatrix) -> RationalMatrix:
+        """Bring a value into a form that is the same for all values that count as the same."""
+        if not self.question.any_length:
+            return value
+        largest = max(abs(entry) for row in value for entry in row)
+        return scaled(value, 1 / largest) if largest else value

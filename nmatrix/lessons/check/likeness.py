@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import isnan
+from math import isnan, nan
+from operator import mul
 
 from nmatrix.lessons.check.answer import Answer, with_w_one
 from nmatrix.lessons.check.question import Question
 from nmatrix.lessons.check.tolerance import (
     A_TWENTIETH,
     NOISE,
-    RELATIVE,
     EntryDifference,
-    Zero,
+    Written,
     yardsticks,
 )
-from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, Rows, dot, scaled
+from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, dot, scaled
 
 BOTTOM = 3  # of a 4×4 matrix
+SMALLEST = 1e-6  # of the sum of an answer's squares, and of its w
 
 Place = tuple[int, int]
 
@@ -52,22 +53,29 @@ class Likeness:
 
     @cached_property
     def to_the_digit(self) -> bool:
-        """Whether every digit that was typed is the value's, at some length if it is free.
+        """Whether every digit that was typed is the value's, at some length if it is free."""
+        return self.common_factor is not None if self.question.any_length else not self.unrounded
+
+    @cached_property
+    def common_factor(self) -> Fraction | None:
+        """A positive factor of the value that gives every digit that was typed.
 
         Each entry leaves an interval of factors; there is one if they have a point in common.
         """
-        if not self.question.any_length:
-            return not self.unrounded
         least, most = ZERO, None
-        for given, wanted, off in self._numbers():
-            half = max(off.place / 2, NOISE * off.yardstick)
+        for (i, j), off in self._entries.items():
+            given, wanted = self.given[i][j], self.wanted[i][j]
+            exact = off.written.is_exact
+            half = NOISE * off.yardstick if exact else max(off.place / 2, NOISE * off.yardstick)
             if not wanted:
                 if abs(given) > half:
-                    return False
+                    return None
                 continue
             low, high = sorted(((given - half) / wanted, (given + half) / wanted))
             least, most = max(least, low), high if most is None else min(most, high)
-        return most is not None and least <= most and most > 0
+        if most is None or least > most or most <= 0:
+            return None
+        return (least + most) / 2
 
     @cached_property
     def difference(self) -> Fraction:
@@ -77,6 +85,8 @@ class Likeness:
     @cached_property
     def wrong(self) -> tuple[Place, ...]:
         """The entries that are too far off."""
+        if self.given == self.wanted:
+            return ()
         tolerance = self.question.tolerance
         if tolerance is not None:
             return self._where(lambda off: off.difference > tolerance)
@@ -89,9 +99,21 @@ class Likeness:
 
     @property
     def lacks_only_digits(self) -> bool:
-        """Whether every wrong entry is a zero with decimals that a number was rounded to."""
-        entries = (self._entries[place] for place in self.wrong)
-        return all(off.zero is Zero.ROUNDED and off.difference <= off.place / 2 for off in entries)
+        """Whether every wrong entry is a number that was written with too few digits."""
+        return all(self._entries[place].lacks_digits() for place in self.wrong)
+
+    def is_clear_of(self, right: Likeness) -> bool:
+        """Decide if the numbers lie by far nearer to the value than the value to what is right.
+
+        Among the entries in which the two differ, at most a quarter of the largest difference.
+        """
+        changed = {
+            (i, j): abs(self.wanted[i][j] - right.wanted[i][j])
+            for i, j in self._entries
+            if self.wanted[i][j] != right.wanted[i][j]
+        }
+        off = max((self._entries[place].difference for place in changed), default=ZERO)
+        return 4 * off <= max(changed.values(), default=ZERO)
 
     @cached_property
     def _entries(self) -> dict[Place, EntryDifference]:
@@ -102,23 +124,19 @@ class Likeness:
         found: dict[Place, EntryDifference] = {}
         for i, row in enumerate(rows):
             for j, (given, wanted, place, yardstick) in enumerate(zip(*row, strict=True)):
-                zero = _zero(given, place, i)
                 off, counted = abs(given - wanted), min(place, coarsest)
-                found[i, j] = EntryDifference(off, counted, yardstick, largest, zero)
+                written = _written(given, place, i)
+                found[i, j] = EntryDifference(off, counted, yardstick, largest, written)
         return found
-
-    def _numbers(self) -> Iterator[tuple[Fraction, Fraction, EntryDifference]]:
-        for (i, j), off in self._entries.items():
-            yield self.given[i][j], self.wanted[i][j], off
 
     def _where(self, said: Callable[[EntryDifference], bool]) -> tuple[Place, ...]:
         return tuple(place for place, off in self._entries.items() if off.difference and said(off))
 
 
-def _zero(given: Fraction, place: Fraction, row: int) -> Zero:
+def _written(given: Fraction, place: Fraction, row: int) -> Written:
     if given:
-        return Zero.NONE
-    return Zero.BARE if place >= 1 or row == BOTTOM else Zero.ROUNDED
+        return Written.DECIMAL if place else Written.WHOLE
+    return Written.DECIMAL_ZERO if place and row != BOTTOM else Written.BARE_ZERO
 
 
 def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Likeness:
@@ -132,7 +150,7 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     >>> from nmatrix.lessons.check.question import Subject
     >>> from nmatrix.scene.setup import Setup
     >>> free = Question(Subject.NORMAL, Setup(), normal=(0, 0, 1))
-    >>> seven = Answer(((ZERO, ZERO, Fraction(7)),), ((0, 0, 0),))
+    >>> seven = Answer(((ZERO, ZERO, Fraction(7)),), ((ZERO,) * 3,))
     >>> likeness(seven, ((ZERO, ZERO, ONE, ZERO),), free).factor
     Fraction(7, 1)
     """
@@ -140,6 +158,10 @@ def likeness(answer: Answer, value: RationalMatrix, question: Question) -> Liken
     as_it_is = _at(given, wanted, ONE, answer, question)
     if as_it_is.alike or not question.any_length:
         return as_it_is
+    if as_it_is.common_factor is not None:
+        rounded = _at(given, wanted, as_it_is.common_factor, answer, question)
+        if rounded.alike:
+            return rounded
     tried = [_at(given, wanted, factor, answer, question) for factor in _factors(given, wanted)]
     if tried and tried[0].alike:
         return tried[0]
@@ -159,26 +181,32 @@ def is_alike(answer: Answer, value: RationalMatrix, question: Question) -> bool:
     return found is not None and found.alike
 
 
-def may_be_alike(answer: Answer, value: Rows | None, question: Question) -> bool:
-    """Rule out a value by a cheap comparison in floats; True says nothing yet."""
+def may_be_alike(answer: Answer, numbers: Sequence[float] | None, question: Question) -> bool:
+    """Rule out the numbers of a value by a cheap comparison in floats; True says nothing yet."""
     given = answer.floats
-    if given is None or value is None or len(given[0]) != len(value[0]):
+    if given is None or numbers is None:
         return True
-    a = [entry for row in given for entry in row]
-    v = [entry for row in value for entry in row]
-    factor = 1.0
-    if question.any_length:
-        square = sum(y * y for y in v)
-        factor = sum(x * y for x, y in zip(a, v, strict=True)) / square if square else 0.0
-        if not factor > 0:
-            return isnan(factor)  # an overflow says nothing
-    largest = max(map(abs, v)) * factor
-    if question.tolerance is None:
-        limit = answer.coarsest / 2 + float(RELATIVE) * largest
-    else:
-        limit = float(question.tolerance)
-    far = 1.01 * limit + 1e-9 * largest
-    return not any(abs(x - factor * y) > far for x, y in zip(a, v, strict=True))
+    if question.is_vector:
+        numbers = numbers[: len(given)]
+    if not numbers:
+        return False
+    if question.is_point and len(given) > 3:
+        if abs(numbers[3]) < SMALLEST:
+            return True
+        numbers = [y / numbers[3] for y in numbers]
+    factor = _float_factor(given, numbers, question)
+    if question.any_length and not factor > 0:
+        return isnan(factor)
+    far = answer.reach(question.tolerance) * max(1.0, abs(factor) if question.is_point else 1.0)
+    return not any(abs(x - factor * y) > far for x, y in zip(given, numbers, strict=True))
+
+
+def _float_factor(given: Sequence[float], numbers: Sequence[float], question: Question) -> float:
+    """Take the w of a point, or the factor of least squares; NaN if only noise would have one."""
+    if not question.any_length:
+        return given[3] or 1.0 if question.is_point and len(given) > 3 else 1.0
+    square = sum([y * y for y in numbers])
+    return sum(map(mul, given, numbers)) / square if square > SMALLEST else nan
 
 
 def _comparable(
@@ -188,7 +216,7 @@ def _comparable(
         return given, value
     if len(given[0]) == 3:
         return given, (value[0][:3],)
-    if question.is_direction:
+    if not question.is_point:
         return given, value
     return (with_w_one(given[0]),), (with_w_one(value[0]),)
 

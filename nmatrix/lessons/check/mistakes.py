@@ -1,99 +1,35 @@
-"""Every mistake that `check` can name: its words, and the slip that makes it.
+"""Every mistake that `check` can name, one entry each: its words, and the slip that makes it.
 
-Where several of them give the same numbers, the first one of this table is named first.
+Where several of them give the same numbers, the first one of `MistakeId` is named first. The words
+need no scene: `MISTAKES[MistakeId.CLIP_Y].did`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from enum import StrEnum
-
 from nmatrix.enums import NormalRule
 from nmatrix.lessons.check.computation import (
-    Computation,
+    Entries,
     Slip,
+    either,
     misplaced,
     misread,
     misruled,
+    when,
     written_transposed,
     written_unnormalised,
 )
-from nmatrix.lessons.check.question import Question, Subject
-from nmatrix.lessons.check.slips import angles, camera, rules, whole_matrices
-
-
-class MistakeId(StrEnum):
-    """The mistakes, in the order in which they are named."""
-
-    NOT_TRANSPOSED = "not-transposed"
-    NOT_INVERTED = "not-inverted"
-    USED_WORLD_MATRIX = "used-world-matrix"
-    TRANSPOSED_LAYOUT = "transposed-layout"
-    MISSING_NORMALISE = "missing-normalise"
-    COFACTOR_SIGN = "cofactor-sign"
-    TRANSLATED = "translated"
-    FOUR_COMPONENT_NORMALISE = "four-component-normalise"
-    USED_MODEL_VIEW = "used-model-view"
-    DIRECTION_AS_POINT = "direction-as-point"
-    COURSE_LIGHT_RULE = "course-light-rule"
-    DEGREES_AS_RADIANS = "degrees-as-radians"
-    ROTATION_ORDER = "rotation-order"
-    ROTATION_SIGN = "rotation-sign"
-    POLIMI_ANGLES_SWAPPED = "polimi-angles-swapped"
-    WRONG_HANDEDNESS = "wrong-handedness"
-    DEPTH_RANGE = "depth-range"
-    ASPECT_INVERTED = "aspect-inverted"
-    HORIZONTAL_FOV = "horizontal-fov"
-    NEAR_FAR_SWAPPED = "near-far-swapped"
-    SCALE_BEFORE_TRANSLATE = "scale-before-translate"
-    VIEW_NOT_INVERTED = "view-not-inverted"
-
-
-@dataclass(frozen=True)
-class Mistake:
-    """One mistake: its words, and the slip that makes it.
-
-    Parameters
-    ----------
-    did
-        What was done, as a sentence to the student.
-    rule
-        The rule that it broke, as a sentence.
-    command
-        A command line that shows the right way on a small example.
-    slips
-        For each subject that it happens to, the change that it makes to the computation.
-    elsewhere
-        Command lines for subjects of which `command` is no example.
-    """
-
-    did: str
-    rule: str
-    command: str
-    slips: Mapping[Subject, Slip]
-    elsewhere: Mapping[Subject, str] = field(default_factory=dict)
-
-    @property
-    def explanation(self) -> str:
-        """What was done, and the rule that it broke."""
-        return f"{self.did} {self.rule}"
-
-    def command_for(self, subject: Subject) -> str:
-        """Choose the command line that shows the right way for what was asked."""
-        return self.elsewhere.get(subject, self.command)
-
-    def made_in(self, question: Question) -> Computation | None:
-        """Make the mistake in the computation of a question; None where it cannot happen.
-
-        Examples
-        --------
-        >>> from nmatrix.scene.setup import Setup
-        >>> MISTAKES[MistakeId.DEPTH_RANGE].made_in(Question(Subject.EYE, Setup())) is None
-        True
-        """
-        slip = self.slips.get(question.subject)
-        return None if slip is None else slip(question)
+from nmatrix.lessons.check.mistake import Mistake, MistakeId
+from nmatrix.lessons.check.question import Subject
+from nmatrix.lessons.check.slips import (
+    angles,
+    axes,
+    lens,
+    normals,
+    parts,
+    tracing,
+    view,
+    whole_matrices,
+)
 
 
 def _for(slip: Slip, *subjects: Subject) -> dict[Subject, Slip]:
@@ -101,9 +37,21 @@ def _for(slip: Slip, *subjects: Subject) -> dict[Subject, Slip]:
     return dict.fromkeys(subjects, slip)
 
 
-MATRICES = (Subject.WORLD, Subject.VIEW, Subject.PROJECTION)
+MATRICES = (Subject.WORLD, Subject.VIEW, Subject.PROJECTION, Subject.AXES)
 LIGHTING = (Subject.LIGHT, Subject.EYE)
-BUT_THE_LENS = tuple(subject for subject in Subject if subject is not Subject.PROJECTION)
+OF_ANGLES = tuple(subject for subject in Subject if subject is not Subject.PROJECTION)
+OF_PARTS = tuple(one for one in OF_ANGLES if one is not Subject.VIEW)
+SEEN = (Subject.PROJECTION, Subject.TRACE)
+
+IN_ANOTHER_UNIT = misread(
+    angles.world_in_another_unit,
+    angles.view_in_another_unit,
+    lens.angle_in_another_unit_if_given,
+    angles.light_in_another_unit,
+    together=True,
+)
+OF_THE_OTHER_HAND = either(misread(view=view.look_at_of_the_other_hand), misplaced(view.mirrored))
+Y_TURNED = misplaced(lens.y_turned, entries=Entries.ROW_Y)
 
 MISTAKES: dict[MistakeId, Mistake] = {
     MistakeId.NOT_TRANSPOSED: Mistake(
@@ -111,14 +59,14 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "Normals move by the inverse transpose A⁻ᵀ; A⁻¹ alone turns them the wrong way wherever "
         "A is not symmetric.",
         "nmatrix derive rule",
-        _for(misruled(rules.normal_by(NormalRule.NOT_TRANSPOSED)), Subject.NORMAL),
+        _for(misruled(normals.normal_by(NormalRule.NOT_TRANSPOSED)), Subject.NORMAL),
     ),
     MistakeId.NOT_INVERTED: Mistake(
         "You transposed the matrix and did not invert it.",
         "Normals move by the inverse transpose A⁻ᵀ: transposing undoes the rotation, inverting "
         "undoes everything, and the two together undo only the scale.",
         "nmatrix derive rule",
-        _for(misruled(rules.normal_by(NormalRule.NOT_INVERTED)), Subject.NORMAL),
+        _for(misruled(normals.normal_by(NormalRule.NOT_INVERTED)), Subject.NORMAL),
     ),
     MistakeId.USED_WORLD_MATRIX: Mistake(
         "You used the matrix itself.",
@@ -126,7 +74,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "all directions; light and eye reach object space by its inverse.",
         "nmatrix derive nonuniform",
         {
-            Subject.NORMAL: misruled(rules.normal_by(NormalRule.NONE)),
+            Subject.NORMAL: misruled(normals.normal_by(NormalRule.NONE)),
             **_for(misplaced(whole_matrices.used_world_matrix), *LIGHTING),
         },
         {Subject.LIGHT: "nmatrix derive lightdirection", Subject.EYE: "nmatrix derive eye"},
@@ -156,20 +104,28 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "The cofactor matrix is det(A)·A⁻ᵀ, and here det(A) < 0: multiply by the sign of the "
         "determinant, or normals point inwards.",
         "nmatrix derive mirror",
-        _for(misruled(rules.normal_by(NormalRule.COFACTOR)), Subject.NORMAL),
+        _for(misruled(normals.normal_by(NormalRule.COFACTOR)), Subject.NORMAL),
     ),
     MistakeId.TRANSLATED: Mistake(
         "You moved the normal like a point, with w = 1, so the translation was added.",
         "A normal is a direction: take the 3×3 block, or w = 0.",
         "nmatrix derive translation",
-        _for(misruled(rules.normal_by(NormalRule.TRANSLATED)), Subject.NORMAL),
+        _for(
+            misruled(
+                normals.normal_by(NormalRule.TRANSLATED),
+                normals.unit_normal_by(NormalRule.TRANSLATED),
+            ),
+            Subject.NORMAL,
+        ),
     ),
     MistakeId.FOUR_COMPONENT_NORMALISE: Mistake(
         "You normalised four components: the fourth one, −(A⁻¹t)·n, was counted in the length.",
         "The inverse transpose of a matrix that translates leaves something in w: drop it before "
         "normalising.",
         "nmatrix derive translation",
-        _for(misruled(rules.normal_by(NormalRule.FOUR_COMPONENT), any_length=True), Subject.NORMAL),
+        _for(
+            misruled(normals.normal_by(NormalRule.FOUR_COMPONENT), any_length=True), Subject.NORMAL
+        ),
     ),
     MistakeId.USED_MODEL_VIEW: Mistake(
         "You used V·M where one of the two belongs alone.",
@@ -182,22 +138,22 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "You moved the direction like a point, with w = 1, so the translation was added.",
         "A direction has w = 0: it turns and scales, and it has no place.",
         "nmatrix light camera --light-direction 0 -1 0",
-        _for(misruled(rules.direction_as_point), Subject.LIGHT),
+        _for(misruled(normals.direction_as_point), Subject.LIGHT),
     ),
     MistakeId.COURSE_LIGHT_RULE: Mistake(
         "You moved the light's direction by the inverse transpose (into object space: by Mᵀ).",
         "That is the rule for normals; a light direction is a vector and moves by the matrix "
         "itself (into object space: by M⁻¹).",
         "nmatrix light object --scale 1 1/4 1 --light-direction 0.3 0.9 0.2",
-        _for(misruled(rules.course_light_rule), Subject.LIGHT),
+        _for(misruled(normals.course_light_rule), Subject.LIGHT),
     ),
     MistakeId.DEGREES_AS_RADIANS: Mistake(
-        "You gave degrees to a sine or tangent that takes radians.",
-        "Multiply degrees by π/180 first.",
+        "You took degrees for radians, or radians for degrees.",
+        "A sine or tangent takes radians: multiply degrees by π/180, once.",
         "nmatrix world --rotate 0 30 0",
         {
-            **_for(misread(angles.degrees_as_radians), *BUT_THE_LENS),
-            Subject.PROJECTION: misread(camera.angle_in_radians, camera.has_angle),
+            **_for(IN_ANOTHER_UNIT, *OF_ANGLES),
+            Subject.PROJECTION: when(lens.has_angle, misread(lens=lens.angle_in_another_unit)),
         },
         {Subject.PROJECTION: "nmatrix projection --fov 60", Subject.VIEW: "nmatrix view --roll 30"},
     ),
@@ -205,20 +161,23 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "You multiplied the rotations in another order.",
         "Rotations do not commute; XYZ means R = Rx·Ry·Rz, so the vector meets Rz first.",
         "nmatrix world --rotate 30 60 0 --order XYZ",
-        _for(misread(angles.rotation_order), *BUT_THE_LENS),
+        _for(misread(angles.world_in_another_order, angles.view_in_another_order), *OF_ANGLES),
     ),
     MistakeId.ROTATION_SIGN: Mistake(
         "You turned the other way about at least one axis.",
         "By the right-hand rule Rz has −sin in its first row; Ry has it in its last.",
         "nmatrix world --rotate 0 30 0",
-        _for(misread(angles.rotation_sign), *BUT_THE_LENS),
+        _for(misread(angles.world_turned_back, angles.view_turned_back), *OF_ANGLES),
     ),
     MistakeId.POLIMI_ANGLES_SWAPPED: Mistake(
         "You took the three angles by another convention.",
         "Here they turn about x, y, z; the course's library turns about y with the first one and "
         "about x with the second, its labs with other signs too.",
         "nmatrix world --rotate 30 60 0 --convention polimi",
-        _for(misread(angles.polimi_angles_swapped), *BUT_THE_LENS),
+        _for(
+            misread(angles.world_of_another_convention, angles.view_of_another_convention),
+            *OF_ANGLES,
+        ),
     ),
     MistakeId.WRONG_HANDEDNESS: Mistake(
         "You took the other hand: the camera looks along the other z.",
@@ -226,8 +185,9 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "must agree.",
         "nmatrix view --handed left",
         {
-            **_for(misread(camera.view_of_the_other_hand), *BUT_THE_LENS),
-            Subject.PROJECTION: misread(camera.lens_of_the_other_hand, camera.has_numbers),
+            **_for(OF_THE_OTHER_HAND, Subject.VIEW, Subject.NORMAL, *LIGHTING),
+            Subject.PROJECTION: when(lens.has_numbers, misread(lens=lens.of_the_other_hand)),
+            Subject.TRACE: when(lens.has_numbers, misread(lens=lens.of_the_other_hand)),
         },
         {Subject.PROJECTION: "nmatrix projection --handed left"},
     ),
@@ -236,34 +196,37 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "OpenGL maps near and far to −1 and 1, Vulkan and Direct3D to 0 and 1, reversed depth "
         "to 1 and 0.",
         "nmatrix projection --depth zero-to-one",
-        _for(misread(camera.other_depth_ranges, camera.has_numbers), Subject.PROJECTION),
+        _for(when(lens.has_numbers, misread(lens=lens.other_depth_ranges)), *SEEN),
     ),
     MistakeId.ASPECT_INVERTED: Mistake(
         "You multiplied by the aspect ratio instead of dividing, or took height over width.",
         "The aspect is width over height, and it divides the first entry.",
         "nmatrix projection --aspect 2",
-        _for(misread(camera.aspect_inverted, camera.has_angle), Subject.PROJECTION),
+        _for(when(lens.has_angle, misread(lens=lens.aspect_inverted)), *SEEN),
     ),
     MistakeId.HORIZONTAL_FOV: Mistake(
         "You took the field of view for the horizontal one.",
         "It is vertical: it gives the second diagonal entry, and the aspect ratio the first.",
         "nmatrix projection --fov 90 --aspect 2",
-        _for(misread(camera.horizontal_fov, camera.has_angle), Subject.PROJECTION),
+        _for(when(lens.has_angle, misread(lens=lens.horizontal_fov)), *SEEN),
     ),
     MistakeId.NEAR_FAR_SWAPPED: Mistake(
         "You swapped near and far.",
         "In the third row far comes first: (f + n)/(f − n), or f/(f − n); on purpose it is "
         "called reversed depth.",
         "nmatrix projection --near 1 --far 10",
-        _for(camera.near_far_swapped, Subject.PROJECTION),
+        _for(lens.near_far_swapped, *SEEN),
     ),
     MistakeId.SCALE_BEFORE_TRANSLATE: Mistake(
         "You multiplied the translation and the rest in the wrong order.",
-        "In M = T·A the translation comes last and stays as it is, in V = R·T it comes first and "
-        "is turned; a matrix to the left acts on everything to its right.",
+        "In M = T·A the translation comes last and stays as it is; in V = R·T it comes first and "
+        "is turned: a matrix to the left acts on everything to its right.",
         "nmatrix world --scale 2 2 2 --translate 1 0 0",
         _for(
-            misplaced(whole_matrices.scale_before_translate), Subject.WORLD, Subject.VIEW, *LIGHTING
+            misplaced(whole_matrices.scale_before_translate),
+            Subject.WORLD,
+            Subject.TRACE,
+            *LIGHTING,
         ),
     ),
     MistakeId.VIEW_NOT_INVERTED: Mistake(
@@ -271,6 +234,196 @@ MISTAKES: dict[MistakeId, Mistake] = {
         "The view matrix takes the world to the camera, so it undoes where the camera stands: "
         "R⁻¹·T(−eye).",
         "nmatrix view --eye 3 0 0",
-        _for(misplaced(whole_matrices.view_not_inverted), Subject.VIEW, Subject.NORMAL, *LIGHTING),
+        _for(misplaced(view.not_inverted), Subject.VIEW, Subject.NORMAL, *LIGHTING, Subject.TRACE),
+    ),
+    MistakeId.CLIP_Y: Mistake(
+        "You left out the flip of y in clip space, or made one where none belongs.",
+        "In Vulkan y in clip space points down, so the second row is negated; in OpenGL, "
+        "Direct3D, Metal and WebGPU it points up.",
+        "nmatrix projection --api vulkan",
+        {
+            Subject.PROJECTION: Y_TURNED,
+            Subject.TRACE: when(tracing.ends_before_the_window, Y_TURNED),
+        },
+    ),
+    MistakeId.VIEW_TRANSLATION: Mistake(
+        "The last column is not −R·eye: the eye or the target stands there, or Rᵀ turned it.",
+        "V = R·T(−eye): the eye is turned with everything else, so that V takes it to the origin.",
+        "nmatrix view --eye 3 1 2",
+        _for(misplaced(*view.OTHER_TRANSLATIONS, entries=Entries.TRANSLATION), Subject.VIEW),
+    ),
+    MistakeId.VIEW_ROTATION_TRANSPOSED: Mistake(
+        "The 3×3 block is transposed: the camera's axes stand in its columns.",
+        "The view matrix measures along the camera's axes, so right, up and back are its rows.",
+        "nmatrix view --eye 3 1 2",
+        _for(misplaced(view.rotation_transposed, entries=Entries.BLOCK), Subject.VIEW),
+    ),
+    MistakeId.VIEW_TRANSLATION_SIGN: Mistake(
+        "The signs of the last column are turned.",
+        "Each entry of it is −dot(axis, eye): the world moves against the lens.",
+        "nmatrix view --eye 3 1 2",
+        _for(misplaced(view.translation_turned, entries=Entries.TRANSLATION), Subject.VIEW),
+    ),
+    MistakeId.CAMERA_AXES: Mistake(
+        "You took the camera's axes as OpenCV has them: y down and z ahead.",
+        "In OpenGL a camera has y up and looks down −z: negate the second and third row.",
+        "nmatrix view --eye 3 1 2",
+        _for(misplaced(view.of_opencv), Subject.VIEW, *LIGHTING),
+    ),
+    MistakeId.HALF_ANGLE: Mistake(
+        "You took the tangent of the whole field of view, or halved it twice.",
+        "The focal length is 1/tan(fov/2): half of the field lies above the axis.",
+        "nmatrix projection --fov 60",
+        _for(when(lens.has_angle, misread(lens=lens.whole_or_quarter_angle)), *SEEN),
+    ),
+    MistakeId.FOCAL_INVERTED: Mistake(
+        "You took tan(fov/2) for the focal length.",
+        "The focal length is its reciprocal, 1/tan(fov/2): a wider field makes things smaller.",
+        "nmatrix projection --fov 60",
+        _for(when(lens.has_angle, misread(lens=lens.tangent_for_cotangent)), *SEEN),
+    ),
+    MistakeId.ASPECT_MISSING: Mistake(
+        "You left out the aspect ratio.",
+        "The first entry is the focal length divided by width over height.",
+        "nmatrix projection --aspect 2",
+        _for(when(lens.has_angle, misread(lens=lens.aspect_left_out)), *SEEN),
+    ),
+    MistakeId.PERSPECTIVE_ROW: Mistake(
+        "The last row has the wrong sign, or is not that of a perspective.",
+        "It makes w the distance in front of the camera: 0 0 −1 0 where that looks down −z, "
+        "0 0 1 0 where it looks down +z.",
+        "nmatrix projection --fov 60",
+        _for(misplaced(*lens.LAST_ROWS, entries=Entries.ROW_W), Subject.PROJECTION),
+    ),
+    MistakeId.DEPTH_SIGN: Mistake(
+        "A sign of the third row is turned.",
+        "The row takes the two distances near and far to the two ends of the depth range: put "
+        "them in and see.",
+        "nmatrix projection --near 1 --far 10",
+        _for(misplaced(*lens.DEPTH_SIGNS, entries=Entries.ROW_Z), Subject.PROJECTION),
+    ),
+    MistakeId.DEPTH_FACTOR: Mistake(
+        "The factor of fn/(f − n) is wrong, or the third row is 0.",
+        "From −1 to 1 it is 2fn/(f − n), from 0 to 1 fn/(f − n); a row of zeros keeps no depth.",
+        "nmatrix projection --near 1 --far 10",
+        _for(
+            misplaced(lens.other_factor, lens.no_depth, entries=Entries.ROW_Z), Subject.PROJECTION
+        ),
+    ),
+    MistakeId.SCALE_AFTER_ROTATION: Mistake(
+        "You scaled after turning, S·R for R·S.",
+        "In M = T·R·S the scale comes first and acts along the object's own axes.",
+        "nmatrix world --rotate 0 0 30 --scale 1 2 1",
+        _for(misread(parts.scaled_after_turning), *OF_PARTS),
+    ),
+    MistakeId.TRANSLATION_MISSING: Mistake(
+        "The translation is missing.",
+        "It is the last column: a matrix without it leaves the origin where it is.",
+        "nmatrix world --translate 1 2 3",
+        {
+            **_for(misread(parts.not_moved), Subject.WORLD, Subject.AXES),
+            Subject.VIEW: misplaced(view.not_moved),
+            **_for(
+                either(misread(parts.not_moved), misplaced(view.not_moved)),
+                *LIGHTING,
+                Subject.TRACE,
+            ),
+        },
+        {Subject.VIEW: "nmatrix view --eye 3 1 2"},
+    ),
+    MistakeId.ROTATION_MISSING: Mistake(
+        "The rotation is missing.",
+        "The 3×3 block is a product with the rotation as one factor.",
+        "nmatrix world --rotate 0 30 0",
+        {
+            **_for(misread(parts.not_turned), Subject.WORLD, Subject.NORMAL, Subject.AXES),
+            Subject.VIEW: misplaced(view.not_turned),
+            **_for(
+                either(misread(parts.not_turned), misplaced(view.not_turned)),
+                *LIGHTING,
+                Subject.TRACE,
+            ),
+        },
+        {Subject.VIEW: "nmatrix view --eye 3 1 2"},
+    ),
+    MistakeId.SCALE_MISSING: Mistake(
+        "The scale is missing, or one factor was taken for all three axes.",
+        "Each axis has its own factor, which multiplies its column of the 3×3 block.",
+        "nmatrix world --scale 1 2 1",
+        _for(misread(parts.not_scaled), Subject.WORLD, *LIGHTING, Subject.TRACE, Subject.AXES),
+    ),
+    MistakeId.WORLD_INVERTED: Mistake(
+        "You gave the inverse: it leads from the world to the object.",
+        "The world matrix takes the object's points to the world, M = T·R·S.",
+        "nmatrix world --translate 1 2 3",
+        _for(misplaced(whole_matrices.world_inverted), Subject.WORLD),
+    ),
+    MistakeId.QUATERNION_ORDER: Mistake(
+        "You read the quaternion in another order: its w stands elsewhere.",
+        "Here a quaternion is x y z w, with w last; other programs write w x y z.",
+        "nmatrix world --quaternion 0 0.6 0 0.8",
+        _for(misread(parts.quaternion_in_another_order), *OF_PARTS),
+    ),
+    MistakeId.QUATERNION_LENGTH: Mistake(
+        "You used the quaternion without bringing it to length 1.",
+        "The formulas of the matrix hold for length 1: divide the four numbers by their length.",
+        "nmatrix world --quaternion 0 3 0 4",
+        _for(misread(parts.quaternion_of_any_length), *OF_PARTS),
+    ),
+    MistakeId.AXES_CONJUGATED: Mistake(
+        "You gave F·M·F, the same F on both sides.",
+        "From one axis system to another goes F·M·F⁻¹; within one system M stays as it is.",
+        "nmatrix axes blender opengl",
+        _for(misruled(axes.flipped_on_both_sides), Subject.WORLD, Subject.AXES),
+    ),
+    MistakeId.AXES_HALF_CONJUGATED: Mistake(
+        "You changed the axes on one side of M alone.",
+        "Both sides are told in the new axes, F·M·F⁻¹, or none is: M on its own.",
+        "nmatrix axes blender opengl",
+        _for(
+            misruled(axes.flipped_on_the_left, axes.flipped_on_the_right),
+            Subject.WORLD,
+            Subject.AXES,
+        ),
+    ),
+    MistakeId.UP_AXIS: Mistake(
+        "You exchanged y and z, as between a system with y up and one with z up.",
+        "From z up to y up it is (x, z, −y), with the sign, and on both sides of a matrix.",
+        "nmatrix axes blender opengl",
+        _for(misruled(*axes.OTHER_UPS), Subject.WORLD, Subject.AXES),
+    ),
+    MistakeId.NORMAL_ROTATION_ONLY: Mistake(
+        "You left the scale out of the normal matrix.",
+        "Normals need the scale too, and its reciprocal: A⁻ᵀ = R·S⁻¹ for A = R·S.",
+        "nmatrix derive nonuniform",
+        _for(misread(parts.only_turned), Subject.NORMAL),
+    ),
+    MistakeId.NORMAL_TRANSLATED: Mistake(
+        "You added the translation to the normal.",
+        "A normal is a direction, and a translation moves no direction: take A⁻ᵀn alone.",
+        "nmatrix derive translation",
+        _for(misruled(normals.moved_normal, normals.moved_unit_normal), Subject.NORMAL),
+    ),
+    MistakeId.LIGHT_TOWARDS: Mistake(
+        "You gave the direction to the lamp.",
+        "The direction of a light is the one in which it travels; the l of the lighting formulas "
+        "points to the lamp, against it.",
+        "nmatrix light --light-direction 0 -1 0",
+        _for(
+            when(normals.is_light_direction, misread(light=normals.towards_the_lamp)), Subject.LIGHT
+        ),
+    ),
+    MistakeId.W_NOT_DIVIDED: Mistake(
+        "You did not divide by w.",
+        "Normalised device coordinates are clip x, y and z divided by clip w.",
+        "nmatrix trace --point 1 1 1",
+        _for(misruled(tracing.not_divided), Subject.TRACE),
+    ),
+    MistakeId.WINDOW_Y: Mistake(
+        "You counted y from the other side of the window.",
+        "In OpenGL window y counts from the bottom; in Direct3D, Metal, Vulkan and WebGPU from "
+        "the top.",
+        "nmatrix trace --point 1 1 1 --api vulkan",
+        _for(misruled(tracing.y_from_the_other_side), Subject.TRACE),
     ),
 }

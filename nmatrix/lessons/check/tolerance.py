@@ -14,7 +14,6 @@ from fractions import Fraction
 
 from nmatrix.linear.rational import (
     ONE,
-    ZERO,
     RationalMatrix,
     RationalVector,
     linear_part,
@@ -22,23 +21,29 @@ from nmatrix.linear.rational import (
     transpose,
 )
 
-RELATIVE = Fraction(5, 10_000)  # of the largest entry of all: three good digits
-ITS_OWN = Fraction(1, 400)  # of the yardstick: where entries of another kind are far larger
+RELATIVE = Fraction(5, 10_000)  # of the yardstick: three good digits, whatever was rounded first
 NOT_ALL = Fraction(9, 10)  # of the largest: a zero in its place is never right by rounding
 A_TWENTIETH = Fraction(1, 20)  # of the largest entry: no last place of a direction is coarser
-FEWEST = Fraction(1, 100)  # a whole number claims two decimals
+FEWEST = Fraction(1, 100)  # of a mistake, a whole number and a zero tell two decimals
+CUT_OFF = Fraction(1, 1000)  # from three decimals on they may have been cut off, not rounded
 NOISE = Fraction(1, 10**9)  # of the yardstick: what float64 leaves of a careful computation
 
 
-class Zero(Enum):
-    """Whether a zero was typed, and with how many decimals: some, or none.
+class Written(Enum):
+    """How an entry was written: with a point, or as a whole number or a fraction; zeros apart.
 
     In the bottom row every zero is a bare one: it tells a matrix from its transpose.
     """
 
-    NONE = 0
-    ROUNDED = 1
-    BARE = 2
+    DECIMAL = "1.25"
+    WHOLE = "2, 1/3"
+    DECIMAL_ZERO = "0.0"
+    BARE_ZERO = "0"
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether all digits are claimed, also those that were not typed."""
+        return self in (Written.WHOLE, Written.BARE_ZERO)
 
 
 @dataclass(frozen=True)
@@ -52,45 +57,61 @@ class EntryDifference:
     place: Fraction
     yardstick: Fraction
     largest: Fraction
-    zero: Zero
+    written: Written
 
     def is_near(self) -> bool:
         """Decide if the entry counts as right.
 
-        It may be off by half a unit of its last place, at least two decimals counted, and besides
-        by 5e-4 of the largest of its kind, for what was rounded on the way; or by 5e-4 of the
-        largest entry of all, unless that is much beside it.
+        Written with a point it may be off by half a unit of its last place, by a whole unit from
+        three decimals on, or by 5e-4 of the largest of its kind; a whole number or a fraction
+        claims all of its digits.
 
         Examples
         --------
-        A half beside a translation of 5,000, typed as 0.506 and as 0.51.
+        Two thirds, typed as 0.67, 0.66, 0.666 and 1.
 
-        >>> half, all_ = Fraction(1, 2), Fraction(5000)
-        >>> [EntryDifference(off, place, half, all_, Zero.NONE).is_near()
-        ...  for off, place in ((Fraction(1, 1000), Fraction(1, 1000)), (Fraction(1, 100),) * 2)]
-        [True, False]
+        >>> [EntryDifference(off, place, Fraction(2, 3), Fraction(1), written).is_near()
+        ...  for off, place, written in (
+        ...     (Fraction(1, 300), Fraction(1, 100), Written.DECIMAL),
+        ...     (Fraction(2, 300), Fraction(1, 100), Written.DECIMAL),
+        ...     (Fraction(2, 3000), Fraction(1, 1000), Written.DECIMAL),
+        ...     (Fraction(1, 3), Fraction(1), Written.WHOLE))]
+        [True, False, True, False]
         """
-        allowance = min(RELATIVE * self.largest, ITS_OWN * self.yardstick)
-        return self.difference <= allowance or self.is_near_a_mistake()
+        if self.written.is_exact:
+            return self.difference <= NOISE * self.yardstick
+        rounded = self.place if self.place <= CUT_OFF else self.place / 2
+        if self.written is Written.DECIMAL_ZERO:
+            rounded = min(rounded, FEWEST / 2)
+        return self._is_within(max(rounded, RELATIVE * self.yardstick))
 
     def is_near_a_mistake(self) -> bool:
-        """Decide if the entry counts as that of a mistake: among its own kind alone."""
+        """Decide if the entry counts as that of a mistake, which was made with rounded numbers."""
         allowance = RELATIVE * self.yardstick
-        return self.difference <= allowance or self._is_half(min(self.place, FEWEST), allowance)
+        counted = min(self.place or FEWEST, FEWEST) / 2 + allowance
+        return self.difference <= allowance or self._is_within(counted)
 
     def is_rounded(self) -> bool:
         """Decide if every digit that was typed is right."""
-        return self.difference <= NOISE * self.yardstick or self._is_half(self.place)
+        if self.difference <= NOISE * self.yardstick:
+            return True
+        return not self.written.is_exact and self._is_within(self.place / 2)
 
-    def _is_half(self, place: Fraction, allowance: Fraction = ZERO) -> bool:
-        """Decide if the entry is at most half a unit off, and no zero hides what matters.
+    def lacks_digits(self) -> bool:
+        """Decide if the number may be right, and was written with fewer digits than it takes."""
+        counted = (self.place or FEWEST) / 2
+        return self.written is not Written.DECIMAL and self._is_within(counted)
 
-        0.00 is a rounded number, and a bare 0 is none: it may not stand for the largest of its
-        kind, and 0.00 not for the largest of all.
+    def _is_within(self, most: Fraction) -> bool:
+        """Decide if the entry is at most so far off, and no zero hides what matters.
+
+        A bare 0 may not stand for the largest of its kind, and 0.00 not for the largest of all.
         """
-        hidden = {Zero.NONE: None, Zero.ROUNDED: self.largest, Zero.BARE: self.yardstick}[self.zero]
-        most = place / 2 + allowance
-        return self.difference <= (most if hidden is None else min(most, NOT_ALL * hidden))
+        if self.written is Written.DECIMAL_ZERO:
+            most = min(most, NOT_ALL * self.largest)
+        elif self.written is Written.BARE_ZERO:
+            most = min(most, NOT_ALL * self.yardstick)
+        return self.difference <= most
 
 
 def yardsticks(value: RationalMatrix, *, is_vector: bool) -> RationalMatrix:

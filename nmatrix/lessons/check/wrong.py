@@ -5,45 +5,69 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, product
 
-from nmatrix.lessons.check.answer import floats_or_none
-from nmatrix.lessons.check.computation import MisreadScenes
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.errors import NoAnswerError
+from nmatrix.lessons.check.computation import NO_ANSWER, MisreadScenes, Way
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question
-from nmatrix.linear.rational import RationalMatrix, Rows
+from nmatrix.linear.rational import RationalMatrix
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WrongAnswer:
-    """What one mistake, or two of them, give."""
+    """What one mistake, or two of them, give; exact numbers are made only when they are read."""
 
     mistakes: tuple[MistakeId, ...]
-    value: RationalMatrix
+    way: Way
 
     @cached_property
-    def floats(self) -> Rows | None:
-        """The value in float64, for a first look; None where it is beyond."""
-        return floats_or_none(self.value)
+    def value(self) -> RationalMatrix | None:
+        """The answer; None where the mistaken scene has none."""
+        return self.way.value
+
+    @cached_property
+    def floats(self) -> list[float] | None:
+        """The answer in floats, row by row; empty if there is none, None if floats do not tell."""
+        try:
+            found = self.way.floats()
+        except NoAnswerError:
+            return []
+        except NO_ANSWER:
+            return None
+        return [entry for row in found or () for entry in row]  # type: ignore[misc]  # floats inside
 
 
-def single_mistakes(question: Question) -> Iterator[WrongAnswer]:
-    """Make every mistake that can happen here, in the order of the table."""
-    scenes = MisreadScenes(question)
-    for mistake in MistakeId:
-        made = MISTAKES[mistake].made_in(question)
-        if made is not None:
-            for value in made.answers(scenes):
-                yield WrongAnswer((mistake,), value)
+class WrongAnswers:
+    """The wrong answers to one question, made when they are first asked for."""
 
+    def __init__(self, question: Question) -> None:
+        self._question = question
+        self._scenes = MisreadScenes(question)
+        self._by_mistake: dict[MistakeId, tuple[WrongAnswer, ...]] = {}
 
-def pairs(question: Question) -> Iterator[WrongAnswer]:
-    """Make every two mistakes that can happen at once."""
-    scenes = MisreadScenes(question)
-    made = {mistake: MISTAKES[mistake].made_in(question) for mistake in MistakeId}
-    for first, second in combinations(MistakeId, 2):
-        one, other = made[first], made[second]
-        both = None if one is None or other is None else one + other
-        if both is not None:
-            for value in both.answers(scenes):
-                yield WrongAnswer((first, second), value)
+    def of(self, mistake: MistakeId) -> tuple[WrongAnswer, ...]:
+        """Make one mistake in every way that it can happen here."""
+        if mistake not in self._by_mistake:
+            self._by_mistake[mistake] = tuple(
+                WrongAnswer((mistake,), way)
+                for made in MISTAKES[mistake].made_in(self._question)
+                for way in made.ways(self._scenes)
+            )
+        return self._by_mistake[mistake]
+
+    def of_singles(self) -> Iterator[WrongAnswer]:
+        """Make every mistake that can happen here, in the order of the table."""
+        for mistake in MistakeId:
+            yield from self.of(mistake)
+
+    def of_pairs(self) -> Iterator[WrongAnswer]:
+        """Make every two mistakes that can happen at once."""
+        made = {mistake: MISTAKES[mistake].made_in(self._question) for mistake in MistakeId}
+        for first, second in combinations(MistakeId, 2):
+            for one, other in product(made[first], made[second]):
+                both = one + other
+                if both is not None:
+                    for way in both.ways(self._scenes):
+                        yield WrongAnswer((first, second), way)

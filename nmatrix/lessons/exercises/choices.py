@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import takewhile
 
 from nmatrix.lessons.check.judge import Judge
-from nmatrix.lessons.check.mistakes import MISTAKES, MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
 from nmatrix.lessons.exercises.exercise import LETTERS, Choice, Exercise, Option
@@ -23,6 +25,8 @@ LETTER = Text("Answer with a letter.")
 CHOICES = 4
 # They need a sentence of context to be a fair question.
 NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
+# The mistakes that the scheme nmatrix/1 draws from end before this one: more would change sheets.
+AFTER_THE_SCHEME = MistakeId.CLIP_Y
 
 # What a wrong choice is told: where to look, and not what is to be seen there.
 FOLLOW_THE_MATRICES = (
@@ -87,8 +91,10 @@ def find_the_mistake(draws: Draws) -> Exercise | None:
     world = World(translate=move, rotate_degrees=(0, 0, quarter), scale=scale)
     subject = draws.choice((Subject.WORLD, Subject.NORMAL))
     judge = Judge(Question(subject, Setup(world)))
-    by_mistake = {one.mistakes[0]: one.value for one in reversed(judge.singles)}
-    near = [one for one in by_mistake if one not in NOT_ASKED]
+    of_the_scheme = list(takewhile(lambda one: one is not AFTER_THE_SCHEME, MistakeId))
+    asked = [one for one in reversed(of_the_scheme) if one not in NOT_ASKED]
+    by_mistake = {one: wrong[0] for one in asked if (wrong := judge.wrong_by(one))}
+    near = list(by_mistake)
     if len(near) < CHOICES:
         return None
     chosen = draws.several(near, CHOICES)

@@ -10,7 +10,7 @@ from typing import Protocol
 from nmatrix.errors import IllegalValueError, counted
 from nmatrix.lessons.check.answer import Answer, read_answer
 from nmatrix.lessons.check.judge import RIGHT, Judge, Judgement, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import Question
 from nmatrix.report import Block
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.lessons.check.judge import Judge, Outcome
-from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.lessons.check.judge import Judge
+from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import LightPart, Question, Subject
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake
 from nmatrix.lessons.exercises.scheme import Draws
@@ -211,15 +211,10 @@ def _shown_mistakes(
     """Make each planned mistake once; None where one does not show, or two look alike."""
     found: list[ExpectedMistake] = []
     for mistake in planned:
-        values = (one.value for one in judge.singles if one.mistakes == (mistake,))
-        texts = (typed(_asked_for(judge, value)) for value in values)
-        named = next((text for text in texts if _is_named(judge, mistake, text)), None)
+        texts = (typed(_asked_for(judge, value)) for value in judge.wrong_by(mistake))
+        read = Computed(judge).answer
+        named = next((one for one in texts if not judge.is_given_before(mistake, read(one))), None)
         if named is None or named in (one.text for one in found):
             return None
         found.append(ExpectedMistake(mistake, named))
     return tuple(found)
-
-
-def _is_named(judge: Judge, mistake: MistakeId, text: str) -> bool:
-    judged = Computed(judge).judge(text)
-    return judged.verdict is Outcome.MISTAKE and judged.mistakes == (mistake,)

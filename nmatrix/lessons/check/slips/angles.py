@@ -1,92 +1,140 @@
 """Mistakes with angles: their unit, their order, their sign, the convention they belong to.
 
-Each takes a scene and yields the scenes that the mistake makes of it.
+Each takes one part of a scene and lists what the mistake makes of it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from itertools import permutations, product
-from math import degrees
+from math import degrees, isinf, radians
 
 from nmatrix.enums import Convention
 from nmatrix.linear import rational as exact
 from nmatrix.linear.affine import AXES, rotation_about
 from nmatrix.linear.angle import Angle
-from nmatrix.linear.rational import affine_matrix, apply, rational_matrix
+from nmatrix.linear.rational import (
+    RationalMatrix,
+    affine_matrix,
+    apply,
+    numbers_like,
+)
+from nmatrix.linear.values import with_fields
 from nmatrix.report import Number, Vector
 from nmatrix.scene.camera import FirstPerson, View
-from nmatrix.scene.setup import Setup
+from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 
+UNITS = (degrees, radians)  # degrees taken for radians, and radians for degrees
 
-def degrees_as_radians(setup: Setup) -> Iterator[Setup]:
-    """Take angles for radians, group by group and at once."""
-    world, view, light = _radians_world(setup.world), _radians_view(setup.view), setup.light
+
+def world_in_another_unit(world: World) -> Iterator[World]:
+    """Take the angles of an object for radians, or convert them once too often."""
+    if world.matrix is None:
+        for convert in UNITS:
+            yield with_fields(world, rotate_degrees=_converted(world.rotate_degrees, convert))
+
+
+def view_in_another_unit(view: View) -> Iterator[View]:
+    """Take the angles of a camera for radians, or convert them once too often."""
+    if view.angles is not None:
+        for convert in UNITS:
+            yield _looking(view, _converted(_turns(view.angles), convert))
+
+
+def light_in_another_unit(light: Light) -> Iterator[Light]:
+    """Take the angles of a light for radians, or convert them once too often."""
     if light.angles_degrees is not None:
-        alpha, beta = light.angles_degrees
-        light = replace(light, angles_degrees=(degrees(alpha), degrees(beta)))
-        yield replace(setup, light=light)
-    yield replace(setup, world=world)
-    yield replace(setup, view=view)
-    yield replace(setup, world=world, view=view, light=light)
+        for convert in UNITS:
+            yield with_fields(light, angles_degrees=_converted(light.angles_degrees, convert))
 
 
-def rotation_order(setup: Setup) -> Iterator[Setup]:
-    """Multiply rotations in every other order."""
-    world = _standard(setup.world)
-    if world is not None:
+def world_in_another_order(world: World) -> Iterator[World]:
+    """Multiply the rotations of an object in every other order."""
+    standard = _standard(world)
+    if standard is not None:
         for order in permutations(AXES):
-            yield replace(setup, world=replace(world, order="".join(order)))
-    if setup.view.angles is not None:
-        for view in _reordered_views(setup.view, setup.view.angles):
-            yield replace(setup, view=view)
+            yield with_fields(standard, order="".join(order))
 
 
-def rotation_sign(setup: Setup) -> Iterator[Setup]:
-    """Turn some of the angles the other way."""
-    world, angles = setup.world, setup.view.angles
-    if world.matrix is None and world.quaternion is not None:
+def view_in_another_order(view: View) -> Iterator[View]:
+    """Multiply the rotations of a camera in every other order."""
+    if view.angles is not None:
+        for order in permutations("ZXY"):
+            yield ReorderedView(
+                view.eye, angles=view.angles, convention=view.convention, sequence="".join(order)
+            )
+
+
+def world_turned_back(world: World) -> Iterator[World]:
+    """Turn an object about some of the axes the other way."""
+    if world.matrix is not None:
+        return
+    if world.quaternion is not None:
         x, y, z, w = world.quaternion
-        yield replace(setup, world=replace(world, quaternion=(-x, -y, -z, w)))
-    elif world.matrix is None:
+        yield with_fields(world, quaternion=(-x, -y, -z, w))
+    else:
         for turned in _signs(world.rotate_degrees):
-            yield replace(setup, world=replace(world, rotate_degrees=turned))
-    if angles is not None:
-        for turned in _signs((angles.elevation, angles.angle, angles.roll)):
-            yield replace(setup, view=replace(setup.view, angles=FirstPerson(*map(float, turned))))
+            yield with_fields(world, rotate_degrees=turned)
 
 
-def polimi_angles_swapped(setup: Setup) -> Iterator[Setup]:
-    """Take angles by another convention than the one asked for."""
-    world, view = setup.world, setup.view
+def view_turned_back(view: View) -> Iterator[View]:
+    """Turn a camera by some of its angles the other way."""
+    if view.angles is not None:
+        for turned in _signs(_turns(view.angles)):
+            yield _looking(view, turned)
+
+
+def world_of_another_convention(world: World) -> Iterator[World]:
+    """Take the angles of an object by another convention."""
     if world.matrix is None and world.quaternion is None:
         for convention in Convention:
-            yield replace(setup, world=replace(world, convention=convention, order="XYZ"))
+            yield with_fields(world, convention=convention, order="XYZ")
+
+
+def view_of_another_convention(view: View) -> Iterator[View]:
+    """Take the angles of a camera by another convention, or exchange them."""
     if view.angles is not None:
-        up, sideways, roll = view.angles.elevation, view.angles.angle, view.angles.roll
+        up, sideways, roll = _turns(view.angles)
         for convention in Convention:
-            for angles in (view.angles, FirstPerson(sideways, up, roll)):
-                yield replace(setup, view=replace(view, convention=convention, angles=angles))
+            for angles in (view.angles, FirstPerson(float(sideways), float(up), float(roll))):
+                yield with_fields(view, convention=convention, angles=angles)
 
 
-def _radians_world(world: World) -> World:
-    if world.matrix is not None:
-        return world
-    return replace(world, rotate_degrees=_radians(world.rotate_degrees))
+@dataclass(frozen=True)
+class ReorderedView(View):
+    """A camera whose three turns are multiplied in another sequence than Z (roll), X, Y."""
+
+    sequence: str = "ZXY"
+
+    def by_angles(self, turn: Callable[[Number], Angle]) -> RationalMatrix:
+        """Build the view matrix of the turns in this sequence."""
+        assert self.angles is not None  # or it would not be reordered
+        sideways = turn(self.angles.angle)
+        turns = {
+            "Z": -turn(self.angles.roll),
+            "X": -turn(self.angles.elevation),
+            "Y": sideways if self.convention is Convention.POLIMI else -sideways,
+        }
+        turned = exact.product(*(rotation_about(axis, turns[axis]) for axis in self.sequence))
+        moved = apply(turned, numbers_like(turned, self.eye))
+        return affine_matrix(turned, tuple(-x for x in moved))
 
 
-def _radians_view(view: View) -> View:
-    if view.angles is None:
-        return view
-    angles = (view.angles.elevation, view.angles.angle, view.angles.roll)
-    return replace(view, angles=FirstPerson(*map(float, _radians(angles))))
+def _turns(angles: FirstPerson) -> Vector:
+    return angles.elevation, angles.angle, angles.roll
 
 
-def _radians(values: Vector) -> Vector:
-    """Convert radians to degrees."""
-    return tuple(degrees(float(value)) for value in values)
+def _looking(view: View, turns: Vector) -> View:
+    return with_fields(view, angles=FirstPerson(*map(float, turns)))
+
+
+def _converted(values: Vector, convert: Callable[[float], float]) -> Vector:
+    found = tuple(convert(float(value)) for value in values)
+    if any(map(isinf, found)):
+        raise OverflowError("an angle beyond float64")
+    return found
 
 
 def _signs(values: Vector) -> Iterator[Vector]:
@@ -97,7 +145,7 @@ def _signs(values: Vector) -> Iterator[Vector]:
 
 def _standard(world: World) -> World | None:
     """Describe a world in the standard convention, if three angles describe it."""
-    if world.matrix is not None or world.quaternion is not None:
+    if world.matrix is not None or world.quaternion is not None or world.axis_angle is not None:
         return None
     x, y, z = world.rotate_degrees
     turned: dict[Convention, tuple[Number, ...]] = {
@@ -105,19 +153,6 @@ def _standard(world: World) -> World | None:
         Convention.POLIMI: (y, -x, -z),
         Convention.POLIMI_ASSIGNMENTS: (y, x, z),
     }
-    return replace(world, rotate_degrees=turned[world.convention], convention=Convention.STANDARD)
-
-
-def _reordered_views(view: View, angles: FirstPerson) -> Iterator[View]:
-    sideways = Angle.degrees(angles.angle)
-    turns = {
-        "Z": -Angle.degrees(angles.roll),
-        "X": -Angle.degrees(angles.elevation),
-        "Y": sideways if view.convention is Convention.POLIMI else -sideways,
-    }
-    about = {axis: rotation_about(axis, turn) for axis, turn in turns.items()}
-    eye = rational_matrix((view.eye,))[0]
-    for order in permutations("ZXY"):
-        turned = exact.product(*(about[axis] for axis in order))
-        moved = apply(turned, eye)
-        yield View(matrix=affine_matrix(turned, tuple(-x for x in moved)))
+    return with_fields(
+        world, rotate_degrees=turned[world.convention], convention=Convention.STANDARD
+    )

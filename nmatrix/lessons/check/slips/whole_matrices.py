@@ -9,11 +9,11 @@ from dataclasses import replace
 
 from nmatrix.enums import Space
 from nmatrix.lessons.check.question import Matrices, Question, Subject
+from nmatrix.lessons.check.slips.view import seen_by
 from nmatrix.linear.rational import (
     RationalMatrix,
     affine_matrix,
     apply,
-    determinant,
     inverse,
     linear_part,
     product,
@@ -41,52 +41,40 @@ def used_model_view(question: Question, right: Matrices) -> Matrices | None:
         return replace(right, space_from_world=V) if question.space in _STILL else None
     if question.space in (Space.LIGHT, Space.CUSTOM):
         return None
-    replaced = replace(right, space_from_world=product(V, M))
-    return _inverted(replaced) if question.space is Space.OBJECT else replaced
+    both = product(V, M)
+    is_of_object = question.space is Space.OBJECT
+    return replace(right, space_from_world=inverse(both) if is_of_object else both)
 
 
-def view_not_inverted(question: Question, right: Matrices) -> Matrices | None:
-    """Put the pose of the camera, or of the light, where its view belongs."""
-    if question.subject is Subject.VIEW:
-        return replace(right, camera_from_world=inverse(right.camera_from_world))
-    if question.space in (Space.CAMERA, Space.LIGHT):
-        return _inverted(right)
-    return None
+def world_inverted(_: Question, right: Matrices) -> Matrices:
+    """Give the way from the world to the object."""
+    return replace(right, world_from_object=inverse(right.world_from_object))
 
 
-def transposed_layout(_: Question, right: Matrices) -> Matrices | None:
+def transposed_layout(_: Question, right: Matrices) -> Matrices:
     """Multiply a row by the matrix in place of a column."""
     return replace(right, space_from_world=transpose(right.space_from_world))
 
 
 def scale_before_translate(question: Question, right: Matrices) -> Matrices | None:
     """Exchange the translation and the rest: A·T for M = T·A, and T·R for V = R·T."""
-    if question.subject is Subject.VIEW:
-        return replace(right, camera_from_world=_moved_first(right.camera_from_world))
-    if question.subject is Subject.WORLD:
-        return replace(right, world_from_object=_moved_last(right.world_from_object))
+    M = _moved_first(right.world_from_object)
+    if question.subject in (Subject.WORLD, Subject.TRACE, Subject.AXES):
+        return replace(right, world_from_object=M)
     if question.space is Space.CAMERA:
-        return replace(right, space_from_world=_moved_first(right.space_from_world))
+        return seen_by(question, right, _moved_last(right.camera_from_world))
     if question.space is Space.OBJECT:
-        return _inverted(replace(right, space_from_world=_moved_last(right.world_from_object)))
+        return replace(right, space_from_world=inverse(M))
     return None
 
 
-def _moved_last(T_A: RationalMatrix) -> RationalMatrix:
+def _moved_first(T_A: RationalMatrix) -> RationalMatrix:
     """Turn T·A into A·T: its translation becomes A t."""
     block = linear_part(T_A)
     return affine_matrix(block, apply(block, translation(T_A)))
 
 
-def _moved_first(R_T: RationalMatrix) -> RationalMatrix:
+def _moved_last(R_T: RationalMatrix) -> RationalMatrix:
     """Turn R·T into T·R: its translation, R t, becomes t."""
     block = linear_part(R_T)
     return affine_matrix(block, apply(inverse(block), translation(R_T)))
-
-
-def _inverted(matrices: Matrices) -> Matrices | None:
-    """Invert S, if it can be."""
-    S = matrices.space_from_world
-    if determinant(linear_part(S)) == 0:
-        return None
-    return replace(matrices, space_from_world=inverse(S))
