@@ -169,6 +169,8 @@ def _first_person(eye: Vector, angles: FirstPerson, convention: Convention) -> W
     steps, factors = turned([(axis, one) for axis, one in turns if one], by)
     ((name, R),) = factors or [("I", identity(3))]
     about = f"{name} turns the world the other way than the camera was turned"
+    if not factors:
+        about = "the camera was not turned"
     return _placed(Block(name, R, about), eye, steps, by)
 
 
