@@ -10,7 +10,6 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from nmatrix.enums import Frame
 from nmatrix.lint.tree import Stage, Storage
 from nmatrix.lint.values import (
     ANYTHING,
@@ -20,31 +19,82 @@ from nmatrix.lint.values import (
     Length,
     Matrix,
     Role,
+    ShaderSpace,
     Value,
     Vector,
 )
 
 FRAMES = {
-    "object": Frame.OBJECT,
-    "obj": Frame.OBJECT,
-    "local": Frame.OBJECT,
-    "model": Frame.OBJECT,
-    "world": Frame.WORLD,
-    "view": Frame.CAMERA,
-    "eye": Frame.CAMERA,
-    "camera": Frame.CAMERA,
-    "cam": Frame.CAMERA,
-    "clip": Frame.CLIP,
-    "hclip": Frame.CLIP,
-    "projection": Frame.CLIP,
-    "tangent": Frame.TANGENT,
+    "object": ShaderSpace.OBJECT,
+    "obj": ShaderSpace.OBJECT,
+    "local": ShaderSpace.OBJECT,
+    "model": ShaderSpace.OBJECT,
+    "world": ShaderSpace.WORLD,
+    "view": ShaderSpace.CAMERA,
+    "eye": ShaderSpace.CAMERA,
+    "camera": ShaderSpace.CAMERA,
+    "cam": ShaderSpace.CAMERA,
+    "clip": ShaderSpace.CLIP,
+    "hclip": ShaderSpace.CLIP,
+    "projection": ShaderSpace.CLIP,
+    "tangent": ShaderSpace.TANGENT,
 }
 _WORD = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|\d+")
 
 _NOISE = frozenset(
-    "matrix mat mats mtx mx m44 transform transf xform xf u g m f gl the my ubo matrices "
-    "transforms current curr cur global unity glstate drw czm osg ci 4 44 4x4 4f 3 gbl "
-    "uniforms uniform params data per frame draw pc push constants main c cb k s".split()
+    [
+        "matrix",
+        "mat",
+        "mats",
+        "mtx",
+        "mx",
+        "m44",
+        "transform",
+        "transf",
+        "xform",
+        "xf",
+        "u",
+        "g",
+        "m",
+        "f",
+        "gl",
+        "the",
+        "my",
+        "ubo",
+        "matrices",
+        "transforms",
+        "current",
+        "curr",
+        "cur",
+        "global",
+        "unity",
+        "glstate",
+        "drw",
+        "czm",
+        "osg",
+        "ci",
+        "4",
+        "44",
+        "4x4",
+        "4f",
+        "3",
+        "gbl",
+        "uniforms",
+        "uniform",
+        "params",
+        "data",
+        "per",
+        "frame",
+        "draw",
+        "pc",
+        "push",
+        "constants",
+        "main",
+        "c",
+        "cb",
+        "k",
+        "s",
+    ]
 )
 _INVERSE = frozenset({"inverse", "inv", "inverted", "i"})
 _TRANSPOSE = frozenset({"transpose", "transposed", "transp", "trans", "t"})
@@ -117,9 +167,54 @@ _DIRECTIONS = frozenset({"direction", "vector", "vec", "ray"})
 _LIGHTS = frozenset({"light", "lamp", "sun", "spotlight", "pointlight"})
 _EYES = frozenset({"eye", "camera", "viewer", "view", "cam"})
 _VECTOR_NOISE = frozenset(
-    "u g m a v i in out vs fs ps gl o my the frag fragment vtx input output attr attribute att "
-    "var vary current space coord coords 0 3 4 f unity local3 uniform transformed obj surface surf "
-    "main ubo data pixel from to".split()
+    [
+        "u",
+        "g",
+        "m",
+        "a",
+        "v",
+        "i",
+        "in",
+        "out",
+        "vs",
+        "fs",
+        "ps",
+        "gl",
+        "o",
+        "my",
+        "the",
+        "frag",
+        "fragment",
+        "vtx",
+        "input",
+        "output",
+        "attr",
+        "attribute",
+        "att",
+        "var",
+        "vary",
+        "current",
+        "space",
+        "coord",
+        "coords",
+        "0",
+        "3",
+        "4",
+        "f",
+        "unity",
+        "local3",
+        "uniform",
+        "transformed",
+        "obj",
+        "surface",
+        "surf",
+        "main",
+        "ubo",
+        "data",
+        "pixel",
+        "from",
+        "to",
+    ]
 )
 
 
@@ -189,7 +284,7 @@ def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | No
     named = {word for word in left if word not in _INVERSE and word not in _TRANSPOSE}
     if not named or len(inverts) > 1:
         return None
-    if "i" in inverts and "i" == left[0]:  # iMatrix is an integer's or an instance's
+    if "i" in inverts and left[0] == "i":  # iMatrix is an integer's or an instance's
         return None
     if named & {"normal", "normals"}:
         return _normal_matrix(named - {"normal", "normals"}, is_of_camera=is_of_camera)
@@ -199,12 +294,12 @@ def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | No
     if named - _MODEL - _VIEW - _PROJECTION:
         return None
     frames = {
-        (True, False, False): (Frame.WORLD, Frame.OBJECT),
-        (False, True, False): (Frame.CAMERA, Frame.WORLD),
-        (False, False, True): (Frame.CLIP, Frame.CAMERA),
-        (True, True, False): (Frame.CAMERA, Frame.OBJECT),
-        (False, True, True): (Frame.CLIP, Frame.WORLD),
-        (True, True, True): (Frame.CLIP, Frame.OBJECT),
+        (True, False, False): (ShaderSpace.WORLD, ShaderSpace.OBJECT),
+        (False, True, False): (ShaderSpace.CAMERA, ShaderSpace.WORLD),
+        (False, False, True): (ShaderSpace.CLIP, ShaderSpace.CAMERA),
+        (True, True, False): (ShaderSpace.CAMERA, ShaderSpace.OBJECT),
+        (False, True, True): (ShaderSpace.CLIP, ShaderSpace.WORLD),
+        (True, True, True): (ShaderSpace.CLIP, ShaderSpace.OBJECT),
     }.get((has[0], has[1], has[2]))
     if frames is None:
         return None
@@ -216,15 +311,15 @@ def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | No
 
 
 def _normal_matrix(others: set[str], *, is_of_camera: bool) -> Matrix | None:
-    to: Frame | None = Frame.CAMERA if is_of_camera else None
+    to: ShaderSpace | None = ShaderSpace.CAMERA if is_of_camera else None
     if others:
         if others <= _MODEL:
-            to = Frame.WORLD if others & {"world"} else None
+            to = ShaderSpace.WORLD if others & {"world"} else None
         elif others <= _MODEL | _VIEW | {"eye", "camera"}:
-            to = Frame.CAMERA
+            to = ShaderSpace.CAMERA
         else:
             return None
-    return Matrix(Frame.OBJECT, to, is_transposed=True, size=3, because=Because.NAME)
+    return Matrix(ShaderSpace.OBJECT, to, is_transposed=True, size=3, because=Because.NAME)
 
 
 def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vector:
@@ -261,28 +356,24 @@ def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vecto
     return _vector_of(frozenset(words) | owned, size, storage, is_attribute=is_attribute)
 
 
-def _vector_of(
-    words: frozenset[str], size: int, storage: Storage, *, is_attribute: bool
-) -> Vector:
+def _vector_of(words: frozenset[str], size: int, storage: Storage, *, is_attribute: bool) -> Vector:
     nothing = Vector(size=size)
     kind = _kind(words)
     role = Role.LIGHT if words & _LIGHTS else None
     others = words - _POINTS - _NORMALS - _TANGENTS - _DIRECTIONS - _LIGHTS
     space = None
     if "world" in others:
-        space, others = Frame.WORLD, others - {"world"}
+        space, others = ShaderSpace.WORLD, others - {"world"}
     elif others & {"object", "local"}:
-        space, others = Frame.OBJECT, others - {"object", "local"}
+        space, others = ShaderSpace.OBJECT, others - {"object", "local"}
     elif "tangent" in words and (role is not None or kind is not Carried.TANGENT):
-        space = Frame.TANGENT
+        space = ShaderSpace.TANGENT
     if others & _EYES:
         others -= _EYES
         if role is not None or kind is Carried.NORMAL:
             if space is None:
-                space = Frame.CAMERA
-        elif kind is Carried.POINT and storage is Storage.UNIFORM:
-            role = Role.EYE
-        elif kind is Carried.DIRECTION:
+                space = ShaderSpace.CAMERA
+        elif (kind is Carried.POINT and storage is Storage.UNIFORM) or kind is Carried.DIRECTION:
             role = Role.EYE
         else:
             return nothing
@@ -295,12 +386,12 @@ def _vector_of(
     is_assumed = is_attribute and space is None
     return Vector(
         kind,
-        Frame.OBJECT if is_assumed else space,
+        ShaderSpace.OBJECT if is_assumed else space,
         size,
         w,
         role,
         length=length,
-        likely=Frame.WORLD if role in (Role.LIGHT, Role.EYE) and space is None else None,
+        likely=ShaderSpace.WORLD if role in (Role.LIGHT, Role.EYE) and space is None else None,
         is_assumed=is_assumed,
         because=Because.NAME,
     )
@@ -378,6 +469,4 @@ def annotated(note: str, value: Value, size: int) -> Value:
     if not frames or not isinstance(value, Vector):
         return value
     kind = next((_KINDS[word] for word in words if word in _KINDS and len(words) > 1), value.kind)
-    return Vector(
-        kind, frames[0], value.size, value.w, value.role, because=Because.ANNOTATION
-    )
+    return Vector(kind, frames[0], value.size, value.w, value.role, because=Because.ANNOTATION)

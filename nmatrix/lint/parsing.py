@@ -322,7 +322,9 @@ class _Parsing:
             if parameter.type.endswith("parameter_declaration")
             for one in self._variables(parameter, Storage.INPUT)
         )
-        semantic = next((self._semantic(one) for one in node.children if one.type == "semantics"), "")
+        semantic = next(
+            (self._semantic(one) for one in node.children if one.type == "semantics"), ""
+        )
         statements = tuple(self._statements(body.named_children))
         self.functions.append(
             tree.Function(
@@ -367,7 +369,9 @@ class _Parsing:
             name = self._declared(child)
             if not name or child.type == "semantics":
                 continue
-            initial = child.child_by_field_name("value") if child.type == "init_declarator" else None
+            initial = (
+                child.child_by_field_name("value") if child.type == "init_declarator" else None
+            )
             found.append(
                 Variable(
                     span,
@@ -589,7 +593,10 @@ class _Parsing:
         return tree.Call(self._span(node), self._type(type_), (self._expression(value),))
 
     def _call(self, node: Node) -> tree.Expression:
-        function, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+        function, listed = (
+            node.child_by_field_name("function"),
+            node.child_by_field_name("arguments"),
+        )
         span = self._span(node)
         if function is None or listed is None:
             return tree.Unread(span)

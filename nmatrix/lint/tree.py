@@ -146,7 +146,11 @@ Expression = (
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A declared name; `semantic` is HLSL's, `note` the comment that stands beside it."""
+    """A declared name.
+
+    `semantic` is HLSL's and `location` GLSL's way to say which output is which input; `note` is
+    the comment that stands beside it.
+    """
 
     span: Span
     name: str
@@ -156,6 +160,7 @@ class Variable:
     semantic: str = ""
     note: str = ""
     is_flat: bool = False
+    location: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

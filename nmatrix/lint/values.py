@@ -11,7 +11,16 @@ from dataclasses import dataclass, replace
 from enum import IntEnum, StrEnum
 from itertools import pairwise, permutations
 
-from nmatrix.enums import Frame
+
+class ShaderSpace(StrEnum):
+    """A space that vectors of a shader may be in."""
+
+    OBJECT = "object"
+    WORLD = "world"
+    CAMERA = "camera"
+    CLIP = "clip"
+    LIGHT = "light"
+    TANGENT = "tangent"
 
 
 class Carried(StrEnum):
@@ -61,6 +70,7 @@ class Because(StrEnum):
 
     ANNOTATION = "annotation"
     COMMENT = "comment"
+    BUILT_IN = "built in"
     NAME = "name"
     ARITHMETIC = "arithmetic"
 
@@ -75,24 +85,27 @@ class Vector:
         The space that the name suggests and does not say: a light's is mostly the world's.
     is_assumed
         Whether the space is only that of a vertex before any matrix: a mesh may be stored in any.
-    is_light_reflected
-        Whether it is a mirrored direction to the light.
+    is_reflected
+        Whether it is what `reflect` made.
     via
         The matrix that it has just come through.
+    origin
+        The uniform or the input that it was, or the place of the call that made it.
     """
 
     kind: Carried | None = None
-    space: Frame | None = None
+    space: ShaderSpace | None = None
     size: int = 0
     w: Fourth | None = None
     role: Role | None = None
     sense: Sense = Sense.UNKNOWN
     length: Length | None = None
-    likely: Frame | None = None
+    likely: ShaderSpace | None = None
     is_assumed: bool = False
     is_reflected: bool = False
     via: Matrix | None = None
     because: Because | None = None
+    origin: str = ""
 
     @property
     def is_direction(self) -> bool:
@@ -100,22 +113,26 @@ class Vector:
         return self.kind in (Carried.DIRECTION, Carried.TANGENT, Carried.NORMAL)
 
     @property
-    def told(self) -> str:
-        """Name it in a sentence."""
-        noun = self.kind or "vector"
+    def noun(self) -> str:
+        """Name what it is, without its space."""
         if self.role in (Role.LIGHT, Role.EYE) and self.kind in (Carried.POINT, None):
-            noun = f"position of the {self.role}"
-        elif self.role is not None and self.kind is Carried.DIRECTION:
-            noun = f"direction of the {self.role}" if self.role is not Role.HALFWAY else self.role
-        return f"{noun} in {spoken(self.space)}"
+            return f"position of the {self.role}"
+        if self.role is not None and self.kind is Carried.DIRECTION:
+            return self.role if self.role is Role.HALFWAY else f"direction of the {self.role}"
+        return self.kind or "vector"
+
+    @property
+    def told(self) -> str:
+        """Name it in a sentence, with its space."""
+        return f"{self.noun} in {spoken(self.space)}"
 
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
     """What is known of a matrix: `to` from `source`, or the transpose of that."""
 
-    to: Frame | None = None
-    source: Frame | None = None
+    to: ShaderSpace | None = None
+    source: ShaderSpace | None = None
     is_transposed: bool = False
     size: int = 4
     because: Because | None = None
@@ -155,9 +172,9 @@ class Matrix:
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """A number; `cosine` is what it is the dot product of, `is_gated` that it is not negative."""
+    """A number; a cosine that is not clamped may be negative."""
 
-    cosine: tuple[Role | Carried, Role | Carried] | None = None
+    is_cosine: bool = False
     is_clamped: bool = False
     number: float | None = None
 
@@ -187,27 +204,27 @@ class Anything:
 Value = Vector | Matrix | Scalar | Record | Anything
 ANYTHING = Anything()
 
-RIGID = frozenset({Frame.WORLD, Frame.CAMERA, Frame.TANGENT})
-PROJECTED = (Frame.CLIP, Frame.LIGHT)
+RIGID = frozenset({ShaderSpace.WORLD, ShaderSpace.CAMERA, ShaderSpace.TANGENT})
+PROJECTED = (ShaderSpace.CLIP, ShaderSpace.LIGHT)
 _SPOKEN = {
-    Frame.OBJECT: "object space",
-    Frame.WORLD: "world space",
-    Frame.CAMERA: "camera space",
-    Frame.CLIP: "clip space",
-    Frame.LIGHT: "the light's clip space",
-    Frame.TANGENT: "tangent space",
+    ShaderSpace.OBJECT: "object space",
+    ShaderSpace.WORLD: "world space",
+    ShaderSpace.CAMERA: "camera space",
+    ShaderSpace.CLIP: "clip space",
+    ShaderSpace.LIGHT: "the light's clip space",
+    ShaderSpace.TANGENT: "tangent space",
 }
 
 
-def spoken(frame: Frame | None) -> str:
+def spoken(frame: ShaderSpace | None) -> str:
     """Name a frame in a sentence.
 
     Examples
     --------
-    >>> spoken(Frame.CAMERA), spoken(None)
+    >>> spoken(ShaderSpace.CAMERA), spoken(None)
     ('camera space', 'an unknown space')
     """
-    return "an unknown space" if frame is None else _SPOKEN.get(frame, f"{frame} space")
+    return "an unknown space" if frame is None else _SPOKEN[frame]
 
 
 def product(left: Matrix, right: Matrix) -> Matrix:
@@ -215,7 +232,7 @@ def product(left: Matrix, right: Matrix) -> Matrix:
 
     Examples
     --------
-    >>> view, model = Matrix(Frame.CAMERA, Frame.WORLD), Matrix(Frame.WORLD, Frame.OBJECT)
+    >>> view, model = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD), Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
     >>> product(view, model).told
     'camera space from object space'
     """
@@ -245,7 +262,7 @@ def right_order(factors: tuple[Matrix, ...]) -> tuple[int, ...] | None:
 
     Examples
     --------
-    >>> view, model = Matrix(Frame.CAMERA, Frame.WORLD), Matrix(Frame.WORLD, Frame.OBJECT)
+    >>> view, model = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD), Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
     >>> right_order((model, view)), right_order((view, model)) is None
     ((1, 0), True)
     """
@@ -267,8 +284,8 @@ def moved(matrix: Matrix, vector: Vector) -> Vector:
 
     Examples
     --------
-    >>> model = Matrix(Frame.WORLD, Frame.OBJECT)
-    >>> normal = Vector(Carried.NORMAL, Frame.OBJECT, 3)
+    >>> model = Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
+    >>> normal = Vector(Carried.NORMAL, ShaderSpace.OBJECT, 3)
     >>> moved(model.inverse.transposed, normal).told
     'normal in world space'
     """
@@ -301,8 +318,8 @@ def joined(one: Value, other: Value) -> Value:
 
     Examples
     --------
-    >>> up = Vector(Carried.NORMAL, Frame.WORLD, 3)
-    >>> joined(up, replace(up, space=Frame.CAMERA)).told
+    >>> up = Vector(Carried.NORMAL, ShaderSpace.WORLD, 3)
+    >>> joined(up, replace(up, space=ShaderSpace.CAMERA)).told
     'normal in an unknown space'
     """
     if one == other:
@@ -325,7 +342,7 @@ def joined(one: Value, other: Value) -> Value:
 
 def _joined_vectors(one: Vector, other: Vector) -> Vector:
     kind = one.kind if one.kind is other.kind else None
-    both = Vector(
+    return Vector(
         kind=kind,
         space=one.space if one.space is other.space else None,
         size=one.size if one.size == other.size else 0,
@@ -337,5 +354,5 @@ def _joined_vectors(one: Vector, other: Vector) -> Vector:
         is_assumed=one.is_assumed or other.is_assumed,
         is_reflected=one.is_reflected and other.is_reflected,
         because=Because.ARITHMETIC,
+        origin=one.origin if one.origin == other.origin else "",
     )
-    return both

@@ -1,0 +1,116 @@
+"""Files become programs, and programs findings: `lint` reads sources and tells what it found.
+
+Files of one folder that differ only behind the stem are one program, and so are the only two.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from nmatrix.lint.following import Conventions, Following, Passed
+from nmatrix.lint.judging import Evidence, Fault, Judge
+from nmatrix.lint.parsing import STAGES, parse
+from nmatrix.lint.tree import Language, Shader, Span, Stage
+
+_ORDER = {Stage.VERTEX: 0, Stage.BETWEEN: 1, Stage.UNKNOWN: 2, Stage.FRAGMENT: 3}
+
+
+@dataclass(frozen=True)
+class Linted:
+    """What was found in files: the faults, and the spaces of names, by file."""
+
+    shaders: tuple[Shader, ...]
+    faults: tuple[Fault, ...]
+    spaces: Mapping[str, Mapping[str, tuple[str, str]]]
+
+
+def lint(sources: Mapping[str, bytes], language: Language | None = None) -> Linted:
+    """Read shaders, follow them as programs, and collect what is wrong in the order of the files.
+
+    Raises
+    ------
+    MissingPackageError
+        Without the grammars.
+
+    Examples
+    --------
+    >>> text = b"uniform mat4 model; in vec3 aNormal; out vec3 n;"
+    >>> text += b"void main() { n = mat3(model) * aNormal; }"
+    >>> [fault.rule.value for fault in lint({"a.vert": text}).faults]
+    ['NM101']
+    """
+    shaders = [parse(name, content, language) for name, content in sources.items()]
+    faults: list[Fault] = []
+    spaces: dict[str, dict[str, tuple[str, str]]] = {}
+    for program in programs(shaders):
+        found, known = _follow(program, sources)
+        faults += found
+        spaces |= known
+    place = {name: place for place, name in enumerate(sources)}
+    faults.sort(key=lambda one: (place[one.span.file], one.span.start, one.span.end))
+    return Linted(tuple(shaders), tuple(faults), {name: spaces.get(name, {}) for name in sources})
+
+
+def programs(shaders: Sequence[Shader]) -> list[tuple[Shader, ...]]:
+    """Put together what runs together: files of one stem, or the only two.
+
+    Examples
+    --------
+    >>> made = [parse(name, b"") for name in ("a.vert", "b.vert", "a.frag")]
+    >>> [[one.file for one in program] for program in programs(made)]
+    [['a.vert', 'a.frag'], ['b.vert']]
+    """
+    if len(shaders) == 2:
+        return [tuple(sorted(shaders, key=lambda one: _ORDER[one.stage]))]
+    by_stem: dict[tuple[str, str, Language], list[Shader]] = {}
+    for one in shaders:
+        path = PurePath(one.file)
+        by_stem.setdefault((str(path.parent), _stem(path.name), one.language), []).append(one)
+    return [
+        tuple(sorted(together, key=lambda one: _ORDER[one.stage])) for together in by_stem.values()
+    ]
+
+
+def _stem(name: str) -> str:
+    words = re.split(r"([._-])", name)
+    kept = [word for place, word in enumerate(words) if place == 0 or word.lower() not in STAGES]
+    first = "".join(kept).rstrip("._-")
+    return first.removesuffix(".glsl").removesuffix(".hlsl").lower()
+
+
+def _follow(
+    program: Iterable[Shader], sources: Mapping[str, bytes]
+) -> tuple[list[Fault], dict[str, dict[str, tuple[str, str]]]]:
+    """Follow a program twice: what the first reading shows, the second one takes for known."""
+    program = tuple(program)
+    evidence = Evidence()
+
+    def written(span: Span) -> str:
+        return sources[span.file][span.start : span.end].decode("utf-8", "replace")
+
+    conventions = Conventions()
+    judge = Judge(evidence, written)
+    for _ in range(2):
+        judge = Judge(evidence, written)
+        passed = Passed()
+        spaces = {}
+        for shader in program:
+            one = Following(shader, judge, passed, conventions)
+            one.follow()
+            spaces[shader.file] = one.spaces
+        conventions = Conventions(_named_are_transposed(program, evidence))
+    return list(judge.faults.values()), spaces
+
+
+def _named_are_transposed(program: Sequence[Shader], evidence: Evidence) -> bool | None:
+    """Tell from the side on which points stand whether named matrices are made for rows."""
+    on_the_right, on_the_left = evidence.sides[False], evidence.sides[True]
+    if on_the_left and not on_the_right:
+        return True
+    if on_the_right >= 3 * on_the_left and on_the_right:
+        return False
+    is_glsl = program[0].language is Language.GLSL
+    return False if is_glsl and not on_the_left else None
