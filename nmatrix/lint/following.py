@@ -148,6 +148,7 @@ class Following:
             is_entry = is_input and self.shader.language is Language.HLSL
             scope.write(parameter.name, self._parameter(parameter, is_of_entry=is_entry))
         value = self._run(function, scope)
+        self._keep_globals(function, scope, self.globals)
         if stage is Stage.VERTEX and isinstance(value, Record):
             self.passed.put(f"type {value.type}", value)
             self._hand_on_fields(value)
@@ -644,11 +645,15 @@ class Following:
                 value = inner.find(parameter.name)
                 if value is not None:
                     self._write(written, value, scope)
-        kept = {one.name for one in function.parameters}
-        for name, value in inner.values.items():
-            if name in self.declared and name not in kept:
-                scope.write(name, value)
+        self._keep_globals(function, inner, scope)
         return found
+
+    def _keep_globals(self, function: Function, inner: Scope, outer: Scope) -> None:
+        """Let what a function wrote to globals be seen by those that come after it."""
+        own = {one.name for one in function.parameters}
+        for name, value in inner.values.items():
+            if name in self.declared and name not in own:
+                outer.write(name, value)
 
     def _bottom(self, scope: Scope) -> Scope:
         """What a called function sees: the globals, as they are written by now."""
