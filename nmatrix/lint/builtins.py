@@ -203,7 +203,7 @@ def built_in(name: str, stage: Stage) -> Value | None:
     Examples
     --------
     >>> built_in("gl_NormalMatrix", Stage.VERTEX).told
-    'transpose of object space from camera space'
+    'object_from_cameraᵀ'
     >>> built_in("normal", Stage.FRAGMENT) is None
     True
     """

@@ -72,9 +72,13 @@ class Passed:
 
 @dataclass(frozen=True, slots=True)
 class Conventions:
-    """How named matrices stand: for columns, for rows, or nobody knows."""
+    """How named matrices stand: for columns, for rows (True), or nobody knows (None).
+
+    A projection right before `model` without any view matrix: `model` leads nobody knows where.
+    """
 
     named_are_transposed: bool | None = False
+    model_leads_elsewhere: bool = False
 
 
 class Following:
@@ -94,6 +98,12 @@ class Following:
         self.declared = {one.name: one for one in shader.variables}
         self.globals = Scope()
         self.calls: Counter[str] = Counter()
+        self.arrays = {
+            parameter.name
+            for function in shader.functions
+            for parameter in function.parameters
+            if parameter.is_array
+        }
         self.running: list[str] = []
         self.returned: list[list[Value]] = []
         self.spaces: dict[str, tuple[str, str]] = {}
@@ -252,6 +262,8 @@ class Following:
             return matrix
         if self.conventions.named_are_transposed is None:
             return Matrix(size=matrix.size, because=Because.NAME)
+        if self.conventions.model_leads_elsewhere:
+            matrix = replace(matrix, to=_unless_world(matrix.to), source=_unless_world(matrix.source))
         return matrix.transposed if self.conventions.named_are_transposed else matrix
 
     def _named(self, value: Value, variable: Variable) -> Value:
@@ -264,7 +276,7 @@ class Following:
             value = Vector(size=int(type_[-1]))
         if isinstance(value, Vector):
             told = vector_named(variable.name, type_, Storage.LOCAL, self.stage)
-            self._judge_eye(variable, told, value)
+            value = self._judged_eye(variable, told, value)
             if value.kind is None:
                 return replace(told, length=value.length, is_assumed=False)
             return value
@@ -281,12 +293,15 @@ class Following:
             return Scalar()
         return value
 
-    def _judge_eye(self, variable: Variable, told: Vector, value: Vector) -> None:
+    def _judged_eye(self, variable: Variable, told: Vector, value: Vector) -> Vector:
         is_eye = told.role is Role.EYE and told.kind is Carried.DIRECTION
         if not is_eye or value.role is not Role.ORIGIN or variable.initial is None:
-            return
-        if self.judge.space_of(value) is not None:
+            return value
+        is_sure = value.because is Because.ARITHMETIC
+        if is_sure and self.judge.space_of(value) is not None:
             self.judge.tell_origin(variable.initial, value)
+            return replace(value, role=Role.EYE, space=None)
+        return value
 
     # Statements.
 
@@ -309,6 +324,8 @@ class Following:
         match statement:
             case tree.Declaration(variables):
                 for one in variables:
+                    if one.is_array:
+                        self.arrays.add(one.name)
                     if one.initial is None:
                         value = self._by_name(one.name, one.type, Storage.LOCAL, one.note)
                     else:
@@ -330,11 +347,14 @@ class Following:
         if choice.condition is not None:
             self._value(choice.condition, scope)
         branches = []
+        was_gated = self.judge.is_gated
+        self.judge.is_gated |= choice.condition is not None and _compares(choice.condition)
         for place, body in enumerate(choice.branches):
             above = Scope(scope)
             if place == 0 and choice.condition is not None:
                 self._clamp(choice.condition, above, is_true=True)
             branches.append(self._branch(body, above))
+        self.judge.is_gated = was_gated
         self._join(
             scope,
             [one for one, body in zip(branches, choice.branches, strict=True) if not _leaves(body)],
@@ -401,16 +421,31 @@ class Following:
             case tree.Element(of=of, index=index):
                 self._value(index, scope)
                 value = self._value(of, scope)
+                if self._is_array(of, scope):
+                    return value
                 if isinstance(value, Matrix):
-                    is_array = isinstance(of, tree.Name) and value.because is Because.NAME
-                    return ANYTHING if is_array else Vector(size=value.size)
-                return Scalar() if isinstance(value, Vector) and value.kind is None else value
+                    return Vector(size=value.size)  # a column
+                return Scalar() if isinstance(value, Vector) else value
             case tree.Conditional():
                 return self._conditional(expression, scope)
             case tree.Assignment():
                 return self._assigned(expression, scope)
             case _:
                 return ANYTHING
+
+    def _is_array(self, expression: Expression, scope: Scope) -> bool:
+        match expression:
+            case tree.Name(name=name):
+                variable = self.declared.get(name)
+                return name in self.arrays or (variable is not None and variable.is_array)
+            case tree.Member(of=of, name=name):
+                owner = self._value(of, scope)
+                struct = self.structs.get(owner.type) if isinstance(owner, Record) else None
+                fields = struct.fields if struct is not None else ()
+                return any(one.is_array for one in fields if one.name == name)
+            case tree.Element(of=of):
+                return self._is_array(of, scope)
+        return False
 
     def _variable(self, name: str, scope: Scope) -> Value:
         found = scope.find(name)
@@ -461,8 +496,12 @@ class Following:
         self._value(expression.condition, scope)
         above = Scope(scope)
         self._clamp(expression.condition, above, is_true=True)
+        was_gated = self.judge.is_gated
+        self.judge.is_gated |= _compares(expression.condition)
         chosen = self._value(expression.chosen, above)
-        return joined(chosen, self._value(expression.otherwise, scope))
+        otherwise = self._value(expression.otherwise, scope)
+        self.judge.is_gated = was_gated
+        return joined(chosen, otherwise)
 
     def _assigned(self, expression: tree.Assignment, scope: Scope) -> Value:
         value = self._value(expression.value, scope)
@@ -673,6 +712,10 @@ class Following:
         return seen
 
 
+def _unless_world(space: ShaderSpace | None) -> ShaderSpace | None:
+    return None if space is ShaderSpace.WORLD else space
+
+
 def _keys(variable: Variable) -> list[str]:
     keys = []
     if variable.location is not None:
@@ -681,6 +724,17 @@ def _keys(variable: Variable) -> list[str]:
         keys.append(f"type {variable.type}")
     keys.append(f"name {variable.name}")
     return keys
+
+
+def _compares(condition: Expression) -> bool:
+    match condition:
+        case tree.Binary(operator="<" | ">" | "<=" | ">="):
+            return True
+        case tree.Binary(left=left, right=right):
+            return _compares(left) or _compares(right)
+        case tree.Unary(operand=operand):
+            return _compares(operand)
+    return False
 
 
 def _leaves(body: tuple[tree.Statement, ...]) -> bool:

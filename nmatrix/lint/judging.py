@@ -52,13 +52,26 @@ class Fault:
 class Evidence:
     """What a first reading of a program shows about all of it.
 
-    `columns` and `rows` count the points that stand on the right and on the left of named
-    matrices; `lights` are the uniforms that a view matrix moves.
+    Parameters
+    ----------
+    sides
+        How many points stand on the right (False) and on the left (True) of named matrices.
+    lights
+        Uniforms that a view matrix moves.
+    has_model
+        Whether a matrix moves what is in object space.
+    has_view
+        Whether a matrix leads from world to camera space.
+    projects_world
+        Whether a projection stands right before what the names take for the world: without a view
+        matrix, nobody knows where the model matrix leads.
     """
 
     sides: Counter[bool] = field(default_factory=Counter)
     lights: dict[str, ShaderSpace] = field(default_factory=dict)
     has_model: bool = False
+    has_view: bool = False
+    projects_world: bool = False
 
 
 class Judge:
@@ -68,6 +81,7 @@ class Judge:
         self.evidence = evidence
         self.written = written
         self.stage = Stage.UNKNOWN
+        self.is_gated = False
         self.faults: dict[tuple[str, int, int], Fault] = {}
         self.factors: dict[Span, tuple[Matrix, ...]] = {}
         self._told_once: set[tuple[str, str]] = set()
@@ -139,6 +153,12 @@ class Judge:
             *self.factors.get(at.right.span, (right,)),
         )
         self.factors[at.span] = factors
+        for one in factors:
+            self._note_view(one)
+        near, far = (right, left) if left.is_transposed and right.is_transposed else (left, right)
+        self._note_projection(
+            replace(near, is_transposed=False), far.to if near.is_transposed == far.is_transposed else None
+        )
         order = right_order(factors)
         if order is None:
             return product(left, right)
@@ -191,13 +211,26 @@ class Judge:
                 pass
         return moved(matrix, vector)
 
+    def _note_projection(self, matrix: Matrix, to: ShaderSpace | None) -> None:
+        is_projection = (matrix.to, matrix.source) == (ShaderSpace.CLIP, ShaderSpace.CAMERA)
+        if is_projection and not matrix.is_transposed and to is ShaderSpace.WORLD:
+            self.evidence.projects_world = True
+
     def _note_evidence(self, matrix: Matrix, vector: Vector) -> None:
+        self._note_projection(matrix, vector.space)
         if matrix.is_known and ShaderSpace.OBJECT in (matrix.to, matrix.source):
             other = matrix.source if matrix.to is ShaderSpace.OBJECT else matrix.to
             self.evidence.has_model |= other in (ShaderSpace.WORLD, ShaderSpace.CAMERA)
-        is_view = (matrix.to, matrix.source) == (ShaderSpace.CAMERA, ShaderSpace.WORLD)
+        self.evidence.has_model |= _leads_somewhere(matrix)
+        is_view = self._note_view(matrix)
         if is_view and vector.role is Role.LIGHT and vector.space is None and vector.origin:
             self.evidence.lights[vector.origin] = ShaderSpace.WORLD
+
+    def _note_view(self, matrix: Matrix) -> bool:
+        is_view = (matrix.to, matrix.source) == (ShaderSpace.CAMERA, ShaderSpace.WORLD)
+        leads_to_clip = (matrix.to, matrix.source) == (ShaderSpace.CLIP, ShaderSpace.WORLD)
+        self.evidence.has_view |= is_view or leads_to_clip
+        return is_view
 
     def _judge_light(self, at: Expression, matrix: Matrix, light: Vector) -> bool:
         if matrix.is_transposed or not matrix.is_known or matrix.source is not ShaderSpace.OBJECT:
@@ -224,7 +257,7 @@ class Judge:
     def _judge_normal(self, at: Expression, matrix: Matrix, normal: Vector) -> Matrix:
         """Judge a product with a normal; the answer is the matrix that was meant."""
         is_four = matrix.size == 4 and normal.size == 4
-        if not matrix.is_known:
+        if not matrix.is_known and not _leads_somewhere(matrix):
             return matrix
         right = matrix.told
         if matrix.has_projection:
@@ -344,10 +377,9 @@ class Judge:
 
     def _judge_origin(self, at: Expression, left: Vector, right: Vector) -> None:
         origin, other = (left, right) if left.role is Role.ORIGIN else (right, left)
-        if (
-            self.space_of(origin) not in (ShaderSpace.WORLD, ShaderSpace.OBJECT)
-            or other.role is not Role.LIGHT
-        ):
+        if origin.because is not Because.ARITHMETIC or other.role is not Role.LIGHT:
+            return
+        if self.space_of(origin) not in (ShaderSpace.WORLD, ShaderSpace.OBJECT):
             return
         self.tell_origin(at, origin)
 
@@ -394,7 +426,7 @@ class Judge:
 
     def normalised(self, at: Expression, vector: Vector) -> Vector:
         """Divide by the length."""
-        is_counted = vector.w in (Fourth.ONE, Fourth.LEFT_OVER, Fourth.DEPTH)
+        is_counted = vector.w in (Fourth.ONE, Fourth.LEFT_OVER)
         if vector.size == 4 and is_counted and vector.kind is not None:
             told = f"the length of the {vector.told} counts w, which is {vector.w}"
             self.tell(RuleId.FOUR_COMPONENTS, at, told, (vector.told, ""))
@@ -405,6 +437,8 @@ class Judge:
 
     def powered(self, at: Expression, base: Value) -> Scalar:
         """Raise to a power."""
+        if self.is_gated:  # what a comparison let through may be positive
+            return Scalar()
         if isinstance(base, Scalar) and base.is_cosine and not base.is_clamped:
             told = "the cosine may be negative, and its power is undefined then"
             self.tell(RuleId.POWER_OF_NEGATIVE, at, told)
@@ -416,6 +450,12 @@ class Judge:
             per = "vertex" if self.stage is Stage.VERTEX else "fragment"
             self.tell(RuleId.INVERSE_IN_SHADER, at, f"the same inverse is computed per {per}")
         return replace(matrix.inverse, because=Because.ARITHMETIC)
+
+
+def _leads_somewhere(matrix: Matrix) -> bool:
+    """Whether a matrix is called that of the model, and nothing is known of where it leads."""
+    is_named = matrix.because in (Because.NAME, Because.ARITHMETIC)
+    return is_named and matrix.source is ShaderSpace.OBJECT and matrix.to is None
 
 
 def negated(value: Value) -> Value:

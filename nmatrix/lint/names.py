@@ -240,7 +240,7 @@ def matrix_named(path: str, *, is_normal_matrix_of_camera: bool = False) -> Matr
     Examples
     --------
     >>> matrix_named("uModelViewMatrix").told, matrix_named("WorldInverseTranspose").told
-    ('camera space from object space', 'transpose of object space from world space')
+    ('camera_from_object', 'object_from_worldᵀ')
     >>> matrix_named("boneMatrix") is None
     True
     """
@@ -312,14 +312,17 @@ def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | No
 
 def _normal_matrix(others: set[str], *, is_of_camera: bool) -> Matrix | None:
     to: ShaderSpace | None = ShaderSpace.CAMERA if is_of_camera else None
+    source: ShaderSpace | None = ShaderSpace.OBJECT
     if others:
         if others <= _MODEL:
             to = ShaderSpace.WORLD if others & {"world"} else None
+        elif others <= _VIEW | {"eye", "camera"}:  # that of the view alone, or that which leads there
+            to, source = ShaderSpace.CAMERA, ShaderSpace.OBJECT if "modelview" in others else None
         elif others <= _MODEL | _VIEW | {"eye", "camera"}:
             to = ShaderSpace.CAMERA
         else:
             return None
-    return Matrix(ShaderSpace.OBJECT, to, is_transposed=True, size=3, because=Because.NAME)
+    return Matrix(source, to, is_transposed=True, size=3, because=Because.NAME)
 
 
 def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vector:
@@ -415,7 +418,7 @@ def meaning(path: str, type_: str, storage: Storage, stage: Stage) -> Value:
     Examples
     --------
     >>> meaning("view", "mat4", Storage.UNIFORM, Stage.VERTEX).told
-    'camera space from world space'
+    'camera_from_world'
     """
     if type_.startswith("mat"):
         is_built_in = path in ("gl_NormalMatrix", "normalMatrix3js")

@@ -52,6 +52,11 @@ _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _UNKNOWN_PRAGMA = re.compile(rb"^\s*#\s*(?:pragma|extension|line|error|warning|undef)\b")
 _GLSL_ONLY = re.compile(rb"\b(?:void\s+main\s*\(\s*(?:void)?\s*\)|gl_Position|vec[234]|mat[34])\b")
 _HLSL_ONLY = re.compile(rb"\b(?:float[234](?:x[34])?|cbuffer|SV_\w+|half[234])\b", re.IGNORECASE)
+_SHADER_LAB = re.compile(
+    rb"^[ \t]*(?:CG|HLSL)(?:PROGRAM|INCLUDE)\b(.*?)^[ \t]*END(?:CG|HLSL)\b", re.MULTILINE | re.DOTALL
+)
+_NOT_LINE_END = re.compile(rb"[^\r\n]")
+_LOCATION = re.compile(r"\blocation\s*=\s*(\d+)")
 _HLSL_FUNCTIONS = {"lerp": "mix", "ddx": "dFdx", "ddy": "dFdy", "frac": "fract"}
 _QUALIFIERS = {
     "uniform": Storage.UNIFORM,
@@ -72,8 +77,20 @@ def parse(file: str, content: bytes, language: Language | None = None) -> Shader
     MissingPackageError
         Without the grammars.
     """
+    content = _programs_alone(content)
     told = language or language_of(file, content)
     return _Parsing(file, content, told).shader()
+
+
+def _programs_alone(content: bytes) -> bytes:
+    """Blank out what stands around the programs of a file of Unity's; places stay what they are."""
+    blocks = list(_SHADER_LAB.finditer(content))
+    if not blocks:
+        return content
+    found = bytearray(_NOT_LINE_END.sub(b" ", content))
+    for block in blocks:
+        found[block.start(1) : block.end(1)] = content[block.start(1) : block.end(1)]
+    return bytes(found)
 
 
 def language_of(file: str, content: bytes) -> Language:
@@ -214,13 +231,21 @@ class _Parsing:
             storage = self._storage(node, Storage.UNIFORM)
             names = [one for one in node.named_children if one.type in _NAMED]
             instance = self._declared(names[1]) if len(names) > 1 else None
+            is_array = len(names) > 1 and _is_array(names[1])
             if instance is None:
                 self._fields_as_variables(listed[0], storage)
                 return
             block = self._text(names[0])
             self.structs.append(tree.Struct(block, tuple(self._fields(listed[0]))))
             self.variables.append(
-                Variable(self._span(node), instance, block, storage, is_flat=_is_flat(node))
+                Variable(
+                    self._span(node),
+                    instance,
+                    block,
+                    storage,
+                    is_flat=_is_flat(node),
+                    is_array=is_array,
+                )
             )
             return
         outside = Storage.LOCAL if self.language is Language.GLSL else Storage.UNIFORM
@@ -360,7 +385,7 @@ class _Parsing:
             return []
         storage = self._storage(node, otherwise)
         named = self._struct(type_) if type_.type == "struct_specifier" else self._type(type_)
-        span, is_flat = self._span(node), _is_flat(node)
+        span, is_flat, location = self._span(node), _is_flat(node), self._location(node)
         found = []
         semantic = next(
             (self._semantic(one) for one in node.children if one.type in _SEMANTICS), ""
@@ -382,9 +407,16 @@ class _Parsing:
                     semantic,
                     self._note(child),
                     is_flat,
+                    _is_array(child),
+                    location,
                 )
             )
         return found
+
+    def _location(self, node: Node) -> int | None:
+        layout = next((one for one in node.children if one.type == "layout_specification"), None)
+        found = None if layout is None else _LOCATION.search(self._text(layout))
+        return int(found[1]) if found else None
 
     def _declared(self, node: Node) -> str:
         while node.type not in ("identifier", "field_identifier"):
@@ -686,6 +718,15 @@ def type_named(name: str) -> str:
     if name in ("matrix", "float4x3"):
         return "mat4"
     return "float" if _SCALAR.match(name) else name
+
+
+def _is_array(declarator: Node) -> bool:
+    node: Node | None = declarator
+    while node is not None:
+        if node.type == "array_declarator":
+            return True
+        node = node.child_by_field_name("declarator")
+    return False
 
 
 def _is_flat(node: Node) -> bool:

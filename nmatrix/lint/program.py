@@ -101,7 +101,10 @@ def _follow(
             one = Following(shader, judge, passed, conventions)
             one.follow()
             spaces[shader.file] = one.spaces
-        conventions = Conventions(_named_are_transposed(program, evidence))
+        conventions = Conventions(
+            _named_are_transposed(program, evidence),
+            evidence.projects_world and not evidence.has_view,
+        )
     return list(judge.faults.values()), spaces
 
 

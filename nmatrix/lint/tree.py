@@ -160,6 +160,7 @@ class Variable:
     semantic: str = ""
     note: str = ""
     is_flat: bool = False
+    is_array: bool = False
     location: int | None = None
 
 

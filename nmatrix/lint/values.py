@@ -165,9 +165,8 @@ class Matrix:
     @property
     def told(self) -> str:
         """Name it in a sentence."""
-        if self.is_transposed:
-            return f"transpose of {spoken(self.to)} from {spoken(self.source)}"
-        return f"{spoken(self.to)} from {spoken(self.source)}"
+        to, source = (one or "unknown" for one in (self.to, self.source))
+        return f"{to}_from_{source}{'ᵀ' if self.is_transposed else ''}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,7 +233,7 @@ def product(left: Matrix, right: Matrix) -> Matrix:
     --------
     >>> view, model = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD), Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
     >>> product(view, model).told
-    'camera space from object space'
+    'camera_from_object'
     """
     if left.is_transposed != right.is_transposed:
         if left.is_rigid:
