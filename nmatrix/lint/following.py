@@ -33,6 +33,7 @@ from nmatrix.lint.values import (
 )
 
 MOST_CALLS = 8  # of one function that are followed
+MOST_MACROS = 256  # uses of one macro
 DEEPEST_CALLS = 24
 
 
@@ -104,6 +105,7 @@ class Following:
             for parameter in function.parameters
             if parameter.is_array
         }
+        self.given: set[str] = set()
         self.running: list[str] = []
         self.returned: list[list[Value]] = []
         self.spaces: dict[str, tuple[str, str]] = {}
@@ -234,7 +236,8 @@ class Following:
                 return self._interpolated(handed, variable)
         storage = variable.storage if is_of_entry else Storage.LOCAL
         found = self._by_name(variable.name, variable.type, storage, variable.note)
-        return self._interpolated(found, variable) if self.stage is Stage.FRAGMENT else found
+        is_between = is_of_entry and self.stage is Stage.FRAGMENT
+        return self._interpolated(found, variable) if is_between else found
 
     def _by_name(self, path: str, type_: str, storage: Storage, note: str = "") -> Value:
         if type_ in self.structs:
@@ -330,6 +333,8 @@ class Following:
                         value = self._by_name(one.name, one.type, Storage.LOCAL, one.note)
                     else:
                         value = self._named(self._value(one.initial, scope), one)
+                        if isinstance(value, Matrix) and self.is_given(one.initial):
+                            self.given.add(one.name)
                     scope.write(one.name, value)
             case tree.Evaluated(expression):
                 self._value(expression, scope)
@@ -421,7 +426,7 @@ class Following:
             case tree.Element(of=of, index=index):
                 self._value(index, scope)
                 value = self._value(of, scope)
-                if self._is_array(of, scope):
+                if self._typed(of, scope)[1]:
                     return value
                 if isinstance(value, Matrix):
                     return Vector(size=value.size)  # a column
@@ -433,26 +438,53 @@ class Following:
             case _:
                 return ANYTHING
 
-    def _is_array(self, expression: Expression, scope: Scope) -> bool:
+    def is_given(self, expression: Expression) -> bool:
+        """Whether a value is the same for all vertices or fragments, made of uniforms alone."""
         match expression:
             case tree.Name(name=name):
                 variable = self.declared.get(name)
-                return name in self.arrays or (variable is not None and variable.is_array)
-            case tree.Member(of=of, name=name):
-                owner = self._value(of, scope)
-                struct = self.structs.get(owner.type) if isinstance(owner, Record) else None
-                fields = struct.fields if struct is not None else ()
-                return any(one.is_array for one in fields if one.name == name)
-            case tree.Element(of=of):
-                return self._is_array(of, scope)
+                if variable is not None:
+                    return variable.storage is Storage.UNIFORM
+                return name in self.given or built_in(name, self.stage) is not None
+            case tree.Member(of=of):
+                return self.is_given(of)
+            case tree.Call(function=name, arguments=arguments):
+                is_known = name.startswith(("mat", "vec")) or name in ("transpose", "inverse")
+                return is_known and all(map(self.is_given, arguments))
+            case tree.Binary(left=left, right=right):
+                return self.is_given(left) and self.is_given(right)
+            case tree.Number():
+                return True
         return False
+
+    def _typed(self, expression: Expression, scope: Scope) -> tuple[str, bool]:
+        """The struct of an expression, if it is of one, and whether it is an array."""
+        match expression:
+            case tree.Name(name=name):
+                variable = self.declared.get(name)
+                value = scope.find(name)
+                type_ = value.type if isinstance(value, Record) else ""
+                is_array = name in self.arrays or (variable is not None and variable.is_array)
+                return type_, is_array
+            case tree.Member(of=of, name=name):
+                struct = self.structs.get(self._typed(of, scope)[0])
+                for one in struct.fields if struct is not None else ():
+                    if one.name == name:
+                        return one.type, one.is_array
+            case tree.Element(of=of):
+                return self._typed(of, scope)
+            case _:
+                pass
+        return "", False
 
     def _variable(self, name: str, scope: Scope) -> Value:
         found = scope.find(name)
         if found is not None:
             return found
         macro = self.shader.macros.get(name)
-        if macro is not None and name not in self.running and len(self.running) < DEEPEST_CALLS:
+        is_open = name in self.running or len(self.running) >= DEEPEST_CALLS
+        if macro is not None and not is_open and self.calls[name] < MOST_MACROS:
+            self.calls[name] += 1
             self.running.append(name)
             value = self._value(macro, scope)
             self.running.pop()
@@ -885,7 +917,8 @@ def _transpose(self: Following, call: tree.Call, arguments: list[Value]) -> Valu
 def _inverse(self: Following, call: tree.Call, arguments: list[Value]) -> Value:
     if not arguments or not isinstance(arguments[0], Matrix):
         return ANYTHING
-    return self.judge.inverted(call, arguments[0], is_given=True)
+    is_given = self.is_given(call.arguments[0])
+    return self.judge.inverted(call, arguments[0], is_given=is_given)
 
 
 def _clamped(self: Following, call: tree.Call, arguments: list[Value]) -> Value:

@@ -165,8 +165,9 @@ class Matrix:
     @property
     def told(self) -> str:
         """Name it in a sentence."""
-        to, source = (one or "unknown" for one in (self.to, self.source))
-        return f"{to}_from_{source}{'ᵀ' if self.is_transposed else ''}"
+        if self.to is None or self.source is None:
+            return "a matrix" if self.source is None else f"a matrix from {spoken(self.source)}"
+        return f"{self.to}_from_{self.source}{'ᵀ' if self.is_transposed else ''}"
 
 
 @dataclass(frozen=True, slots=True)
