@@ -266,7 +266,9 @@ class Following:
         if self.conventions.named_are_transposed is None:
             return Matrix(size=matrix.size, because=Because.NAME)
         if self.conventions.model_leads_elsewhere:
-            matrix = replace(matrix, to=_unless_world(matrix.to), source=_unless_world(matrix.source))
+            matrix = replace(
+                matrix, to=_unless_world(matrix.to), source=_unless_world(matrix.source)
+            )
         return matrix.transposed if self.conventions.named_are_transposed else matrix
 
     def _named(self, value: Value, variable: Variable) -> Value:
@@ -512,17 +514,23 @@ class Following:
                     return replace(left, w=None)
                 return self.judge.scaled(expression, left, right)
             case "+" | "-":
-                self._judge_window(expression, left, right, scope)
+                self._judge_window(expression, left, right)
                 if expression.operator == "-" and _is_zero(expression.left):
                     return negated(right)
                 return self.judge.added(expression, left, right)
             case _:
                 return Scalar()
 
-    def _judge_window(
-        self, expression: tree.Binary, left: Value, right: Value, scope: Scope
-    ) -> None:
+    def _judge_window(self, sum_: tree.Binary, left: Value, right: Value) -> None:
         """Find a change from −1…1 to 0…1 of what was not divided by w."""
+        for value, written, other in (
+            (left, sum_.left, sum_.right),
+            (right, sum_.right, sum_.left),
+        ):
+            if isinstance(value, Vector) and value.size < 4 and _is_half(other):
+                scaled = _halved(written)
+                if scaled is not None:
+                    self.judge.undivided(sum_, value, scaled)
 
     def _conditional(self, expression: tree.Conditional, scope: Scope) -> Value:
         self._value(expression.condition, scope)
@@ -782,6 +790,27 @@ def _is_zero(expression: Expression) -> bool:
     return False
 
 
+def _is_half(expression: Expression) -> bool:
+    match expression:
+        case tree.Number(value=value):
+            return value == 0.5
+        case tree.Call(function=name, arguments=arguments):
+            return name.startswith("vec") and bool(arguments) and all(map(_is_half, arguments))
+    return False
+
+
+def _halved(expression: Expression) -> Expression | None:
+    """Find what is halved, if a product is that."""
+    match expression:
+        case tree.Binary(operator="*" | ".*", left=left, right=right):
+            if _is_half(left):
+                return right
+            return left if _is_half(right) else None
+        case tree.Binary(operator="/", left=left, right=tree.Number(value=2.0)):
+            return left
+    return None
+
+
 def _is_w_of(division: tree.Binary, divided: Value) -> bool:
     if division.operator != "/" or not isinstance(divided, Vector):
         return False
@@ -796,13 +825,14 @@ def _swizzled(vector: Vector, name: str) -> Value:
     if len(name) == 1:
         return Scalar()
     if order == "xyz":
-        w = vector.w if vector.w is Fourth.DEPTH else None
-        return replace(vector, size=3, w=w)
+        is_lamp = vector.kind is Carried.POINT and vector.role is Role.LIGHT
+        is_kept = vector.w is Fourth.DEPTH or (is_lamp and vector.w is Fourth.ZERO)
+        return replace(vector, size=3, w=vector.w if is_kept else None)
     if order == "xyzw":
         return vector
     if len(order) == 2:
         w = vector.w if vector.w is Fourth.DEPTH and order == "xy" else None
-        return Vector(size=2, w=w)
+        return Vector(size=2, w=w, space=vector.space if w is not None else None)
     return Vector(size=len(order))
 
 
@@ -944,6 +974,8 @@ def _number(self: Following, call: tree.Call, arguments: list[Value]) -> Value:
 
 
 def _texture(self: Following, call: tree.Call, arguments: list[Value]) -> Value:
+    if len(arguments) > 1 and isinstance(arguments[1], Vector) and arguments[1].size < 4:
+        self.judge.undivided(call, arguments[1], call.arguments[1])
     return Vector(size=4)
 
 

@@ -36,6 +36,23 @@ from nmatrix.lint.values import (
 
 
 @dataclass(frozen=True)
+class Parts:
+    """The pieces of an expression that a correction changes.
+
+    `missing` is the function that must be applied to the matrix too, `order` the right order of the
+    factors of a product.
+    """
+
+    matrix: Expression | None = None
+    vector: Expression | None = None
+    missing: str = ""
+    order: tuple[int, ...] = ()
+
+
+NO_PARTS = Parts()
+
+
+@dataclass(frozen=True)
 class Fault:
     """One place where spaces meet that must not, and both of them."""
 
@@ -46,6 +63,7 @@ class Fault:
     left: str = ""
     right: str = ""
     expression: Expression | None = None
+    parts: Parts = NO_PARTS
 
 
 @dataclass
@@ -82,6 +100,9 @@ class Judge:
         self.written = written
         self.stage = Stage.UNKNOWN
         self.is_gated = False
+        self._parts = NO_PARTS
+        self._moves: dict[str, Expression] = {}
+        self._calls: dict[str, Expression] = {}
         self.faults: dict[tuple[str, int, int], Fault] = {}
         self.factors: dict[Span, tuple[Matrix, ...]] = {}
         self._told_once: set[tuple[str, str]] = set()
@@ -93,6 +114,8 @@ class Judge:
         message: str,
         spaces: tuple[str, str] = ("", ""),
         severity: Severity | None = None,
+        *,
+        parts: Parts | None = None,
     ) -> None:
         """Keep a fault; of two at one place the more particular one stays."""
         if not at.span.file:
@@ -102,7 +125,8 @@ class Judge:
         if before is not None and _rank(before.rule) <= _rank(rule):
             return
         weight = LINT_RULES[rule].severity if severity is None else severity
-        self.faults[key] = Fault(rule, weight, at.span, message, *spaces, expression=at)
+        given = self._parts if parts is None else parts
+        self.faults[key] = Fault(rule, weight, at.span, message, *spaces, at, given)
 
     def space_of(self, vector: Vector) -> ShaderSpace | None:
         """The space of a vector, unless it is only that of a mesh which nothing moves."""
@@ -157,7 +181,8 @@ class Judge:
             self._note_view(one)
         near, far = (right, left) if left.is_transposed and right.is_transposed else (left, right)
         self._note_projection(
-            replace(near, is_transposed=False), far.to if near.is_transposed == far.is_transposed else None
+            replace(near, is_transposed=False),
+            far.to if near.is_transposed == far.is_transposed else None,
         )
         order = right_order(factors)
         if order is None:
@@ -174,6 +199,7 @@ class Judge:
             at,
             f"{names}: neighbours do not meet",
             (spoken(left.source), spoken(right.to)),
+            parts=Parts(order=order),
         )
         self.factors[at.span] = (made,)
         return replace(made, because=Because.ARITHMETIC)
@@ -190,13 +216,19 @@ class Judge:
         ):
             self.evidence.sides[is_left] += 1
         matrix = written.transposed if is_left else written
-        return self.carried(at, matrix, vector)
+        sides = (at.right, at.left) if is_left else (at.left, at.right)
+        self._parts = Parts(*sides)
+        found = self.carried(at, matrix, vector)
+        self._parts = NO_PARTS
+        return found
 
     def carried(self, at: Expression, matrix: Matrix, vector: Vector) -> Vector:
         """Multiply a column vector by a matrix, and tell if it is none for such a vector."""
         if matrix.is_transposed and matrix.is_rigid:
             matrix = replace(matrix.inverse, is_transposed=False)
         self._note_evidence(matrix, vector)
+        if vector.origin:
+            self._moves[vector.origin] = at
         if vector.role is Role.LIGHT and self._judge_light(at, matrix, vector):
             return replace(moved(matrix, vector), space=matrix.to)
         match vector.kind:
@@ -268,7 +300,9 @@ class Judge:
         if matrix.is_transposed:
             if matrix.source is ShaderSpace.OBJECT and normal.space is ShaderSpace.OBJECT:
                 told = f"the {normal.told} is multiplied by the {right}, without its inverse"
-                self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, (normal.told, right))
+                parts = replace(self._parts, missing="inverse")
+                spaces = (normal.told, right)
+                self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, spaces, parts=parts)
                 return matrix.inverse
             return matrix
         if is_four and normal.w is Fourth.ONE:
@@ -286,7 +320,8 @@ class Judge:
             return matrix
         if matrix.to is ShaderSpace.OBJECT and normal.space is ShaderSpace.OBJECT:
             told = f"the {normal.told} is multiplied by {right}, which is not transposed"
-            self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, (normal.told, right))
+            parts = replace(self._parts, missing="transpose")
+            self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, (normal.told, right), parts=parts)
             return matrix.inverse
         return matrix
 
@@ -318,8 +353,22 @@ class Judge:
             self._judge_origin(at, left, right)
         self.meet(at, left, right)
         if at.operator == "-":
+            self._judge_lamp(at, left, right)
             return _difference(left, right)
         return _sum(left, right)
+
+    def _judge_lamp(self, at: tree.Binary, left: Vector, right: Vector) -> None:
+        """Tell if the place of a lamp was moved with w = 0, as a direction may be."""
+        for lamp, other in ((left, right), (right, left)):
+            is_moved = lamp.w is Fourth.ZERO and lamp.role is Role.LIGHT and lamp.via is not None
+            if not is_moved or lamp.kind is not other.kind or lamp.kind is not Carried.POINT:
+                continue
+            moved_at = self._moves.get(lamp.origin, at)
+            parts = NO_PARTS
+            if isinstance(moved_at, tree.Binary):
+                parts = Parts(vector=moved_at.right)
+            told = f"w = 0 leaves the translation out of the {lamp.noun}"
+            self.tell(RuleId.WRONG_W, moved_at, told, (lamp.told, other.told), parts=parts)
 
     def meet(self, at: Expression, left: Vector, right: Vector) -> None:
         """Tell if two vectors are in two spaces."""
@@ -346,12 +395,13 @@ class Judge:
                 told = "in camera space the eye is the origin, this one is of another space"
                 self.tell(RuleId.SPACES_MIXED, at, told, spaces)
 
-    def dotted(self, at: Expression, left: Vector, right: Vector) -> Scalar:
+    def dotted(self, at: tree.Call, left: Vector, right: Vector) -> Scalar:
         """Multiply by the scalar product."""
         self.meet(at, left, right)
         same = left == right
-        for one, other in ((left, right), (right, left)):
-            self._judge_length(at, one, is_alone=same)
+        for one, other, place in ((left, right, 0), (right, left, 1)):
+            if not same:
+                self._judge_length(at, one, place)
             if one.is_reflected and one.role is Role.LIGHT and other.role is Role.EYE:
                 self._judge_reflected(at, one, other)
             if one.role is Role.ORIGIN and other.role is Role.LIGHT and other.is_reflected:
@@ -359,14 +409,15 @@ class Judge:
         is_cosine = left.is_direction and right.is_direction and not same
         return Scalar(is_cosine=is_cosine)
 
-    def _judge_length(self, at: Expression, one: Vector, *, is_alone: bool) -> None:
-        if one.kind is not Carried.NORMAL or one.length is not Length.INTERPOLATED or is_alone:
+    def _judge_length(self, at: tree.Call, one: Vector, place: int) -> None:
+        if one.kind is not Carried.NORMAL or one.length is not Length.INTERPOLATED:
             return
         if self.stage is not Stage.FRAGMENT or (at.span.file, one.origin) in self._told_once:
             return
         self._told_once.add((at.span.file, one.origin))
         told = f"the interpolated {one.told} is shorter than 1 between vertices"
-        self.tell(RuleId.NOT_NORMALISED, at, told, (one.told, ""))
+        parts = Parts(vector=at.arguments[place])
+        self.tell(RuleId.NOT_NORMALISED, at, told, (one.told, ""), parts=parts)
 
     def _judge_reflected(self, at: Expression, mirrored: Vector, eye: Vector) -> None:
         if mirrored.sense * eye.sense >= 0:
@@ -390,14 +441,10 @@ class Judge:
             RuleId.EYE_AT_ORIGIN, at, told, (spoken(origin.space), spoken(ShaderSpace.CAMERA))
         )
 
-    @property
-    def _calls(self) -> dict[str, Expression]:
-        return self.__dict__.setdefault("calls", {})
-
-    def reflected(self, at: Expression, arriving: Vector, normal: Vector) -> Vector:
+    def reflected(self, at: tree.Call, arriving: Vector, normal: Vector) -> Vector:
         """Mirror a direction that arrives."""
         self.meet(at, arriving, normal)
-        self._judge_length(at, normal, is_alone=False)
+        self._judge_length(at, normal, 1)
         origin = f"reflect at {at.span.file}:{at.span.start}"
         self._calls[origin] = at
         return replace(
@@ -434,6 +481,16 @@ class Judge:
         if vector.kind is Carried.POINT:
             return _direction_of(unit)
         return unit
+
+    def undivided(self, at: Expression, vector: Vector, written: Expression) -> None:
+        """Tell if coordinates are taken for those of a window that were not divided by w."""
+        if vector.w is not Fourth.DEPTH:
+            return
+        told, severity = f"the point in {spoken(vector.space)} is not divided by its w", None
+        if vector.space is ShaderSpace.LIGHT:
+            told, severity = f"{told}: right only for a light without perspective", Severity.NOTE
+        parts = Parts(vector=written)
+        self.tell(RuleId.W_NOT_DIVIDED, at, told, (spoken(vector.space), ""), severity, parts=parts)
 
     def powered(self, at: Expression, base: Value) -> Scalar:
         """Raise to a power."""
@@ -558,11 +615,8 @@ def _times(vector: Vector, number: Scalar, *, is_divided: bool) -> Vector:
     length = vector.length if vector.length is Length.INTERPOLATED else None
     if number.number is None:
         length = None
-    w = (
-        vector.w
-        if vector.w is Fourth.ZERO or (vector.w is Fourth.DEPTH and not is_divided)
-        else None
-    )
+    is_kept = vector.w is Fourth.ZERO or (vector.w is Fourth.DEPTH and number.number is not None)
+    w = vector.w if is_kept else None
     return replace(vector, sense=sense, length=length, w=w)
 
 

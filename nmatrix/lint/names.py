@@ -251,6 +251,9 @@ def matrix_named(path: str, *, is_normal_matrix_of_camera: bool = False) -> Matr
     else:
         words = words_of(name)
     owned = {word for owner in owners for word in words_of(owner)}
+    lit = {"light", "shadow", "sun"} & (set(words) | owned)
+    if lit and {"projection", "proj", "space"} & set(words) and "bias" not in words:
+        return Matrix(ShaderSpace.LIGHT, because=Because.NAME)
     if owned & (_OF_LIGHTS | {"prev", "previous", "last", "old", "bone", "bones", "probe"}):
         return None
     along = _along(words)
@@ -316,7 +319,10 @@ def _normal_matrix(others: set[str], *, is_of_camera: bool) -> Matrix | None:
     if others:
         if others <= _MODEL:
             to = ShaderSpace.WORLD if others & {"world"} else None
-        elif others <= _VIEW | {"eye", "camera"}:  # that of the view alone, or that which leads there
+        elif others <= _VIEW | {
+            "eye",
+            "camera",
+        }:  # that of the view alone, or that which leads there
             to, source = ShaderSpace.CAMERA, ShaderSpace.OBJECT if "modelview" in others else None
         elif others <= _MODEL | _VIEW | {"eye", "camera"}:
             to = ShaderSpace.CAMERA

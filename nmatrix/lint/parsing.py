@@ -53,7 +53,8 @@ _UNKNOWN_PRAGMA = re.compile(rb"^\s*#\s*(?:pragma|extension|line|error|warning|u
 _GLSL_ONLY = re.compile(rb"\b(?:void\s+main\s*\(\s*(?:void)?\s*\)|gl_Position|vec[234]|mat[34])\b")
 _HLSL_ONLY = re.compile(rb"\b(?:float[234](?:x[34])?|cbuffer|SV_\w+|half[234])\b", re.IGNORECASE)
 _SHADER_LAB = re.compile(
-    rb"^[ \t]*(?:CG|HLSL)(?:PROGRAM|INCLUDE)\b(.*?)^[ \t]*END(?:CG|HLSL)\b", re.MULTILINE | re.DOTALL
+    rb"^[ \t]*(?:CG|HLSL)(?:PROGRAM|INCLUDE)\b(.*?)^[ \t]*END(?:CG|HLSL)\b",
+    re.MULTILINE | re.DOTALL,
 )
 _NOT_LINE_END = re.compile(rb"[^\r\n]")
 _LOCATION = re.compile(r"\blocation\s*=\s*(\d+)")
