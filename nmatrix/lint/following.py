@@ -14,7 +14,17 @@ from nmatrix.lint import tree
 from nmatrix.lint.builtins import FIELDS, FUNCTIONS, STRUCTS, Giving, Moving, built_in
 from nmatrix.lint.judging import Judge, negated
 from nmatrix.lint.names import annotated, meaning, vector_named
-from nmatrix.lint.tree import Expression, Function, Language, Shader, Stage, Storage, Variable
+from nmatrix.lint.tree import (
+    Expression,
+    Function,
+    Language,
+    Shader,
+    Stage,
+    Storage,
+    Variable,
+    is_matrix,
+    is_vector,
+)
 from nmatrix.lint.values import (
     ANYTHING,
     Because,
@@ -277,7 +287,7 @@ class Following:
         if variable.note:
             size = int(type_[-1]) if type_[-1:].isdigit() else 0
             value = annotated(variable.note, value, size)
-        if type_.startswith("vec") and not isinstance(value, Vector):
+        if is_vector(type_) and not isinstance(value, Vector):
             value = Vector(size=int(type_[-1]))
         if isinstance(value, Vector):
             told = vector_named(variable.name, type_, Storage.LOCAL, self.stage)
@@ -285,9 +295,9 @@ class Following:
             if value.kind is None:
                 return replace(told, length=value.length, is_assumed=False)
             return value
-        if type_.startswith("mat") and not isinstance(value, Matrix):
+        if is_matrix(type_) and not isinstance(value, Matrix):
             return self._by_name(variable.name, type_, Storage.LOCAL)
-        if isinstance(value, Matrix) and type_.startswith("mat"):
+        if isinstance(value, Matrix) and is_matrix(type_):
             if not value.is_known and value.to is None and value.source is None:
                 named = self._by_name(variable.name, type_, Storage.LOCAL)
                 return named if isinstance(named, Matrix) else value
@@ -451,7 +461,7 @@ class Following:
             case tree.Member(of=of):
                 return self.is_given(of)
             case tree.Call(function=name, arguments=arguments):
-                is_known = name.startswith(("mat", "vec")) or name in ("transpose", "inverse")
+                is_known = is_matrix(name) or is_vector(name) or name in ("transpose", "inverse")
                 return is_known and all(map(self.is_given, arguments))
             case tree.Binary(left=left, right=right):
                 return self.is_given(left) and self.is_given(right)
@@ -760,7 +770,7 @@ def _keys(variable: Variable) -> list[str]:
     keys = []
     if variable.location is not None:
         keys.append(f"location {variable.location}")
-    if not variable.type.startswith(("vec", "mat", "float")):
+    if not (is_vector(variable.type) or is_matrix(variable.type) or variable.type == "float"):
         keys.append(f"type {variable.type}")
     keys.append(f"name {variable.name}")
     return keys

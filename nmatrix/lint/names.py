@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from nmatrix.lint.tree import Stage, Storage
+from nmatrix.lint.tree import Stage, Storage, is_matrix, is_vector
 from nmatrix.lint.values import (
     ANYTHING,
     Because,
@@ -234,7 +234,7 @@ def words_of(name: str) -> tuple[str, ...]:
     return tuple(found)
 
 
-def matrix_named(path: str, *, is_normal_matrix_of_camera: bool = False) -> Matrix | None:
+def matrix_named(path: str) -> Matrix | None:
     """Read the name of a matrix.
 
     Examples
@@ -259,7 +259,7 @@ def matrix_named(path: str, *, is_normal_matrix_of_camera: bool = False) -> Matr
     along = _along(words)
     if along is not None:
         return along
-    return _product_named(words, is_of_camera=is_normal_matrix_of_camera)
+    return _product_named(words)
 
 
 def _along(words: tuple[str, ...]) -> Matrix | None:
@@ -280,7 +280,7 @@ def _along(words: tuple[str, ...]) -> Matrix | None:
     return None
 
 
-def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | None:
+def _product_named(words: tuple[str, ...]) -> Matrix | None:
     left = [word for word in words if word not in _NOISE]
     inverts = [word for word in left if word in _INVERSE]
     transposes = [word for word in left if word in _TRANSPOSE]
@@ -290,7 +290,7 @@ def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | No
     if "i" in inverts and left[0] == "i":  # iMatrix is an integer's or an instance's
         return None
     if named & {"normal", "normals"}:
-        return _normal_matrix(named - {"normal", "normals"}, is_of_camera=is_of_camera)
+        return _normal_matrix(named - {"normal", "normals"})
     if named & {"camera", "cam"} and named & (_VIEW | _PROJECTION):
         named -= {"camera", "cam"}
     has = [bool(named & group) for group in (_MODEL, _VIEW, _PROJECTION)]
@@ -313,8 +313,8 @@ def _product_named(words: tuple[str, ...], *, is_of_camera: bool) -> Matrix | No
     return found.transposed if is_transposed else found
 
 
-def _normal_matrix(others: set[str], *, is_of_camera: bool) -> Matrix | None:
-    to: ShaderSpace | None = ShaderSpace.CAMERA if is_of_camera else None
+def _normal_matrix(others: set[str]) -> Matrix | None:
+    to: ShaderSpace | None = None
     source: ShaderSpace | None = ShaderSpace.OBJECT
     if others:
         if others <= _MODEL:
@@ -426,14 +426,13 @@ def meaning(path: str, type_: str, storage: Storage, stage: Stage) -> Value:
     >>> meaning("view", "mat4", Storage.UNIFORM, Stage.VERTEX).told
     'camera_from_world'
     """
-    if type_.startswith("mat"):
-        is_built_in = path in ("gl_NormalMatrix", "normalMatrix3js")
-        found = matrix_named(path, is_normal_matrix_of_camera=is_built_in)
+    if is_matrix(type_):
+        found = matrix_named(path)
         size = int(type_[-1])
         if found is None:
             return Matrix(size=size)
         return Matrix(found.to, found.source, found.is_transposed, size, found.because)
-    if type_.startswith("vec"):
+    if is_vector(type_):
         return vector_named(path, type_, storage, stage)
     return ANYTHING
 

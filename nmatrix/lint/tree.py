@@ -10,6 +10,28 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 
+def is_vector(type_: str) -> bool:
+    """Whether a type is a vector.
+
+    Examples
+    --------
+    >>> is_vector("vec3"), is_vector("vector")
+    (True, False)
+    """
+    return type_ in ("vec2", "vec3", "vec4")
+
+
+def is_matrix(type_: str) -> bool:
+    """Whether a type is a matrix.
+
+    Examples
+    --------
+    >>> is_matrix("mat4"), is_matrix("material")
+    (True, False)
+    """
+    return type_ in ("mat2", "mat3", "mat4")
+
+
 class Language(StrEnum):
     """A shading language."""
 
