@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from nmatrix.lint import tree
 from nmatrix.lint.builtins import FIELDS, FUNCTIONS, STRUCTS, Giving, Moving, built_in
 from nmatrix.lint.judging import Judge, negated
-from nmatrix.lint.names import annotated, meaning, vector_named
+from nmatrix.lint.names import annotated, matrix_named, meaning, vector_named
 from nmatrix.lint.tree import (
     Expression,
     Function,
@@ -506,9 +506,11 @@ class Following:
     def _undeclared(self, name: str) -> Value:
         found = built_in(name, self.stage)
         if found is not None:
-            if isinstance(found, Matrix):
-                return found
             return found
+        if "matrix" in name.lower():  # of an engine, or of an included file
+            named = matrix_named(name)
+            if named is not None:
+                return self._as_convened(named)
         if name in FIELDS:
             return Record(name, name, ())
         return ANYTHING

@@ -179,6 +179,7 @@ class Judge:
         self.factors[at.span] = factors
         for one in factors:
             self._note_view(one)
+            self._note_model(one)
         near, far = (right, left) if left.is_transposed and right.is_transposed else (left, right)
         self._note_projection(
             replace(near, is_transposed=False),
@@ -250,13 +251,18 @@ class Judge:
 
     def _note_evidence(self, matrix: Matrix, vector: Vector) -> None:
         self._note_projection(matrix, vector.space)
-        if matrix.is_known and ShaderSpace.OBJECT in (matrix.to, matrix.source):
-            other = matrix.source if matrix.to is ShaderSpace.OBJECT else matrix.to
-            self.evidence.has_model |= other in (ShaderSpace.WORLD, ShaderSpace.CAMERA)
-        self.evidence.has_model |= _leads_somewhere(matrix)
+        self._note_model(matrix)
         is_view = self._note_view(matrix)
         if is_view and vector.role is Role.LIGHT and vector.space is None and vector.origin:
             self.evidence.lights[vector.origin] = ShaderSpace.WORLD
+
+    def _note_model(self, matrix: Matrix) -> None:
+        """Believe in object space where a matrix leads out of it that is no whole product."""
+        if matrix.is_known and ShaderSpace.OBJECT in (matrix.to, matrix.source):
+            other = matrix.source if matrix.to is ShaderSpace.OBJECT else matrix.to
+            is_engine = matrix.because is Because.BUILT_IN
+            self.evidence.has_model |= is_engine or other not in PROJECTED
+        self.evidence.has_model |= _leads_somewhere(matrix)
 
     def _note_view(self, matrix: Matrix) -> bool:
         is_view = (matrix.to, matrix.source) == (ShaderSpace.CAMERA, ShaderSpace.WORLD)

@@ -161,6 +161,7 @@ _SPELLED_OUT = {
 _SINGLE = {"M": "model", "V": "view", "P": "projection", "W": "world"}
 
 _POINTS = frozenset({"position", "positions", "vertex", "vert", "point", "p", "location"})
+_OF_MESHES = frozenset({"vertex", "vert"})
 _NORMALS = frozenset({"normal", "normals", "n"})
 _TANGENTS = frozenset({"tangent", "bitangent", "binormal", "tangents"})
 _DIRECTIONS = frozenset({"direction", "vector", "vec", "ray"})
@@ -410,12 +411,10 @@ def _kind(words: frozenset[str]) -> Carried | None:
     if words & _DIRECTIONS:
         return Carried.DIRECTION
     if words & _NORMALS:
-        return None if words & _POINTS else Carried.NORMAL
-    if words & _POINTS:
-        return Carried.POINT
+        return None if words & (_POINTS - _OF_MESHES) else Carried.NORMAL
     if words & _TANGENTS:
-        return Carried.TANGENT
-    return None
+        return None if words & (_POINTS - _OF_MESHES) else Carried.TANGENT
+    return Carried.POINT if words & _POINTS else None
 
 
 def meaning(path: str, type_: str, storage: Storage, stage: Stage) -> Value:
