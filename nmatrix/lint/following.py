@@ -166,8 +166,8 @@ class Following:
         self.judge.stage = self.stage = stage
         scope = Scope(self.globals)
         for parameter in function.parameters:
-            is_input = stage in (Stage.VERTEX, Stage.FRAGMENT) and function.name != "main"
-            is_entry = is_input and self.shader.language is Language.HLSL
+            is_staged = stage in (Stage.VERTEX, Stage.FRAGMENT)
+            is_entry = is_staged and self.shader.language is Language.HLSL
             scope.write(parameter.name, self._parameter(parameter, is_of_entry=is_entry))
         value = self._run(function, scope)
         self._keep_globals(function, scope, self.globals)

@@ -392,6 +392,8 @@ class Judge:
             if one.space is not None or one.likely is None or other in (None, one.likely):
                 continue
             if one.role is Role.LIGHT:
+                if not self._is_first(at, one):
+                    continue
                 told = (
                     f"the {one.noun} is taken as it comes, in {spoken(other)}: wrong if the "
                     f"program gives it in {spoken(one.likely)}"
@@ -418,12 +420,18 @@ class Judge:
     def _judge_length(self, at: tree.Call, one: Vector, place: int) -> None:
         if one.kind is not Carried.NORMAL or one.length is not Length.INTERPOLATED:
             return
-        if self.stage is not Stage.FRAGMENT or (at.span.file, one.origin) in self._told_once:
+        if self.stage is not Stage.FRAGMENT or not self._is_first(at, one):
             return
-        self._told_once.add((at.span.file, one.origin))
         told = f"the interpolated {one.told} is shorter than 1 between vertices"
         parts = Parts(vector=at.arguments[place])
         self.tell(RuleId.NOT_NORMALISED, at, told, (one.told, ""), parts=parts)
+
+    def _is_first(self, at: Expression, one: Vector) -> bool:
+        """Whether a file has not been told of this vector."""
+        key = at.span.file, one.origin or one.told
+        is_first = key not in self._told_once
+        self._told_once.add(key)
+        return is_first
 
     def _judge_reflected(self, at: Expression, mirrored: Vector, eye: Vector) -> None:
         if mirrored.sense * eye.sense >= 0:

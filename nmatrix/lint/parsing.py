@@ -349,7 +349,7 @@ class _Parsing:
             for one in self._variables(parameter, Storage.INPUT)
         )
         semantic = next(
-            (self._semantic(one) for one in node.children if one.type == "semantics"), ""
+            (self._semantic(one) for one in declarator.children if one.type == "semantics"), ""
         )
         statements = tuple(self._statements(body.named_children))
         self.functions.append(
