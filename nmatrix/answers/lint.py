@@ -19,7 +19,7 @@ from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, co
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.lint.fixes import fixed
-from nmatrix.lint.judging import Fault
+from nmatrix.lint.faults import Fault
 from nmatrix.lint.program import Linted, lint
 from nmatrix.lint.rules import LINT_RULES, RULE_OF, RULES
 from nmatrix.lint.tree import Language, Shader

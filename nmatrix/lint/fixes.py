@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from nmatrix.lint import tree
-from nmatrix.lint.judging import Fault
+from nmatrix.lint.faults import Fault
 from nmatrix.lint.names import matrix_named, vector_named
 from nmatrix.lint.rules import RuleId
 from nmatrix.lint.tree import Expression, Language, Shader, Span, Storage

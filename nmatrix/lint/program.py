@@ -10,8 +10,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from nmatrix.lint.following import Conventions, Following, Passed
-from nmatrix.lint.judging import Evidence, Fault, Judge
+from nmatrix.lint.evaluation import Conventions
+from nmatrix.lint.faults import Evidence, Fault
+from nmatrix.lint.following import Following, Passed
+from nmatrix.lint.judging import Judge
 from nmatrix.lint.parsing import STAGES, parse
 from nmatrix.lint.tree import Language, Shader, Span, Stage
 
