@@ -18,8 +18,8 @@ from nmatrix.enums import Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, counted, quantity
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.lint.fixes import fixed
 from nmatrix.lint.faults import Fault
+from nmatrix.lint.fixes import fixed
 from nmatrix.lint.program import Linted, lint
 from nmatrix.lint.rules import LINT_RULES, RULE_OF, RULES
 from nmatrix.lint.tree import Language, Shader

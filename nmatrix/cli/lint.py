@@ -24,8 +24,8 @@ nmatrix lint docs/samples/phong.vert --scale 1 2 1
 
 nmatrix lint docs/samples --fail-on warning -f github
 
-Files of a folder that differ only in their endings are one program, and so are the only two that are
-given. A folder is searched to its depths, - is standard input.""",
+Files of a folder that differ only in their endings are one program, and so are the
+only two that are given. A folder is searched to its depths, - is standard input.""",
 }
 
 

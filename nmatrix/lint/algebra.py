@@ -48,6 +48,14 @@ def direction_of(point: Vector) -> Vector:
 
 
 def difference(left: Vector, right: Vector) -> Vector:
+    """Subtract: two points make a direction, from the surface to a lamp it leads out.
+
+    Examples
+    --------
+    >>> lamp = Vector(Carried.POINT, ShaderSpace.WORLD, 3, role=Role.LIGHT)
+    >>> difference(lamp, Vector(Carried.POINT, ShaderSpace.WORLD, 3)).sense.name
+    'OUT'
+    """
     space = left.space if left.space is not None else right.space
     if left.space is not None and right.space is not None and left.space is not right.space:
         space = None
@@ -75,6 +83,14 @@ def difference(left: Vector, right: Vector) -> Vector:
 
 
 def total(left: Vector, right: Vector) -> Vector:
+    """Add: a point and a direction are a point, directions to light and eye what is halfway.
+
+    Examples
+    --------
+    >>> light = Vector(Carried.DIRECTION, ShaderSpace.WORLD, 3, role=Role.LIGHT)
+    >>> total(light, Vector(Carried.DIRECTION, ShaderSpace.WORLD, 3, role=Role.EYE)).role.value
+    'halfway vector'
+    """
     space = left.space if left.space is not None else right.space
     if left.space is not None and right.space is not None and left.space is not right.space:
         space = None
@@ -100,6 +116,13 @@ def total(left: Vector, right: Vector) -> Vector:
 
 
 def total_with_number(left: Value, right: Value) -> Value:
+    """Add what are not two vectors: of a vector and a number nothing is known but its size.
+
+    Examples
+    --------
+    >>> total_with_number(Vector(Carried.NORMAL, size=3), Scalar()).kind is None
+    True
+    """
     match left, right:
         case Scalar(), Scalar():
             return Scalar()
@@ -113,6 +136,14 @@ def total_with_number(left: Value, right: Value) -> Value:
 
 
 def times(vector: Vector, number: Scalar, *, is_divided: bool) -> Vector:
+    """Stretch a vector by a number, or divide it; a negative one turns it round.
+
+    Examples
+    --------
+    >>> out = Vector(Carried.DIRECTION, size=3, sense=Sense.OUT)
+    >>> times(out, Scalar(number=-2.0), is_divided=False).sense.name
+    'IN'
+    """
     sense = vector.sense
     if number.number is None:
         sense = vector.sense if is_divided else Sense.UNKNOWN
@@ -128,6 +159,13 @@ def times(vector: Vector, number: Scalar, *, is_divided: bool) -> Vector:
 
 
 def product_of_numbers(operator: str, left: Scalar, right: Scalar) -> Scalar:
+    """Multiply or divide two numbers.
+
+    Examples
+    --------
+    >>> product_of_numbers("*", Scalar(is_cosine=True), Scalar(number=0.5)).is_cosine
+    True
+    """
     if operator == "/" or (left.number is None and right.number is None):
         return Scalar()
     cosine, number = (left, right.number) if right.number is not None else (right, left.number)
@@ -136,6 +174,14 @@ def product_of_numbers(operator: str, left: Scalar, right: Scalar) -> Scalar:
 
 
 def swizzled(vector: Vector, name: str) -> Value:
+    """Choose components of a vector.
+
+    Examples
+    --------
+    >>> clip = Vector(Carried.POINT, ShaderSpace.CLIP, 4, Fourth.DEPTH)
+    >>> swizzled(clip, "xyz").w is Fourth.DEPTH, swizzled(clip, "w").is_cosine
+    (True, False)
+    """
     order = name.translate(str.maketrans("rgbastpq", "xyzwxyzw"))
     if len(name) == 1:
         return Scalar()
@@ -152,6 +198,13 @@ def swizzled(vector: Vector, name: str) -> Value:
 
 
 def made_vector(size: int, arguments: list[Value]) -> Value:
+    """Construct a vector.
+
+    Examples
+    --------
+    >>> made_vector(4, [Vector(Carried.POINT, size=3), Scalar(number=1.0)]).w is Fourth.ONE
+    True
+    """
     if size == 2:
         return Vector(size=2)
     first = arguments[0] if arguments else ANYTHING
@@ -171,6 +224,13 @@ def made_vector(size: int, arguments: list[Value]) -> Value:
 
 
 def made_matrix(size: int, arguments: list[Value]) -> Value:
+    """Construct a matrix: a part of another one, or the frame of a surface from its columns.
+
+    Examples
+    --------
+    >>> made_matrix(3, [Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)]).size
+    3
+    """
     if len(arguments) == 1 and isinstance(arguments[0], Matrix):
         return replace(arguments[0], size=min(size, arguments[0].size))
     if len(arguments) == 3 and all(isinstance(one, Vector) for one in arguments):

@@ -8,36 +8,30 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nmatrix.lint import tree
 from nmatrix.lint.algebra import FOURTHS, negated, swizzled
-from nmatrix.lint.builtins import FIELDS, FUNCTIONS, STRUCTS, Giving, Moving, built_in
+from nmatrix.lint.builtins import FIELDS, FUNCTIONS, Giving, Moving, built_in
+from nmatrix.lint.declarations import Conventions, Declarations, Scope
 from nmatrix.lint.intrinsics import INTRINSICS
 from nmatrix.lint.judging import Judge
-from nmatrix.lint.names import annotated, matrix_named, meaning, vector_named
+from nmatrix.lint.names import matrix_named
 from nmatrix.lint.tree import (
     Expression,
     Function,
     Language,
     Shader,
-    Stage,
     Storage,
     Variable,
-    is_matrix,
-    is_vector,
 )
 from nmatrix.lint.values import (
     ANYTHING,
-    Because,
-    Carried,
     Fourth,
     Length,
     Matrix,
     Record,
-    Role,
     Scalar,
-    ShaderSpace,
     Value,
     Vector,
     joined,
@@ -48,137 +42,21 @@ MOST_MACROS = 256  # uses of one macro
 DEEPEST_CALLS = 24
 
 
-class Scope:
-    """Names with their values; what a branch writes stays above what was there before."""
-
-    def __init__(self, below: Scope | None = None) -> None:
-        self.values: dict[str, Value] = {}
-        self.below = below
-
-    def find(self, name: str) -> Value | None:
-        """Find the value that was written last."""
-        scope: Scope | None = self
-        while scope is not None:
-            found = scope.values.get(name)
-            if found is not None:
-                return found
-            scope = scope.below
-        return None
-
-    def write(self, name: str, value: Value) -> None:
-        """Write a value."""
-        self.values[name] = value
-
-
-@dataclass(frozen=True, slots=True)
-class Conventions:
-    """How named matrices stand: for columns, for rows (True), or nobody knows (None).
-
-    A projection right before `model` without any view matrix: `model` leads nobody knows where.
-    """
-
-    named_are_transposed: bool | None = False
-    model_leads_elsewhere: bool = False
-
-
-class Evaluation(ABC):
+class Evaluation(Declarations, ABC):
     """The expressions of one shader."""
 
     def __init__(self, shader: Shader, judge: Judge, conventions: Conventions) -> None:
-        self.shader = shader
-        self.judge = judge
-        self.conventions = conventions
-        self.stage = shader.stage
-        self.structs = {one.name: one for one in (*STRUCTS, *shader.structs)}
+        super().__init__(shader, judge, conventions)
         self.functions: dict[str, list[Function]] = {}
         for one in shader.functions:
             self.functions.setdefault(one.name, []).append(one)
-        self.declared = {one.name: one for one in shader.variables}
-        self.arrays = {
-            parameter.name
-            for function in shader.functions
-            for parameter in function.parameters
-            if parameter.is_array
-        }
         self.globals = Scope()
-        self.given: set[str] = set()  # locals that are made of uniforms alone
         self.calls: Counter[str] = Counter()
         self.running: list[str] = []
 
     @abstractmethod
     def run(self, function: Function, scope: Scope) -> Value:
         """Follow the statements of a function; its value is what it returns."""
-
-    # Names.
-
-    def by_name(self, path: str, type_: str, storage: Storage, note: str = "") -> Value:
-        if type_ in self.structs:
-            return Record(type_, path, ())
-        if type_ == "float":
-            return Scalar()
-        found = built_in(path, self.stage) if path.startswith(("gl_", "unity_", "_World")) else None
-        if found is None:
-            found = meaning(path, type_, storage, self.stage)
-        if note:
-            size = int(type_[-1]) if type_[-1:].isdigit() else 0
-            found = annotated(note, found, size)
-        if isinstance(found, Matrix):
-            return self._as_convened(found)
-        if isinstance(found, Vector) and found.role is Role.LIGHT and found.space is None:
-            known = self.judge.evidence.lights.get(path)
-            if known is not None:
-                found = replace(found, space=known, because=Because.ARITHMETIC)
-        if isinstance(found, Vector) and not found.origin:
-            found = replace(found, origin=path)
-        return found
-
-    def _as_convened(self, matrix: Matrix) -> Matrix:
-        if matrix.because is not Because.NAME:
-            return matrix
-        if self.conventions.named_are_transposed is None:
-            return Matrix(size=matrix.size, because=Because.NAME)
-        if self.conventions.model_leads_elsewhere:
-            matrix = replace(
-                matrix, to=_unless_world(matrix.to), source=_unless_world(matrix.source)
-            )
-        return matrix.transposed if self.conventions.named_are_transposed else matrix
-
-    def named(self, value: Value, variable: Variable) -> Value:
-        """Let the name of a local say what its value leaves open."""
-        type_ = variable.type
-        if variable.note:
-            size = int(type_[-1]) if type_[-1:].isdigit() else 0
-            value = annotated(variable.note, value, size)
-        if is_vector(type_) and not isinstance(value, Vector):
-            value = Vector(size=int(type_[-1]))
-        if isinstance(value, Vector):
-            told = vector_named(variable.name, type_, Storage.LOCAL, self.stage)
-            value = self._judged_eye(variable, told, value)
-            if value.kind is None:
-                return replace(told, length=value.length, is_assumed=False)
-            return value
-        if is_matrix(type_) and not isinstance(value, Matrix):
-            return self.by_name(variable.name, type_, Storage.LOCAL)
-        if isinstance(value, Matrix) and is_matrix(type_):
-            if not value.is_known and value.to is None and value.source is None:
-                named = self.by_name(variable.name, type_, Storage.LOCAL)
-                return named if isinstance(named, Matrix) else value
-            return replace(value, size=min(value.size, int(type_[-1])))
-        if type_ in self.structs and not isinstance(value, Record):
-            return Record(type_, variable.name, ())
-        if type_ == "float" and not isinstance(value, Scalar):
-            return Scalar()
-        return value
-
-    def _judged_eye(self, variable: Variable, told: Vector, value: Vector) -> Vector:
-        is_eye = told.role is Role.EYE and told.kind is Carried.DIRECTION
-        if not is_eye or value.role is not Role.ORIGIN or variable.initial is None:
-            return value
-        is_sure = value.because is Because.ARITHMETIC
-        if is_sure and self.judge.space_of(value) is not None:
-            self.judge.tell_origin(variable.initial, value)
-            return replace(value, role=Role.EYE, space=None)
-        return value
 
     def clamp(self, condition: Expression, scope: Scope, *, is_true: bool) -> None:
         """Believe a comparison with zero: what it says is positive is so from here on."""
@@ -202,22 +80,6 @@ class Evaluation(ABC):
         value = scope.find(name)
         if isinstance(value, Scalar):
             scope.write(name, replace(value, is_clamped=True))
-
-    def interpolated(self, value: Value, variable: Variable) -> Value:
-        """Take a value as a fragment gets it: a normal is short of 1 between vertices."""
-        is_input = variable.storage in (Storage.INPUT, Storage.BOTH)
-        if isinstance(value, Record):
-            fields = tuple((name, self._field_between(one, name)) for name, one in value.fields)
-            return Record(value.type, value.path, fields)
-        if not isinstance(value, Vector) or not is_input:
-            return value
-        value = replace(value, via=None, origin=variable.name)
-        if value.kind is Carried.NORMAL and not variable.is_flat:
-            return replace(value, length=Length.INTERPOLATED)
-        return replace(value, length=None)
-
-    def _field_between(self, value: Value, name: str) -> Value:
-        return self.interpolated(value, Variable(tree.Span("", 0, 0), name, "", Storage.INPUT))
 
     # Expressions.
 
@@ -256,50 +118,11 @@ class Evaluation(ABC):
     def _element(self, expression: tree.Element, scope: Scope) -> Value:
         self.value(expression.index, scope)
         value = self.value(expression.of, scope)
-        if self._typed(expression.of, scope)[1]:
+        if self.typed(expression.of, scope)[1]:
             return value
         if isinstance(value, Matrix):
             return Vector(size=value.size)  # a column
         return Scalar() if isinstance(value, Vector) else value
-
-    def is_given(self, expression: Expression) -> bool:
-        """Whether a value is the same for all vertices or fragments, made of uniforms alone."""
-        match expression:
-            case tree.Name(name=name):
-                variable = self.declared.get(name)
-                if variable is not None:
-                    return variable.storage is Storage.UNIFORM
-                return name in self.given or built_in(name, self.stage) is not None
-            case tree.Member(of=of):
-                return self.is_given(of)
-            case tree.Call(function=name, arguments=arguments):
-                is_known = is_matrix(name) or is_vector(name) or name in ("transpose", "inverse")
-                return is_known and all(map(self.is_given, arguments))
-            case tree.Binary(left=left, right=right):
-                return self.is_given(left) and self.is_given(right)
-            case tree.Number():
-                return True
-        return False
-
-    def _typed(self, expression: Expression, scope: Scope) -> tuple[str, bool]:
-        """The struct of an expression, if it is of one, and whether it is an array."""
-        match expression:
-            case tree.Name(name=name):
-                variable = self.declared.get(name)
-                value = scope.find(name)
-                type_ = value.type if isinstance(value, Record) else ""
-                is_array = name in self.arrays or (variable is not None and variable.is_array)
-                return type_, is_array
-            case tree.Member(of=of, name=name):
-                struct = self.structs.get(self._typed(of, scope)[0])
-                for one in struct.fields if struct is not None else ():
-                    if one.name == name:
-                        return one.type, one.is_array
-            case tree.Element(of=of):
-                return self._typed(of, scope)
-            case _:
-                pass
-        return "", False
 
     def _variable(self, name: str, scope: Scope) -> Value:
         found = scope.find(name)
@@ -322,7 +145,7 @@ class Evaluation(ABC):
         if "matrix" in name.lower():  # of an engine, or of an included file
             named = matrix_named(name)
             if named is not None:
-                return self._as_convened(named)
+                return self.as_convened(named)
         if name in FIELDS:
             return Record(name, name, ())
         return ANYTHING
@@ -433,43 +256,12 @@ class Evaluation(ABC):
         owner = self.value(expression.of, scope)
         name = expression.name
         if isinstance(owner, Record):
-            return self._field(owner, name)
+            return self.field(owner, name)
         if isinstance(owner, Vector):
             return swizzled(owner, name)
         if isinstance(owner, Matrix):
             return Scalar() if name.startswith("_m") else ANYTHING
         return ANYTHING
-
-    def _field(self, owner: Record, name: str) -> Value:
-        given = owner.field(name)
-        if given is not None:
-            return given
-        known = FIELDS.get(owner.type, {}).get(name)
-        if known is not None:
-            return known
-        struct = self.structs.get(owner.type)
-        declared = None
-        if struct is not None:
-            declared = next((one for one in struct.fields if one.name == name), None)
-        if declared is None:
-            return ANYTHING
-        storage = Storage.LOCAL
-        variable = self.declared.get(owner.path)
-        if variable is not None:
-            storage = variable.storage
-        elif self.shader.language is Language.HLSL and self.stage is Stage.VERTEX:
-            semantic = declared.semantic.rstrip("0123456789")
-            is_mesh = semantic in ("POSITION", "NORMAL", "TANGENT", "BINORMAL")
-            if is_mesh or owner.type.startswith("appdata"):
-                storage = Storage.INPUT
-        is_between = self.stage in (Stage.FRAGMENT, Stage.BETWEEN)
-        path = f"{owner.path}.{name}" if owner.path and storage is not Storage.INPUT else name
-        found = self.by_name(path, declared.type, storage, declared.note)
-        if is_between and storage is Storage.INPUT:
-            return self._field_between(found, name)
-        if is_between and variable is None and declared.semantic:
-            return self._field_between(found, name)
-        return found
 
     def _called(self, call: tree.Call, scope: Scope) -> Value:
         arguments = [self.value(one, scope) for one in call.arguments]
@@ -531,9 +323,9 @@ class Evaluation(ABC):
         found = self.run(function, inner)
         for parameter, written in zip(function.parameters, call.arguments, strict=True):
             if parameter.storage in (Storage.OUTPUT, Storage.BOTH):
-                value = inner.find(parameter.name)
-                if value is not None:
-                    self.write(written, value, scope)
+                left = inner.find(parameter.name)
+                if left is not None:
+                    self.write(written, left, scope)
         self.keep_globals(function, inner, scope)
         return found
 
@@ -545,7 +337,7 @@ class Evaluation(ABC):
                 outer.write(name, value)
 
     def _bottom(self, scope: Scope) -> Scope:
-        """What a called function sees: the globals, as they are written by now."""
+        """Keep what a called function sees: the globals, as they are written by now."""
         seen = Scope()
         layers = []
         one: Scope | None = scope
@@ -573,10 +365,6 @@ def _with_components(owner: Vector, name: str, value: Value) -> Vector | None:
     if name in ("w", "a"):
         return replace(owner, w=FOURTHS.get(value.number) if isinstance(value, Scalar) else None)
     return replace(owner, w=None, length=None, via=None)
-
-
-def _unless_world(space: ShaderSpace | None) -> ShaderSpace | None:
-    return None if space is ShaderSpace.WORLD else space
 
 
 def compares(condition: Expression) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from nmatrix.enums import Severity
 from nmatrix.lint.rules import LINT_RULES, PARTICULAR_FIRST, RuleId
 from nmatrix.lint.tree import Expression, Span, Stage
-from nmatrix.lint.values import ShaderSpace, Vector
+from nmatrix.lint.values import Matrix, ShaderSpace, Vector
 
 
 @dataclass(frozen=True)
@@ -71,9 +71,8 @@ class Evidence:
 class Telling:
     """Findings of a program by their places; of two at one place the more particular one stays."""
 
-    def __init__(self, evidence: Evidence, written: Callable[[Span], str]) -> None:
+    def __init__(self, evidence: Evidence) -> None:
         self.evidence = evidence
-        self.written = written
         self.stage = Stage.UNKNOWN
         self.is_gated = False
         self._parts = NO_PARTS
@@ -105,7 +104,7 @@ class Telling:
         self.faults[key] = Fault(rule, weight, at.span, message, *spaces, at, given)
 
     def space_of(self, vector: Vector) -> ShaderSpace | None:
-        """The space of a vector, unless it is only that of a mesh which nothing moves."""
+        """Tell the space of a vector, unless it is only that of a mesh which nothing moves."""
         if vector.is_assumed and not self.evidence.has_model:
             return None
         return vector.space

@@ -8,7 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from nmatrix.lint import tree
-from nmatrix.lint.evaluation import Conventions, Evaluation, Scope, compares
+from nmatrix.lint.declarations import Conventions, Scope
+from nmatrix.lint.evaluation import Evaluation, compares
 from nmatrix.lint.judging import Judge
 from nmatrix.lint.tree import (
     Function,
@@ -138,7 +139,7 @@ class Following(Evaluation):
         self.spaces[variable.name] = known, str(value.because or Because.ARITHMETIC)
 
     def _declared(self, variable: Variable) -> Value:
-        """The value of a variable outside of functions before anything is written to it."""
+        """Read a variable outside of functions, before anything is written to it."""
         is_between = self.stage in (Stage.FRAGMENT, Stage.BETWEEN)
         if is_between and variable.storage in (Storage.INPUT, Storage.BOTH):
             handed = next(

@@ -10,12 +10,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from nmatrix.lint.evaluation import Conventions
+from nmatrix.lint.declarations import Conventions
 from nmatrix.lint.faults import Evidence, Fault
 from nmatrix.lint.following import Following, Passed
 from nmatrix.lint.judging import Judge
 from nmatrix.lint.parsing import STAGES, parse
-from nmatrix.lint.tree import Language, Shader, Span, Stage
+from nmatrix.lint.tree import Language, Shader, Stage
 
 _ORDER = {Stage.VERTEX: 0, Stage.BETWEEN: 1, Stage.UNKNOWN: 2, Stage.FRAGMENT: 3}
 
@@ -90,13 +90,10 @@ def _follow(
     program = tuple(program)
     evidence = Evidence()
 
-    def written(span: Span) -> str:
-        return sources[span.file][span.start : span.end].decode("utf-8", "replace")
-
     conventions = Conventions()
-    judge = Judge(evidence, written)
+    judge = Judge(evidence)
     for _ in range(2):
-        judge = Judge(evidence, written)
+        judge = Judge(evidence)
         passed = Passed()
         spaces = {}
         for shader in program:

@@ -68,7 +68,7 @@ LINT_RULES = {
     RuleId.TANGENT_BY_NORMAL_MATRIX: LintRule(
         _WARNING,
         "Tangent by the normal matrix",
-        "A tangent lies in the surface and is moved by the model matrix, as a difference of points.",
+        "A tangent is a difference of points, and is moved by the matrix that moves points.",
         "Multiply it by the upper 3 × 3 of the matrix that moves points.",
         None,
         gains_degrees=True,
@@ -168,7 +168,7 @@ LINT_RULES = {
 RULES = tuple(
     Rule(code.value, one.name, one.sentence, one.advice) for code, one in LINT_RULES.items()
 )
-RULE_OF = {code: rule for code, rule in zip(LINT_RULES, RULES, strict=True)}
+RULE_OF = dict(zip(LINT_RULES, RULES, strict=True))
 # Where several rules fit one place, the first of these is told.
 PARTICULAR_FIRST = (
     RuleId.NORMAL_BY_PROJECTION,

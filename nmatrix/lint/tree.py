@@ -146,7 +146,7 @@ class Conditional:
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """A value put into a place; the operator is `=`, `+=`, …"""
+    """A value put into a place; the operator is `=`, `+=` and so on."""
 
     span: Span
     target: Expression

@@ -188,7 +188,7 @@ class Record:
     fields: tuple[tuple[str, Value], ...] = ()
 
     def field(self, name: str) -> Value | None:
-        """The value that was written to a field."""
+        """Find the value that was written to a field."""
         return dict(self.fields).get(name)
 
     def with_field(self, name: str, value: Value) -> Record:
@@ -232,7 +232,8 @@ def product(left: Matrix, right: Matrix) -> Matrix:
 
     Examples
     --------
-    >>> view, model = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD), Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
+    >>> view = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD)
+    >>> model = Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
     >>> product(view, model).told
     'camera_from_object'
     """
@@ -262,7 +263,8 @@ def right_order(factors: tuple[Matrix, ...]) -> tuple[int, ...] | None:
 
     Examples
     --------
-    >>> view, model = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD), Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
+    >>> view = Matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD)
+    >>> model = Matrix(ShaderSpace.WORLD, ShaderSpace.OBJECT)
     >>> right_order((model, view)), right_order((view, model)) is None
     ((1, 0), True)
     """
