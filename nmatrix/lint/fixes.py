@@ -116,7 +116,7 @@ def _without_normal_matrix(mending: _Mending) -> Change | None:
         declared = any(one.name == matrix.name for one in mending.shader.variables)
         right = known.get(matrix.name)
         return None if declared or right is None else Change(matrix.span, right)
-    bare = matrix
+    bare: Expression | None = matrix
     taken = []
     while isinstance(bare, tree.Call) and bare.function in ("transpose", "inverse", "mat3"):
         taken.append(bare.function)

@@ -14,7 +14,8 @@ from nmatrix.lint.declarations import Conventions
 from nmatrix.lint.faults import Evidence, Fault
 from nmatrix.lint.following import Following, Passed
 from nmatrix.lint.judging import Judge
-from nmatrix.lint.parsing import STAGES, parse
+from nmatrix.lint.parsing import parse
+from nmatrix.lint.source import STAGES
 from nmatrix.lint.tree import Language, Shader, Stage
 
 _ORDER = {Stage.VERTEX: 0, Stage.BETWEEN: 1, Stage.UNKNOWN: 2, Stage.FRAGMENT: 3}
