@@ -269,7 +269,7 @@ class _Reporting:
             "line": one.line,
             "column": one.column,
             "rule": fault.rule.value,
-            "mistake": LINT_RULES[fault.rule].mistake,
+            "mistake": fault.mistake,
             "severity": one.severity.value,
             "message": one.message,
             "space_left": fault.left or None,

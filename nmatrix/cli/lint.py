@@ -14,15 +14,16 @@ from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import Severity, chosen
 from nmatrix.errors import IllegalValueError
 from nmatrix.lint.tree import Language
+from nmatrix.samples import SHADERS, file_or_sample, samples
 
 FAILING = (Severity.ERROR, Severity.WARNING)
 
 HELP = {
-    "lint": """nmatrix lint docs/samples/phong.vert docs/samples/phong.frag
+    "lint": """nmatrix lint phong.vert phong.frag
 
-nmatrix lint docs/samples/phong.vert --scale 1 2 1
+nmatrix lint phong.vert --scale 1 2 1
 
-nmatrix lint docs/samples --fail-on warning -f github
+nmatrix lint phong.vert phong.frag --fix
 
 Files of a folder that differ only in their endings are one program, and so are the
 only two that are given. A folder is searched to its depths, - is standard input.""",
@@ -36,7 +37,11 @@ def lint(
     common: CommonOptions,
     files: Annotated[
         list[str],
-        Argument(metavar="FILE...", help="Shaders in GLSL or HLSL, folders of them, or -."),
+        Argument(
+            metavar="FILE...",
+            help="Shaders in GLSL or HLSL, folders of them, or -.",
+            autocompletion=among(samples, *SHADERS),
+        ),
     ],
     language: Annotated[
         Language | None, Option(help="The language (told by names and contents).")
@@ -60,7 +65,7 @@ def lint(
     least = Severity.ERROR if fail_on is None else chosen(Severity, fail_on, "fail_on", FAILING)
     if files.count(STANDARD_INPUT) > 1:
         raise IllegalValueError("- (standard input)", "it can be read only once", "give it once")
-    paths = files_of(files, SUFFIXES)
+    paths = files_of([str(file_or_sample(one)) for one in files], SUFFIXES)
     content = sys.stdin.buffer.read() if STANDARD_INPUT in files else b""
     groups = OptionGroups(world=world, scene=scene)
     placed = None

@@ -26,6 +26,7 @@ class Parts:
 
 
 NO_PARTS = Parts()
+MISTAKE_OF_MISSING = {"transpose": "not-transposed", "inverse": "not-inverted"}
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,11 @@ class Fault:
     right: str = ""
     expression: Expression | None = None
     parts: Parts = NO_PARTS
+
+    @property
+    def mistake(self) -> str | None:
+        """The id of `check` for it; half an inverse transpose is one of two."""
+        return MISTAKE_OF_MISSING.get(self.parts.missing, LINT_RULES[self.rule].mistake)
 
 
 @dataclass

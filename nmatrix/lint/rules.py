@@ -63,7 +63,6 @@ LINT_RULES = {
         "A normal is multiplied by a matrix with w = 1, so that the translation is added to it.",
         "Multiply its three components by the inverse transpose.",
         "translated",
-        gains_degrees=True,
     ),
     RuleId.TANGENT_BY_NORMAL_MATRIX: LintRule(
         _WARNING,
@@ -85,7 +84,6 @@ LINT_RULES = {
         "A normal needs both the inverse and the transpose of the matrix.",
         "Write transpose(inverse(M)), or put the vector on the left of the inverse.",
         "not-transposed",
-        gains_degrees=True,
     ),
     RuleId.SPACES_MIXED: LintRule(
         _ERROR,
@@ -150,7 +148,6 @@ LINT_RULES = {
         "Division by w left out",
         "Coordinates behind a projection are homogeneous until they are divided by w.",
         "Divide by w before the range is changed or a texture is read.",
-        "w-not-divided",
     ),
     RuleId.POWER_OF_NEGATIVE: LintRule(
         _WARNING,
