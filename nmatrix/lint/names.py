@@ -166,6 +166,8 @@ _NORMALS = frozenset({"normal", "normals", "n"})
 _TANGENTS = frozenset({"tangent", "bitangent", "binormal", "tangents"})
 _DIRECTIONS = frozenset({"direction", "vector", "vec", "ray"})
 _LIGHTS = frozenset({"light", "lamp", "sun", "spotlight", "pointlight"})
+_HALVES = frozenset({"half", "halfway"})
+_CAMERAS = frozenset({"camera", "cam", "view"})  # last in a name they are a space, first an eye
 _EYES = frozenset({"eye", "camera", "viewer", "view", "cam"})
 _VECTOR_NOISE = frozenset(
     [
@@ -363,12 +365,16 @@ def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vecto
         words = ["eye", "position"]
     elif short == "light" and storage is not Storage.UNIFORM:
         return nothing
+    if len(words) > 1 and words[0] in _POINTS and words[-1] in _CAMERAS:
+        return Vector(Carried.POINT, ShaderSpace.CAMERA, size, because=Because.NAME)
     return _vector_of(frozenset(words) | owned, size, storage, is_attribute=is_attribute)
 
 
 def _vector_of(words: frozenset[str], size: int, storage: Storage, *, is_attribute: bool) -> Vector:
     nothing = Vector(size=size)
     kind = _kind(words)
+    if words & _HALVES and kind is Carried.DIRECTION and words <= _HALVES | _DIRECTIONS:
+        return Vector(kind, None, size, role=Role.HALFWAY, because=Because.NAME)
     role = Role.LIGHT if words & _LIGHTS else None
     others = words - _POINTS - _NORMALS - _TANGENTS - _DIRECTIONS - _LIGHTS
     space = None

@@ -11,7 +11,7 @@ import pytest
 from nmatrix.answers.lint import Asked, Source, report
 from nmatrix.enums import Severity
 from nmatrix.lint.rules import LINT_RULES, RuleId
-from nmatrix.linear.affine import scale_matrix
+from nmatrix.scene.world import World
 
 PAGES = Path(__file__).resolve().parents[2] / "docs" / "lint"
 
@@ -55,12 +55,12 @@ def test_a_page_names_the_severity_and_the_mistake_of_its_rule(rule: RuleId) -> 
 @pytest.mark.parametrize("rule", [one for one in RuleId if LINT_RULES[one].gains_degrees])
 def test_the_degrees_of_a_page_are_those_of_the_command_and_of_the_formula(rule: RuleId) -> None:
     (one,) = report(
-        [source(rule, "Wrong")], Asked(world=scale_matrix((1, 2, 1)))
+        [source(rule, "Wrong")], Asked(world=World(scale=(1, 2, 1)).world_from_object)
     ).data["findings"]
     assert one["degrees"] == pytest.approx(degrees(atan((2 - 1 / 2) / 2)))
     assert f"{one['degrees']:.4g}°" in page(rule)
     (even,) = report(
-        [source(rule, "Wrong")], Asked(world=scale_matrix((3, 3, 3)))
+        [source(rule, "Wrong")], Asked(world=World(scale=(3, 3, 3)).world_from_object)
     ).data["findings"]
     assert (even["degrees"], even["severity"]) == (0, Severity.NOTE)
 
