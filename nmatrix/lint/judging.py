@@ -76,7 +76,8 @@ class Judge(Products):
             if one.space is not None or one.likely is None or other in (None, one.likely):
                 continue
             if one.role is Role.LIGHT:
-                if not self._is_first(at, one):
+                never_moved = other is ShaderSpace.OBJECT and not self.evidence.has_model
+                if never_moved or not self._is_first(at, one):
                     continue
                 told = (
                     f"the {one.noun} is taken as it comes, in {spoken(other)}: wrong if the "

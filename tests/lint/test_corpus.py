@@ -3,27 +3,14 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import pytest
+from shader_programs import CORRECT, FAULTY
 
 from nmatrix.enums import Severity
 from nmatrix.lint.program import lint
 
-HERE = Path(__file__).parent
 MARK = re.compile(r"//.*\b(NM\d{3})\b")
-
-
-def programs(file: str) -> dict[str, dict[str, str]]:
-    """Read the sources of a corpus: files of one stem are one program."""
-    found: dict[str, dict[str, str]] = {}
-    for part in (HERE / file).read_text("utf-8").split("=== ")[1:]:
-        name, text = part.split("\n", 1)
-        found.setdefault(name if name.endswith("hlsl") else name.split(".")[0], {})[name] = text
-    return found
-
-
-FAULTY, CORRECT = programs("faulty.txt"), programs("correct.txt")
 
 
 def told(program: dict[str, str]) -> set[tuple[str, int, str]]:
