@@ -8,24 +8,27 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import unified_diff
 from functools import cached_property
+from itertools import accumulate
 from pathlib import Path
+from textwrap import wrap
 
 from nmatrix.enums import Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, counted, quantity
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.lint.faults import Fault
-from nmatrix.lint.fixes import fixed
+from nmatrix.lint.fixes import Change, changed, fixed
 from nmatrix.lint.program import Linted, lint
 from nmatrix.lint.rules import LINT_RULES, RULE_OF, RULES
 from nmatrix.lint.tree import Language, Shader
 from nmatrix.reading.files import file_bytes
 from nmatrix.reading.folders import STANDARD_INPUT
 from nmatrix.report import (
+    SCREEN,
     Block,
     Brief,
     Code,
@@ -33,7 +36,6 @@ from nmatrix.report import (
     Findings,
     OnDemand,
     Report,
-    Text,
     Tone,
     Value,
     Verdict,
@@ -43,8 +45,9 @@ SUFFIXES = (
     *(".vert", ".frag", ".geom", ".tesc", ".tese", ".vs", ".fs", ".gs", ".vsh", ".fsh", ".glsl"),
     *(".hlsl", ".hlsli", ".fx", ".fxh", ".cginc", ".shader"),
 )
-SHOWN = 4  # findings of the short answer
 ROOM = 76  # columns of a source line
+NARROW = 60  # columns of a title, on a narrow screen
+_NO_LINE_END = "\\ No newline at end of file\n"
 _WEIGHT = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.NOTE: 2}
 
 
@@ -96,6 +99,7 @@ class Asked:
     fail_on: Severity = Severity.ERROR
     with_fixes: bool = False
     language: Language | None = None
+    are_one_program: bool = False
 
 
 def report(sources: Sequence[Source], asked: Asked | None = None) -> Report:
@@ -113,13 +117,56 @@ def report(sources: Sequence[Source], asked: Asked | None = None) -> Report:
     'NM101'
     """
     asked = Asked() if asked is None else asked
-    found = lint({one.name: one.text.encode() for one in sources if not one.error}, asked.language)
+    texts = {one.name: one.text.encode() for one in sources if not one.error}
+    found = lint(texts, asked.language, are_one_program=asked.are_one_program)
     return _Reporting(tuple(sources), found, asked).report()
 
 
 @dataclass(frozen=True)
+class _Lines:
+    """A source by its lines, so that bytes are found as people count."""
+
+    content: bytes
+    shader: Shader | None
+
+    @cached_property
+    def starts(self) -> Sequence[int]:
+        lengths = map(len, self.content.splitlines(keepends=True))
+        return [0, *accumulate(lengths)]
+
+    def line_of(self, place: int) -> int:
+        return min(bisect_right(self.starts, place), max(len(self.starts) - 1, 1))
+
+    def text(self, start: int, end: int) -> str:
+        return self.content[start:end].decode("utf-8", "replace")
+
+    def line(self, number: int) -> str:
+        ends = self.starts
+        return (
+            self.text(ends[number - 1], ends[number]).rstrip("\r\n") if number < len(ends) else ""
+        )
+
+    def column_of(self, place: int) -> int:
+        return len(self.text(self.starts[self.line_of(place) - 1], place)) + 1
+
+    def with_change(self, change: Change) -> str:
+        """Write the lines of a change as they are after it."""
+        first = self.line_of(change.span.start)
+        last = self.line_of(max(change.span.end - 1, change.span.start))
+        before = self.text(self.starts[first - 1], change.span.start)
+        return f"{before}{change.text}{self.text(change.span.end, self.starts[last])}".rstrip(
+            "\r\n"
+        )
+
+    @property
+    def unparsed(self) -> list[int]:
+        faults = () if self.shader is None else self.shader.faults
+        return sorted({self.line_of(one.span.start) for one in faults})
+
+
+@dataclass(frozen=True)
 class _Placed:
-    """A fault with its place as people count, and the corrected line if there is one."""
+    """A fault with its place as people count, and its correction if there is one."""
 
     fault: Fault
     line: int
@@ -128,11 +175,19 @@ class _Placed:
     severity: Severity
     message: str
     degrees: float | None
-    fix: str | None
+    change: Change | None
+
+    @property
+    def title(self) -> str:
+        """Name the place, the weight, the rule, and what is wrong."""
+        where = f"{self.fault.span.file}:{self.line}:{self.column}"
+        return f"{where}: {self.severity} {self.fault.rule.value}: {self.message}"
 
 
 @dataclass(frozen=True, eq=False)
 class _Reporting:
+    """What was found on its way to a report."""
+
     sources: tuple[Source, ...]
     linted: Linted
     asked: Asked
@@ -142,38 +197,30 @@ class _Reporting:
             "findings": [self._data(one) for one in self.placed],
             "spaces": self._spaces(),
             "files": [
-                {"file": one.name, "error": one.reason or None, "unparsed": self._unparsed(one)}
+                {
+                    "file": one.name,
+                    "error": one.reason or None,
+                    "unparsed": self.lines[one.name].unparsed,
+                }
                 for one in self.sources
             ],
         }
         if self.asked.with_fixes:
             data["patch"] = self.patch
-        findings = Findings(RULES, OnDemand(lambda: map(self._finding, self.placed)))
         return Report(
             "lint",
             data,
             (*self._blocks(len(self.placed)),),
-            () if self.asked.with_fixes else (*self._remarks(),),
+            (*self._remarks(),),
             self._failure(),
-            findings=findings,
+            findings=Findings(RULES, OnDemand(lambda: map(self._finding, self.placed))),
             brief=self._brief(),
         )
 
     @cached_property
-    def texts(self) -> Mapping[str, str]:
-        return {one.name: one.text for one in self.sources}
-
-    @cached_property
-    def starts(self) -> Mapping[str, Sequence[int]]:
-        """Where the lines of each file begin, in bytes."""
-        found = {}
-        for one in self.sources:
-            lines = one.text.encode().splitlines(keepends=True)
-            places = [0]
-            for line in lines:
-                places.append(places[-1] + len(line))
-            found[one.name] = places
-        return found
+    def lines(self) -> Mapping[str, _Lines]:
+        shaders = {one.file: one for one in self.linted.shaders}
+        return {one.name: _Lines(one.text.encode(), shaders.get(one.name)) for one in self.sources}
 
     @cached_property
     def worst(self) -> float | None:
@@ -188,15 +235,9 @@ class _Reporting:
         return tuple(map(self._place, self.linted.faults))
 
     def _place(self, fault: Fault) -> _Placed:
-        file = fault.span.file
-        content = self.texts[file].encode()
-        starts = self.starts[file]
-        line = bisect_right(starts, fault.span.start)
-        before = content[starts[line - 1] : fault.span.start].decode("utf-8", "replace")
-        inside = content[fault.span.start : fault.span.end].decode("utf-8", "replace")
-        rule = LINT_RULES[fault.rule]
+        lines, span = self.lines[fault.span.file], fault.span
         severity, message, degrees = fault.severity, f"{fault.message}.", None
-        if rule.gains_degrees and self.asked.world is not None:
+        if LINT_RULES[fault.rule].gains_degrees and self.asked.world is not None:
             degrees = self.worst
             if degrees is None:
                 message += " This world has no normals."
@@ -205,65 +246,44 @@ class _Reporting:
                 message += " With this world it does not matter."
             else:
                 message += f" With this world it is off by up to {degrees:.4g}°."
-        message = message[0].upper() + message[1:]
-        width = len(inside.split("\n", 1)[0])
-        fix = self._fixed_line(fault, line)
-        return _Placed(fault, line, len(before) + 1, width, severity, message, degrees, fix)
-
-    def _fixed_line(self, fault: Fault, line: int) -> str | None:
-        change = fixed(fault, self._shader_of(fault), self.texts[fault.span.file].encode())
-        if change is None:
-            return None
-        starts = self.starts[fault.span.file]
-        content = self.texts[fault.span.file].encode()
-        end = bisect_right(starts, max(change.span.end - 1, change.span.start))
-        first = bisect_right(starts, change.span.start) - 1
-        new = (
-            content[starts[first] : change.span.start]
-            + change.text.encode()
-            + content[change.span.end : starts[end]]
+        change = None
+        if lines.shader is not None:
+            change = fixed(fault, lines.shader, lines.content)
+        return _Placed(
+            fault,
+            lines.line_of(span.start),
+            lines.column_of(span.start),
+            len(lines.text(span.start, span.end).split("\n", 1)[0]),
+            severity,
+            message[0].upper() + message[1:],
+            degrees,
+            change,
         )
-        return new.decode("utf-8", "replace").rstrip("\r\n")
-
-    def _shader_of(self, fault: Fault) -> Shader:
-        return self._shaders[fault.span.file]
-
-    @cached_property
-    def _shaders(self) -> Mapping[str, Shader]:
-        return {one.file: one for one in self.linted.shaders}
 
     @cached_property
     def patch(self) -> str:
-        """The corrected files against the given ones; of changes that overlap the first is made."""
+        """The corrected files against the given ones, as the program `patch` takes it."""
+        changes: dict[str, list[Change]] = {}
+        for one in self.placed:
+            if one.change is not None:
+                changes.setdefault(one.fault.span.file, []).append(one.change)
         parts = []
-        for one in self.sources:
-            content = one.text.encode()
-            changes = []
-            for placed in self.placed:
-                if placed.fault.span.file == one.name:
-                    change = fixed(placed.fault, self._shader_of(placed.fault), content)
-                    if change is not None:
-                        changes.append(change)
-            new, end = b"", 0
-            for change in sorted(changes, key=lambda each: each.span.start):
-                if change.span.start < end:
-                    continue
-                new += content[end : change.span.start] + change.text.encode()
-                end = change.span.end
-            if not end:
-                continue
-            new += content[end:]
-            lines = unified_diff(
-                one.text.splitlines(keepends=True),
-                new.decode("utf-8", "replace").splitlines(keepends=True),
-                one.name,
-                one.name,
+        for file, listed in changes.items():
+            content = self.lines[file].content
+            new = changed(content, listed)
+            before, after = (
+                [line.decode("utf-8", "replace") for line in text.splitlines(keepends=True)]
+                for text in (content, new)
             )
-            parts += [line if line.endswith("\n") else f"{line}\n" for line in lines]
+            parts += [
+                line if line.endswith("\n") else f"{line}\n{_NO_LINE_END}"
+                for line in unified_diff(before, after, file, file)
+            ]
         return "".join(parts)
 
     def _data(self, one: _Placed) -> dict[str, Value]:
         fault = one.fault
+        lines = self.lines[fault.span.file]
         return {
             "file": fault.span.file,
             "line": one.line,
@@ -274,7 +294,7 @@ class _Reporting:
             "message": one.message,
             "space_left": fault.left or None,
             "space_right": fault.right or None,
-            "fix": one.fix,
+            "fix": None if one.change is None else lines.with_change(one.change),
             "degrees": one.degrees,
         }
 
@@ -291,11 +311,6 @@ class _Reporting:
                 found.setdefault(name, {"space": space, "known_by": because})
         return found
 
-    def _unparsed(self, one: Source) -> list[int]:
-        starts = self.starts[one.name]
-        faults = self._shaders[one.name].faults if one.name in self._shaders else ()
-        return sorted({bisect_right(starts, fault.span.start) for fault in faults})
-
     # For people.
 
     def _sentence(self) -> str:
@@ -304,58 +319,44 @@ class _Reporting:
         told = ", ".join(counted(counts[one], one.value) for one in Severity if counts[one])
         return f"{counted(len(read), 'file')}: {told or 'nothing to find fault with'}."
 
-    @cached_property
-    def by_weight(self) -> tuple[_Placed, ...]:
-        return tuple(sorted(self.placed, key=lambda one: _WEIGHT[one.severity]))
-
     def _blocks(self, most: int) -> Iterator[Block]:
-        if self.asked.with_fixes:
-            if self.patch:
-                yield Code("diff", self.patch)
-            else:
-                yield Text("There is nothing that can be mended by itself.")
-            return
-        tone = Tone.RIGHT if not self._failing else Tone.WRONG
-        yield Verdict(self._sentence(), tone)
-        for one in self.by_weight[:most]:
-            yield Code("text", self._shown(one), self._title(one))
-            yield Text(one.message)
-
-    def _title(self, one: _Placed) -> str:
-        rule = one.fault.rule
-        where = f"{one.fault.span.file}:{one.line}:{one.column}"
-        return f"{where}: {one.severity} {rule.value}"
+        yield Verdict(self._sentence(), Tone.WRONG if self._failing else Tone.RIGHT)
+        for one in sorted(self.placed, key=lambda one: _WEIGHT[one.severity])[:most]:
+            yield Code("text", self._shown(one), one.title)
 
     def _shown(self, one: _Placed) -> str:
         """Write the line with a caret below, cut to the room around it."""
-        lines = self.texts[one.fault.span.file].splitlines()
-        line = lines[one.line - 1] if one.line <= len(lines) else ""
-        head = line[: one.column - 1].expandtabs(4)
+        line = self.lines[one.fault.span.file].line(one.line)
+        head = line[: one.column - 1].expandtabs(4).lstrip()
         rest = line[one.column - 1 :].expandtabs(4)
-        indent = len(head) - len(head.lstrip())
-        head = head[indent:]
         if len(head) > ROOM // 2:
             head = "…" + head[len(head) - ROOM // 2 :]
-        caret = min(one.width, ROOM - len(head), len(rest))
-        return f"    {head}{rest[: ROOM - len(head)]}\n    {' ' * len(head)}^{'~' * (caret - 1)}\n"
+        room = ROOM - len(head)
+        caret = max(min(one.width, room, len(rest)), 1)
+        return f"    {head}{rest[:room]}\n    {' ' * len(head)}^{'~' * (caret - 1)}\n"
 
-    def _brief(self) -> Brief | None:
-        if self.asked.with_fixes:
-            return None
-        more = len(self.placed) - SHOWN
-        told = (counted(more, "more finding"),) if more > 0 else ()
-        return Brief((*self._blocks(SHOWN),), told)
+    def _brief(self) -> Brief:
+        """Show as many findings as a screen has room for."""
+        left, most = SCREEN - 4 - len(self._remarks()), 0
+        for one in sorted(self.placed, key=lambda one: _WEIGHT[one.severity]):
+            left -= 3 + len(wrap(one.title, NARROW))
+            if left < 0:
+                break
+            most += 1
+        more = len(self.placed) - most
+        return Brief((*self._blocks(most),), (counted(more, "more finding"),) if more else ())
 
-    def _remarks(self) -> Iterable[str]:
+    def _remarks(self) -> Sequence[str]:
+        told = [f"{one.reason}." for one in self.sources if one.error and len(self.sources) > 1]
         for one in self.sources:
-            if one.error is not None and len(self.sources) > 1:
-                yield f"{one.reason}."
-        for one in self.sources:
-            lines = self._unparsed(one)
+            lines = self.lines[one.name].unparsed
             if lines:
                 where = ", ".join(map(str, lines[:3])) + (", …" if len(lines) > 3 else "")
                 noun = "line" if len(lines) == 1 else "lines"
-                yield f"{one.name} does not parse in {noun} {where}; the rest of it was read."
+                told.append(
+                    f"{one.name} does not parse in {noun} {where}; the rest of it was read."
+                )
+        return told
 
     @cached_property
     def _failing(self) -> tuple[_Placed, ...]:
@@ -370,13 +371,13 @@ class _Reporting:
             return IllegalValueError(
                 f"{len(unread)} files", "none of them could be read", "see the reasons"
             )
-        if self._failing:
-            first = self._failing[0]
-            counts = Counter(one.severity for one in self._failing)
-            told = " and ".join(counted(counts[one], one.value) for one in Severity if counts[one])
-            return CheckFailedError(
-                f"{quantity('fail_on')} {self.asked.fail_on}",
-                f"there {'is' if len(self._failing) == 1 else 'are'} {told}",
-                f"begin with {first.fault.span.file} line {first.line}",
-            )
-        return None
+        if not self._failing:
+            return None
+        first = self._failing[0]
+        counts = Counter(one.severity for one in self._failing)
+        told = " and ".join(counted(counts[one], one.value) for one in Severity if counts[one])
+        return CheckFailedError(
+            f"{quantity('fail_on')} {self.asked.fail_on}",
+            f"there {'is' if len(self._failing) == 1 else 'are'} {told}",
+            f"begin with {first.fault.span.file} line {first.line}",
+        )

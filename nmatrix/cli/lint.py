@@ -9,9 +9,9 @@ from typer import Argument, Option
 
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions
 from nmatrix.cli.shared_options import CommonOptions, among
-from nmatrix.cli.show import show
+from nmatrix.cli.show import put, show
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import Severity, chosen
+from nmatrix.enums import Format, Severity, chosen
 from nmatrix.errors import IllegalValueError
 from nmatrix.lint.tree import Language
 from nmatrix.samples import SHADERS, file_or_sample, samples
@@ -77,5 +77,12 @@ def lint(
         fail_on=least,
         with_fixes=fix,
         language=language,
+        are_one_program=len(files) == len(paths) == 2,
     )
-    show(report([source(path, content) for path in paths], asked), common)
+    found = report([source(path, content) for path in paths], asked)
+    if fix and common.format is Format.TEXT:  # so that `patch` takes every byte of it
+        put(str(found.data["patch"]))
+        if found.failure is not None:
+            raise found.failure
+    else:
+        show(found, common)

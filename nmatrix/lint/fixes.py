@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from nmatrix.lint import tree
@@ -38,6 +38,22 @@ def fixed(fault: Fault, shader: Shader, content: bytes) -> Change | None:
     if shader.macros and any(one.span.holds(fault.span) for one in shader.macros.values()):
         return None  # what is right in one use of a macro may be wrong in another
     return mend(_Mending(fault, shader, content))
+
+
+def changed(content: bytes, changes: Iterable[Change]) -> bytes:
+    """Make all changes; of two that overlap the first one is made.
+
+    Examples
+    --------
+    >>> changed(b"a + b", [Change(Span("", 4, 5), "c"), Change(Span("", 0, 1), "x")])
+    b'x + c'
+    """
+    made, end = [], 0
+    for one in sorted(changes, key=lambda each: each.span.start):
+        if one.span.start >= end:
+            made += [content[end : one.span.start], one.text.encode()]
+            end = one.span.end
+    return b"".join((*made, content[end:]))
 
 
 @dataclass(frozen=True)
@@ -185,6 +201,22 @@ def _from_the_eye(mending: _Mending) -> Change | None:
     return None
 
 
+def _moved_light(mending: _Mending) -> Change | None:
+    """Move a light of the world that a position in camera space is subtracted from."""
+    fault = mending.fault
+    spaces = "position of the light in world space", "point in camera space"
+    view = mending.matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD)
+    expression = fault.expression
+    if (fault.left, fault.right) != spaces or view is None:
+        return None
+    if not isinstance(expression, tree.Binary) or not isinstance(expression.left, tree.Name):
+        return None
+    light = mending.text(expression.left)
+    if mending.shader.language is not Language.GLSL:
+        return None
+    return Change(expression.left.span, f"({view} * vec4({light}, 1.0)).xyz")
+
+
 def _normalised(mending: _Mending) -> Change | None:
     vector = mending.fault.parts.vector
     return None if vector is None else Change(vector.span, f"normalize({mending.text(vector)})")
@@ -236,6 +268,7 @@ _MENDERS: dict[RuleId, Callable[[_Mending], Change | None]] = {
     RuleId.WRONG_W: _other_w,
     RuleId.PRODUCT_ORDER: _in_order,
     RuleId.EYE_AT_ORIGIN: _from_the_eye,
+    RuleId.STUCK_LIGHT: _moved_light,
     RuleId.NOT_NORMALISED: _normalised,
     RuleId.FOUR_COMPONENTS: _three_components,
     RuleId.REFLECTED_WRONG_WAY: _turned_round,

@@ -8,6 +8,7 @@ and a point in camera space of the other, so a uniform of that name is an eye, a
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import lru_cache
 
 from nmatrix.lint.tree import Stage, Storage, is_matrix, is_vector
@@ -334,6 +335,7 @@ def _normal_matrix(others: set[str]) -> Matrix | None:
     return Matrix(source, to, is_transposed=True, size=3, because=Because.NAME)
 
 
+@lru_cache(maxsize=65536)
 def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vector:
     """Read the name of a vector.
 
@@ -367,14 +369,14 @@ def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vecto
         return nothing
     if len(words) > 1 and words[0] in _POINTS and words[-1] in _CAMERAS:
         return Vector(Carried.POINT, ShaderSpace.CAMERA, size, because=Because.NAME)
+    if len(words) > 1 and words[0] in _HALVES and set(words[1:]) <= _DIRECTIONS:
+        return Vector(Carried.DIRECTION, None, size, role=Role.HALFWAY, because=Because.NAME)
     return _vector_of(frozenset(words) | owned, size, storage, is_attribute=is_attribute)
 
 
 def _vector_of(words: frozenset[str], size: int, storage: Storage, *, is_attribute: bool) -> Vector:
     nothing = Vector(size=size)
     kind = _kind(words)
-    if words & _HALVES and kind is Carried.DIRECTION and words <= _HALVES | _DIRECTIONS:
-        return Vector(kind, None, size, role=Role.HALFWAY, because=Because.NAME)
     role = Role.LIGHT if words & _LIGHTS else None
     others = words - _POINTS - _NORMALS - _TANGENTS - _DIRECTIONS - _LIGHTS
     space = None
@@ -445,6 +447,7 @@ def meaning(path: str, type_: str, storage: Storage, stage: Stage) -> Value:
 _SPACE_COMMENT = re.compile(
     r"\b(world|eye|camera|view|object|model|local|tangent)[ -]?(?:space|coord\w*)\b", re.IGNORECASE
 )
+_UNIT = re.compile(r"\bunit[ -]length\b", re.IGNORECASE)
 _ANNOTATION = re.compile(r"@space\s+(.*)")
 _KINDS = {kind.value: kind for kind in Carried} | {"vector": Carried.DIRECTION}
 
@@ -461,6 +464,8 @@ def annotated(note: str, value: Value, size: int) -> Value:
     >>> annotated("light position in eye coordinates", Vector(Carried.POINT), 3).told
     'point in camera space'
     """
+    if _UNIT.search(note) and isinstance(value, Vector):
+        value = replace(value, length=Length.UNIT)
     given = _ANNOTATION.search(note)
     if given is None:
         told = {FRAMES[one.lower()] for one in _SPACE_COMMENT.findall(note)}

@@ -32,6 +32,11 @@ if TYPE_CHECKING:
     from tree_sitter import Node, Parser
 
 _UNKNOWN_PRAGMA = re.compile(rb"^\s*#\s*(?:pragma|extension|line|error|warning|undef)\b")
+_HEAD_OF_FUNCTION = re.compile(
+    rb"^(?:\w+[ \t]+){1,3}\w+[ \t]*\([^;{}()]*\)[^;{}()]*\{", re.MULTILINE
+)
+_NOT_LINE_END = re.compile(rb"[^\r\n]")
+MOST_AGAIN = 4  # times that a source is parsed once more behind what does not parse
 _LOCATION = re.compile(r"\blocation\s*=\s*(\d+)")
 _QUALIFIERS = {
     "uniform": Storage.UNIFORM,
@@ -100,7 +105,7 @@ class _Parsing(Expressions):
         self.structs: list[tree.Struct] = []
         self.macros: dict[str, tree.Expression] = {}
         self.includes: list[str] = []
-        self.faults: list[tree.SyntaxFault] = []
+        self.again = MOST_AGAIN
         self.notes = notes(content)
         self.line_starts = [0, *(one.end() for one in re.finditer(rb"\n", content))]
 
@@ -108,6 +113,7 @@ class _Parsing(Expressions):
         """Parse the whole source."""
         root = _parser(self.language).parse(self.content).root_node
         self._outer(root.named_children)
+        faults = tuple(map(self._fault, self._broken(root)))
         return Shader(
             self.file,
             self.language,
@@ -118,7 +124,7 @@ class _Parsing(Expressions):
             tuple(self.structs),
             self.macros,
             tuple(self.includes),
-            tuple(self.faults),
+            faults,
         )
 
     # What stands outside of functions.
@@ -139,17 +145,36 @@ class _Parsing(Expressions):
         self._struct(node)
 
     def _outer_fault(self, node: Node) -> None:
-        self._fault(node)
-        self._outer(node.named_children)
+        """Read what stands behind a place that does not parse, once more and by itself."""
+        after = _HEAD_OF_FUNCTION.search(self.content, node.start_byte + 1, node.end_byte)
+        if after is None or self.again == 0:
+            self._outer(node.named_children)
+            return
+        self.again -= 1
+        blank = _NOT_LINE_END.sub(b" ", self.content[: after.start()])
+        root = _parser(self.language).parse(blank + self.content[after.start() :]).root_node
+        inside = [one for one in root.named_children if one.start_byte < node.end_byte]
+        self._outer(inside)
 
     def _include(self, node: Node) -> None:
         path = node.child_by_field_name("path")
         if path is not None:
             self.includes.append(self.text(path).strip('"<>'))
 
-    def _fault(self, node: Node) -> None:
-        if not _UNKNOWN_PRAGMA.match(self.content[node.start_byte : node.end_byte]):
-            self.faults.append(tree.SyntaxFault(self.span(node)))
+    def _broken(self, root: Node) -> Iterator[Node]:
+        """Find the places that do not parse; a mark of no width, or an unknown pragma, is none."""
+        waiting = [root]
+        while waiting:
+            node = waiting.pop()
+            if node.type == "ERROR":
+                text = self.content[node.start_byte : node.end_byte]
+                if text.strip() and not _UNKNOWN_PRAGMA.match(text):
+                    yield node
+            elif node.has_error:
+                waiting += reversed(node.children)
+
+    def _fault(self, node: Node) -> tree.SyntaxFault:
+        return tree.SyntaxFault(self.span(node))
 
     def _outer_declaration(self, node: Node) -> None:
         listed = [one for one in node.named_children if one.type == "field_declaration_list"]
@@ -393,7 +418,6 @@ class _Parsing(Expressions):
         yield from ()
 
     def _inner_fault(self, node: Node) -> Iterator[tree.Statement]:
-        self._fault(node)
         for one in node.named_children:  # what the parser still saw whole
             if one.type in _WHOLE:
                 yield from self._statement(one)

@@ -1,6 +1,6 @@
 """Files become programs, and programs findings: `lint` reads sources and tells what it found.
 
-Files of one folder that differ only behind the stem are one program, and so are the only two.
+Files of one folder that differ only behind the stem are one program.
 """
 
 from __future__ import annotations
@@ -30,7 +30,12 @@ class Linted:
     spaces: Mapping[str, Mapping[str, tuple[str, str]]]
 
 
-def lint(sources: Mapping[str, bytes], language: Language | None = None) -> Linted:
+def lint(
+    sources: Mapping[str, bytes],
+    language: Language | None = None,
+    *,
+    are_one_program: bool = False,
+) -> Linted:
     """Read shaders, follow them as programs, and collect what is wrong in the order of the files.
 
     Raises
@@ -48,7 +53,7 @@ def lint(sources: Mapping[str, bytes], language: Language | None = None) -> Lint
     shaders = [parse(name, content, language) for name, content in sources.items()]
     faults: list[Fault] = []
     spaces: dict[str, dict[str, tuple[str, str]]] = {}
-    for program in programs(shaders):
+    for program in [tuple(shaders)] if are_one_program else programs(shaders):
         found, known = _follow(program, sources)
         faults += found
         spaces |= known
@@ -58,7 +63,7 @@ def lint(sources: Mapping[str, bytes], language: Language | None = None) -> Lint
 
 
 def programs(shaders: Sequence[Shader]) -> list[tuple[Shader, ...]]:
-    """Put together what runs together: files of one stem, or the only two.
+    """Put together what runs together: files of one folder and stem, in the order of stages.
 
     Examples
     --------
@@ -66,15 +71,11 @@ def programs(shaders: Sequence[Shader]) -> list[tuple[Shader, ...]]:
     >>> [[one.file for one in program] for program in programs(made)]
     [['a.vert', 'a.frag'], ['b.vert']]
     """
-    if len(shaders) == 2:
-        return [tuple(sorted(shaders, key=lambda one: _ORDER[one.stage]))]
     by_stem: dict[tuple[str, str, Language], list[Shader]] = {}
     for one in shaders:
         path = PurePath(one.file)
         by_stem.setdefault((str(path.parent), _stem(path.name), one.language), []).append(one)
-    return [
-        tuple(sorted(together, key=lambda one: _ORDER[one.stage])) for together in by_stem.values()
-    ]
+    return [tuple(together) for together in by_stem.values()]
 
 
 def _stem(name: str) -> str:
@@ -88,7 +89,7 @@ def _follow(
     program: Iterable[Shader], sources: Mapping[str, bytes]
 ) -> tuple[list[Fault], dict[str, dict[str, tuple[str, str]]]]:
     """Follow a program twice: what the first reading shows, the second one takes for known."""
-    program = tuple(program)
+    program = sorted(program, key=lambda one: _ORDER[one.stage])
     evidence = Evidence()
 
     conventions = Conventions()
