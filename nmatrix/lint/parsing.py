@@ -23,6 +23,7 @@ from nmatrix.lint.source import (
     programs_alone,
     stage_of,
     version_of,
+    without_bare_macros,
 )
 from nmatrix.lint.tree import Language, Shader, Storage, Variable
 
@@ -32,6 +33,9 @@ if TYPE_CHECKING:
     from tree_sitter import Node, Parser
 
 _UNKNOWN_PRAGMA = re.compile(rb"^\s*#\s*(?:pragma|extension|line|error|warning|undef)\b")
+# What the grammars do not know of right sources: qualifiers, default layouts, `precision … int;`,
+# a conversion before a product.
+_WORDS_ALONE = re.compile(rb"[\w\s().,*]*;?|layout\s*\([^)]*\)[\w\s]*;?")
 _HEAD_OF_FUNCTION = re.compile(
     rb"^(?:\w+[ \t]+){1,3}\w+[ \t]*\([^;{}()]*\)[^;{}()]*\{", re.MULTILINE
 )
@@ -67,7 +71,7 @@ def parse(file: str, content: bytes, language: Language | None = None) -> Shader
     MissingPackageError
         Without the grammars.
     """
-    content = programs_alone(content)
+    content = without_bare_macros(programs_alone(content))
     told = language or language_of(file, content)
     return _Parsing(file, content, told).shader()
 
@@ -162,13 +166,13 @@ class _Parsing(Expressions):
             self.includes.append(self.text(path).strip('"<>'))
 
     def _broken(self, root: Node) -> Iterator[Node]:
-        """Find the places that do not parse; a mark of no width, or an unknown pragma, is none."""
+        """Find the places that do not parse; words that the grammars do not know are none."""
         waiting = [root]
         while waiting:
             node = waiting.pop()
             if node.type == "ERROR":
                 text = self.content[node.start_byte : node.end_byte]
-                if text.strip() and not _UNKNOWN_PRAGMA.match(text):
+                if not _UNKNOWN_PRAGMA.match(text) and not _WORDS_ALONE.fullmatch(text):
                     yield node
             elif node.has_error:
                 waiting += reversed(node.children)

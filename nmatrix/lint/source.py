@@ -35,6 +35,9 @@ _SHADER_LAB = re.compile(
     rb"^[ \t]*(?:CG|HLSL)(?:PROGRAM|INCLUDE)\b(.*?)^[ \t]*END(?:CG|HLSL)\b",
     re.MULTILINE | re.DOTALL,
 )
+_BARE_MACRO = re.compile(
+    rb"(?<=[;{}])(?:\s*\n[ \t]*[A-Z][A-Z0-9_]{3,}(?:[ \t]*\([^;{}()]*\))?[ \t]*(?=\r?\n))+"
+)
 _NOT_LINE_END = re.compile(rb"[^\r\n]")
 
 
@@ -47,6 +50,17 @@ def programs_alone(content: bytes) -> bytes:
     for block in blocks:
         found[block.start(1) : block.end(1)] = content[block.start(1) : block.end(1)]
     return bytes(found)
+
+
+def without_bare_macros(content: bytes) -> bytes:
+    """Blank out lines that are one macro in capitals, which stands for whole declarations.
+
+    Examples
+    --------
+    >>> without_bare_macros(b"struct A {\\n  UNITY_FOG_COORDS(1)\\n};")
+    b'struct A {\\n                     \\n};'
+    """
+    return _BARE_MACRO.sub(lambda one: _NOT_LINE_END.sub(b" ", one[0]), content)
 
 
 def language_of(file: str, content: bytes) -> Language:

@@ -46,7 +46,7 @@ KEYS = {
     f"plan {DOCS / 'scenes' / 'mirror.toml'}": "effects attributes passes objects",
     "stress --case N1": "cases passed failed",
 }
-WITHOUT_FORMATS = {"derive", "check", "lint", "inspect", "plan", "stress"}  # sentences, not quantities
+WITHOUT_FORMATS = {"derive", "check", "lint", "inspect", "plan", "stress"}  # sentences
 LOOK_FOR_FAULTS = {"inspect", "lint"}
 PARTS = (
     "translate quaternion rotate scale shear order convention axis angle_deg gimbal_lock unique "

@@ -16,7 +16,7 @@ in vec3 position;
 in vec3 normal;
 out vec3 n;
 """
-FAULT = "void main() { n = mat3(model) * normal; gl_Position = viewProjection * vec4(position, 1.0); }\n"
+FAULT = "void main() { n = mat3(model) * normal; gl_Position = vec4(position, 1.0); }\n"
 
 
 def rules(text: str, name: str = "a.vert") -> list[str]:
