@@ -20,11 +20,11 @@ from nmatrix.enums import Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, counted, quantity
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix
-from nmatrix.lint.faults import Fault
-from nmatrix.lint.fixes import Change, changed, fixed
-from nmatrix.lint.program import Linted, lint
-from nmatrix.lint.rules import LINT_RULES, RULE_OF, RULES
-from nmatrix.lint.tree import Language, Shader
+from nmatrix.linting.faults import Fault
+from nmatrix.linting.fixes import Change, changed, fixed
+from nmatrix.linting.program import Linted, lint
+from nmatrix.linting.rules import LINT_RULES, RULE_OF, RULES
+from nmatrix.linting.tree import Language, Shader
 from nmatrix.reading.files import file_bytes
 from nmatrix.reading.folders import STANDARD_INPUT
 from nmatrix.report import (

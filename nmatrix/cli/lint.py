@@ -13,7 +13,7 @@ from nmatrix.cli.show import put, show
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import Format, Severity, chosen
 from nmatrix.errors import IllegalValueError
-from nmatrix.lint.tree import Language
+from nmatrix.linting.tree import Language
 from nmatrix.samples import SHADERS, file_or_sample, samples
 
 FAILING = (Severity.ERROR, Severity.WARNING)

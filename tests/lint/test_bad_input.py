@@ -7,8 +7,8 @@ from collections import Counter
 import pytest
 
 from nmatrix.answers.lint import Source, report, source
-from nmatrix.lint.evaluation import Evaluation
-from nmatrix.lint.program import lint
+from nmatrix.linting.evaluation import Evaluation
+from nmatrix.linting.program import lint
 
 HEAD = """#version 330 core
 uniform mat4 model, viewProjection;

@@ -11,7 +11,7 @@ import pytest
 
 from nmatrix.enums import Severity
 from nmatrix.lessons.check.mistakes import MistakeId
-from nmatrix.lint.rules import LINT_RULES, RuleId
+from nmatrix.linting.rules import LINT_RULES, RuleId
 
 VERTEX = """#version 330 core
 uniform mat4 model, viewProjection;
@@ -39,7 +39,11 @@ def test_text_shows_the_line_with_its_caret(nmatrix, tmp_path: Path, monkeypatch
     found = nmatrix("lint a.vert")
     assert found.code == 0
     assert "\na.vert:7:9: warning NM101: The normal in object space is multiplied by" in found.out
-    assert f"\n    n = mat3(model) * normal;\n        ^{'~' * len('at3(model) * normal')}\n" in found.out
+    assert (
+    carets = "^" + "~" * len("at3(model) * normal")
+    assert f"\n    n = mat3(model) * normal;\n        {carets}\n" in found.out
+        in found.out
+    )
 
 
 def test_a_short_answer_fits_a_screen(nmatrix) -> None:

@@ -8,7 +8,7 @@ import pytest
 from shader_programs import CORRECT, FAULTY
 
 from nmatrix.enums import Severity
-from nmatrix.lint.program import lint
+from nmatrix.linting.program import lint
 
 MARK = re.compile(r"//.*\b(NM\d{3})\b")
 

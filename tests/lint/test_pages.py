@@ -10,7 +10,7 @@ import pytest
 
 from nmatrix.answers.lint import Asked, Source, report
 from nmatrix.enums import Severity
-from nmatrix.lint.rules import LINT_RULES, RuleId
+from nmatrix.linting.rules import LINT_RULES, RuleId
 from nmatrix.scene.world import World
 
 PAGES = Path(__file__).resolve().parents[2] / "docs" / "lint"

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from nmatrix.lint import tree
-from nmatrix.lint.faults import Fault
-from nmatrix.lint.names import matrix_named, vector_named
-from nmatrix.lint.rules import RuleId
-from nmatrix.lint.tree import Expression, Language, Shader, Span, Storage
-from nmatrix.lint.values import Carried, Role, ShaderSpace
+from nmatrix.linting import tree
+from nmatrix.linting.faults import Fault
+from nmatrix.linting.names import matrix_named, vector_named
+from nmatrix.linting.rules import RuleId
+from nmatrix.linting.tree import Expression, Language, Shader, Span, Storage
+from nmatrix.linting.values import Carried, Role, ShaderSpace
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ def fixed(fault: Fault, shader: Shader, content: bytes) -> Change | None:
 
     Examples
     --------
-    >>> from nmatrix.lint.program import lint
+    >>> from nmatrix.linting.program import lint
     >>> text = b"in vec3 vNormal; void main() { float d = dot(vNormal, vec3(1.0)); }"
     >>> found = lint({"a.frag": text})
     >>> fixed(found.faults[0], found.shaders[0], text).text

@@ -11,8 +11,8 @@ import re
 from dataclasses import replace
 from functools import lru_cache
 
-from nmatrix.lint.tree import Stage, Storage, is_matrix, is_vector
-from nmatrix.lint.values import (
+from nmatrix.linting.tree import Stage, Storage, is_matrix, is_vector
+from nmatrix.linting.values import (
     ANYTHING,
     Because,
     Carried,

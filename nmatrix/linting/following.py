@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from nmatrix.lint import tree
-from nmatrix.lint.declarations import Conventions, Scope
-from nmatrix.lint.evaluation import Evaluation, compares
-from nmatrix.lint.judging import Judge
-from nmatrix.lint.tree import (
+from nmatrix.linting import tree
+from nmatrix.linting.declarations import Conventions, Scope
+from nmatrix.linting.evaluation import Evaluation, compares
+from nmatrix.linting.judging import Judge
+from nmatrix.linting.tree import (
     Function,
     Language,
     Shader,
@@ -21,7 +21,7 @@ from nmatrix.lint.tree import (
     is_matrix,
     is_vector,
 )
-from nmatrix.lint.values import (
+from nmatrix.linting.values import (
     ANYTHING,
     Because,
     Matrix,

@@ -6,9 +6,9 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from nmatrix.enums import Severity
-from nmatrix.lint.rules import LINT_RULES, PARTICULAR_FIRST, RuleId
-from nmatrix.lint.tree import Expression, Span, Stage
-from nmatrix.lint.values import Matrix, ShaderSpace, Vector
+from nmatrix.linting.rules import LINT_RULES, PARTICULAR_FIRST, RuleId
+from nmatrix.linting.tree import Expression, Span, Stage
+from nmatrix.linting.values import Matrix, ShaderSpace, Vector
 
 
 @dataclass(frozen=True)

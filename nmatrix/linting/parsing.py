@@ -14,9 +14,9 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from nmatrix.errors import MissingPackageError
-from nmatrix.lint import tree
-from nmatrix.lint.expressions import DEEPEST, NUMBER, Expressions
-from nmatrix.lint.source import (
+from nmatrix.linting import tree
+from nmatrix.linting.expressions import DEEPEST, NUMBER, Expressions
+from nmatrix.linting.source import (
     COMMENT,
     language_of,
     notes,
@@ -25,7 +25,7 @@ from nmatrix.lint.source import (
     version_of,
     without_bare_macros,
 )
-from nmatrix.lint.tree import Language, Shader, Storage, Variable
+from nmatrix.linting.tree import Language, Shader, Storage, Variable
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

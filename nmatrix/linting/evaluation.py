@@ -10,14 +10,14 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from dataclasses import replace
 
-from nmatrix.lint import tree
-from nmatrix.lint.algebra import FOURTHS, negated, swizzled
-from nmatrix.lint.builtins import FIELDS, FUNCTIONS, Giving, Moving, built_in
-from nmatrix.lint.declarations import Conventions, Declarations, Scope
-from nmatrix.lint.intrinsics import INTRINSICS
-from nmatrix.lint.judging import Judge
-from nmatrix.lint.names import matrix_named
-from nmatrix.lint.tree import (
+from nmatrix.linting import tree
+from nmatrix.linting.algebra import FOURTHS, negated, swizzled
+from nmatrix.linting.builtins import FIELDS, FUNCTIONS, Giving, Moving, built_in
+from nmatrix.linting.declarations import Conventions, Declarations, Scope
+from nmatrix.linting.intrinsics import INTRINSICS
+from nmatrix.linting.judging import Judge
+from nmatrix.linting.names import matrix_named
+from nmatrix.linting.tree import (
     Expression,
     Function,
     Language,
@@ -25,7 +25,7 @@ from nmatrix.lint.tree import (
     Storage,
     Variable,
 )
-from nmatrix.lint.values import (
+from nmatrix.linting.values import (
     ANYTHING,
     Fourth,
     Length,

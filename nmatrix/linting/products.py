@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nmatrix.enums import Severity
-from nmatrix.lint import tree
-from nmatrix.lint.algebra import product_of_numbers, times
-from nmatrix.lint.faults import NO_PARTS, Fault, Parts, Telling
-from nmatrix.lint.rules import RuleId
-from nmatrix.lint.tree import Expression, Span
-from nmatrix.lint.values import (
+from nmatrix.linting import tree
+from nmatrix.linting.algebra import product_of_numbers, times
+from nmatrix.linting.faults import NO_PARTS, Fault, Parts, Telling
+from nmatrix.linting.rules import RuleId
+from nmatrix.linting.tree import Expression, Span
+from nmatrix.linting.values import (
     ANYTHING,
     PROJECTED,
     Because,

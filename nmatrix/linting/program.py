@@ -10,13 +10,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from nmatrix.lint.declarations import Conventions
-from nmatrix.lint.faults import Evidence, Fault
-from nmatrix.lint.following import Following, Passed
-from nmatrix.lint.judging import Judge
-from nmatrix.lint.parsing import parse
-from nmatrix.lint.source import STAGES
-from nmatrix.lint.tree import Language, Shader, Stage
+from nmatrix.linting.declarations import Conventions
+from nmatrix.linting.faults import Evidence, Fault
+from nmatrix.linting.following import Following, Passed
+from nmatrix.linting.judging import Judge
+from nmatrix.linting.parsing import parse
+from nmatrix.linting.source import STAGES
+from nmatrix.linting.tree import Language, Shader, Stage
 
 _ORDER = {Stage.VERTEX: 0, Stage.BETWEEN: 1, Stage.UNKNOWN: 2, Stage.FRAGMENT: 3}
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nmatrix.enums import Severity
-from nmatrix.lint import tree
-from nmatrix.lint.algebra import difference, direction_of, total, total_with_number
-from nmatrix.lint.faults import NO_PARTS, Parts
-from nmatrix.lint.products import Products
-from nmatrix.lint.rules import RuleId
-from nmatrix.lint.tree import Expression, Stage
-from nmatrix.lint.values import (
+from nmatrix.linting import tree
+from nmatrix.linting.algebra import difference, direction_of, total, total_with_number
+from nmatrix.linting.faults import NO_PARTS, Parts
+from nmatrix.linting.products import Products
+from nmatrix.linting.rules import RuleId
+from nmatrix.linting.tree import Expression, Stage
+from nmatrix.linting.values import (
     PROJECTED,
     Because,
     Carried,

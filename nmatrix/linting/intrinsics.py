@@ -6,11 +6,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Protocol
 
-from nmatrix.lint import tree
-from nmatrix.lint.algebra import made_matrix, made_vector
-from nmatrix.lint.judging import Judge
-from nmatrix.lint.tree import Expression
-from nmatrix.lint.values import (
+from nmatrix.linting import tree
+from nmatrix.linting.algebra import made_matrix, made_vector
+from nmatrix.linting.judging import Judge
+from nmatrix.linting.tree import Expression
+from nmatrix.linting.values import (
     ANYTHING,
     Because,
     Carried,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nmatrix.lint.values import (
+from nmatrix.linting.values import (
     ANYTHING,
     Because,
     Carried,

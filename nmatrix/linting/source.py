@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import PurePath
 
-from nmatrix.lint.tree import Language, Stage
+from nmatrix.linting.tree import Language, Stage
 
 STAGES = {
     "vert": Stage.VERTEX,
@@ -53,12 +53,12 @@ def programs_alone(content: bytes) -> bytes:
 
 
 def without_bare_macros(content: bytes) -> bytes:
-    """Blank out lines that are one macro in capitals, which stands for whole declarations.
+    r"""Blank out lines that are one macro in capitals, which stands for whole declarations.
 
     Examples
     --------
-    >>> without_bare_macros(b"struct A {\\n  UNITY_FOG_COORDS(1)\\n};")
-    b'struct A {\\n                     \\n};'
+    >>> without_bare_macros(b"struct A {\n  UNITY_FOG_COORDS(1)\n};")
+    b'struct A {\n                     \n};'
     """
     return _BARE_MACRO.sub(lambda one: _NOT_LINE_END.sub(b" ", one[0]), content)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from nmatrix.lint import tree
-from nmatrix.lint.builtins import FIELDS, STRUCTS, built_in
-from nmatrix.lint.judging import Judge
-from nmatrix.lint.names import annotated, meaning, vector_named
-from nmatrix.lint.tree import (
+from nmatrix.linting import tree
+from nmatrix.linting.builtins import FIELDS, STRUCTS, built_in
+from nmatrix.linting.judging import Judge
+from nmatrix.linting.names import annotated, meaning, vector_named
+from nmatrix.linting.tree import (
     Expression,
     Language,
     Shader,
@@ -18,7 +18,7 @@ from nmatrix.lint.tree import (
     is_matrix,
     is_vector,
 )
-from nmatrix.lint.values import (
+from nmatrix.linting.values import (
     ANYTHING,
     Because,
     Carried,

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from nmatrix.lint import tree
-from nmatrix.lint.source import type_named
-from nmatrix.lint.tree import Language, Span
+from nmatrix.linting import tree
+from nmatrix.linting.source import type_named
+from nmatrix.linting.tree import Language, Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node

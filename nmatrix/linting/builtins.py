@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from nmatrix.lint.tree import Span, Stage, Storage, Struct, Variable
-from nmatrix.lint.values import (
+from nmatrix.linting.tree import Span, Stage, Storage, Struct, Variable
+from nmatrix.linting.values import (
     Because,
     Carried,
     Fourth,
