@@ -65,7 +65,7 @@ class Source:
         return "" if self.error is None else f"{self.error.parts[0]}: {self.error.parts[1]}"
 
 
-def source(path: Path, standard_input: bytes = b"") -> Source:
+def source(path: Path, standard_input: bytes = b"", called: str | None = None) -> Source:
     """Read a shader; a byte that is no UTF-8 stands in a comment, as a rule, and is replaced.
 
     Examples
@@ -73,11 +73,11 @@ def source(path: Path, standard_input: bytes = b"") -> Source:
     >>> source(Path("-"), b"void main() {}").text
     'void main() {}'
     """
-    name = str(path)
+    name = str(path) if called is None else called
     try:
         if path.is_dir():
             raise IllegalValueError(name, "it may not be opened", "check its permissions")
-        content = standard_input if name == STANDARD_INPUT else file_bytes(path)
+        content = standard_input if str(path) == STANDARD_INPUT else file_bytes(path)
     except NMatrixError as error:
         return Source(name, error=error)
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):

@@ -65,7 +65,8 @@ def lint(
     least = Severity.ERROR if fail_on is None else chosen(Severity, fail_on, "fail_on", FAILING)
     if files.count(STANDARD_INPUT) > 1:
         raise IllegalValueError("- (standard input)", "it can be read only once", "give it once")
-    paths = files_of([str(file_or_sample(one)) for one in files], SUFFIXES)
+    typed = {file_or_sample(one): one for one in files}
+    paths = files_of(map(str, typed), SUFFIXES)
     content = sys.stdin.buffer.read() if STANDARD_INPUT in files else b""
     groups = OptionGroups(world=world, scene=scene)
     placed = None
@@ -79,7 +80,7 @@ def lint(
         language=language,
         are_one_program=len(files) == len(paths) == 2,
     )
-    found = report([source(path, content) for path in paths], asked)
+    found = report([source(path, content, typed.get(path)) for path in paths], asked)
     if fix and common.format is Format.TEXT:  # so that `patch` takes every byte of it
         put(str(found.data["patch"]))
         if found.failure is not None:
