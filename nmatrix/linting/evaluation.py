@@ -90,13 +90,21 @@ class Evaluation(Declarations, ABC):
                 return self._variable(name, scope)
             case tree.Number(value=number):
                 return Scalar(number=number, is_clamped=number >= 0)
-            case tree.Unary(operator=sign, operand=operand):
-                value = self.value(operand, scope)
-                return negated(value) if sign == "-" else value
+            case tree.Unary():
+                return self._unary(expression, scope)
             case tree.Unread():
                 return ANYTHING
             case _:
                 return self._composed(expression, scope)
+
+    def _unary(self, expression: tree.Unary, scope: Scope) -> Value:
+        if expression.operator != "-":
+            return self.value(expression.operand, scope)
+        is_dot = isinstance(expression.operand, tree.Call) and expression.operand.function == "dot"
+        self.judge.is_turned = is_dot
+        value = self.value(expression.operand, scope)
+        self.judge.is_turned = False
+        return negated(value)
 
     def _composed(self, expression: Expression, scope: Scope) -> Value:
         match expression:

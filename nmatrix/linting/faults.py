@@ -80,7 +80,8 @@ class Telling:
     def __init__(self, evidence: Evidence) -> None:
         self.evidence = evidence
         self.stage = Stage.UNKNOWN
-        self.is_gated = False
+        self.is_gated = False  # whether a comparison let through what is evaluated
+        self.is_turned = False  # whether a scalar product gets a minus
         self._parts = NO_PARTS
         self._moves: dict[str, Expression] = {}
         self._calls: dict[str, Expression] = {}

@@ -112,7 +112,7 @@ class Judge(Products):
         self.tell(RuleId.NOT_NORMALISED, at, told, (one.told, ""), parts=parts)
 
     def _judge_reflected(self, at: Expression, mirrored: Vector, eye: Vector) -> None:
-        if mirrored.sense * eye.sense >= 0:
+        if mirrored.sense * eye.sense * (-1 if self.is_turned else 1) >= 0:
             return
         at = self._calls.get(mirrored.origin, at)
         told = "reflect takes the direction that arrives, and this one leads to the light"

@@ -399,6 +399,7 @@ def _vector_of(words: frozenset[str], size: int, storage: Storage, *, is_attribu
         return nothing
     if role is not None and kind is Carried.NORMAL:
         return nothing
+    is_given = storage is Storage.UNIFORM and role in (Role.LIGHT, Role.EYE)
     w = Fourth.ONE if is_attribute and size == 4 and kind is Carried.POINT else None
     length = Length.UNIT if is_attribute and kind is Carried.NORMAL else None
     is_assumed = is_attribute and space is None
@@ -409,7 +410,7 @@ def _vector_of(words: frozenset[str], size: int, storage: Storage, *, is_attribu
         w,
         role,
         length=length,
-        likely=ShaderSpace.WORLD if role in (Role.LIGHT, Role.EYE) and space is None else None,
+        likely=ShaderSpace.WORLD if is_given and space is None else None,
         is_assumed=is_assumed,
         because=Because.NAME,
     )

@@ -108,7 +108,7 @@ class Products(Telling):
         self, at: tree.Binary, written: Matrix, vector: Vector, *, is_left: bool
     ) -> Vector:
         """Multiply a vector by a matrix; on the left of it the vector meets its transpose."""
-        if written.because is Because.NAME and (
+        if (written.because is Because.NAME or written.has_projection) and (
             vector.kind is Carried.POINT or vector.w is Fourth.ONE
         ):
             self.evidence.sides[is_left] += 1

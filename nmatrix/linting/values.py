@@ -294,7 +294,8 @@ def moved(matrix: Matrix, vector: Vector) -> Vector:
     to = matrix.source if matrix.is_transposed else matrix.to
     kind, w = vector.kind, vector.w
     if matrix.is_transposed and not matrix.is_rigid and matrix.is_known:
-        w = Fourth.LEFT_OVER if vector.size == 4 else None
+        is_whole = matrix.because is not Because.NAME  # a program may have cut one out of 3 × 3
+        w = Fourth.LEFT_OVER if vector.size == 4 and is_whole else None
     elif matrix.has_projection:
         w = Fourth.DEPTH if vector.w in (Fourth.ONE, Fourth.DEPTH) else None
     elif not matrix.is_known:

@@ -39,11 +39,8 @@ def test_text_shows_the_line_with_its_caret(nmatrix, tmp_path: Path, monkeypatch
     found = nmatrix("lint a.vert")
     assert found.code == 0
     assert "\na.vert:7:9: warning NM101: The normal in object space is multiplied by" in found.out
-    assert (
     carets = "^" + "~" * len("at3(model) * normal")
     assert f"\n    n = mat3(model) * normal;\n        {carets}\n" in found.out
-        in found.out
-    )
 
 
 def test_a_short_answer_fits_a_screen(nmatrix) -> None:
