@@ -10,7 +10,7 @@ from nmatrix.linting.faults import Fault
 from nmatrix.linting.names import matrix_named, vector_named
 from nmatrix.linting.rules import RuleId
 from nmatrix.linting.tree import Expression, Language, Shader, Span, Storage
-from nmatrix.linting.values import Carried, Role, ShaderSpace
+from nmatrix.linting.values import Carried, Role, ShaderSpace, spoken
 
 
 @dataclass(frozen=True)
@@ -190,7 +190,7 @@ def _from_the_eye(mending: _Mending) -> Change | None:
     expression = mending.fault.expression
     while isinstance(expression, tree.Call) and expression.arguments:
         expression = expression.arguments[0]
-    if not isinstance(expression, tree.Unary) or mending.fault.left != "world space":
+    if not isinstance(expression, tree.Unary) or mending.fault.left != spoken(ShaderSpace.WORLD):
         return None
     stage = mending.shader.stage
     for one in mending.uniforms():
@@ -202,19 +202,21 @@ def _from_the_eye(mending: _Mending) -> Change | None:
 
 
 def _moved_light(mending: _Mending) -> Change | None:
-    """Move a light of the world that a position in camera space is subtracted from."""
+    """Move the place of the world, where it is a name and the other one is in camera space."""
     fault = mending.fault
-    spaces = "position of the light in world space", "point in camera space"
+    spaces = spoken(ShaderSpace.WORLD), spoken(ShaderSpace.CAMERA)
     view = mending.matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD)
     expression = fault.expression
-    if (fault.left, fault.right) != spaces or view is None:
+    if view is None or mending.shader.language is not Language.GLSL:
         return None
-    if not isinstance(expression, tree.Binary) or not isinstance(expression.left, tree.Name):
+    if not isinstance(expression, tree.Binary) or expression.operator != "-":
         return None
-    light = mending.text(expression.left)
-    if mending.shader.language is not Language.GLSL:
+    if spaces not in ((fault.left, fault.right), (fault.right, fault.left)):
         return None
-    return Change(expression.left.span, f"({view} * vec4({light}, 1.0)).xyz")
+    light = expression.left if fault.left == spaces[0] else expression.right
+    if not isinstance(light, tree.Name):
+        return None
+    return Change(light.span, f"({view} * vec4({mending.text(light)}, 1.0)).xyz")
 
 
 def _normalised(mending: _Mending) -> Change | None:

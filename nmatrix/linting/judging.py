@@ -58,14 +58,14 @@ class Judge(Products):
             if isinstance(moved_at, tree.Binary):
                 parts = Parts(vector=moved_at.right)
             told = f"w = 0 leaves the translation out of the {lamp.noun}"
-            self.tell(RuleId.WRONG_W, moved_at, told, (lamp.told, other.told), parts=parts)
+            self.tell(RuleId.WRONG_W, moved_at, told, (lamp.where, other.where), parts=parts)
 
     def meet(self, at: Expression, left: Vector, right: Vector) -> None:
         """Tell if two vectors are in two spaces."""
         mine, yours = self.space_of(left), self.space_of(right)
         if mine in PROJECTED or yours in PROJECTED or None in (left.kind, right.kind):
             return
-        spaces = (left.told, right.told)
+        spaces = (left.where, right.where)
         lit = Role.LIGHT in (left.role, right.role)
         if mine is not None and yours is not None:
             if mine is not yours:
@@ -109,14 +109,14 @@ class Judge(Products):
             return
         told = f"the interpolated {one.told} is shorter than 1 between vertices"
         parts = Parts(vector=at.arguments[place])
-        self.tell(RuleId.NOT_NORMALISED, at, told, (one.told, ""), parts=parts)
+        self.tell(RuleId.NOT_NORMALISED, at, told, (one.where, ""), parts=parts)
 
     def _judge_reflected(self, at: Expression, mirrored: Vector, eye: Vector) -> None:
         if mirrored.sense * eye.sense * (-1 if self.is_turned else 1) >= 0:
             return
         at = self._calls.get(mirrored.origin, at)
         told = "reflect takes the direction that arrives, and this one leads to the light"
-        self.tell(RuleId.REFLECTED_WRONG_WAY, at, told, (mirrored.told, eye.told))
+        self.tell(RuleId.REFLECTED_WRONG_WAY, at, told, (mirrored.where, eye.where))
 
     def _judge_origin(self, at: Expression, left: Vector, right: Vector) -> None:
         origin, other = (left, right) if left.role is Role.ORIGIN else (right, left)
@@ -168,7 +168,7 @@ class Judge(Products):
         is_counted = vector.w in (Fourth.ONE, Fourth.LEFT_OVER)
         if vector.size == 4 and is_counted and vector.kind is not None:
             told = f"the length of the {vector.told} counts w, which is {vector.w}"
-            self.tell(RuleId.FOUR_COMPONENTS, at, told, (vector.told, ""))
+            self.tell(RuleId.FOUR_COMPONENTS, at, told, (vector.where, ""))
         unit = replace(vector, length=Length.UNIT, w=None if vector.size != 4 else vector.w)
         if vector.kind is Carried.POINT:
             return direction_of(unit)

@@ -344,7 +344,7 @@ def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vecto
     >>> vector_named("aNormal", "vec3", Storage.INPUT, Stage.VERTEX).told
     'normal in object space'
     >>> vector_named("viewPos", "vec3", Storage.UNIFORM, Stage.FRAGMENT).told
-    'position of the eye in an unknown space'
+    'position of the eye'
     >>> vector_named("tint", "vec3", Storage.UNIFORM, Stage.FRAGMENT).kind is None
     True
     """

@@ -77,7 +77,14 @@ def parse(file: str, content: bytes, language: Language | None = None) -> Shader
 
 
 @cache
-def _parser(language: Language) -> Parser:
+def parser_of(language: Language) -> Parser:
+    """Load the grammar of a language, once.
+
+    Raises
+    ------
+    MissingPackageError
+        Without the grammars.
+    """
     try:
         import tree_sitter
         import tree_sitter_glsl
@@ -92,11 +99,6 @@ def _parser(language: Language) -> Parser:
     with warnings.catch_warnings():  # these grammars still give a number where a capsule is wanted
         warnings.simplefilter("ignore", DeprecationWarning)
         return tree_sitter.Parser(tree_sitter.Language(grammar.language()))
-
-
-def check_grammars() -> None:
-    """Refuse to begin where the grammars are missing."""
-    _parser(Language.GLSL)
 
 
 class _Parsing(Expressions):
@@ -115,7 +117,7 @@ class _Parsing(Expressions):
 
     def shader(self) -> Shader:
         """Parse the whole source."""
-        root = _parser(self.language).parse(self.content).root_node
+        root = parser_of(self.language).parse(self.content).root_node
         self._outer(root.named_children)
         faults = tuple(map(self._fault, self._broken(root)))
         return Shader(
@@ -156,7 +158,7 @@ class _Parsing(Expressions):
             return
         self.again -= 1
         blank = _NOT_LINE_END.sub(b" ", self.content[: after.start()])
-        root = _parser(self.language).parse(blank + self.content[after.start() :]).root_node
+        root = parser_of(self.language).parse(blank + self.content[after.start() :]).root_node
         inside = [one for one in root.named_children if one.start_byte < node.end_byte]
         self._outer(inside)
 
@@ -267,7 +269,7 @@ class _Parsing(Expressions):
     def _parsed_alone(self, text: bytes, place: int) -> tree.Expression | None:
         """Parse an expression that stands in a macro, and keep its place in the file."""
         head = b"void f(){x="
-        root = _parser(self.language).parse(head + text + b";}").root_node
+        root = parser_of(self.language).parse(head + text + b";}").root_node
         if root.has_error:
             return None
         body = root.named_children[0].child_by_field_name("body")

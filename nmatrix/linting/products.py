@@ -197,19 +197,19 @@ class Products(Telling):
         if matrix.has_projection:
             if matrix.is_transposed and matrix.source in PROJECTED:
                 told = "the projection is inverted and transposed for the normal too"
-                self.tell(RuleId.NORMAL_BY_PROJECTION, at, told, (normal.told, right))
+                self.tell(RuleId.NORMAL_BY_PROJECTION, at, told, (normal.where, right))
             return matrix
         if matrix.is_transposed:
             if matrix.source is ShaderSpace.OBJECT and normal.space is ShaderSpace.OBJECT:
                 told = f"the {normal.told} is multiplied by the {right}, without its inverse"
                 parts = replace(self._parts, missing="inverse")
-                spaces = (normal.told, right)
+                spaces = (normal.where, right)
                 self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, spaces, parts=parts)
                 return matrix.inverse
             return matrix
         if is_four and normal.w is Fourth.ONE:
             told = f"w = 1 adds the translation of {right} to the {normal.told}"
-            self.tell(RuleId.NORMAL_WITH_W, at, told, (normal.told, right))
+            self.tell(RuleId.NORMAL_WITH_W, at, told, (normal.where, right))
             return matrix
         if matrix.is_rigid:
             return matrix
@@ -218,12 +218,12 @@ class Products(Telling):
                 f"the {normal.told} is multiplied by {right} itself; "
                 "a normal needs its inverse transpose"
             )
-            self.tell(RuleId.NORMAL_BY_MATRIX, at, told, (normal.told, right))
+            self.tell(RuleId.NORMAL_BY_MATRIX, at, told, (normal.where, right))
             return matrix
         if matrix.to is ShaderSpace.OBJECT and normal.space is ShaderSpace.OBJECT:
             told = f"the {normal.told} is multiplied by {right}, which is not transposed"
             parts = replace(self._parts, missing="transpose")
-            self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, (normal.told, right), parts=parts)
+            self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, (normal.where, right), parts=parts)
             return matrix.inverse
         return matrix
 
@@ -231,11 +231,11 @@ class Products(Telling):
         is_normal_matrix = matrix.is_transposed and matrix.to is ShaderSpace.OBJECT
         if vector.kind is Carried.TANGENT and is_normal_matrix and not matrix.has_projection:
             told = f"the {vector.told} is multiplied by the matrix for normals"
-            self.tell(RuleId.TANGENT_BY_NORMAL_MATRIX, at, told, (vector.told, matrix.told))
+            self.tell(RuleId.TANGENT_BY_NORMAL_MATRIX, at, told, (vector.where, matrix.told))
         is_four = matrix.size == 4 and vector.size == 4 and matrix.is_known
         if is_four and vector.w is Fourth.ONE and not matrix.has_projection:
             told = f"w = 1 adds the translation of {matrix.told} to the {vector.told}"
-            self.tell(RuleId.WRONG_W, at, told, (vector.told, matrix.told))
+            self.tell(RuleId.WRONG_W, at, told, (vector.where, matrix.told))
 
     def _judge_point(self, at: Expression, matrix: Matrix, vector: Vector) -> None:
         is_four = matrix.size == 4 and vector.size == 4 and matrix.is_known
@@ -243,7 +243,7 @@ class Products(Telling):
             return
         if matrix.source is ShaderSpace.OBJECT and vector.is_assumed and vector.role is None:
             told = f"w = 0 leaves the translation of {matrix.told} out of the {vector.told}"
-            self.tell(RuleId.WRONG_W, at, told, (vector.told, matrix.told))
+            self.tell(RuleId.WRONG_W, at, told, (vector.where, matrix.told))
 
 
 def _leads_somewhere(matrix: Matrix) -> bool:

@@ -122,9 +122,14 @@ class Vector:
         return self.kind or "vector"
 
     @property
+    def where(self) -> str:
+        """Name its space, if it is known."""
+        return "" if self.space is None else spoken(self.space)
+
+    @property
     def told(self) -> str:
-        """Name it in a sentence, with its space."""
-        return f"{self.noun} in {spoken(self.space)}"
+        """Name it in a sentence, with its space if that is known."""
+        return self.noun if self.space is None else f"{self.noun} in {self.where}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -323,7 +328,7 @@ def joined(one: Value, other: Value) -> Value:
     --------
     >>> up = Vector(Carried.NORMAL, ShaderSpace.WORLD, 3)
     >>> joined(up, replace(up, space=ShaderSpace.CAMERA)).told
-    'normal in an unknown space'
+    'normal'
     """
     if one == other:
         return one

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from io import BytesIO, TextIOWrapper
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 
 from nmatrix.enums import Severity
 from nmatrix.lessons.check.mistakes import MistakeId
+from nmatrix.linting.parsing import parser_of
 from nmatrix.linting.rules import LINT_RULES, RuleId
 
 VERTEX = """#version 330 core
@@ -113,3 +115,12 @@ def test_a_patch_is_all_that_fix_prints(nmatrix) -> None:
     found = nmatrix("lint phong.vert --fix")
     assert found.out.startswith("--- ")
     assert "+    normal = transpose(inverse(mat3(view * model))) * aNormal;\n" in found.out
+
+
+def test_without_the_grammars_one_line_says_what_brings_them(nmatrix, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "tree_sitter_hlsl", None)
+    parser_of.cache_clear()
+    found = nmatrix("lint phong.vert")
+    assert (found.code, found.out) == (4, "")
+    assert found.err.endswith("pip install 'nmatrix[lint]'\n")
+    parser_of.cache_clear()
