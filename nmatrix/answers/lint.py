@@ -255,7 +255,7 @@ class _Reporting:
             lines.column_of(span.start),
             len(lines.text(span.start, span.end).split("\n", 1)[0]),
             severity,
-            message[0].upper() + message[1:],
+            message,
             degrees,
             change,
         )

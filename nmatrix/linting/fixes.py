@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
@@ -129,9 +130,9 @@ def _without_normal_matrix(mending: _Mending) -> Change | None:
     matrix = mending.fault.parts.matrix
     known = {"gl_NormalMatrix": "mat3(gl_ModelViewMatrix)", "normalMatrix": "mat3(modelViewMatrix)"}
     if isinstance(matrix, tree.Name):
-        declared = any(one.name == matrix.name for one in mending.shader.variables)
         right = known.get(matrix.name)
-        return None if declared or right is None else Change(matrix.span, right)
+        own = re.search(rf"\b(?:mat|float)[34]\w*\s+{matrix.name}\b".encode(), mending.content)
+        return None if own or right is None else Change(matrix.span, right)
     bare: Expression | None = matrix
     taken = []
     while isinstance(bare, tree.Call) and bare.function in ("transpose", "inverse", "mat3"):

@@ -57,7 +57,7 @@ class Judge(Products):
             parts = NO_PARTS
             if isinstance(moved_at, tree.Binary):
                 parts = Parts(vector=moved_at.right)
-            told = f"w = 0 leaves the translation out of the {lamp.noun}"
+            told = f"With w = 0 the {lamp.noun} is moved without the translation"
             self.tell(RuleId.WRONG_W, moved_at, told, (lamp.where, other.where), parts=parts)
 
     def meet(self, at: Expression, left: Vector, right: Vector) -> None:
@@ -70,7 +70,7 @@ class Judge(Products):
         if mine is not None and yours is not None:
             if mine is not yours:
                 rule = RuleId.STUCK_LIGHT if lit else RuleId.SPACES_MIXED
-                self.tell(rule, at, f"{left.told} meets {right.told}", spaces)
+                self.tell(rule, at, f"The {left.told} meets the {right.told}", spaces)
             return
         for one, other in ((left, yours), (right, mine)):
             if one.space is not None or one.likely is None or other in (None, one.likely):
@@ -80,12 +80,12 @@ class Judge(Products):
                 if never_moved or not self._is_first(at, one):
                     continue
                 told = (
-                    f"the {one.noun} is taken as it comes, in {spoken(other)}: wrong if the "
+                    f"The {one.noun} is taken as it comes, in {spoken(other)}: wrong if the "
                     f"program gives it in {spoken(one.likely)}"
                 )
                 self.tell(RuleId.STUCK_LIGHT, at, told, spaces, Severity.NOTE)
             elif one.role is Role.EYE and one.kind is Carried.POINT and other is ShaderSpace.CAMERA:
-                told = "in camera space the eye is the origin, this one is of another space"
+                told = "The eye is the origin of camera space, and this one is of another space"
                 self.tell(RuleId.SPACES_MIXED, at, told, spaces)
 
     def dotted(self, at: tree.Call, left: Vector, right: Vector) -> Scalar:
@@ -107,7 +107,7 @@ class Judge(Products):
             return
         if self.stage is not Stage.FRAGMENT or not self._is_first(at, one):
             return
-        told = f"the interpolated {one.told} is shorter than 1 between vertices"
+        told = f"The interpolated {one.told} is shorter than 1 between vertices"
         parts = Parts(vector=at.arguments[place])
         self.tell(RuleId.NOT_NORMALISED, at, told, (one.where, ""), parts=parts)
 
@@ -115,7 +115,7 @@ class Judge(Products):
         if mirrored.sense * eye.sense * (-1 if self.is_turned else 1) >= 0:
             return
         at = self._calls.get(mirrored.origin, at)
-        told = "reflect takes the direction that arrives, and this one leads to the light"
+        told = "The first argument leads to the light, and reflect takes what arrives from it"
         self.tell(RuleId.REFLECTED_WRONG_WAY, at, told, (mirrored.where, eye.where))
 
     def _judge_origin(self, at: Expression, left: Vector, right: Vector) -> None:
@@ -128,7 +128,7 @@ class Judge(Products):
 
     def tell_origin(self, at: Expression, origin: Vector) -> None:
         """Tell that a direction to the origin is taken for one to the eye."""
-        told = f"−position leads to the origin of {spoken(origin.space)}, where the eye is not"
+        told = f"This leads to the origin of {spoken(origin.space)}, where the eye is not"
         self.tell(
             RuleId.EYE_AT_ORIGIN, at, told, (spoken(origin.space), spoken(ShaderSpace.CAMERA))
         )
@@ -167,7 +167,7 @@ class Judge(Products):
         """Divide by the length."""
         is_counted = vector.w in (Fourth.ONE, Fourth.LEFT_OVER)
         if vector.size == 4 and is_counted and vector.kind is not None:
-            told = f"the length of the {vector.told} counts w, which is {vector.w}"
+            told = f"The length of the {vector.told} counts w, which is {vector.w}"
             self.tell(RuleId.FOUR_COMPONENTS, at, told, (vector.where, ""))
         unit = replace(vector, length=Length.UNIT, w=None if vector.size != 4 else vector.w)
         if vector.kind is Carried.POINT:
@@ -178,7 +178,7 @@ class Judge(Products):
         """Tell if coordinates are taken for those of a window that were not divided by w."""
         if vector.w is not Fourth.DEPTH:
             return
-        told, severity = f"the point in {spoken(vector.space)} is not divided by its w", None
+        told, severity = f"The point in {spoken(vector.space)} is not divided by its w", None
         if vector.space is ShaderSpace.LIGHT:
             told, severity = f"{told}: right only for a light without perspective", Severity.NOTE
         parts = Parts(vector=written)
@@ -189,7 +189,7 @@ class Judge(Products):
         if self.is_gated:  # what a comparison let through may be positive
             return Scalar()
         if isinstance(base, Scalar) and base.is_cosine and not base.is_clamped:
-            told = "the cosine may be negative, and its power is undefined then"
+            told = "The cosine may be negative, and its power is undefined then"
             self.tell(RuleId.POWER_OF_NEGATIVE, at, told)
         return Scalar()
 
@@ -197,5 +197,5 @@ class Judge(Products):
         """Invert a matrix."""
         if is_given and self.stage in (Stage.VERTEX, Stage.FRAGMENT):
             per = "vertex" if self.stage is Stage.VERTEX else "fragment"
-            self.tell(RuleId.INVERSE_IN_SHADER, at, f"the same inverse is computed per {per}")
+            self.tell(RuleId.INVERSE_IN_SHADER, at, f"The same inverse is computed for each {per}")
         return replace(matrix.inverse, because=Because.ARITHMETIC)

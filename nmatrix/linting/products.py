@@ -94,7 +94,7 @@ class Products(Telling):
         self.tell(
             RuleId.PRODUCT_ORDER,
             at,
-            f"{names}: neighbours do not meet",
+            f"In {names} neighbours do not meet",
             (spoken(left.source), spoken(right.to)),
             parts=Parts(order=order),
         )
@@ -173,14 +173,14 @@ class Products(Telling):
             return False
         if light.space not in (None, ShaderSpace.OBJECT):
             what = "is moved as if it were in object space"
-            told = f"the {light.told} {what}, by {matrix.told}"
+            told = f"The {light.told} {what}, by {matrix.told}"
             self.tell(RuleId.LIGHT_BY_MODEL_VIEW, at, told, (spoken(light.space), matrix.told))
             return True
         if light.space is None and light.likely and matrix.to is ShaderSpace.CAMERA:
             self.tell(
                 RuleId.LIGHT_BY_MODEL_VIEW,
                 at,
-                f"the {light.noun} is moved by {matrix.told}: right only if the light moves with "
+                f"The {light.noun} is moved by {matrix.told}: right only if the light moves with "
                 "the object; one of the world needs the view matrix alone",
                 (spoken(light.likely), matrix.told),
                 Severity.WARNING,
@@ -196,32 +196,32 @@ class Products(Telling):
         right = matrix.told
         if matrix.has_projection:
             if matrix.is_transposed and matrix.source in PROJECTED:
-                told = "the projection is inverted and transposed for the normal too"
+                told = "The projection is inverted and transposed for the normal too"
                 self.tell(RuleId.NORMAL_BY_PROJECTION, at, told, (normal.where, right))
             return matrix
         if matrix.is_transposed:
             if matrix.source is ShaderSpace.OBJECT and normal.space is ShaderSpace.OBJECT:
-                told = f"the {normal.told} is multiplied by the {right}, without its inverse"
+                told = f"The {normal.told} is multiplied by {right}, which is not inverted"
                 parts = replace(self._parts, missing="inverse")
                 spaces = (normal.where, right)
                 self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, spaces, parts=parts)
                 return matrix.inverse
             return matrix
         if is_four and normal.w is Fourth.ONE:
-            told = f"w = 1 adds the translation of {right} to the {normal.told}"
+            told = f"With w = 1 the translation of {right} is added to the {normal.told}"
             self.tell(RuleId.NORMAL_WITH_W, at, told, (normal.where, right))
             return matrix
         if matrix.is_rigid:
             return matrix
         if matrix.source is ShaderSpace.OBJECT and normal.space in (None, ShaderSpace.OBJECT):
             told = (
-                f"the {normal.told} is multiplied by {right} itself; "
+                f"The {normal.told} is multiplied by {right} itself; "
                 "a normal needs its inverse transpose"
             )
             self.tell(RuleId.NORMAL_BY_MATRIX, at, told, (normal.where, right))
             return matrix
         if matrix.to is ShaderSpace.OBJECT and normal.space is ShaderSpace.OBJECT:
-            told = f"the {normal.told} is multiplied by {right}, which is not transposed"
+            told = f"The {normal.told} is multiplied by {right}, which is not transposed"
             parts = replace(self._parts, missing="transpose")
             self.tell(RuleId.HALF_INVERSE_TRANSPOSE, at, told, (normal.where, right), parts=parts)
             return matrix.inverse
@@ -230,11 +230,11 @@ class Products(Telling):
     def _judge_direction(self, at: Expression, matrix: Matrix, vector: Vector) -> None:
         is_normal_matrix = matrix.is_transposed and matrix.to is ShaderSpace.OBJECT
         if vector.kind is Carried.TANGENT and is_normal_matrix and not matrix.has_projection:
-            told = f"the {vector.told} is multiplied by the matrix for normals"
+            told = f"The {vector.told} is multiplied by the matrix for normals"
             self.tell(RuleId.TANGENT_BY_NORMAL_MATRIX, at, told, (vector.where, matrix.told))
         is_four = matrix.size == 4 and vector.size == 4 and matrix.is_known
         if is_four and vector.w is Fourth.ONE and not matrix.has_projection:
-            told = f"w = 1 adds the translation of {matrix.told} to the {vector.told}"
+            told = f"With w = 1 the translation of {matrix.told} is added to the {vector.told}"
             self.tell(RuleId.WRONG_W, at, told, (vector.where, matrix.told))
 
     def _judge_point(self, at: Expression, matrix: Matrix, vector: Vector) -> None:
@@ -242,7 +242,7 @@ class Products(Telling):
         if not is_four or vector.w is not Fourth.ZERO or matrix.is_transposed:
             return
         if matrix.source is ShaderSpace.OBJECT and vector.is_assumed and vector.role is None:
-            told = f"w = 0 leaves the translation of {matrix.told} out of the {vector.told}"
+            told = f"With w = 0 the {vector.told} is moved without the translation of {matrix.told}"
             self.tell(RuleId.WRONG_W, at, told, (vector.where, matrix.told))
 
 

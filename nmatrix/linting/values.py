@@ -55,7 +55,7 @@ class Fourth(StrEnum):
     ZERO = "0"
     ONE = "1"
     DEPTH = "the depth of a projection"
-    LEFT_OVER = "what an inverse transpose leaves there"
+    LEFT_OVER = "what the inverse transpose left there"
 
 
 class Length(StrEnum):
@@ -118,8 +118,8 @@ class Vector:
         if self.role in (Role.LIGHT, Role.EYE) and self.kind in (Carried.POINT, None):
             return f"position of the {self.role}"
         if self.role is not None and self.kind is Carried.DIRECTION:
-            return self.role if self.role is Role.HALFWAY else f"direction of the {self.role}"
-        return self.kind or "vector"
+            return self.role.value if self.role is Role.HALFWAY else f"direction of the {self.role}"
+        return "vector" if self.kind is None else self.kind.value
 
     @property
     def where(self) -> str:

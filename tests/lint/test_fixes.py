@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from collections import Counter
@@ -13,6 +14,10 @@ from nmatrix.answers.lint import Asked, Source, report
 from nmatrix.enums import Severity
 
 # What has no single right change: two spaces, a projection, an inverse that only costs.
+WORD = re.compile(r"[A-Za-z_]\w*")
+KNOWN = set(
+    "transpose inverse mat3 vec4 float4 normalize max xyz w normalMatrix UnityObjectToWorldNormal".split()
+)
 UNMENDED = {"NM104", "NM201", "NM401"}
 
 
@@ -35,6 +40,9 @@ def test_a_patch_takes_findings_away_and_brings_none(name: str, tmp_path, monkey
     mended = [Source(one.name, (tmp_path / one.name).read_text()) for one in sources]
     before, after = weighty(sources), weighty(mended)
     assert after < before, (patch, after)
+    for old, new in zip(sources, mended, strict=True):
+        said = set(WORD.findall(new.text)) - set(WORD.findall(old.text))
+        assert said <= KNOWN | {one for one in said if one.startswith("gl_")}, (patch, said)
 
 
 def test_most_rules_can_be_mended() -> None:
