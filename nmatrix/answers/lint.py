@@ -16,7 +16,7 @@ from itertools import accumulate
 from pathlib import Path
 from textwrap import wrap
 
-from nmatrix.enums import Severity
+from nmatrix.enums import Severity, ShaderLanguage
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, counted, quantity
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix
@@ -24,7 +24,7 @@ from nmatrix.linting.faults import Fault
 from nmatrix.linting.fixes import Change, changed, fixed
 from nmatrix.linting.program import Linted, lint
 from nmatrix.linting.rules import LINT_RULES, RULE_OF, RULES
-from nmatrix.linting.tree import Language, Shader
+from nmatrix.linting.tree import Shader
 from nmatrix.reading.files import file_bytes
 from nmatrix.reading.folders import STANDARD_INPUT
 from nmatrix.report import (
@@ -98,7 +98,7 @@ class Asked:
     tolerance: float = BUILT
     fail_on: Severity = Severity.ERROR
     with_fixes: bool = False
-    language: Language | None = None
+    language: ShaderLanguage | None = None
     are_one_program: bool = False
 
 

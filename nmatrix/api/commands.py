@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nmatrix.api.report import Report
 from nmatrix.api.setup import Part, Setup, setup_values, world_part
-from nmatrix.enums import Space
+from nmatrix.enums import ShaderLanguage, Space
 from nmatrix.linear.values import flag, named_file, number, refused, text, vector, whole
 from nmatrix.reading.arrays import read_affine, read_matrix
 from nmatrix.samples import file_or_sample
@@ -267,7 +267,6 @@ def lint(
     """
     from nmatrix.answers.lint import Asked, Source, report
     from nmatrix.enums import chosen
-    from nmatrix.linting.tree import Language
 
     given = [
         Source(text(name, "sources"), text(one, "sources"))
@@ -275,7 +274,7 @@ def lint(
     ]
     asked = Asked(
         world=None if world is None else world_part(world).world_from_object,
-        language=None if language is None else chosen(Language, language, "language"),
+        language=None if language is None else chosen(ShaderLanguage, language, "language"),
         are_one_program=len(given) == 2,
     )
     return Report(report(given, asked))

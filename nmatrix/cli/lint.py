@@ -11,9 +11,8 @@ from nmatrix.cli.scene_options import OptionGroups, SceneOptions
 from nmatrix.cli.shared_options import CommonOptions, among
 from nmatrix.cli.show import put, show
 from nmatrix.cli.world_options import WorldOptions
-from nmatrix.enums import Format, Severity, chosen
+from nmatrix.enums import Format, Severity, ShaderLanguage, chosen
 from nmatrix.errors import IllegalValueError
-from nmatrix.linting.tree import Language
 from nmatrix.samples import SHADERS, file_or_sample, samples
 
 FAILING = (Severity.ERROR, Severity.WARNING)
@@ -44,7 +43,7 @@ def lint(
         ),
     ],
     language: Annotated[
-        Language | None, Option(help="The language (told by names and contents).")
+        ShaderLanguage | None, Option(help="The language (told by names and contents).")
     ] = None,
     fix: Annotated[
         bool, Option("--fix", help="Print a patch of the lines that can be mended.")

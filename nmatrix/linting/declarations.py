@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.linting import tree
 from nmatrix.linting.builtins import FIELDS, STRUCTS, built_in
 from nmatrix.linting.judging import Judge
 from nmatrix.linting.names import annotated, meaning, vector_named
 from nmatrix.linting.tree import (
     Expression,
-    Language,
     Shader,
     Stage,
     Storage,
@@ -189,7 +189,7 @@ class Declarations:
         variable = self.declared.get(owner.path)
         if variable is not None:
             storage = variable.storage
-        elif self.shader.language is Language.HLSL and self.stage is Stage.VERTEX:
+        elif self.shader.language is ShaderLanguage.HLSL and self.stage is Stage.VERTEX:
             semantic = declared.semantic.rstrip("0123456789")
             is_mesh = semantic in ("POSITION", "NORMAL", "TANGENT", "BINORMAL")
             if is_mesh or owner.type.startswith("appdata"):

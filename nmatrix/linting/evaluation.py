@@ -10,6 +10,7 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from dataclasses import replace
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.linting import tree
 from nmatrix.linting.algebra import FOURTHS, negated, swizzled
 from nmatrix.linting.builtins import FIELDS, FUNCTIONS, Giving, Moving, built_in
@@ -20,7 +21,6 @@ from nmatrix.linting.names import matrix_named
 from nmatrix.linting.tree import (
     Expression,
     Function,
-    Language,
     Shader,
     Storage,
     Variable,
@@ -204,7 +204,7 @@ class Evaluation(Declarations, ABC):
         if operator:
             before = self.value(expression.target, scope)
             at = tree.Binary(expression.span, operator, expression.target, expression.value)
-            if operator == "*" and self.shader.language is Language.HLSL:
+            if operator == "*" and self.shader.language is ShaderLanguage.HLSL:
                 value = self.judge.scaled(at, before, value)
             elif operator == "*":
                 value = self.judge.multiplied(at, before, value)

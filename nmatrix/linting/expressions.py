@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.linting import tree
 from nmatrix.linting.source import type_named
-from nmatrix.linting.tree import Language, Span
+from nmatrix.linting.tree import Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -20,7 +21,7 @@ _HLSL_FUNCTIONS = {"lerp": "mix", "ddx": "dFdx", "ddy": "dFdy", "frac": "fract"}
 class Expressions:
     """The expressions of one source; `moved` is how far it is from where it stands in the file."""
 
-    def __init__(self, file: str, content: bytes, language: Language, moved: int = 0) -> None:
+    def __init__(self, file: str, content: bytes, language: ShaderLanguage, moved: int = 0) -> None:
         self.file = file
         self.content = content
         self.language = language
@@ -55,7 +56,7 @@ class Expressions:
         if left is None or right is None or sign is None:
             return tree.Unread(self.span(node))
         operator = sign.type
-        if operator == "*" and self.language is Language.HLSL:
+        if operator == "*" and self.language is ShaderLanguage.HLSL:
             operator = ".*"
         return tree.Binary(self.span(node), operator, self.expression(left), self.expression(right))
 
@@ -130,7 +131,7 @@ class Expressions:
         self, span: Span, name: str, arguments: tuple[tree.Expression, ...]
     ) -> tree.Expression:
         """Write a call of HLSL as GLSL has it."""
-        if self.language is Language.GLSL:
+        if self.language is ShaderLanguage.GLSL:
             return tree.Call(span, name, arguments)
         if name == "mul" and len(arguments) == 2:
             return tree.Binary(span, "*", *arguments)

@@ -6,11 +6,12 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.linting import tree
 from nmatrix.linting.faults import Fault
 from nmatrix.linting.names import matrix_named, vector_named
 from nmatrix.linting.rules import RuleId
-from nmatrix.linting.tree import Expression, Language, Shader, Span, Storage
+from nmatrix.linting.tree import Expression, Shader, Span, Storage
 from nmatrix.linting.values import Carried, Role, ShaderSpace, spoken
 
 
@@ -72,7 +73,7 @@ class _Mending:
     @property
     def has_inverse(self) -> bool:
         """Whether the language has inverse() and transpose()."""
-        return self.shader.language is Language.GLSL and self.shader.version >= 140
+        return self.shader.language is ShaderLanguage.GLSL and self.shader.version >= 140
 
     def uniforms(self) -> Iterator[tree.Variable]:
         return (one for one in self.shader.variables if one.storage is Storage.UNIFORM)
@@ -173,7 +174,7 @@ def _other_w(mending: _Mending) -> Change | None:
 
 def _in_order(mending: _Mending) -> Change | None:
     expression, order = mending.fault.expression, mending.fault.parts.order
-    factors = list(_factors(expression)) if mending.shader.language is Language.GLSL else []
+    factors = list(_factors(expression)) if mending.shader.language is ShaderLanguage.GLSL else []
     if expression is None or len(factors) != len(order):
         return None
     return Change(expression.span, " * ".join(mending.text(factors[place]) for place in order))
@@ -208,7 +209,7 @@ def _moved_light(mending: _Mending) -> Change | None:
     spaces = spoken(ShaderSpace.WORLD), spoken(ShaderSpace.CAMERA)
     view = mending.matrix(ShaderSpace.CAMERA, ShaderSpace.WORLD)
     expression = fault.expression
-    if view is None or mending.shader.language is not Language.GLSL:
+    if view is None or mending.shader.language is not ShaderLanguage.GLSL:
         return None
     if not isinstance(expression, tree.Binary) or expression.operator != "-":
         return None
@@ -229,7 +230,7 @@ def _three_components(mending: _Mending) -> Change | None:
     call = mending.fault.expression
     if not isinstance(call, tree.Call) or not call.arguments:
         return None
-    four = "vec4" if mending.shader.language is Language.GLSL else "float4"
+    four = "vec4" if mending.shader.language is ShaderLanguage.GLSL else "float4"
     inner = mending.text(call.arguments[0])
     bare = inner if isinstance(call.arguments[0], tree.Name | tree.Call) else f"({inner})"
     return Change(call.span, f"{four}(normalize({bare}.xyz), 0.0)")

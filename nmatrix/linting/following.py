@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.linting import tree
 from nmatrix.linting.declarations import Conventions, Scope
 from nmatrix.linting.evaluation import Evaluation, compares
 from nmatrix.linting.judging import Judge
 from nmatrix.linting.tree import (
     Function,
-    Language,
     Shader,
     Stage,
     Storage,
@@ -78,7 +78,7 @@ class Following(Evaluation):
 
     def _stage_of(self, function: Function) -> Stage:
         """Tell by what a function of HLSL returns in which stage it is an entry."""
-        if self.shader.language is Language.GLSL:
+        if self.shader.language is ShaderLanguage.GLSL:
             return self.shader.stage
         struct = self.structs.get(function.type)
         semantics = {function.semantic} | {
@@ -100,7 +100,7 @@ class Following(Evaluation):
         scope = Scope(self.globals)
         for parameter in function.parameters:
             is_staged = stage in (Stage.VERTEX, Stage.FRAGMENT)
-            is_entry = is_staged and self.shader.language is Language.HLSL
+            is_entry = is_staged and self.shader.language is ShaderLanguage.HLSL
             scope.write(parameter.name, self._parameter(parameter, is_of_entry=is_entry))
         value = self.run(function, scope)
         self.keep_globals(function, scope, self.globals)

@@ -13,6 +13,7 @@ from bisect import bisect_right
 from functools import cache
 from typing import TYPE_CHECKING
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.errors import MissingPackageError
 from nmatrix.linting import tree
 from nmatrix.linting.expressions import DEEPEST, NUMBER, Expressions
@@ -25,7 +26,7 @@ from nmatrix.linting.source import (
     version_of,
     without_bare_macros,
 )
-from nmatrix.linting.tree import Language, Shader, Storage, Variable
+from nmatrix.linting.tree import Shader, Storage, Variable
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -63,7 +64,7 @@ _WHOLE = (
 )
 
 
-def parse(file: str, content: bytes, language: Language | None = None) -> Shader:
+def parse(file: str, content: bytes, language: ShaderLanguage | None = None) -> Shader:
     """Parse one source; the language is told by the name's ending, or by the words of the text.
 
     Raises
@@ -77,7 +78,7 @@ def parse(file: str, content: bytes, language: Language | None = None) -> Shader
 
 
 @cache
-def parser_of(language: Language) -> Parser:
+def parser_of(language: ShaderLanguage) -> Parser:
     """Load the grammar of a language, once.
 
     Raises
@@ -95,16 +96,16 @@ def parser_of(language: Language) -> Parser:
             "it needs the packages tree-sitter, tree-sitter-glsl and tree-sitter-hlsl",
             "pip install 'nmatrix[lint]'",
         ) from None
-    grammar = tree_sitter_glsl if language is Language.GLSL else tree_sitter_hlsl
+    grammar = tree_sitter_glsl if language is ShaderLanguage.GLSL else tree_sitter_hlsl
     with warnings.catch_warnings():  # these grammars still give a number where a capsule is wanted
         warnings.simplefilter("ignore", DeprecationWarning)
-        return tree_sitter.Parser(tree_sitter.Language(grammar.language()))
+        return tree_sitter.Parser(tree_sitter.ShaderLanguage(grammar.language()))
 
 
 class _Parsing(Expressions):
     """One source on its way to a tree."""
 
-    def __init__(self, file: str, content: bytes, language: Language) -> None:
+    def __init__(self, file: str, content: bytes, language: ShaderLanguage) -> None:
         super().__init__(file, content, language)
         self.variables: list[Variable] = []
         self.functions: list[tree.Function] = []
@@ -205,7 +206,7 @@ class _Parsing(Expressions):
                 )
             )
             return
-        outside = Storage.LOCAL if self.language is Language.GLSL else Storage.UNIFORM
+        outside = Storage.LOCAL if self.language is ShaderLanguage.GLSL else Storage.UNIFORM
         self.variables += self._variables(node, outside)
 
     def _block_of(self, head: Node | None, body: Node) -> None:

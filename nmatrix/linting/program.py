@@ -10,13 +10,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
+from nmatrix.enums import ShaderLanguage
 from nmatrix.linting.declarations import Conventions
 from nmatrix.linting.faults import Evidence, Fault
 from nmatrix.linting.following import Following, Passed
 from nmatrix.linting.judging import Judge
 from nmatrix.linting.parsing import parse
 from nmatrix.linting.source import STAGES
-from nmatrix.linting.tree import Language, Shader, Stage
+from nmatrix.linting.tree import Shader, Stage
 
 _ORDER = {Stage.VERTEX: 0, Stage.BETWEEN: 1, Stage.UNKNOWN: 2, Stage.FRAGMENT: 3}
 
@@ -32,7 +33,7 @@ class Linted:
 
 def lint(
     sources: Mapping[str, bytes],
-    language: Language | None = None,
+    language: ShaderLanguage | None = None,
     *,
     are_one_program: bool = False,
 ) -> Linted:
@@ -71,7 +72,7 @@ def programs(shaders: Sequence[Shader]) -> list[tuple[Shader, ...]]:
     >>> [[one.file for one in program] for program in programs(made)]
     [['a.vert', 'a.frag'], ['b.vert']]
     """
-    by_stem: dict[tuple[str, str, Language], list[Shader]] = {}
+    by_stem: dict[tuple[str, str, ShaderLanguage], list[Shader]] = {}
     for one in shaders:
         path = PurePath(one.file)
         by_stem.setdefault((str(path.parent), _stem(path.name), one.language), []).append(one)
@@ -116,5 +117,5 @@ def _named_are_transposed(program: Sequence[Shader], evidence: Evidence) -> bool
         return True
     if on_the_right >= 3 * on_the_left and on_the_right:
         return False
-    is_glsl = program[0].language is Language.GLSL
+    is_glsl = program[0].language is ShaderLanguage.GLSL
     return False if is_glsl and not on_the_left else None

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import PurePath
 
-from nmatrix.linting.tree import Language, Stage
+from nmatrix.enums import ShaderLanguage
+from nmatrix.linting.tree import Stage
 
 STAGES = {
     "vert": Stage.VERTEX,
@@ -63,19 +64,19 @@ def without_bare_macros(content: bytes) -> bytes:
     return _BARE_MACRO.sub(lambda one: _NOT_LINE_END.sub(b" ", one[0]), content)
 
 
-def language_of(file: str, content: bytes) -> Language:
+def language_of(file: str, content: bytes) -> ShaderLanguage:
     """Tell GLSL from HLSL.
 
     Examples
     --------
     >>> language_of("a.vert", b""), language_of("a.fx", b"")
-    (<Language.GLSL: 'glsl'>, <Language.HLSL: 'hlsl'>)
+    (<ShaderLanguage.GLSL: 'glsl'>, <ShaderLanguage.HLSL: 'hlsl'>)
     """
     if PurePath(file).suffix.lower() in HLSL_SUFFIXES:
-        return Language.HLSL
+        return ShaderLanguage.HLSL
     if len(_HLSL_ONLY.findall(content)) > len(_GLSL_ONLY.findall(content)):
-        return Language.HLSL
-    return Language.GLSL
+        return ShaderLanguage.HLSL
+    return ShaderLanguage.GLSL
 
 
 def stage_of(file: str, content: bytes) -> Stage:

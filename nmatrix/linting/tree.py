@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import NamedTuple
 
+from nmatrix.enums import ShaderLanguage
+
 
 def is_vector(type_: str) -> bool:
     """Whether a type is a vector.
@@ -31,13 +33,6 @@ def is_matrix(type_: str) -> bool:
     (True, False)
     """
     return type_ in ("mat2", "mat3", "mat4")
-
-
-class Language(StrEnum):
-    """A shading language."""
-
-    GLSL = "glsl"
-    HLSL = "hlsl"
 
 
 class Stage(StrEnum):
@@ -261,7 +256,7 @@ class Shader:
     """One file: what it declares and defines, and what of it could not be read."""
 
     file: str
-    language: Language
+    language: ShaderLanguage
     version: int
     stage: Stage
     variables: tuple[Variable, ...] = ()

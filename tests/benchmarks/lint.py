@@ -1,4 +1,4 @@
-"""How long `lint` takes for three hundred shaders of the corpus: `python tests/benchmarks/lint.py`."""
+"""How long `lint` takes for 300 shaders of the corpus: `python tests/benchmarks/lint.py`."""
 
 from __future__ import annotations
 

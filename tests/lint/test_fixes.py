@@ -13,11 +13,10 @@ from shader_programs import FAULTY
 from nmatrix.answers.lint import Asked, Source, report
 from nmatrix.enums import Severity
 
-# What has no single right change: two spaces, a projection, an inverse that only costs.
 WORD = re.compile(r"[A-Za-z_]\w*")
-KNOWN = set(
-    "transpose inverse mat3 vec4 float4 normalize max xyz w normalMatrix UnityObjectToWorldNormal".split()
-)
+OF_ENGINES = {"normalMatrix", "UnityObjectToWorldNormal"}
+KNOWN = {*"transpose inverse mat3 vec4 float4 normalize max xyz w".split(), *OF_ENGINES}
+# What has no single right change: two spaces, a projection, an inverse that only costs.
 UNMENDED = {"NM104", "NM201", "NM401"}
 
 
