@@ -99,7 +99,7 @@ def parser_of(language: ShaderLanguage) -> Parser:
     grammar = tree_sitter_glsl if language is ShaderLanguage.GLSL else tree_sitter_hlsl
     with warnings.catch_warnings():  # these grammars still give a number where a capsule is wanted
         warnings.simplefilter("ignore", DeprecationWarning)
-        return tree_sitter.Parser(tree_sitter.ShaderLanguage(grammar.language()))
+        return tree_sitter.Parser(tree_sitter.Language(grammar.language()))
 
 
 class _Parsing(Expressions):
