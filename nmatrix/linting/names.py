@@ -20,6 +20,7 @@ from nmatrix.linting.values import (
     Length,
     Matrix,
     Role,
+    Sense,
     ShaderSpace,
     Value,
     Vector,
@@ -144,6 +145,11 @@ _SPELLED_OUT = {
     "worldpos": ("world", "position"),
     "worldnormal": ("world", "normal"),
     "worldspace": ("world",),
+    "modelspace": ("object",),
+    "cameraspace": ("camera",),
+    "viewspace": ("camera",),
+    "eyespace": ("camera",),
+    "tangentspace": ("tangent",),
     "objectspace": ("object",),
     "fragpos": ("fragment", "position"),
     "pos": ("position",),
@@ -159,7 +165,8 @@ _SPELLED_OUT = {
     "cam": ("camera",),
     "tang": ("tangent",),
 }
-_SINGLE = {"M": "model", "V": "view", "P": "projection", "W": "world"}
+_SINGLE = {"M": "model", "V": "view", "P": "projection", "W": "world", "N": "normal"}
+_OF_ONE_LETTER = re.compile(r"(?:u_?)?([MVPN])(?:_?[mM]at(?:rix)?)?")
 
 _POINTS = frozenset({"position", "positions", "vertex", "vert", "point", "p", "location"})
 _OF_MESHES = frozenset({"vertex", "vert"})
@@ -250,8 +257,9 @@ def matrix_named(path: str) -> Matrix | None:
     """
     *owners, name = path.split(".")
     last = re.sub(r"^(?:u|g|m|c|cb|gl)_|^_+", "", name)
-    if last in _SINGLE:
-        words: tuple[str, ...] = (_SINGLE[last],)
+    letter = _OF_ONE_LETTER.fullmatch(last)
+    if last in _SINGLE or letter is not None:
+        words: tuple[str, ...] = (_SINGLE[last if letter is None else letter[1]],)
     else:
         words = words_of(name)
     owned = {word for owner in owners for word in words_of(owner)}
@@ -367,7 +375,13 @@ def vector_named(path: str, type_: str, storage: Storage, stage: Stage) -> Vecto
         words = ["eye", "position"]
     elif short == "light" and storage is not Storage.UNIFORM:
         return nothing
-    if len(words) > 1 and words[0] in _POINTS and words[-1] in _CAMERAS:
+    leads_to = _led_to(name) if storage is not Storage.UNIFORM else None
+    if leads_to is not None:
+        return Vector(
+            Carried.DIRECTION, None, size, role=leads_to, sense=Sense.OUT, because=Because.NAME
+        )
+    is_seen = words[-1:] == ["eye"] and storage is not Storage.UNIFORM
+    if len(words) > 1 and words[0] in _POINTS and (words[-1] in _CAMERAS or is_seen):
         return Vector(Carried.POINT, ShaderSpace.CAMERA, size, because=Because.NAME)
     if len(words) > 1 and words[0] in _HALVES and set(words[1:]) <= _DIRECTIONS:
         return Vector(Carried.DIRECTION, None, size, role=Role.HALFWAY, because=Because.NAME)
@@ -414,6 +428,16 @@ def _vector_of(words: frozenset[str], size: int, storage: Storage, *, is_attribu
         is_assumed=is_assumed,
         because=Because.NAME,
     )
+
+
+def _led_to(name: str) -> Role | None:
+    """Read `toLight`, `surface_to_eye`: what a direction leads to."""
+    words = words_of(name)
+    if len(words) < 2 or words[-2] != "to":
+        return None
+    if words[-1] in _LIGHTS:
+        return Role.LIGHT
+    return Role.EYE if words[-1] in _EYES else None
 
 
 def _kind(words: frozenset[str]) -> Carried | None:
