@@ -59,7 +59,7 @@ class Evaluation(Declarations, ABC):
         """Follow the statements of a function; its value is what it returns."""
 
     def clamp(self, condition: Expression, scope: Scope, *, is_true: bool) -> None:
-        """Believe a comparison with zero: what it says is positive is so from here on."""
+        """Believe a comparison: what it says is large may be positive from here on."""
         match condition:
             case tree.Binary(operator="&&", left=left, right=right) if is_true:
                 self.clamp(left, scope, is_true=True)
@@ -101,9 +101,9 @@ class Evaluation(Declarations, ABC):
         if expression.operator != "-":
             return self.value(expression.operand, scope)
         is_dot = isinstance(expression.operand, tree.Call) and expression.operand.function == "dot"
-        self.judge.is_turned = is_dot
+        was_turned, self.judge.is_turned = self.judge.is_turned, is_dot
         value = self.value(expression.operand, scope)
-        self.judge.is_turned = False
+        self.judge.is_turned = was_turned
         return negated(value)
 
     def _composed(self, expression: Expression, scope: Scope) -> Value:

@@ -42,6 +42,7 @@ _HEAD_OF_FUNCTION = re.compile(
 )
 _NOT_LINE_END = re.compile(rb"[^\r\n]")
 MOST_AGAIN = 4  # times that a source is parsed once more behind what does not parse
+_EVEN_SCALES = re.compile("uniform_?scal", re.IGNORECASE)  # a branch for worlds of one scale
 _LOCATION = re.compile(r"\blocation\s*=\s*(\d+)")
 _QUALIFIERS = {
     "uniform": Storage.UNIFORM,
@@ -111,7 +112,6 @@ class _Parsing(Expressions):
         self.functions: list[tree.Function] = []
         self.structs: list[tree.Struct] = []
         self.macros: dict[str, tree.Expression] = {}
-        self.includes: list[str] = []
         self.again = MOST_AGAIN
         self.notes = notes(content)
         self.line_starts = [0, *(one.end() for one in re.finditer(rb"\n", content))]
@@ -130,7 +130,6 @@ class _Parsing(Expressions):
             tuple(self.functions),
             tuple(self.structs),
             self.macros,
-            tuple(self.includes),
             faults,
         )
 
@@ -162,11 +161,6 @@ class _Parsing(Expressions):
         root = parser_of(self.language).parse(blank + self.content[after.start() :]).root_node
         inside = [one for one in root.named_children if one.start_byte < node.end_byte]
         self._outer(inside)
-
-    def _include(self, node: Node) -> None:
-        path = node.child_by_field_name("path")
-        if path is not None:
-            self.includes.append(self.text(path).strip('"<>'))
 
     def _broken(self, root: Node) -> Iterator[Node]:
         """Find the places that do not parse; words that the grammars do not know are none."""
@@ -480,7 +474,11 @@ class _Parsing(Expressions):
                 for place, child in enumerate(current.children)
                 if child.is_named and current.field_name_for_child(place) not in skipped
             ]
-            branches.append(tuple(self._statements(inside)))
+            assumed = current.child_by_field_name("name") or current.child_by_field_name(
+                "condition"
+            )
+            is_even = assumed is not None and _EVEN_SCALES.search(self.text(assumed))
+            branches.append(() if is_even else tuple(self._statements(inside)))
             current = current.child_by_field_name("alternative")
         if len(branches) == 1:
             branches.append(())
@@ -507,7 +505,6 @@ _OUTSIDE = {
     "struct_specifier": _Parsing._outer_struct,
     "preproc_def": _Parsing._macro,
     "preproc_function_def": _Parsing._macro,
-    "preproc_include": _Parsing._include,
     "linkage_specification": lambda self, node: self._outer(node.named_children),
     "ERROR": _Parsing._outer_fault,
 }

@@ -52,7 +52,6 @@ class Storage(StrEnum):
     INPUT = "input"
     OUTPUT = "output"
     BOTH = "input and output"
-    UNDECLARED = "undeclared"
 
 
 class Span(NamedTuple):
@@ -263,5 +262,4 @@ class Shader:
     functions: tuple[Function, ...] = ()
     structs: tuple[Struct, ...] = ()
     macros: dict[str, Expression] = field(default_factory=dict)
-    includes: tuple[str, ...] = ()
     faults: tuple[SyntaxFault, ...] = ()
