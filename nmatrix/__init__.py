@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from nmatrix.api.commands import derive as derive
     from nmatrix.api.commands import identify as identify
     from nmatrix.api.commands import inspect as inspect
+    from nmatrix.api.commands import lint as lint
     from nmatrix.api.commands import plan as plan
     from nmatrix.api.normals import TransformedNormals as TransformedNormals
     from nmatrix.api.normals import angle_between as angle_between
@@ -93,7 +94,7 @@ _NAMES = {
         "transform_normals"
     ),
     "api.setup": "Setup",
-    "api.commands": "axes calc check check_exercise derive identify inspect plan",
+    "api.commands": "axes calc check check_exercise derive identify inspect lint plan",
     "api.pictures": "render",
     "api.report": "Picture Report",
     "scene.world": "World",

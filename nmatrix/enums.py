@@ -282,6 +282,13 @@ class Severity(StrEnum):
     NOTE = "note"
 
 
+class ShaderLanguage(StrEnum):
+    """A language that shaders are written in."""
+
+    GLSL = "glsl"
+    HLSL = "hlsl"
+
+
 class Flaw(StrEnum):
     """What can be the matter with a node of a file, the worst first."""
 

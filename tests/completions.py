@@ -11,6 +11,7 @@ from typing import Any
 from typer import Context
 from typer.core import TyperArgument, TyperOption
 
+from nmatrix.answers.lint import SUFFIXES as OF_SHADERS
 from nmatrix.cli.app import load
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.command import AND_MORE, HELP_OPTIONS, takes
@@ -22,7 +23,7 @@ from nmatrix.scene.open import SUFFIXES
 
 KINDS_OF_WORDS = ("arguments", "options", "pages")
 HELP_FLAGS = {HELP_OPTIONS: "Show help.", ("--full",): "With --help: describe every option."}
-KINDS = {".csv": (".csv",), ".toml": SUFFIXES, ".obj": SUFFIXES}
+KINDS = {".csv": (".csv",), ".toml": SUFFIXES, ".obj": SUFFIXES, ".vert": OF_SHADERS}
 
 
 def place(one: TyperArgument | TyperOption, command: Any) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nmatrix.api.report import Report
 from nmatrix.api.setup import Part, Setup, setup_values, world_part
-from nmatrix.enums import Space
+from nmatrix.enums import ShaderLanguage, Space
 from nmatrix.linear.values import flag, named_file, number, refused, text, vector, whole
 from nmatrix.reading.arrays import read_affine, read_matrix
 from nmatrix.samples import file_or_sample
@@ -259,6 +259,53 @@ def inspect(file: str | Path) -> Report:
     from nmatrix.answers.inspect.report import report
 
     return Report(report((inspect_file(file_or_sample(named_file(file, "file"))),)))
+
+
+def lint(
+    sources: Mapping[str, str],
+    *,
+    language: str | None = None,
+    world: Part = None,
+) -> Report:
+    """Read shaders for their spaces, and tell where two meet that must not.
+
+    `data` has the findings and the spaces of the names. Two sources are one program; of more, those
+    whose names differ only in their endings.
+
+    Parameters
+    ----------
+    sources
+        The text of each shader under its name, whose ending tells the stage.
+    language
+        glsl or hlsl, where name and text leave it open.
+    world
+        A world, or the options of one: the findings that depend on it get their degrees.
+
+    Raises
+    ------
+    MissingPackageError
+        Without the grammars of the extra `lint`.
+
+    Examples
+    --------
+    >>> text = "uniform mat4 model; in vec3 n; out vec3 N; void main() { N = mat3(model) * n; }"
+    >>> found = lint({"a.vert": text}, world={"scale": (1, 2, 1)}).data["findings"]
+    >>> [(one["rule"], round(one["degrees"], 4)) for one in found]
+    [('NM101', 36.8699)]
+    """
+    from nmatrix.answers.lint import Asked, Source, report
+    from nmatrix.enums import chosen
+
+    given = [
+        Source(text(name, "sources"), text(one, "sources"))
+        for name, one in _mapping(sources, "sources").items()
+    ]
+    asked = Asked(
+        world=None if world is None else world_part(world).world_from_object,
+        language=None if language is None else chosen(ShaderLanguage, language, "language"),
+        are_one_program=len(given) == 2,
+    )
+    return Report(report(given, asked))
 
 
 def _mapping(value: object, name: str) -> Mapping[str, object]:

@@ -70,6 +70,9 @@ COMMANDS = {
     "check": CatalogueEntry(
         Panel.CLASSROOM, "check", "Is this answer right, and if not, which mistake is it?"
     ),
+    "lint": CatalogueEntry(
+        Panel.CLASSROOM, "lint", "Which spaces meet in this shader that must not?"
+    ),
     "handout": CatalogueEntry(
         Panel.CLASSROOM, "handout", "Printable sheets: theory, numbers, pictures, exercises"
     ),

@@ -71,9 +71,9 @@ def inspect(
     allow_outside: Annotated[bool, Option("--allow-outside", help=OUTSIDE)] = False,
 ) -> None:
     """Show the nodes of files."""
-    from nmatrix.answers.inspect.file import STANDARD_INPUT
-    from nmatrix.answers.inspect.files import files_of, inspected
+    from nmatrix.answers.inspect.files import SUFFIXES, inspected
     from nmatrix.answers.inspect.report import Chosen, report
+    from nmatrix.reading.folders import STANDARD_INPUT, files_of
 
     chosen = Chosen(
         () if only is None else chosen_words(Flaw, only, "only"),
@@ -84,7 +84,7 @@ def inspect(
     )
     if files.count(STANDARD_INPUT) > 1:
         raise IllegalValueError("- (standard input)", "it can be read only once", "give it once")
-    paths = files_of([str(file_or_sample(one)) for one in files])
+    paths = files_of([str(file_or_sample(one)) for one in files], SUFFIXES)
     content = sys.stdin.buffer.read() if STANDARD_INPUT in files else b""
     limit = tolerance.value(FROM_FILE)
     found = []

@@ -9,14 +9,15 @@ FOLDER = Path(__file__).parent
 
 
 def samples(*endings: str) -> dict[str, Path]:
-    """Name the samples whose files have one of these endings, without it.
+    """Name the samples whose files have one of these endings, without it; shaders with it.
 
     Examples
     --------
-    >>> list(samples(".obj"))
-    ['teapot']
+    >>> list(samples(".obj")), list(samples(*SHADERS))
+    (['teapot'], ['phong.frag', 'phong.vert'])
     """
-    return {one.stem: one for one in sorted(FOLDER.iterdir()) if one.suffix in endings}
+    files = (one for one in sorted(FOLDER.iterdir()) if one.suffix in endings)
+    return {one.name if one.suffix in SHADERS else one.stem: one for one in files}
 
 
 def file_or_sample(name: str | os.PathLike[str]) -> Path:
@@ -28,10 +29,13 @@ def file_or_sample(name: str | os.PathLike[str]) -> Path:
     ('teapot.obj', 'such.obj')
     """
     path = Path(name)
-    known = {} if path.suffix or path.parent != Path() else samples(*ENDINGS)
+    is_shader = path.suffix in SHADERS
+    is_name = path.parent == Path() and (is_shader or not path.suffix)
+    known = samples(*(SHADERS if is_shader else ENDINGS)) if is_name else {}
     if path.name not in known:
         return path
     return path if os.path.lexists(path) else known[path.name]
 
 
 ENDINGS = (".obj", ".toml", ".csv")
+SHADERS = (".vert", ".frag")  # a program is two files of one stem

@@ -17,7 +17,7 @@ from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.projection import ClipSpace
 from nmatrix.report import Value
 from nmatrix.scene.light import PlacedLight
-from nmatrix.shaders.glsl import SAFE_UNIT_NORMAL, Glsl, Sampler, Uniform
+from nmatrix.shaders.glsl import RENORMALISE, SAFE_UNIT_NORMAL, Glsl, Sampler, Uniform
 from nmatrix.shaders.shaded import PLAIN_TARGET, CullFace, FrontFace, Shaded
 from nmatrix.spaces.shading_spaces import PROFILES
 
@@ -239,7 +239,9 @@ class _Assembly:
 
     def _fragment(self) -> Iterator[str]:
         yield "vec3 p = fragment_position;"
-        yield "vec3 n = fragment_normal;"
+        is_long_enough = not self._lit_at_vertices and RENORMALISE not in self.terms
+        told = "  // of unit length, as near as can be seen" if is_long_enough else ""
+        yield f"vec3 n = fragment_normal;{told}"
         if self._lit_at_vertices:
             yield from (f"vec3 {one} = {self._of_side(one)};" for one in self._sums)
         else:

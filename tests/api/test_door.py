@@ -43,6 +43,9 @@ CALLS: dict[str, dict[str, Any]] = {
     "inspect": {"file": ROOT / "docs" / "samples" / "gate.gltf"},
     "axes": {"from_axes": "blender", "to_axes": "unity"},
     "identify": {"matrix": np.diag([2.0, 1, 1])},
+    "lint": {
+        "sources": {"a.vert": "void main() {}"}, "language": "glsl", "world": {"scale": (1, 2, 1)}
+    },
     "look_at": {"eye": (0, 0, 5), "target": (0, 0, 0), "up": (0, 1, 0), "handed": "right"},
     "normal_matrix": {"A": IDENTITY, "kind": "oriented", "level": "exact", "out": None},
     "normalize": {"v": (1, 2, 3)},

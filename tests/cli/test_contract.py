@@ -42,12 +42,13 @@ KEYS = {
     "trace --pixel 3 4 --depth-value 0.5": f"{TRACE} {RAY}",
     "derive mirror": "cases",
     "check eye '0 0 5'": "verdict mistake also explanation max_difference wrong_entries",
+    "lint phong.vert": "findings spaces files",
     f"inspect {DOCS / 'samples' / 'gate.gltf'}": "files nodes summary",
     f"plan {DOCS / 'scenes' / 'mirror.toml'}": "effects attributes passes objects",
     "stress --case N1": "cases passed failed",
 }
-WITHOUT_FORMATS = {"derive", "check", "inspect", "plan", "stress"}  # sentences, not quantities
-LOOK_FOR_FAULTS = {"inspect"}
+WITHOUT_FORMATS = {"derive", "check", "lint", "inspect", "plan", "stress"}  # sentences
+LOOK_FOR_FAULTS = {"inspect", "lint"}
 PARTS = (
     "translate quaternion rotate scale shear order convention axis angle_deg gimbal_lock unique "
     "given"
@@ -139,6 +140,12 @@ def test_every_format_of_every_command(nmatrix, line: str, format_: Format) -> N
         ("calc 9**9**9**9", 2),
         ("derive nothing", 2),
         ("inspect no-such.glb", 2),
+        ("lint no-such.vert", 2),
+        ("lint phong.vert", 0),
+        ("lint phong.vert --fail-on warning", 1),
+        ("lint phong.vert phong.frag", 1),
+        ("lint phong.vert --fail-on note", 2),
+        ("lint - -", 2),
         ("render nothing", 2),
         ("render --size 0 0", 2),
         ("render --size 100000 100000", 2),

@@ -22,6 +22,7 @@ from nmatrix.errors import NMatrixError, printable, shortlist
 from nmatrix.linear.classify import FROM_FILE, Classification, classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.rational import RationalMatrix, identity, linear_part, translation
+from nmatrix.reading.folders import STANDARD_INPUT
 from nmatrix.scene.gltf.extensions import Treatment, treated
 from nmatrix.scene.gltf.file import GltfFile, read_gltf
 from nmatrix.scene.gltf.nodes import Node, Nodes
@@ -29,7 +30,6 @@ from nmatrix.scene.gltf.records import Document, NodeRecord
 from nmatrix.scene.hierarchy import Hierarchy
 from nmatrix.scene.words import GLTF_SUFFIXES, NormalsFrom
 
-STANDARD_INPUT = "-"
 BINARY = ".glb"  # its JSON has lines, and the file has none
 NORMALS_MADE, NOT_DRAWN = "Normals were made", "Not drawn of "  # as readers begin remarks
 _FAULTY = re.compile(r", line (\d+)\b")

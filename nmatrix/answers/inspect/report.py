@@ -13,7 +13,7 @@ from functools import cached_property
 from math import inf
 from pathlib import Path
 
-from nmatrix.answers.inspect.file import STANDARD_INPUT, InspectedFile, Special
+from nmatrix.answers.inspect.file import InspectedFile, Special
 from nmatrix.answers.inspect.flaws import FLAWS, RULES, rank
 from nmatrix.answers.inspect.node import InspectedNode
 from nmatrix.answers.inspect.records import COLUMNS, cells_of_node, cells_of_unread, node_data
@@ -21,6 +21,7 @@ from nmatrix.answers.inspect.remarks import remarks_about
 from nmatrix.answers.inspect.words import ROOM, elided, named, of_all, told_apart
 from nmatrix.enums import Flaw, NodeOrder, Severity
 from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, counted, quantity
+from nmatrix.reading.folders import STANDARD_INPUT
 from nmatrix.report import (
     Block,
     Cells,
