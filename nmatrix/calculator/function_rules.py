@@ -274,9 +274,9 @@ RULES: dict[str, FunctionRule] = {
     **dict.fromkeys(
         (
             "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer",
-            "cross_matrix", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "depth_of",
-            "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
-            "polar", "power", "quaternion", "quaternion_of", "euler",
+            "cross_matrix", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
+            "depth_of", "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues",
+            "singular_values", "polar", "power", "quaternion", "quaternion_of", "euler",
         ),
         _nothing,
     ),
