@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Protocol
 from nmatrix.calculator.offers import Offer, offers
 from nmatrix.calculator.statements import is_open, statements
 from nmatrix.calculator.tokens import LONGEST
+from nmatrix.output.transcript import LONGEST as LONGEST_TEXT
 from nmatrix.output.transcript import MORE, PROMPT
 
 if TYPE_CHECKING:
@@ -255,6 +256,8 @@ def _keys() -> KeyBindings:
     @keys.add(Keys.BracketedPaste, filter=typing)
     def _(event: KeyPressEvent) -> None:
         text = event.data.replace("\r\n", "\n").replace("\r", "\n").replace("\t", " ")
+        if len(text) > LONGEST_TEXT:
+            text = f"# {len(text)} characters are too many to paste: load them as a file"
         first, more, rest = text.partition("\n")
         room = max(0, LONGEST + 1 - len(event.current_buffer.text))
         event.current_buffer.insert_text(first[:room])
