@@ -21,12 +21,11 @@ from nmatrix.linear.rational import (
     to_floats,
     transpose,
 )
-from nmatrix.reading.contents import Tokens, unreadable
+from nmatrix.reading.contents import SQUARES, Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
 from nmatrix.reading.numbers import fraction
 
 LARGEST = 4  # rows and columns
-SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
 BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
 
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, printable, quantity, quoted, shortlist
 from nmatrix.linear.rational import is_affine, transpose
-from nmatrix.reading.contents import ACCEPTED, Contents, Tokens, unreadable
-from nmatrix.reading.literal import SQUARES, MatrixLiteral, literal_from_tokens
+from nmatrix.reading.contents import ACCEPTED, SQUARES, Contents, Tokens, unreadable
+from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
 
 if TYPE_CHECKING:
     from nmatrix.reading.notations import Notation
@@ -72,7 +72,7 @@ def matrix_literal(
     try:
         notation, contents = read(bare, origin)
         tokens = _chosen(contents, key, origin)
-        used = contents.layout or layout or notation.layout
+        used = contents.layout or layout or notation.layout_of(tokens)
         literal = literal_from_tokens(tokens, used, origin, exact=contents.exact)
     except IllegalValueError as refusal:
         raise _with_values(refusal, bare) from None
@@ -88,7 +88,7 @@ def _remarks(literal: MatrixLiteral, notation: Notation, tokens: Tokens) -> tupl
     own, other = literal.layout, _other(literal.layout)
     option = f"{quantity('input_layout')} {other}"
     is_flat = 1 in (len(tokens), len(tokens[0]))
-    if notation.told and not (is_flat and own is Layout.ROW_MAJOR):
+    if not (notation.shows_rows(tokens) or (is_flat and own is Layout.ROW_MAJOR)):
         how = "row by row" if own is Layout.ROW_MAJOR else "column by column"
         return (f"Read as {notation.name}, {how}; {option} reads it the other way.",)
     turned = transpose(literal.rows_exact)
@@ -147,8 +147,8 @@ def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:
     for name in ("", *FIRST_OF):
         if name in found:
             return found[name]
-    if len(found) == 1:
-        return next(iter(found.values()))
+    if len(contents.likely) == 1:
+        return contents.likely[0]
     if not names:
         raise unreadable(source, "it holds no matrix")
     next_step = f"name one of {shortlist(names)} after a #"
