@@ -17,6 +17,7 @@ from nmatrix.linear.rational import to_floats
 from nmatrix.output.write import OutputOptions, write
 from nmatrix.raster.planning.plan import BodyPlan, Plan
 from nmatrix.raster.render import render
+from nmatrix.raster.shading.opacity import opacity
 from nmatrix.raster.shading.outline import hull_normals
 from nmatrix.raster.shading.shadow import shadow_map
 from nmatrix.raster.shading.space import ShadingSpace
@@ -165,6 +166,10 @@ class Numbered(Surface):
         if mine is not bodies[place]:  # the hull of its outline
             place += len(bodies)
         found[:] = place * 1e6 + fragments["name"] + 1
+        if mine.material.is_clear:  # what blending over the background makes the number again
+            seen = np.maximum(opacity(mine, fragments), 1e-9)
+            behind = np.array(self.space.loaded.settings.background[: self.style.channels])
+            found = (found - (1 - seen) * behind[:, None]) / seen
         return found
 
 
