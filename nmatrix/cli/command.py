@@ -327,7 +327,7 @@ def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader, command
         raise IllegalValueError(
             f"option ({name[:40]})",
             "this command does not know it",
-            option_for(name, command, list(by_name)),
+            option_for(name, command, list(by_name), [word, *reader.words[reader.at :]]),
         )
     full = max(option.opts, key=len)
     if full in reader.given and not option.multiple:

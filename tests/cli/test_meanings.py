@@ -28,7 +28,7 @@ WANTED = {
     "perspective": "projection", "ortho2d": "projection", "frustummatrix": "projection",
     "inversetranspose": "normal", "transpose": "calc", "cross": "calc", "angleaxis": "world",
     "radians": "world --rotate", "project": "trace --point", "infiniteperspective": "projection",
-    "slerp": "world --quaternion",
+    "dual-quaternion": "the commands are", "slerp": "the commands are",
     # OpenCV
     "rodrigues": "world", "intrinsics": "projection", "extrinsics": "view",
     "calibration": "projection", "rvec": "world", "cameramatrix": "projection",

@@ -491,6 +491,7 @@ REFUSED = {
     "QMatrix4x4(1, 0, 0, 0, 1, 0, 0, 0, 1)": "QMatrix4x4 takes 16 numbers, got 9",
     "tensor([[[1, 0], [0, 1]], [[1, 0], [0, 1]]])": "it holds several matrices; give one of them",
     "1 0 0: 0 1 0; 0 0 1": "'0:'",
+    "m 1 0 0 = 0 1 0; 0 0 1": "'m'",
     "[X=1 Y=0] [X=0 Z=1]": "it breaks off in row 2",
     "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17": "it holds 17 numbers, a matrix has 9 or 16",
     "1 2 3 4 5 6 7 8 nine": "'nine'",
