@@ -29,7 +29,7 @@ from nmatrix.linear.rounding import nearest, short_text
 from nmatrix.report import Block, Brief, Code, Heading, Number, Report, Table, Text, Value, Verdict
 
 NUMBERS = ("near", "far", "fov_y_deg", "aspect", "left", "right", "bottom", "top")
-LINE = 78  # columns of a command
+LINE = 80  # columns of a command
 MOST_TOLD = 4  # other readings in the text; every format but text has all
 MOST_AT_ONCE = 2  # of them in the short answer
 ALLOWED = "The entries allow as well"
@@ -414,8 +414,16 @@ def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
 
 
 def _folded(command: str) -> str:
-    """Break a command that is longer than a line before its options, as a shell reads it on."""
-    return command if len(command) <= LINE else " \\\n  --".join(command.split(" --"))
+    """Break a command that is longer than a line before an option, as a shell reads it on."""
+    first, *options = command.split(" --")
+    lines = [first]
+    for option in options:
+        room = LINE - len(" \\")
+        if len(f"{lines[-1]} --{option}") <= room:
+            lines[-1] += f" --{option}"
+        else:
+            lines.append(f"  --{option}")
+    return " \\\n".join(lines)
 
 
 def _short(value: Bound | float) -> str:

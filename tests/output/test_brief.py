@@ -121,7 +121,7 @@ def test_what_was_asked_for_stands_on_top(nmatrix: Callable) -> None:
     assert first_entry(nmatrix("axes blender unity").out) <= 3
     lens = nmatrix("identify '1.299 0 0 0; 0 -1.732 0 0; 0 0 0 0.1; 0 0 -1 0'").out
     assert lens.startswith("It is a perspective projection")
-    assert lens.index("nmatrix projection --fov") < lens.index("at least")
+    assert lens.index("nmatrix projection --fov 60 --aspect 4/3") < lens.index("at least")
 
 
 def test_each_further_normal_takes_one_line(nmatrix: Callable) -> None:
