@@ -17,9 +17,9 @@ _SIZED = re.compile(
 _SPLAT = re.compile(r"(?:glm::)?[a-z]{0,5}mat.*")  # mat3(2.0) is diagonal, float3x3(2.0) is not
 _VECTOR = re.compile(
     r"(?:glm::)?(?:[diub]?[Vv]ec|[DIU]Vec|(?:simd_)?(?:float|double|half|int)|SIMD|Vector)"
-    r"(?P<size>[234])A?[fdi]?(?:<\w{1,20}>)?"
+    r"(?P<size>[234])A?[fdi]?(?:<\w{1,20}>)?|FPlane|(?:DirectX::)?XMVectorSet"
 )
-_PART = re.compile(r"D?Mat[23]A?|List|Array|\([0-9]{1,2}\)")  # of a larger value
+_PART = re.compile(r"D?Mat[23]A?|Basis|List|Array|\([0-9]{1,2}\)")  # of a larger value
 # Words that take the numbers of a square one by one.
 _SQUARE = re.compile(
     r"(?:QMatrix|XMFLOAT|btMatrix|L?Matrix|M)(?P<side>[34])(?:[xX][34]A?|[34])?[df]?"
@@ -132,7 +132,7 @@ def laid_out(group: Group, source: str) -> Tokens:
     """
     vector = _VECTOR.fullmatch(group.head)
     if vector is not None:
-        return [_filled(group, int(vector["size"]), source)]
+        return [_filled(group, int(vector["size"] or 4), source)]
     for inner in group.groups:
         _check_part(inner, source)
     sized = _SIZED.fullmatch(group.head)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import islice
@@ -33,6 +34,18 @@ LONGEST_LITERAL = 160  # characters of a matrix that an error writes again
 _COLOURS = re.compile(r"\x1b\[[0-9;]{0,20}m")  # cglm prints in cyan
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _NUMBER = re.compile(r"(?<![\w.])[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?(?![\w.])")
+
+# What is no matrix, but can be made one.
+_OTHERS = {
+    re.compile(r"\b\w{0,9}(?:[qQ]uat|QUAT)(?:ernion)?\w{0,4}\s*[({]"): (
+        "nmatrix world --quaternion X Y Z W makes one of a quaternion"
+    ),
+    re.compile(r"(?<![\w.])(?:translate|scale|rotate|skew|perspective)(?:3d|[XYZ])?\("): (
+        "getComputedStyle(element).transform is one matrix"
+    ),
+}
+
+_NODE_PARTS = {"translation": "translate", "rotation": "quaternion", "scale": "scale"}
 
 _unreadable = partial(unreadable, next_step="give it as text of at most 16 numbers")
 
@@ -105,20 +118,32 @@ def _other(layout: Layout) -> Layout:
 
 
 def _with_values(refusal: IllegalValueError, text: str) -> IllegalValueError:
-    """Show how the numbers of a text that was refused would be read."""
+    """Show how the numbers of a text that was refused would be read, or what reads them."""
     what, why, next_step = refusal.parts
     if next_step != ACCEPTED:
         return refusal
+    for other, reader in _OTHERS.items():
+        if other.search(text[:LONGEST_LITERAL]):
+            return IllegalValueError(what, why, reader)
     found = islice(_NUMBER.finditer(text[: 10 * LONGEST_LITERAL]), 1 + max(SQUARES))
     numbers = [one[0].removesuffix(".") for one in found]
     side = SQUARES.get(len(numbers))
     if side is None:
         return refusal
-    rows = [" ".join(numbers[start : start + side]) for start in range(0, len(numbers), side)]
-    literal = "; ".join(rows)
+    where = "these are its rows"
+    lines = [numbers[at : at + side] for at in range(0, len(numbers), side)]
+    if _is_last_row(line[-1] for line in lines) and not _is_last_row(lines[-1]):
+        where = f"it moves by {' '.join(lines[-1][:3])}"
+        lines = [list(line) for line in zip(*lines, strict=True)]
+    literal = "; ".join(map(" ".join, lines))
     if len(literal) > LONGEST_LITERAL:
         return refusal
-    return IllegalValueError(what, why, f'write "{literal}", if these are its rows')
+    return IllegalValueError(what, why, f'write "{literal}", if {where}')
+
+
+def _is_last_row(numbers: Iterable[str]) -> bool:
+    """Whether an affine 4×4 ends so."""
+    return [float(one) for one in numbers] == [0, 0, 0, 1]
 
 
 def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:
@@ -149,10 +174,19 @@ def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:
             return found[name]
     if len(contents.likely) == 1:
         return contents.likely[0]
+    if names and found.keys() <= _NODE_PARTS.keys():
+        raise unreadable(source, "it is a node's parts, not a matrix", _world_of(found))
     if not names:
         raise unreadable(source, "it holds no matrix")
     next_step = f"name one of {shortlist(names)} after a #"
     raise unreadable(source, "which of its matrices is meant?", next_step)
+
+
+def _world_of(parts: Mapping[str, Tokens]) -> str:
+    """Write the command that makes a matrix of the parts of a node."""
+    options = {f"--{_NODE_PARTS[key]}": " ".join(rows[0]) for key, rows in parts.items()}
+    line = " ".join(f"{option} {numbers}" for option, numbers in options.items())
+    return f"try nmatrix world {line if len(line) < LONGEST_LITERAL else ' … '.join(options)}"
 
 
 def _program_name(key: str) -> str:

@@ -94,6 +94,8 @@ def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
 def _uncovered(text: str) -> Iterator[str]:
     """Take off one name, declaration, heading or call after another, numbers never among them."""
     yield text
+    if declared := _DECLARED.match(text):
+        yield declared["type"] + text[declared.end() :].rstrip(_AFTER)
     for _ in range(MOST_COVERS):
         cover = next((found for one in _COVERS if (found := one.match(text))), None)
         if cover is None or _NUMBER.search(cover[0]):
@@ -120,8 +122,13 @@ def _closing(text: str, start: int) -> int:
 
 
 _BRACE = re.compile(r"[{}]")
+_DECLARED = re.compile(  # QMatrix4x4 m(
+    r"(?:(?:static|const|constexpr)\s+)*(?P<type>(?:\w{1,30}::){0,2}[A-Za-z]\w{1,30})\s+\w{1,60}\s?"
+    r"(?=\([+\-.0-9A-Za-z\s])"
+)
 _COVERS = (
     re.compile(r"(?:[\w:<>*&\s]|\[[0-9]*\]){1,200}?(?:=|<<)\s*[\"']?"),  # float m[4][4] =
+    re.compile(r"(?:\w{1,30}::){0,2}[A-Z]\w{1,30}\s+\w{1,60}\s?(?=\{)"),  # Matrix3d m{
     re.compile(r"[\"']?-?[A-Za-z_][\w.\- ]{0,60}[\"']?\s?:(?!:)\s*"),  # transform:
     re.compile(r"(?:new\s+)?[\w.]{1,60}(?:\(\s*\))?\.(?=(?:set|fromArray)\s*\()"),  # m.set(
     re.compile(r"<tf\.[^\n]{1,80}numpy=\s*"),
@@ -236,13 +243,13 @@ NOTATIONS = (
         constructors.bracketed, COLUMNS,
     ),
     Notation(
-        "Godot's Basis", "print of a Basis or a Transform3D; what is made of its Vector3",
+        "Godot's print", "print of a Basis or a Transform3D; what is made of its Vector3",
         "[X: (1, 0, 0), Y: (2, 3, 0), Z: (0, 0, 4), O: (0, 0, 0)]",
-        re.compile(r"\A(?:\[X:|(?:Transform3D|Transform|Basis)\s*\(\s*Vector|Projection\s*\()"),
+        re.compile(r"\A(?:\[X:|(?:Transform3D|Transform|Basis)\s*\(\s*(?:Vector|Basis)|Projection\s*\()"),
         constructors.bracketed, COLUMNS,
     ),
     Notation(
-        "Godot's Transform3D", "scene files: the rows of the basis, then the origin",
+        "Godot's scene file", "Transform3D: the rows of its basis, then its origin; Basis",
         "Transform3D(1, 2, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0)",
         re.compile(r"\A(?:Transform3D|Basis|Transform(?=\s*\((?:[^,()]{1,60},){11}))\s*\("),
         constructors.bracketed,
@@ -253,22 +260,34 @@ NOTATIONS = (
         re.compile(r"\Amatrix(?:3d\s*\(|\s*\(\s*[+\-.0-9])"), constructors.bracketed, COLUMNS,
     ),
     Notation(
-        "a constructor by rows", "QMatrix4x4, three.js's Matrix4 and its set, Bullet's btMatrix3x3",
+        "Qt's QMatrix4x4", "qDebug, and C++ that makes one",
         "QMatrix4x4(1, 2, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0, 0, 0, 0, 1)",
-        re.compile(
-            r"\A(?:QMatrix[34]x[34]|(?:new\s+)?THREE\.Matrix[34]|set|btMatrix3x3)"
-            r"\s*\(\s*(?:type:[\w,]{1,60}\s*)?[+\-.0-9]"
-        ),
+        re.compile(r"\AQMatrix[34]x[34]\s*\(\s*(?:type:[\w,]{1,60}\s*)?[+\-.0-9]"),
         constructors.bracketed,
     ),
     Notation(
+        "three.js's set", "JavaScript with Matrix3 and Matrix4; Bullet's btMatrix3x3",
+        "new THREE.Matrix3().set(1, 2, 0, 0, 3, 0, 0, 0, 4)",
+        re.compile(r"\A(?:(?:new\s+)?THREE\.Matrix[34]|set|btMatrix3x3)\s*\(\s*[+\-.0-9]"),
+        constructors.bracketed,
+    ),
+    Notation(
+        "Eigen's <<", "C++ that fills a matrix row by row",
+        "Eigen::Matrix3d m; m << 1, 2, 0, 0, 3, 0, 0, 0, 4;",
+        re.compile(
+            r"\A(?:[\w:<>,]{1,60}\s+\w{1,60}\s*;\s*)?\w[\w.>\[\]\-]{0,60}\s*<<\s*[+\-−.0-9]"
+        ),
+        rows.streamed_rows,
+    ),
+    Notation(
         "a matrix for row vectors",
-        "DirectXMath, .NET's Matrix4x4, USD's Matrix4d, Maya's MMatrix, Babylon",
+        "DirectXMath, .NET's Matrix4x4, USD's Matrix4d, Maya's MMatrix, Unreal's FMatrix, Babylon",
         "XMFLOAT3X3(1, 0, 0, 2, 3, 0, 0, 0, 4)",
         re.compile(
             r"\A(?:(?:new|uniform|custom)\s+)?(?:DirectX::|Gf\.|om\.|imath\.)?"
             r"(?:XMMATRIX|XMMatrixSet|XMFLOAT[34]X[34]A?|Matrix4x4|Matrix[34][df]|matrix[34]d|MMatrix"
-            r"|LMatrix[34][fd]?|M[34]{2}[fd]|(?:BABYLON\.)?Matrix\.FromValues)\s*\(\s*\(*\s*[+\-.0-9]"
+            r"|LMatrix[34][fd]?|M[34]{2}[fd]|FMatrix|(?:BABYLON\.)?Matrix\.FromValues)"
+            r"\s*\(\s*\(*\s*(?:[+\-.0-9]|FPlane|XMVectorSet)"
         ),
         constructors.bracketed, COLUMNS,
     ),

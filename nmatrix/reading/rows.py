@@ -55,6 +55,22 @@ def bare_rows(text: str, source: str) -> Contents:
     return Contents({"": [[plain_number(one) for one in row] for row in rows]})
 
 
+def streamed_rows(text: str, source: str) -> Contents:
+    """Read numbers that C++ streams into a square matrix, one after another or line by line.
+
+    Examples
+    --------
+    >>> streamed_rows("m << 1,0,0, 0,1,0, 0,0,1;", "x").quantities[""][1]
+    ['0', '1', '0']
+    """
+    found = bare_rows(text.partition("<<")[2].rstrip("; \n"), source).quantities[""]
+    numbers = [one for row in found for one in row]
+    side = SQUARES.get(len(numbers))
+    if side is None:
+        return Contents({"": found})
+    return Contents({"": [numbers[at : at + side] for at in range(0, len(numbers), side)]})
+
+
 def framed_rows(text: str, source: str) -> Contents:
     r"""Read rows in a frame.
 

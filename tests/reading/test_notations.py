@@ -218,11 +218,13 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: "D" + glam(m).replace("Vec4", "DVec4"),
         lambda m: f"Matrix4 [{nested(columns(m), '[]', form='.2f')}]",  # cgmath
     ],
-    "Godot's Basis": [
+    "Godot's print": [
         lambda m: "[X: ({}), Y: ({}), Z: ({}), O: ({})]".format(*map(joined, columns(m))),
         lambda m: f"Transform3D({nested(columns(m), '()', 'Vector3')})",
+        lambda m: f"Transform3D(Basis({nested(columns(m)[:3], '()', 'Vector3')}), "
+        f"Vector3({joined(columns(m)[3])}))",
     ],
-    "Godot's Transform3D": [godot, lambda m: f"transform = {godot(m)}"],
+    "Godot's scene file": [godot, lambda m: f"transform = {godot(m)}"],
     "CSS": [
         lambda m: f"matrix3d({joined(flat(columns(m)))})",
         lambda m: f"matrix3d({joined(flat(columns(m)), ',')});",
@@ -230,14 +232,23 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: f"  -webkit-transform : matrix3d({joined(flat(columns(m)))})",
         lambda m: f'style="transform: matrix3d({joined(flat(columns(m)))})"',
     ],
-    "a constructor by rows": [
+    "Qt's QMatrix4x4": [
         lambda m: f"QMatrix4x4({joined(flat(m))})",
         lambda m: "QMatrix4x4(type:Translation,Scale\n"
         + "".join(f"{joined(row, '     ')}\n" for row in m)
         + ")",
+        lambda m: f"QMatrix4x4 m({joined(flat(m))});",
+        lambda m: f"const QMatrix4x4 view = QMatrix4x4({joined(flat(m), 'f, ', '.2f')}f);",
+    ],
+    "three.js's set": [
         lambda m: f"new THREE.Matrix4({joined(flat(m))})",
         lambda m: f"new THREE.Matrix4().set({joined(flat(m))});",
         lambda m: f"mesh.matrix.set(\n  {nested(m, '  ', between=','+ chr(10))}\n);",
+    ],
+    "Eigen's <<": [
+        lambda m: f"m << {joined(flat(m))};",
+        lambda m: f"Eigen::Matrix4f m; m << {joined(flat(m))};",
+        lambda m: f"Matrix4d pose;\npose << {nested(m, '  ', between=',' + chr(10))};",
     ],
     "a matrix for row vectors": [
         lambda m: f"XMMATRIX({joined(flat(columns(m)))})",
@@ -247,6 +258,9 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: f"Gf.Matrix4d({joined(flat(columns(m)))})",
         lambda m: f"om.MMatrix(({nested(columns(m), '()')}))",
         lambda m: f"BABYLON.Matrix.FromValues({joined(flat(columns(m)))})",
+        lambda m: f"FMatrix({nested(columns(m), '()', 'FPlane')})",
+        lambda m: f"FMatrix View({nested(columns(m), '()', 'FPlane')});",
+        lambda m: f"XMMATRIX({nested(columns(m), '()', 'XMVectorSet', '.2f')})",
     ],
     "a declaration for row vectors": [
         lambda m: f"matrix4d xformOp:transform = ( {nested(columns(m), '()')} )",
@@ -356,7 +370,6 @@ WRITERS: dict[str, list[Writer]] = {
         lambda m: "\n".join(joined(row, ",") + "," for row in m),
         lambda m: "\n".join(f" {joined(row, ' ', '.3E')}" for row in m),  # JOML
         lambda m: "M =\n\n" + "\n".join(f"   {joined(row, '   ', '.4f')}" for row in m),  # MATLAB
-        lambda m: "m << " + ",\n     ".join(joined(row) for row in m) + ";",  # Eigen
         lambda m: "M: " + "; ".join(joined(row, " ") for row in m),
         lambda m: "```\n" + "\n".join(joined(row, " ") for row in m) + "\n```",
         lambda m: "Diagonal Matrix\n\n" + "\n".join(joined(row, "  ") for row in m),  # Octave
@@ -483,6 +496,17 @@ REFUSED = {
     "Array(16) [ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, … ]": "left numbers out",
     "[[1. 0. ... 0.]\n [0. 1. ... 0.]]": "left numbers out",
     "Transform(1,0,0,0,2,0,0,0,3)": r'write "1 0 0; 0 2 0; 0 0 3", if these are its rows',
+    "FMat(1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1)": (
+        'write "1 0 0 5; 0 2 0 6; 0 0 1 7; 0 0 0 1", if it moves by 5 6 7'
+    ),
+    "Quaternion(0, 0, 0, 1)": "nmatrix world --quaternion X Y Z W makes one",
+    "FQuat(X=0 Y=0 Z=0 W=1)": "nmatrix world --quaternion X Y Z W makes one",
+    "translate(3px) rotateX(30deg)": r"getComputedStyle\(element\)\.transform is one matrix",
+    '{"rotation":[0,0,0,1],"translation":[5,6,7]}': (
+        "try nmatrix world --quaternion 0 0 0 1 --translate 5 6 7"
+    ),
+    "QMatrix4x4 m(1, 0, 0)": "QMatrix4x4 takes 16 numbers, got 3",
+    "m << 1, 0, 0, 1, 5": "it holds 5 numbers, a matrix has 9 or 16",
     "identity(3)": r"'identity\(' begins no notation",
     "float4x4(2.0)": "float4x4 takes 16 numbers, got 1",
     "matrix3d(1, 0, 0, 1, 5, 6)": "matrix3d takes 16 numbers, got 6",
