@@ -12,6 +12,7 @@ import json
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,9 @@ WORDS = Path(__file__).with_name("meanings.txt")
 
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+[0-9x]*|[0-9]+")  # gluLookAt is glu, Look, At
 _ONE_AXIS = re.compile(r"--(?P<name>[a-z][a-zA-Z-]*?)[-_]?(?P<axis>[xyzXYZ])")
-_AMOUNT = re.compile(r"[+\-−]?[0-9.p][0-9./pie+\-]*(?:deg|rad|turn)?")
+_NUMBER = re.compile(r"[+\-−]?[0-9.][0-9./e+\-]{0,30}")
+_AMOUNT = re.compile(r"[+\-−]?[0-9.p][0-9./pie+\-]{0,30}(?:deg|rad|turn)?")
+_MATRIX = re.compile(r"[\w\[({.#][\w ,;.:/#+\-\[\](){}]{0,200}")  # a literal, or a file
 # What other tools put before and behind the word that has the meaning.
 _BEFORE = frozenset(
     {"as", "build", "camera", "compute", "create", "cv", "d3dx", "extract", "from", "get", "gl"}
@@ -61,7 +64,7 @@ def _spellings(word: str) -> Iterator[str]:
     behind = next((i for i, one in enumerate(reversed(parts)) if one not in _AFTER), 0)
     for start in range(first + 1):
         for end in range(len(parts), max(len(parts) - behind, start + 1) - 1, -1):
-            if (found := "".join(parts[start:end])) != _plain(word):
+            if (found := "".join(parts[start:end])) not in ("from", "to", _plain(word)):
                 yield found
 
 
@@ -85,10 +88,12 @@ def _usable(hint: str, command: str) -> str | None:
     """Spell a hint as it is typed here; None for one that names what does not exist."""
     words = hint.split()
     if hint.startswith("-"):
-        return hint if words[0] in names_of(command) else None
+        return hint if words[0].partition("=")[0] in names_of(command) else None
     if words[0] not in COMMANDS and words[0] != "help":
         return None
-    options = [word for word in words if word.startswith("--") or word in ("-f", "-o")]
+    options = [
+        word.partition("=")[0] for word in words if word.startswith("--") or word in ("-f", "-o")
+    ]
     known = names_of(words[0])
     return f"nmatrix {hint}" if all(one in known for one in options) else None
 
@@ -104,16 +109,20 @@ def meant_by(word: str, command: str = "") -> str | None:
 
 def command_for(word: str) -> str:
     """Say which command was meant by a word that is none."""
-    found = None if word.startswith("-") else _command_with(f"--{word}") or meant_by(word)
-    if found is None:
-        return did_you_mean(word, (*COMMANDS, "help"), f"the commands are {', '.join(COMMANDS)}")
-    return f"did you mean {found}?"
+    found = None if word.startswith("-") else meant_by(word)
+    if found is not None:
+        return f"did you mean {found}?"
+    return (None if word.startswith("-") else _taken_by(f"--{word}")) or did_you_mean(
+        word, (*COMMANDS, "help"), f"the commands are {', '.join(COMMANDS)}"
+    )
 
 
-def _command_with(option: str) -> str | None:
-    """Write the first command that has an option, with it."""
-    takers = (f"nmatrix {name} {option}" for name in COMMANDS if option in names_of(name))
-    return next(takers, None)
+def _taken_by(option: str) -> str | None:
+    """Name commands that have an option."""
+    takers = [name for name in COMMANDS if option in names_of(name)]
+    if not takers:
+        return None
+    return f"{option} is an option of nmatrix {shortlist(takers, 3)}"
 
 
 def option_for(word: str, command: str, known: Sequence[str], words: Sequence[str] = ()) -> str:
@@ -123,11 +132,32 @@ def option_for(word: str, command: str, known: Sequence[str], words: Sequence[st
         return f"write {whole}"
     found = meant_by(word, command)
     if found is not None:
-        return f"did you mean {found}?"
-    takers = [other for other in COMMANDS if word in names_of(other)]
-    if takers:
-        return f"it is an option of nmatrix {shortlist(takers, 3)}"
-    return did_you_mean(word, known, "see --help")
+        return f"did you mean {_with_own_numbers(found, words)}?"
+    return _taken_by(word) or did_you_mean(word, known, "see --help")
+
+
+def _with_own_numbers(hint: str, words: Sequence[str]) -> str:
+    """Put the numbers or the matrix typed behind a word in place of those of its hint.
+
+    Only as many plain numbers for as many: an angle in radians has another unit.
+
+    Examples
+    --------
+    >>> _with_own_numbers("--eye 3 3 3", ["--position", "1", "-2", "0", "--up", "0"])
+    '--eye 1 -2 0'
+    """
+    head, _, given = f" {hint}".partition(" --")
+    option, *numbers = given.split(" ")
+    if numbers and numbers[0].startswith('"'):
+        matrix = next(filter(_MATRIX.fullmatch, words[1:2]), None)
+        return hint if matrix is None else f'{head} --{option} "{matrix}"'.lstrip()
+    typed = [
+        one for first in words[:1] for one in first.partition("=")[2].replace(",", " ").split()
+    ]
+    typed = typed or [*takewhile(_NUMBER.fullmatch, words[1:])]
+    if len(typed) != len(numbers) or not all(map(_NUMBER.fullmatch, (*typed, *numbers))):
+        return hint
+    return f"{head} --{option} {' '.join(typed)}".lstrip() if numbers else hint
 
 
 def _of_axes(word: str, command: str, words: Sequence[str]) -> str | None:
