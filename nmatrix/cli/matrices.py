@@ -53,11 +53,6 @@ nmatrix world --scale 1 2 1 -f json | nmatrix normal - --normal 1 1 0""",
 AXES = f"{', '.join(AxisName)}, or three signed axes."
 
 
-def complete_axes(incomplete: str) -> list[str]:
-    """List the axis systems that begin so."""
-    return [name for name in AxisName if name.startswith(incomplete)]
-
-
 def world(
     world: WorldOptions, tolerance: ToleranceOption, scene: SceneOptions, common: CommonOptions
 ) -> None:
@@ -155,8 +150,10 @@ def identify(
 
 def axes(
     *,
-    source: Annotated[str, Argument(metavar="FROM", help=AXES, autocompletion=complete_axes)],
-    target: Annotated[str, Argument(metavar="TO", help="The same.", autocompletion=complete_axes)],
+    source: Annotated[str, Argument(metavar="FROM", help=AXES, autocompletion=among(AxisName))],
+    target: Annotated[
+        str, Argument(metavar="TO", help="The same.", autocompletion=among(AxisName))
+    ],
     matrix: Annotated[
         str | None, Argument(metavar="MATRIX", help="A matrix of FROM to tell in TO.")
     ] = None,
