@@ -38,6 +38,7 @@ def spelled(text: str, spell: Callable[[str], str]) -> str:
     return _NAME.sub(lambda one: spell(one[1]), text)
 
 
+OF_THE_SCENE = "with the numbers of the scene"  # a shell puts in what was typed
 LONGEST_TYPED = 40  # characters of a word that are compared
 PER_SLIP = 4  # letters of a word to one slip
 

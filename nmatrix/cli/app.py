@@ -60,7 +60,12 @@ def run(arguments: Sequence[str]) -> int:
     except NMatrixError as error:
         from nmatrix.cli.shared_options import option_name
 
-        return fail(error.spelled(option_name), error.exit_code, when)
+        told = error.spelled(option_name)
+        if " nmatrix " in told:
+            from nmatrix.cli.next_steps import with_own_words
+
+            told = with_own_words(told, arguments)
+        return fail(told, error.exit_code, when)
     except TyperException as error:
         return _usage(error, when)
     except OSError as error:

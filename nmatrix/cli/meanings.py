@@ -8,17 +8,15 @@ command at hand has is told, else the first command that exists. Only then spell
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import takewhile
 from pathlib import Path
-from typing import Any
 
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.command import AXES
-from nmatrix.cli.completion import TABLE
+from nmatrix.cli.completion import table
 from nmatrix.errors import did_you_mean, shortlist
 
 USUAL_COMMAND = "world"  # it answers without any argument
@@ -38,12 +36,6 @@ _BEFORE = frozenset(
 _AFTER = frozenset(
     {"d", "deg", "f", "fv", "lh", "mat", "mat4", "matrix", "matrix4", "no", "rad", "rh", "zo"}
 )
-
-
-@cache
-def _table() -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(TABLE.read_text(encoding="utf-8"))
-    return found
 
 
 def _plain(word: str) -> str:
@@ -81,7 +73,7 @@ def meanings() -> dict[str, tuple[str, ...]]:
 
 def names_of(command: str) -> list[str]:
     """List the options of a command, in every spelling."""
-    return [name for one in _table()[command]["options"] for name in one["names"]]
+    return [name for one in table()[command]["options"] for name in one["names"]]
 
 
 def _usable(hint: str, command: str) -> str | None:
@@ -189,7 +181,7 @@ def _along(word: str, command: str) -> tuple[str, str] | None:
         return None
     bare = f"--{found['name']}"
     option = bare if bare in names_of(command) else (meant_by(bare, command) or "").split(" ")[0]
-    taken = next((one for one in _table()[command]["options"] if option in one["names"]), None)
+    taken = next((one for one in table()[command]["options"] if option in one["names"]), None)
     return (option, found["axis"].lower()) if taken and taken["takes"] == len(AXES) else None
 
 
@@ -199,7 +191,7 @@ def program_option_for(word: str) -> str:
     if not takers:
         found = meant_by(word)
         return f"did you mean {found}?" if found else did_you_mean(word, names_of(""), "see --help")
-    one = next(one for one in _table()[takers[0]]["options"] if word in one["names"])
+    one = next(one for one in table()[takers[0]]["options"] if word in one["names"])
     if takers[0] != USUAL_COMMAND or not (one["words"] or one["takes"] == 0):
         return f"put it behind a command that takes it, such as nmatrix {takers[0]}"
     value = "json" if "json" in one["words"] else next(iter(one["words"]), "")

@@ -186,7 +186,8 @@ def _world_of(parts: Mapping[str, Tokens]) -> str:
     """Write the command that makes a matrix of the parts of a node."""
     options = {f"--{_NODE_PARTS[key]}": " ".join(rows[0]) for key, rows in parts.items()}
     line = " ".join(f"{option} {numbers}" for option, numbers in options.items())
-    return f"try nmatrix world {line if len(line) < LONGEST_LITERAL else ' … '.join(options)}"
+    options_of_all = line if len(line) < LONGEST_LITERAL else " … ".join(options)
+    return f"nmatrix world {options_of_all} makes one"
 
 
 def _program_name(key: str) -> str:

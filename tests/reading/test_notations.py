@@ -503,7 +503,7 @@ REFUSED = {
     "FQuat(X=0 Y=0 Z=0 W=1)": "nmatrix world --quaternion X Y Z W makes one",
     "translate(3px) rotateX(30deg)": r"getComputedStyle\(element\)\.transform is one matrix",
     '{"rotation":[0,0,0,1],"translation":[5,6,7]}': (
-        "try nmatrix world --quaternion 0 0 0 1 --translate 5 6 7"
+        "nmatrix world --quaternion 0 0 0 1 --translate 5 6 7 makes one"
     ),
     "QMatrix4x4 m(1, 0, 0)": "QMatrix4x4 takes 16 numbers, got 3",
     "m << 1, 0, 0, 1, 5": "it holds 5 numbers, a matrix has 9 or 16",
