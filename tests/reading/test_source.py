@@ -74,6 +74,14 @@ def test_npy(folder: Path, dtype: str, order: str) -> None:
     assert source("a.npy", Layout.COLUMN_MAJOR).rows == tuple(map(tuple, array.T.tolist()))
 
 
+@pytest.mark.parametrize("name", ["a.npy", "a.npz", "a.NPY"])
+def test_what_is_named_as_numpy_names_it_and_is_another_file(folder: Path, name: str) -> None:
+    for content in (b"", b"PK\x03\x04", b"\x89PNG\r\n", b"1 0 0; 0 1 0; 0 0 1"):
+        (folder / name).write_bytes(content)
+        with pytest.raises(IllegalValueError, match="does not begin as a .npy file does; save a"):
+            source(name)
+
+
 def test_npy_keeps_every_bit(folder: Path) -> None:
     array = np.array([[0.1, 5e-324], [1.7976931348623157e308, -1 / 3]])
     np.save(folder / "a.npy", array)
