@@ -5,6 +5,7 @@ Every matrix stands behind a comment `% key: …`, by which it is read again.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from nmatrix.output.documents import Cells, Dialect, compose
@@ -46,6 +47,9 @@ _CHARACTERS = {
     "⇔": r"$\Leftrightarrow$",
 }
 
+_TWO_RAISED = re.compile(r"(?<=\$([\^_])\{[0-9\-])\}\$\$\1\{")  # A⁻ᵀ has one exponent
+_TWO_FORMULAS = re.compile(r"(?<!\\)\$\$(?!')")
+
 # What the T1 fonts have beyond Latin-1.
 _EASTERN = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž"
 
@@ -78,9 +82,10 @@ def escaped(text: str) -> str:
     Examples
     --------
     >>> escaped("50 % of A⁻¹")
-    '50 \\% of A$^{-}$$^{1}$'
+    '50 \\% of A$^{-1}$'
     """
-    return "".join(_CHARACTERS.get(mark) or _in_latin(mark) for mark in text)
+    written = "".join(_CHARACTERS.get(mark) or _in_latin(mark) for mark in text)
+    return _TWO_FORMULAS.sub("", _TWO_RAISED.sub("", written))
 
 
 def _in_latin(mark: str) -> str:

@@ -78,7 +78,7 @@ def test_npy(folder: Path, dtype: str, order: str) -> None:
 def test_what_is_named_as_numpy_names_it_and_is_another_file(folder: Path, name: str) -> None:
     for content in (b"", b"PK\x03\x04", b"\x89PNG\r\n", b"1 0 0; 0 1 0; 0 0 1"):
         (folder / name).write_bytes(content)
-        with pytest.raises(IllegalValueError, match="does not begin as a .npy file does; save a"):
+        with pytest.raises(IllegalValueError, match=r"does not begin as a \.npy file does; save a"):
             source(name)
 
 
