@@ -36,7 +36,6 @@ FROM_FILE = 1e-6  # float32 files: 6e-8 a component, room for products
 DIGITS = 130  # a triple root costs two thirds of them
 SETTLED = Decimal(10) ** -90
 LOST = 1e-12  # of the trace: what is left of a smaller eigenvalue in floats is not enough
-ROUNDING = Decimal(10) ** (5 - DIGITS)  # a cubic that is smaller, near 1, may be its rounding alone
 # The platform's own limits: what fits 64 bits is refused where decimals have 32.
 CONTEXT = Context(prec=DIGITS, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
@@ -304,7 +303,7 @@ def _largest_depressed_root(r: Decimal) -> Decimal:
     x = 2 / Decimal(3).sqrt()
     for _ in range(400):
         value, slope = (x * x - 1) * x - r, 3 * x * x - 1
-        if value <= ROUNDING or slope <= 0:
+        if value <= 0 or slope <= 0:
             break
         step = value / slope
         x -= step
@@ -320,13 +319,13 @@ def _principal_minors(G: Integers) -> int:
 def _largest_root(b: Decimal, c: Decimal) -> Decimal:
     """Return the largest root of x³ − x² + b x − c, whose roots are real, positive, of sum 1.
 
-    Laguerre's iteration from 1 comes down to it and never passes it, however close the roots are.
+    Laguerre's iteration from 1 comes down to it and never passes it, where not all three agree.
     """
     x = Decimal(1)
     for _ in range(400):
         value = ((x - 1) * x + b) * x - c
         slope = (3 * x - 2) * x + b
-        if value <= ROUNDING or slope <= 0:
+        if value <= 0 or slope <= 0:
             break
         curvature = 6 * x - 2
         inside = max(Decimal(0), 2 * (2 * slope * slope - 3 * value * curvature))
