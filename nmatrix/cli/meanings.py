@@ -103,7 +103,7 @@ def command_for(word: str) -> str:
     """Say which command was meant by a word that is none."""
     found = None if word.startswith("-") else meant_by(word)
     if found is not None:
-        return f"did you mean {found}?"
+        return f"did you mean {'nmatrix ' if found.startswith('-') else ''}{found}?"
     return (None if word.startswith("-") else _taken_by(f"--{word}")) or did_you_mean(
         word, (*COMMANDS, "help"), f"the commands are {', '.join(COMMANDS)}"
     )

@@ -91,7 +91,7 @@ OWN_NUMBERS = {
 }  # fmt: skip
 NO_GUESS = [
     "normal --tang", "cost --n 3", "bbox", "gram-schmidt", "jacobian", "world --fps 3",
-    "stress --n 3",
+    "stress --n 3", "host", "post", "world --null", "world --pull", "fiew",
     "render --titlecase", "world --zzz", "world --quux", "render --pen", "world --shout",
     "view --banana", "calc M --quz", "normal --abc", "xyzzy", "frobnicate", "plugh", "render --hop",
 ]  # fmt: skip
@@ -134,6 +134,7 @@ WORDS = {
     "frustum": "projection --frustum", "cubemap": "--fov 90", "stereo": "--angles",
     "quaternion": "world --quaternion 0 0 0 1",
     "homogeneous": "trace --point", "lineardepth": "--depth-value", "depth": "projection --depth",
+    "norm": 'calc "length', "version": "nmatrix --version",
     "rotate": "world --rotate", "pixel": "trace --pixel", "makeOrthographic": "--ortho",
 }  # fmt: skip
 
