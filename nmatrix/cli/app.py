@@ -60,11 +60,11 @@ def run(arguments: Sequence[str]) -> int:
     except NMatrixError as error:
         from nmatrix.cli.shared_options import option_name
 
-        told = error.spelled(option_name)
-        if " nmatrix " in told:
+        told, next_step = error.spelled(option_name), error.parts[-1]
+        if "nmatrix " in next_step and told.endswith(next_step):
             from nmatrix.cli.next_steps import with_own_words
 
-            told = with_own_words(told, arguments)
+            told = told.removesuffix(next_step) + with_own_words(next_step, arguments)
         return fail(told, error.exit_code, when)
     except TyperException as error:
         return _usage(error, when)

@@ -17,18 +17,18 @@ from nmatrix.errors import OF_THE_SCENE
 INSTEAD = "--batch"  # what takes the place of the argument behind the first
 LONGEST = 400  # characters of a line that are worth reading
 
-_EXAMPLE = re.compile(r"(?<=\btry nmatrix ).+\Z")
-_SAME_SCENE = re.compile(rf"(?<=\bnmatrix )(?P<command>[a-z]+)(?P<space>[a-z ]*) {OF_THE_SCENE}")
+_EXAMPLE = re.compile(r"(?<=\Atry nmatrix ).+\Z")
+_SAME_SCENE = re.compile(rf"(?<=\Anmatrix )(?P<command>[a-z]+)(?P<space>[a-z ]*) {OF_THE_SCENE}")
 _PLAIN = re.compile(r"[\w@%+=:,./-]+")
 
 
 def with_own_words(told: str, words: Sequence[str]) -> str:
-    """Put what was typed into the example of an error's next step.
+    """Put what was typed into the example of a next step.
 
     Examples
     --------
-    >>> with_own_words("TO: it is missing; try nmatrix axes ros unity", ["axes", "usd", "--json"])
-    'TO: it is missing; try nmatrix axes usd unity --json'
+    >>> with_own_words("try nmatrix axes blender unity", ["axes", "ros", "--json"])
+    'try nmatrix axes ros unity --json'
     """
     command = words[0] if words and words[0] in COMMANDS else None
     if command is None or not all(map(str.isprintable, words)):

@@ -57,6 +57,13 @@ def test_a_class_has_no_answer_beside_its_file(nmatrix) -> None:
     assert told.endswith("try nmatrix check normal --batch class.csv --scale 2\n")
 
 
+@pytest.mark.parametrize("typed", ["try nmatrix world 'x", '; try nmatrix world "', "nmatrix '"])
+@pytest.mark.parametrize("line", ["world --scale {}", "normal {}", "check eye {}", "{}", "axes {}"])
+def test_words_that_look_like_a_next_step_are_none(nmatrix, line: str, typed: str) -> None:
+    found = nmatrix(line.format(shlex.quote(typed)))
+    assert (found.code, found.is_one_line) == (2, True)
+
+
 @pytest.mark.parametrize(
     "words",
     [
@@ -67,7 +74,7 @@ def test_a_class_has_no_answer_beside_its_file(nmatrix) -> None:
     ],
 )
 def test_what_a_shell_would_part_is_quoted(words: list[str]) -> None:
-    told = with_own_words(f"x; try nmatrix {words[0]} a b", words)
+    told = with_own_words(f"try nmatrix {words[0]} a b", words)
     again = shlex.split(told.partition("nmatrix ")[2])
     assert [one for one in words if one not in again] == []
 
@@ -75,14 +82,14 @@ def test_what_a_shell_would_part_is_quoted(words: list[str]) -> None:
 @pytest.mark.parametrize(
     ("told", "words"),
     [
-        ("x; try nmatrix axes a b", ["axes", "x" * LONGEST]),
-        ("x; try nmatrix axes a b", ["axes", "--json", "a\nb"]),
-        ("x; try nmatrix axes a b", ["axes", "\udcff"]),
-        ("x; try nmatrix axes a b", ["axse", "ros"]),
-        ("x; try nmatrix axes a b", []),
-        ("x; try nmatrix derive rule", ["check", "normal", "1", "--scale", "2"]),
-        ("x; nmatrix identify tells what it is", ["normal", "1", "--scale", "2"]),
-        ("x; try nmatrix axes a b", ["axes", "p", "q"]),
+        ("try nmatrix axes a b", ["axes", "x" * LONGEST]),
+        ("try nmatrix axes a b", ["axes", "--json", "a\nb"]),
+        ("try nmatrix axes a b", ["axes", "\udcff"]),
+        ("try nmatrix axes a b", ["axse", "ros"]),
+        ("try nmatrix axes a b", []),
+        ("try nmatrix derive rule", ["check", "normal", "1", "--scale", "2"]),
+        ("nmatrix identify tells what it is", ["normal", "1", "--scale", "2"]),
+        ("try nmatrix axes a b", ["axes", "p", "q"]),
     ],
 )
 def test_an_example_stays_where_nothing_fits_into_it(told: str, words: list[str]) -> None:
