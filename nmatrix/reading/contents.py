@@ -9,6 +9,7 @@ from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 
 ACCEPTED = 'write a matrix like "1 0 0; 0 2 0; 0 0 1"'
+OF_A_QUATERNION = "nmatrix world --quaternion X Y Z W makes one of a quaternion"
 
 SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
 SIZES = (9, 12, 16)  # numbers of 3×3, 3×4 and 4×4

@@ -21,7 +21,7 @@ from nmatrix.linear.rational import (
     to_floats,
     transpose,
 )
-from nmatrix.reading.contents import SQUARES, Tokens, unreadable
+from nmatrix.reading.contents import OF_A_QUATERNION, SQUARES, Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
 from nmatrix.reading.numbers import fraction
 
@@ -210,7 +210,9 @@ def _entry(text: str, place: tuple[int, int], source: str) -> Fraction:
 def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:
     if matrix.shape != (4, 4):
         height, width = matrix.shape
-        raise unreadable(matrix.source, f"it has {height} × {width} entries", f"give {takes}")
+        are_four = {height, width} == {1, 4}
+        next_step = f"give {takes}: {OF_A_QUATERNION}" if are_four else f"give {takes}"
+        raise unreadable(matrix.source, f"it has {height} × {width} entries", next_step)
 
 
 def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:

@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, printable, quantity, quoted, shortlist
 from nmatrix.linear.rational import is_affine, transpose
-from nmatrix.reading.contents import ACCEPTED, SQUARES, Contents, Tokens, unreadable
+from nmatrix.reading.contents import (
+    ACCEPTED,
+    OF_A_QUATERNION,
+    SQUARES,
+    Contents,
+    Tokens,
+    unreadable,
+)
 from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
 
 if TYPE_CHECKING:
@@ -37,9 +44,7 @@ _NUMBER = re.compile(r"(?<![\w.])[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0
 
 # What is no matrix, but can be made one.
 _OTHERS = {
-    re.compile(r"\b\w{0,9}(?:[qQ]uat|QUAT)(?:ernion)?\w{0,4}\s*[({]"): (
-        "nmatrix world --quaternion X Y Z W makes one of a quaternion"
-    ),
+    re.compile(r"\b\w{0,9}(?:[qQ]uat|QUAT)(?:ernion)?\w{0,4}\s*[({]"): OF_A_QUATERNION,
     re.compile(r"(?<![\w.])(?:translate|scale|rotate|skew|perspective)(?:3d|[XYZ])?\("): (
         "getComputedStyle(element).transform is one matrix"
     ),

@@ -484,6 +484,14 @@ def test_css_of_the_plane_moves_and_turns_x_and_y() -> None:
         assert matrix_literal(text).rows == expected
 
 
+@pytest.mark.parametrize("text", ["(0.7 0 0.7 0)", "[0, 0, 0, 1]", "1; 0; 0; 0"])
+def test_four_numbers_are_told_what_makes_a_matrix_of_them(text: str) -> None:
+    with pytest.raises(IllegalValueError, match="nmatrix world --quaternion X Y Z W makes one"):
+        as_affine(matrix_literal(text))
+    with pytest.raises(IllegalValueError, match=r"give 9 or 16 numbers\Z"):
+        as_affine(matrix_literal("1 2 3"))
+
+
 def test_a_transposed_column_notation_is_told_the_layout_that_would_do() -> None:
     text = "mat4(1, 0, 0, 5,  0, 1, 0, 6,  0, 0, 1, 7,  0, 0, 0, 1)"
     with pytest.raises(IllegalValueError, match="this looks row-major: input_layout row-major"):
