@@ -222,10 +222,11 @@ def _place_numbers(place: Place | None) -> str:
     if place is None or place.parts is None:
         return ""
     parts = place.parts
+    nearly = " nearly" if set(map(_short, parts.scale)) == {"1"} else ""
     told = {
         "moved by": parts.translate if any(parts.translate) else None,
         "turned by": parts.rotate if any(parts.rotate) else None,
-        "scaled by": parts.scale if set(parts.scale) != {1} else None,
+        f"scaled by{nearly}": parts.scale if set(parts.scale) != {1} else None,
         "sheared by": parts.shear if any(parts.shear) else None,
     }
     words = [

@@ -124,6 +124,12 @@ def test_what_was_asked_for_stands_on_top(nmatrix: Callable) -> None:
     assert lens.index("nmatrix projection --fov 60 --aspect 4/3") < lens.index("at least")
 
 
+def test_what_is_nearly_one_is_called_so(nmatrix: Callable) -> None:
+    told = nmatrix("identify '0.7071067 0 0.7071067 1; 0 1 0 2; -0.7071067 0 0.7071067 3; 0 0 0 1'")
+    assert "scaled by nearly 1 1 1" in told.out
+    assert "scaled by 1 2 1." in nmatrix("identify '1 0 0; 0 2 0; 0 0 1'").out
+
+
 def test_each_further_normal_takes_one_line(nmatrix: Callable) -> None:
     one = nmatrix("normal --scale 1 2 1 --normal 1 1 0")
     three = nmatrix("normal --scale 1 2 1 --normal 1 1 0 --normal 0 1 0 --normal 1 2 3")
