@@ -38,7 +38,9 @@ def spelled(text: str, spell: Callable[[str], str]) -> str:
     return _NAME.sub(lambda one: spell(one[1]), text)
 
 
+OF_THE_SCENE = "with the numbers of the scene"  # a shell puts in what was typed
 LONGEST_TYPED = 40  # characters of a word that are compared
+SHORT = 4  # letters of a word
 PER_SLIP = 4  # letters of a word to one slip
 
 
@@ -49,7 +51,7 @@ def did_you_mean(
 
     A slip is a letter too many, too few or another, or two exchanged; a word of three letters has
     one, a longer one more for each further four, and it may be cut short where only one word begins
-    so. Others are no guesses.
+    so. Others are no guesses, nor is a short word that begins with another letter.
 
     Examples
     --------
@@ -63,7 +65,8 @@ def did_you_mean(
     begun: list[str] = []
     for one in known:
         name = one.lstrip("-").casefold()
-        if abs(len(name) - len(typed)) <= (len(typed) + 1) // PER_SLIP:
+        rhymes = typed != name and len(typed) <= SHORT and typed[1:] == name[1:]  # host, cost
+        if abs(len(name) - len(typed)) <= (len(typed) + 1) // PER_SLIP and not rhymes:
             near.append((slips(typed, name), one))
         if len(typed) >= 2 and name.startswith(typed):
             begun.append(one)

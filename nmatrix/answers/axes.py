@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nmatrix.answers.world import parts_data, parts_remarks, parts_table
 from nmatrix.enums import AxisName
 from nmatrix.linear.axes import LETTERS, AxisChange, axis_system
-from nmatrix.linear.decompose import parts
+from nmatrix.linear.decompose import Parts, parts
 from nmatrix.linear.rational import RationalMatrix, RationalVector
-from nmatrix.report import Block, Heading, Quantity, Report, Table, Text, Value, Verdict
+from nmatrix.report import Block, Brief, Heading, Quantity, Report, Table, Text, Value, Verdict
 
 POINTS = ("right", "up", "forward")
+PARTS = "Its parts, one choice of several"
+NO_PARTS = "The matrix is singular: it has no parts."
 ASSET = "-x +y +z"  # of glTF: an asset's front looks along +z, its right is −x
 
 
@@ -40,7 +44,7 @@ def axes(
         "parts": None if found is None else parts_data(found),
         "winding_flips": change.mirrors,
     }
-    blocks: list[Block] = [Heading(f"From {change.source.name} to {change.target.name}")]
+    blocks: list[Block] = [Heading(_from_to(change))]
     remarks = _remarks(change)
     if told is not None:
         blocks.append(Quantity("matrix", told, "F · M · F⁻¹"))
@@ -49,11 +53,27 @@ def axes(
         blocks.append(_pointing(change))
     blocks.append(Verdict(_verdict(change)))
     if found is not None:
-        blocks += [Heading("Its parts, one choice of several"), parts_table(found)]
+        blocks += [Heading(PARTS), parts_table(found)]
         remarks += parts_remarks(found)
     elif told is not None:
-        blocks.append(Text("The matrix is singular: it has no parts."))
-    return Report("axes", data, tuple(blocks), tuple(remarks))
+        blocks.append(Text(NO_PARTS))
+    brief = _brief(change, told, found)
+    return Report("axes", data, tuple(blocks), tuple(remarks), brief=brief)
+
+
+def _brief(change: AxisChange, told: RationalMatrix | None, found: Parts | None) -> Brief:
+    """Show what was asked for: the matrix and its parts in the other system, or F alone."""
+    conclusion, named = Verdict(_verdict(change)), _from_to(change).lower()
+    if told is None:
+        F = Quantity("to_from", change.to_from, f"F, {named}")
+        return Brief((F, _pointing(change), conclusion))
+    shown = Quantity("matrix", told, f"F · M · F⁻¹, {named}")
+    of_it = Text(NO_PARTS) if found is None else replace(parts_table(found), title=PARTS)
+    return Brief((shown, of_it, conclusion), ("F",))
+
+
+def _from_to(change: AxisChange) -> str:
+    return f"From {change.source.name} to {change.target.name}"
 
 
 def _pointing(change: AxisChange) -> Table:

@@ -9,7 +9,13 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nmatrix.enums import Space
-from nmatrix.errors import CheckFailedError, IllegalValueError, NoAnswerError, quantity
+from nmatrix.errors import (
+    OF_THE_SCENE,
+    CheckFailedError,
+    IllegalValueError,
+    NoAnswerError,
+    quantity,
+)
 from nmatrix.lessons.check.answer import Answer, shaped
 from nmatrix.lessons.check.judge import NO_MISTAKE, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistakes import MISTAKES
@@ -154,7 +160,7 @@ def _failure(question: Question, found: Judgement, command: str) -> CheckFailedE
     why = found.mistake or "no known mistake gives these numbers"
     if found.mistakes:
         return CheckFailedError("answer (wrong)", why, f"try {_commands(question, found)[0]}")
-    shows = f"nmatrix {command or _command(question)} with the numbers of the scene"
+    shows = f"nmatrix {command or _command(question)} {OF_THE_SCENE}"
     return CheckFailedError("answer (wrong)", why, f"{shows} shows the right one")
 
 

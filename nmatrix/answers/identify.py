@@ -26,11 +26,13 @@ from nmatrix.linear.rational import (
     transpose,
 )
 from nmatrix.linear.rounding import nearest, short_text
-from nmatrix.report import Block, Code, Heading, Number, Report, Table, Text, Value, Verdict
+from nmatrix.report import Block, Brief, Code, Heading, Number, Report, Table, Text, Value, Verdict
 
 NUMBERS = ("near", "far", "fov_y_deg", "aspect", "left", "right", "bottom", "top")
-LINE = 78  # columns of a command
+LINE = 80  # columns of a command
 MOST_TOLD = 4  # other readings in the text; every format but text has all
+MOST_AT_ONCE = 2  # of them in the short answer
+ALLOWED = "The entries allow as well"
 
 _KINDS = {
     MatrixKind.PROJECTION: "a perspective projection",
@@ -76,20 +78,25 @@ def identify_matrix(rows: RationalMatrix) -> Report:
     readings = [reading_data(one) for one in found]
     data: dict[str, Value] = {"readings": readings, "ambiguous": _ambiguous(found, readings)}
     first, *others = found
-    blocks: list[Block] = [
-        Heading("What is this matrix?"),
-        Verdict(f"{'Most likely' if others else 'It is'} {described(first)}."),
-        Text(because(first)),
-        *_interval_table(first),
-    ]
-    command = command_of(first)
-    if command is not None:
-        blocks.append(Code("sh", _folded(command), "Built again by"))
+    conclusion = Verdict(f"{'Most likely' if others else 'It is'} {described(first)}.")
+    evidence, intervals, command = Text(because(first)), _interval_table(first), command_of(first)
+    built = () if command is None else (Code("sh", _folded(command), "Built again by"),)
+    blocks: list[Block] = [Heading("What is this matrix?"), conclusion, evidence]
+    blocks += [*intervals, *built]
     others = [one for one in others if _is_worth_telling(one, first)]
+    also: list[Block] = []
     if others:
-        told = "\n".join(f"{i + 2}. {described(one)}" for i, one in enumerate(others[:MOST_TOLD]))
-        blocks += [Heading("The entries allow as well"), Text(told)]
-    return Report("identify", data, tuple(blocks), remarks(found))
+        told = [f"{i + 2}. {described(one)}" for i, one in enumerate(others[:MOST_TOLD])]
+        blocks += [Heading(ALLOWED), Text("\n".join(told))]
+        also = [Text("\n".join((f"{ALLOWED}:", *told[:MOST_AT_ONCE])))]
+    brief = Brief((conclusion, *built, *also, *intervals, evidence), _further(len(others)))
+    return Report("identify", data, tuple(blocks), remarks(found), brief=brief)
+
+
+def _further(others: int) -> tuple[str, ...]:
+    """Count the readings that the short answer leaves out and the whole one has."""
+    left = min(others, MOST_TOLD) - MOST_AT_ONCE
+    return (f"{left} more reading{'s' if left > 1 else ''}",) if left > 0 else ()
 
 
 def _is_worth_telling(reading: Reading, first: Reading) -> bool:
@@ -215,10 +222,11 @@ def _place_numbers(place: Place | None) -> str:
     if place is None or place.parts is None:
         return ""
     parts = place.parts
+    nearly = " nearly" if set(map(_short, parts.scale)) == {"1"} else ""
     told = {
         "moved by": parts.translate if any(parts.translate) else None,
         "turned by": parts.rotate if any(parts.rotate) else None,
-        "scaled by": parts.scale if set(parts.scale) != {1} else None,
+        f"scaled by{nearly}": parts.scale if set(parts.scale) != {1} else None,
         "sheared by": parts.shear if any(parts.shear) else None,
     }
     words = [
@@ -407,8 +415,16 @@ def remarks(readings: Sequence[Reading]) -> tuple[str, ...]:
 
 
 def _folded(command: str) -> str:
-    """Break a command that is longer than a line before its options, as a shell reads it on."""
-    return command if len(command) <= LINE else " \\\n  --".join(command.split(" --"))
+    """Break a command that is longer than a line before an option, as a shell reads it on."""
+    first, *options = command.split(" --")
+    lines = [first]
+    for option in options:
+        room = LINE - len(" \\")
+        if len(f"{lines[-1]} --{option}") <= room:
+            lines[-1] += f" --{option}"
+        else:
+            lines.append(f"  --{option}")
+    return " \\\n".join(lines)
 
 
 def _short(value: Bound | float) -> str:

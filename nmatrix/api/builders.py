@@ -1,8 +1,8 @@
 """Building matrices as arrays: row-major, column vectors, each the exact matrix rounded once.
 
 Every parameter may have leading axes; they broadcast, and one matrix is built for each place.
-Angles are radians or `Angle`. A float type that comes in goes out again; lists and integers give
-float64.
+Angles are radians, `Angle`, or texts that say their unit ("30deg"). A float type that comes in goes
+out again; lists and integers give float64.
 """
 
 from __future__ import annotations
@@ -222,7 +222,7 @@ def perspective(
     Parameters
     ----------
     fov_y
-        Between 0 and π radians, or `Angle`.
+        Between 0 and π radians, an `Angle` or a text with its unit.
     aspect
         Width over height.
     near, far

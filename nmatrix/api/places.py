@@ -18,9 +18,10 @@ from nmatrix.api import arrays
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rounding import nearest
+from nmatrix.reading.angles import with_its_unit
 
 Array = NDArray[Any]
-Turns = Any  # an Angle, radians, or an array-like of either
+Turns = Any  # an Angle, radians, a text with its unit, or an array-like of these
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,11 +78,10 @@ def distance(name: str, values: ArrayLike) -> Parameter:
 
 
 def turns(name: str, values: Turns, own: tuple[int, ...]) -> Parameter:
-    """Read angles: radians, an `Angle`, or lists of either."""
+    """Read angles: radians, an `Angle`, a text with its unit, or lists of these."""
     shown = _looked_at(values)
-    if shown.dtype.kind in "US":
-        next_step = "write Angle.degrees(60), or radians"
-        raise IllegalValueError(f"{name} of text", "an angle is no text", next_step)
+    if shown.dtype.kind in "UO":
+        shown = _with_texts_read(name, np.array(values, object))
     is_angle = np.zeros(shown.shape, bool)
     if shown.dtype == object:
         is_angle = np.array([isinstance(one, Angle) for one in shown.flat]).reshape(shown.shape)
@@ -89,6 +89,14 @@ def turns(name: str, values: Turns, own: tuple[int, ...]) -> Parameter:
         return real(name, values, own)
     read = real(name, np.where(is_angle, 0.0, shown), own)
     return replace(read, values=np.where(is_angle, shown, read.values))
+
+
+def _with_texts_read(name: str, given: Array) -> Array:
+    """Make an `Angle` of each text."""
+    for index, one in np.ndenumerate(given):
+        if isinstance(one, str):
+            given[index] = with_its_unit(one, arrays.named(name, index))
+    return given
 
 
 def each(build: Callable[..., Any], given: tuple[Parameter, ...]) -> Array:

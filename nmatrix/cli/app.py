@@ -61,7 +61,12 @@ def run(arguments: Sequence[str]) -> int:
     except NMatrixError as error:
         from nmatrix.cli.shared_options import option_name
 
-        return fail(error.spelled(option_name), error.exit_code, when)
+        told, next_step = error.spelled(option_name), error.parts[-1]
+        if "nmatrix " in next_step and told.endswith(next_step):
+            from nmatrix.cli.next_steps import with_own_words
+
+            told = told.removesuffix(next_step) + with_own_words(next_step, arguments)
+        return fail(told, error.exit_code, when)
     except TyperException as error:
         return _usage(error, when)
     except OSError as error:

@@ -196,7 +196,7 @@ def _check_exercise(
         raise IllegalValueError(
             "check exercise",
             "it takes the number of the exercise and an ANSWER",
-            "try nmatrix check exercise 3 c --seed 7 --student Ada",
+            "write it like nmatrix check exercise 3 c --seed 7 --student Ada",
         )
     show(exercise.check_exercise(exercise.whole_number(number), sheet.identity, answer), common)
 

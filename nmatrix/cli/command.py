@@ -43,6 +43,7 @@ IN_ORDER = {
 }
 AND_MORE = "..."  # ends the metavar of an option that takes any number of values
 _SEPARATOR = re.compile(r"[\s,]")
+_DECIMAL = re.compile(r"[+\-−]?[0-9]{1,20}(?:,[0-9]{1,20})?")
 EXPRESSION = "EXPRESSION"  # the metavar of an argument that may begin with any minus
 # Two minus signs before a word of small letters are an option with a slip, not an expression.
 _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(?:=.*)?\Z", re.DOTALL)
@@ -227,6 +228,9 @@ class _Reader:
             taken.append(self.words[self.at])
             self.at += 1
             if count > 1 and len(taken) == 1 and _SEPARATOR.search(taken[0].strip()):
+                _refuse_decimal_commas(
+                    option, [taken[0], *self.words[self.at :][: count - 1]], count
+                )
                 return taken[0]
         if len(taken) < count and not (or_one and len(taken) == 1):
             what = "a value" if count == 1 else f"{'1 or ' if or_one else ''}{count} numbers"
@@ -236,6 +240,16 @@ class _Reader:
                 next_step=_along_axis(option, taken) if count == len(AXES) else "",
             )
         return " ".join(taken)
+
+
+def _refuse_decimal_commas(option: str, words: list[str], count: int) -> None:
+    """Refuse so many words for so many numbers, some with a comma for a point."""
+    if len(words) == count > words[0].count(",") + 1 and all(map(_DECIMAL.fullmatch, words)):
+        raise IllegalValueError(
+            f"{option} ({' '.join(words)[:60]})",
+            "a comma parts numbers, it is no decimal point",
+            f"write {option} {' '.join(words).replace(',', '.')[:80]}",
+        )
 
 
 def _along_axis(option: str, words: list[str]) -> str:
@@ -327,7 +341,7 @@ def _option(word: str, by_name: dict[str, TyperOption], reader: _Reader, command
         raise IllegalValueError(
             f"option ({name[:40]})",
             "this command does not know it",
-            option_for(name, command, list(by_name)),
+            option_for(name, command, list(by_name), [word, *reader.words[reader.at :]]),
         )
     full = max(option.opts, key=len)
     if full in reader.given and not option.multiple:

@@ -11,6 +11,7 @@ import json
 import os
 import shlex
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,6 +21,13 @@ ANY_NUMBER = -1  # an option that takes all values up to the next option
 _NUMBER = "0123456789."
 
 
+@cache
+def table() -> dict[str, Any]:
+    """Everything that may be typed, by command: arguments, options, how many values they take."""
+    found: dict[str, Any] = json.loads(TABLE.read_text(encoding="utf-8"))
+    return found
+
+
 class Offer(NamedTuple):
     """A word that may stand at the cursor, and what it is for."""
 
@@ -27,13 +35,14 @@ class Offer(NamedTuple):
     about: str = ""
 
 
-class _Line:
-    """The words before the cursor, read by what the command knows."""
+class Line:
+    """Words behind a command, read by what it knows; `typed` keeps each option with its values."""
 
     def __init__(self, command: Mapping[str, Any]) -> None:
         self.command = command
         self.arguments: list[str] = []
         self.options: dict[str, list[str]] = {}
+        self.typed: list[list[str]] = []
         self.open: Mapping[str, Any] | None = None  # the option whose value stands at the cursor
 
     def value(self, *names: str) -> str | None:
@@ -51,11 +60,10 @@ def offers(words: Sequence[str], incomplete: str) -> list[Offer]:
     >>> [one.word for one in offers(["render", "normals"], "--theme=d")]
     ['--theme=dark']
     """
-    table = json.loads(TABLE.read_text(encoding="utf-8"))
-    command = table.get(words[0]) if words else table[PROGRAM]
+    command = table().get(words[0]) if words else table()[PROGRAM]
     if command is None:
         return []
-    line = _read(command, words[1:])
+    line = line_of(command, words[1:])
     name, equals, rest = incomplete.partition("=")
     if equals and (option := _option(command, name)) is not None:
         found = _values(line, option, rest)
@@ -77,14 +85,15 @@ def _option(command: Mapping[str, Any], name: str) -> Mapping[str, Any] | None:
     return next((one for one in command["options"] if name in one["names"]), None)
 
 
-def _read(command: Mapping[str, Any], words: Sequence[str]) -> _Line:
+def line_of(command: Mapping[str, Any], words: Sequence[str]) -> Line:
     """Give each word to its option, or to the arguments."""
-    line = _Line(command)
+    line = Line(command)
     wanted = 0
     for word in words:
         is_word = not word.startswith("-") or word[1:2] in _NUMBER
         if is_word and line.open is not None:
             line.options[line.open["names"][0]].append(word)
+            line.typed[-1].append(word)
             wanted -= 1
             if wanted == 0 or " " in word.strip() or "," in word:
                 line.open = None
@@ -94,6 +103,7 @@ def _read(command: Mapping[str, Any], words: Sequence[str]) -> _Line:
             name, equals, value = word.partition("=")
             line.open = _option(command, name)
             if line.open is not None:
+                line.typed.append([word])
                 line.options[line.open["names"][0]] = [value] if equals else []
                 wanted = line.open["takes"]
                 if equals or wanted == 0:
@@ -101,7 +111,7 @@ def _read(command: Mapping[str, Any], words: Sequence[str]) -> _Line:
     return line
 
 
-def _options(line: _Line) -> list[Offer]:
+def _options(line: Line) -> list[Offer]:
     """List the options that may still be given, by their longest names first."""
     return [
         Offer(name, one["about"])
@@ -115,7 +125,7 @@ def _starting(known: Iterable[Offer], incomplete: str) -> list[Offer]:
     return [one for one in known if one.word.startswith(incomplete)]
 
 
-def _values(line: _Line, place: Mapping[str, Any], incomplete: str) -> list[Offer]:
+def _values(line: Line, place: Mapping[str, Any], incomplete: str) -> list[Offer]:
     """Offer the values of an option or an argument."""
     if (names := _IN_A_SCENE.get(place["names"][0])) is not None:
         return _starting(map(Offer, names(line)), incomplete)
@@ -145,12 +155,12 @@ def _files(incomplete: str, endings: Sequence[str]) -> list[Offer]:
     ]
 
 
-def _objects(line: _Line) -> list[str]:
+def _objects(line: Line) -> list[str]:
     scene = _scene(line)
     return _names(scene.get("object", scene.get("nodes")))
 
 
-def _lights(line: _Line) -> list[str]:
+def _lights(line: Line) -> list[str]:
     scene = _scene(line)
     extensions = scene.get("extensions", {})
     return _names(scene.get("light", extensions.get("KHR_lights_punctual", {}).get("lights")))
@@ -161,7 +171,7 @@ def _names(tables: Any) -> list[str]:  # noqa: ANN401  # whatever the file holds
     return list(dict.fromkeys(str(one["name"]) for one in tables or () if "name" in one))
 
 
-def _scene(line: _Line) -> dict[str, Any]:
+def _scene(line: Line) -> dict[str, Any]:
     """Read the tables of the scene that the line names; one that cannot be read has none."""
     file = line.value("--scene") or next(iter(line.arguments), None)
     if file is None:
@@ -184,7 +194,7 @@ def _scene(line: _Line) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-_IN_A_SCENE: Mapping[str, Callable[[_Line], list[str]]] = {
+_IN_A_SCENE: Mapping[str, Callable[[Line], list[str]]] = {
     "--object": _objects,
     "--light": _lights,
 }

@@ -44,7 +44,12 @@ class PictureOptions:
     reflection: Annotated[Reflection | None, in_picture(help="How the surface reflects.")] = None
     normals: Annotated[NormalRule | None, in_picture(help="The rule that carries normals.")] = None
     samples: Annotated[
-        str | None, in_picture(metavar="N", help="Samples of each pixel: 1, 4, 16 or 64.")
+        str | None,
+        in_picture(
+            metavar="N",
+            help="Samples of each pixel: 1, 4, 16 or 64.",
+            autocompletion=among(["1", "4", "16", "64"]),
+        ),
     ] = None
     theme: Annotated[
         Theme | None,

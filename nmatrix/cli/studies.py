@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 HELP = {
     "cost": """nmatrix cost normals --quick
 
-nmatrix cost shading --tolerance 2levels
+nmatrix cost shading --quick --tolerance 2levels
 
-nmatrix cost normals --budget 5ms --chart normals.svg
+nmatrix cost normals --quick --budget 5ms --chart normals.svg
 
 Errors against the exact answer, wrong answers, ratios of time.""",
     "stress": """nmatrix stress
@@ -60,7 +60,9 @@ QUANTITY = re.compile(rf"(.+?)\s*({'|'.join(chain(*ERRORS.values(), TIMES))}|)")
 def cost(
     *,
     common: CommonOptions,
-    study: Annotated[Study, Argument(help="normals, shading or spaces.")] = Study.NORMALS,
+    study: Annotated[
+        Study, Argument(metavar="STUDY", help="normals, shading or spaces.")
+    ] = Study.NORMALS,
     tolerance: Annotated[
         str | None,
         Option(metavar="ERROR", help="The cheapest that is as good: 1e-3deg, 1e-6rad, 2levels."),

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import chain, permutations
 from typing import Annotated, Any
 
 from typer import Option
 
-from nmatrix.cli.shared_options import ConventionOption, OptionGroup, ReadNumbers, option_name
+from nmatrix.cli.shared_options import (
+    ConventionOption,
+    OptionGroup,
+    ReadNumbers,
+    among,
+    option_name,
+)
 from nmatrix.cli.sources import Sources
 from nmatrix.reading.numbers import fractions, number_words, numbers, spread
 from nmatrix.scene.given import light_of, world_of
@@ -20,7 +27,11 @@ in_light = partial(Option, rich_help_panel="Light")
 
 OrderOption = Annotated[
     str | None,
-    in_world(metavar="ORDER", help="A permutation of XYZ (intrinsic) or xyz (extrinsic)."),
+    in_world(
+        metavar="ORDER",
+        help="A permutation of XYZ (intrinsic) or xyz (extrinsic).",
+        autocompletion=among([*map("".join, chain(*map(permutations, ("XYZ", "xyz"))))]),
+    ),
 ]
 
 

@@ -14,8 +14,7 @@ from math import cos, isqrt, sin
 
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rounding import direction, nearest
-from nmatrix.linear.values import listed, number, real
-from nmatrix.report import Number, Vector
+from nmatrix.linear.values import number, real
 
 BITS = 160  # the others than `KNOWN_BITS` for what the halvings and the series cut off
 KNOWN_BITS = 130  # of a sine
@@ -118,22 +117,6 @@ def direction_from_angles(alpha: Angle, beta: Angle) -> tuple[float, ...]:
     """
     exact = (alpha.cosine * beta.cosine, alpha.sine, alpha.cosine * beta.sine)
     return tuple(map(nearest, exact))
-
-
-def turn(value: object, name: str) -> Number:
-    """Return an angle in degrees: a number of degrees, or an `Angle`."""
-    return value.in_degrees if isinstance(value, Angle) else number(value, name)
-
-
-def float_turn(value: object, name: str) -> float:
-    """Return the float64 nearest to an angle in degrees."""
-    return real(turn(value, name), name)
-
-
-def turns(values: object, name: str, size: int = 3) -> Vector:
-    """Return so many angles in degrees."""
-    entries = listed(values, name, (size,))
-    return tuple(turn(one, f"{name}[{i}]") for i, one in enumerate(entries))
 
 
 def _after_quarter_turns(sine: Fraction, cosine: Fraction, n: int) -> tuple[Fraction, Fraction]:

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.angle import Angle, float_turn
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.projection import Sides
 from nmatrix.linear.rational import RationalVector, exactly
-from nmatrix.linear.values import named, number, read_fields, vector
+from nmatrix.linear.values import named, number, read_fields, real, vector
 from nmatrix.linear.viewport import Viewport
 from nmatrix.report import Number, Vector
 
@@ -29,7 +29,7 @@ class HorizontalField:
     degrees: float
 
     def __post_init__(self) -> None:
-        read_fields(self, degrees=named("fov_x", float_turn))
+        read_fields(self, degrees=named("fov_x", real))
         check_field(self.degrees, "fov_x", "horizontal")
 
     def half(self, turn: Turn, read: Read) -> Angle:
@@ -102,7 +102,7 @@ class SideAngles:
     up: float
 
     def __post_init__(self) -> None:
-        read_fields(self, left=float_turn, right=float_turn, down=float_turn, up=float_turn)
+        read_fields(self, left=real, right=real, down=real, up=real)
         for side in ("left", "right", "down", "up"):
             degrees = getattr(self, side)
             if not -90 < degrees < 90:

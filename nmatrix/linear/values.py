@@ -224,5 +224,10 @@ def refused(value: object, name: str, why: str, next_step: str) -> IllegalValueE
     except Exception:  # too many digits, too deep, or a class's own fault
         shown = type(value).__name__
     short = shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
+    return IllegalValueError(f"{marked(name)} ({short})", why, next_step)
+
+
+def marked(name: str) -> str:
+    """Mark a name that may end in an index as that of a quantity."""
     head, bracket, place = name.partition("[")
-    return IllegalValueError(f"{quantity(head)}{bracket}{place} ({short})", why, next_step)
+    return f"{quantity(head)}{bracket}{place}"

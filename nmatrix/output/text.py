@@ -90,7 +90,8 @@ class _Writer:
     def brief(self, short: Brief, report: Report) -> Iterator[list[Line]]:
         """Draw the short answer: its parts, as many remarks as find room, and what is left.
 
-        Remarks on what the answer is of find room in any case: the last part makes room for them.
+        Where the parts alone are too long, or a remark on what the answer is of finds no room, the
+        last parts give way.
         """
         parts = [part for part in self._parts_of(short.blocks) if part]
         drawn = [self._remark(one) for one in report.remarks]
@@ -109,11 +110,10 @@ class _Writer:
         every = len(report.remarks)
         for kept in range(every, report.about - 1, -1):
             yield parts, kept, self._what_is_left(short, every - kept)
-        if report.about:
-            rest: list[Line] = [(Span("--full adds the rest.", Style.DIM),)]
-            yield parts, report.about, rest
-            for most in range(parts - 1, 0, -1):
-                yield from ((most, kept, rest) for kept in range(every, report.about - 1, -1))
+        rest: list[Line] = [(Span("--full adds the rest.", Style.DIM),)]
+        yield parts, report.about, rest
+        for most in range(parts - 1, 0, -1):
+            yield from ((most, kept, rest) for kept in range(every, report.about - 1, -1))
 
     def _what_is_left(self, short: Brief, remarks: int) -> list[Line]:
         more = list(short.more)

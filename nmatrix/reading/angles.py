@@ -1,4 +1,7 @@
-"""Angles as they are typed: a number of degrees, or one with its unit; and those that forgot it."""
+"""Angles as they are typed, in a shell, a scene or Python: degrees, or a number with its unit.
+
+Radians that forgot to say so are recognised.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +10,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nmatrix.errors import IllegalValueError, quantity, quoted
-from nmatrix.linear.angle import DEGREES, PI
+from nmatrix.linear.angle import DEGREES, PI, Angle
 from nmatrix.linear.rounding import nearest
+from nmatrix.linear.values import listed, marked, number, real
 from nmatrix.reading.numbers import LONGEST, fraction, number_words
+from nmatrix.report import Number, Vector
 
 NEAR = Fraction(5, 10_000)  # radians: four digits of a multiple of π/12 are nearer
 FULL_TURN = 360
@@ -56,6 +61,57 @@ def angle(text: str, name: str = "angle") -> Fraction:
     if not parts:
         raise IllegalValueError(f"{name} ({quoted(text)})", "nothing is divided by 0", EXAMPLE)
     return (-turned if of_pi["sign"] in ("-", "−") else turned) / parts
+
+
+def turn(value: object, name: str) -> Number:
+    """Read an angle in degrees: a number of degrees, an `Angle`, or a text as it is typed.
+
+    Examples
+    --------
+    >>> turn(30, "fov"), float(turn("pi/6rad", "fov"))
+    (30, 30.0)
+    """
+    if isinstance(value, str):
+        return angle(value, marked(name))
+    return value.in_degrees if isinstance(value, Angle) else number(value, name)
+
+
+def float_turn(value: object, name: str) -> float:
+    """Read the float64 nearest to an angle in degrees."""
+    return real(turn(value, name), name)
+
+
+def turns(values: object, name: str, size: int = 3) -> Vector:
+    """Read so many angles in degrees.
+
+    Examples
+    --------
+    >>> [float(one) for one in turns([30, "0.25turn", "-pi/4rad"], "rotate")]
+    [30.0, 90.0, -45.0]
+    """
+    entries = listed(values, name, (size,))
+    return tuple(turn(one, f"{name}[{i}]") for i, one in enumerate(entries))
+
+
+def with_its_unit(text: str, name: str) -> Angle:
+    """Read an angle where a bare number is radians, so that a text must say its unit.
+
+    Raises
+    ------
+    IllegalValueError
+        For a number without one.
+
+    Examples
+    --------
+    >>> with_its_unit("90deg", "turn")
+    Angle.degrees(90)
+    """
+    degrees = angle(text, name)
+    if not _UNIT.fullmatch(text.strip(" \t\r\n")):
+        shown, plain = quoted(text), text.strip()
+        why = "a text says its unit"
+        raise IllegalValueError(f"{name} ({shown})", why, f"write {plain}deg or {plain}rad")
+    return Angle.degrees(degrees)
 
 
 def radians_remark(text: str, name: str) -> str | None:

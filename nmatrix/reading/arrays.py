@@ -8,9 +8,9 @@ from typing import TypeGuard
 from nmatrix.errors import IllegalValueError, counted, quantity
 from nmatrix.linear.rational import RationalMatrix, is_affine, transpose
 from nmatrix.linear.values import listed, number, plain_value, refused
+from nmatrix.reading.contents import SQUARES
 from nmatrix.reading.digits import digits_of
 from nmatrix.reading.literal import (
-    SQUARES,
     MatrixLiteral,
     as_affine,
     as_projection,

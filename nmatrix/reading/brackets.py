@@ -13,7 +13,7 @@ from nmatrix.errors import counted, quoted
 from nmatrix.reading.contents import Tokens, cut_off, unreadable
 from nmatrix.report import LARGEST_MATRIX
 
-DEEPEST = 2  # brackets without a word before them
+DEEPEST = 4  # brackets without a word before them: a matrix has two, a batch more
 MOST = LARGEST_MATRIX**2  # numbers
 PAIRS = {"[": "]", "(": ")", "{": "}", "<": ">"}
 CUT = ("…", "...", "⋯")
@@ -22,7 +22,8 @@ _TOKEN = re.compile(
     # What follows the numbers of an array: dtype=float32, device='cuda:0', grad_fn=<MulBackward0>.
     r"(?P<aside>\b(?:dtype|device|requires_grad|grad_fn|size|shape)\s*=\s*"
     r"(?:<[^<>]{0,80}>|\([^()]{0,80}\)|[^\s,)\]]{0,80}))"
-    r"|(?P<label>[\"']?\b(?:elements|columns|matrix[23]|translation|[xyzw]_axis|[XYZO])\b[\"']?\s*:)"
+    r"|(?P<label>[\"']?\b(?:elements|columns|matrix[23]|translation|[xyzw]_axis|[XYZO])\b[\"']?\s*:"
+    r"|\btype:[\w,]{1,60})"
     r"|<(?P<angle>Matrix [234]x[234])\b"
     # A typed array says how many numbers it has before it opens: Float32Array(16) [.
     r"|(?:(?P<head>(?:new\s+)?[A-Za-z_][\w.:]{0,60}(?:<\w{0,20}>)?"
@@ -31,6 +32,7 @@ _TOKEN = re.compile(
     r"|(?P<close>[\])}>])|(?P<comma>,)|(?P<row>;)|(?P<line>\n)"
     r"|(?P<word>[^\s\[\](){}<>,;|│]+|<)"
 )
+_NEW = re.compile(r"\Anew\s+")
 _DECORATION = re.compile(r"(?<=[0-9.])(?:`[0-9.]*|_?f(?:32|64)?\Z|[FhHlL]\Z)")
 _TALLY = re.compile(r"(?<=\])[ \n]{0,4}\([0-9]{1,2}\)\Z")  # Safari counts behind: [1, 0] (2)
 
@@ -90,7 +92,7 @@ def whole_text(text: str, source: str) -> Group:
         raise unreadable(source, f"{quoted(found.numbers[0])} stands outside of the brackets")
     if any(one.head for one in found.groups) and len(found.groups) > 1:
         raise unreadable(source, "it holds several matrices", "give one of them")
-    return found.groups[0] if len(found.groups) == 1 else found
+    return _only(found.groups[0] if len(found.groups) == 1 else found, source)
 
 
 def closing(text: str, start: int) -> int:
@@ -124,8 +126,19 @@ def first_group(text: str, source: str, start: int) -> tuple[Group, int]:
     for token in _TOKEN.finditer(text, start):
         scan.take(token)
         if len(scan.open) == 1 and token["close"]:
-            return scan.open[0].groups[-1], token.end()
+            return _only(scan.open[0].groups[-1], source), token.end()
     return scan.closed(), len(text)
+
+
+def _only(group: Group, source: str) -> Group:
+    """Take off brackets that stand around the only thing in others: a batch of one."""
+    while len(group.entries) == 1 and group.groups and not (inner := group.groups[0]).head:
+        if not inner.groups:
+            break
+        group.entries = inner.entries
+    if any(not one.head and one.groups for one in group.groups):
+        raise unreadable(source, "it holds several matrices", "give one of them")
+    return group
 
 
 def rows_of(group: Group, source: str) -> Tokens:
@@ -196,7 +209,7 @@ class _Scan:
         return self.open[0]
 
     def _open(self, token: re.Match[str]) -> None:
-        head = (token["head"] or token["angle"] or "").strip()
+        head = _NEW.sub("", token["head"] or token["angle"] or "").strip()
         group = Group(head)
         self.open[-1].entries.append(group)
         self.open.append(group)

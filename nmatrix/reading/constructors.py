@@ -7,7 +7,7 @@ import re
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.reading.brackets import Group, first_group, rows_of, whole_text
-from nmatrix.reading.contents import Contents, Tokens, unreadable
+from nmatrix.reading.contents import SQUARES, Contents, Tokens, unreadable
 
 # mat2x3 of GLSL is two columns of three, float2x3 of HLSL two rows of three: two groups of three.
 _SIZED = re.compile(
@@ -17,10 +17,16 @@ _SIZED = re.compile(
 _SPLAT = re.compile(r"(?:glm::)?[a-z]{0,5}mat.*")  # mat3(2.0) is diagonal, float3x3(2.0) is not
 _VECTOR = re.compile(
     r"(?:glm::)?(?:[diub]?[Vv]ec|[DIU]Vec|(?:simd_)?(?:float|double|half|int)|SIMD|Vector)"
-    r"(?P<size>[234])A?[fdi]?(?:<\w{1,20}>)?"
+    r"(?P<size>[234])A?[fdi]?(?:<\w{1,20}>)?|FPlane|(?:DirectX::)?XMVectorSet"
 )
-_PART = re.compile(r"D?Mat[23]A?|List|Array|\([0-9]{1,2}\)")  # of a larger value
-_FLAT = {"matrix3d": 16}
+_PART = re.compile(r"D?Mat[23]A?|Basis|List|Array|\([0-9]{1,2}\)")  # of a larger value
+# Words that take the numbers of a square one by one.
+_SQUARE = re.compile(
+    r"(?:QMatrix|XMFLOAT|btMatrix|L?Matrix|M)(?P<side>[34])(?:[xX][34]A?|[34])?[df]?"
+    r"|matrix3d|XMMATRIX|XMMatrixSet|MMatrix|FromValues|set|Basis"
+)
+_PLANE, _SPACE = 6, 12  # numbers of a map of the plane in CSS, and of Godot's Transform3D
+_TAKES = {"matrix": _PLANE, "Transform3D": _SPACE, "Transform": _SPACE, "matrix3d": 16, "Basis": 9}
 _ARRAY = re.compile(r"(?:vec[234]|float)\[[0-9]{0,2}\]")  # of columns, or of numbers
 _NAME = r"\b(?P<name>[A-Za-z_][A-Za-z0-9_]{0,200})"
 _DECLARED = rf"{_NAME}(?:\[[0-9]{{0,2}}\])?[ \t]*=[ \t]*(?=(?:glm::|np\.|numpy\.)?(?:%s)[ \t\n]*\()"
@@ -29,6 +35,8 @@ GLSL_DECLARED = re.compile(
 )
 NUMPY_DECLARED = re.compile(_DECLARED % "array|matrix")
 JS_DECLARED = re.compile(rf"\b(?:const|let|var)[ \t]+{_NAME}[ \t]*=[ \t]*(?=\[)")
+_BEFORE_BRACKETS = re.compile(r"\A[^\[({]*")
+_NAMESPACE = re.compile(r".*[.:]")
 MOST_DECLARED = 1000
 _STATED = re.compile(r"^(?:#|//).*layout: (row-major|column-major)", re.MULTILINE)
 # nmatrix says in a comment that its matrices are columns, or writes uniforms in comments.
@@ -54,6 +62,17 @@ def bracketed(text: str, source: str) -> Contents:
     """
     plain = _SCALAR.sub(r"\1", text) if len(text) <= LONGEST_PRINT else text
     return Contents({"": laid_out(whole_text(plain, source), source)})
+
+
+def declared(text: str, source: str) -> Contents:
+    """Read the value in brackets behind a declared name.
+
+    Examples
+    --------
+    >>> declared("matrix2d m = ((1, 0), (0, 2))", "x").quantities
+    {'': [['1', '0'], ['0', '2']]}
+    """
+    return bracketed(_BEFORE_BRACKETS.sub("", text), source)
 
 
 def glsl_program(text: str, source: str) -> Contents:
@@ -129,7 +148,7 @@ def laid_out(group: Group, source: str) -> Tokens:
     """
     vector = _VECTOR.fullmatch(group.head)
     if vector is not None:
-        return [_filled(group, int(vector["size"]), source)]
+        return [_filled(group, int(vector["size"] or 4), source)]
     if group.groups and _ARRAY.fullmatch(group.head):
         return [row for column in group.groups for row in laid_out(column, source)]
     for inner in group.groups:
@@ -139,10 +158,25 @@ def laid_out(group: Group, source: str) -> Tokens:
         count = int(sized["groups"])
         return _sized(group, count, int(sized["length"] or count), source)
     rows = rows_of(group, source)
-    flat = [one for row in rows for one in row]
-    if group.head in _FLAT and len(flat) != _FLAT[group.head]:
-        raise _miscounted(group.head, _FLAT[group.head], len(flat), source)
-    return rows
+    if group.groups:
+        return rows
+    return _of_word(group.head, [one for row in rows for one in row], source) or rows
+
+
+def _of_word(head: str, numbers: list[str], source: str) -> Tokens:
+    """Lay out the numbers that a word takes one by one; nothing for a word that leaves it open."""
+    word = _NAMESPACE.sub("", head)
+    square = _SQUARE.fullmatch(word)
+    side = 0 if square is None else int(square["side"] or SQUARES.get(len(numbers), 4))
+    takes = _TAKES.get(word, side * side)
+    if takes and len(numbers) != takes:
+        raise _miscounted(word, takes, len(numbers), source)
+    if takes == _PLANE:
+        a, b, c, d, e, f = numbers
+        return [[a, b, "0", "0"], [c, d, "0", "0"], ["0", "0", "1", "0"], [e, f, "0", "1"]]
+    if takes == _SPACE:
+        return [[*numbers[3 * row : 3 * row + 3], numbers[9 + row]] for row in range(3)]
+    return [numbers[at : at + side] for at in range(0, takes, side or 1)]
 
 
 def _sized(group: Group, count: int, length: int, source: str) -> Tokens:

@@ -9,7 +9,10 @@ from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
 
 ACCEPTED = 'write a matrix like "1 0 0; 0 2 0; 0 0 1"'
+OF_A_QUATERNION = "nmatrix world --quaternion X Y Z W makes one of a quaternion"
 
+SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
+SIZES = (9, 12, 16)  # numbers of 3×3, 3×4 and 4×4
 Tokens = Sequence[Sequence[str]]  # rows of numbers that are still text
 
 
@@ -24,6 +27,12 @@ class Contents:
     quantities: Mapping[str, Tokens]
     layout: Layout | None = None
     exact: bool = False
+
+    @property
+    def likely(self) -> Sequence[Tokens]:
+        """The quantities that may be maps of space, or all if none of them may be one."""
+        every = tuple(self.quantities.values())
+        return tuple(one for one in every if len(one) * len(one[0]) in SIZES) or every
 
 
 def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:

@@ -22,7 +22,7 @@ class _Digits(str):
 
 
 def json_notation(text: str, source: str) -> Contents:
-    """Read the matrices and vectors of a JSON object, and the layout that it states.
+    """Read the matrices and vectors of a JSON object or a part of one, and the layout it states.
 
     Raises
     ------
@@ -34,13 +34,15 @@ def json_notation(text: str, source: str) -> Contents:
     >>> json_notation('{"layout": "column-major", "a": [[1, 2.50]]}', "x").quantities
     {'a': [['1', '2.50']]}
     """
+    is_part = text.startswith('"')
+    whole = f"{{{text.rstrip(', ')}}}" if is_part else text
     try:
-        found = json.loads(text, parse_int=_Digits, parse_float=_Digits, parse_constant=_Digits)
+        found = json.loads(whole, parse_int=_Digits, parse_float=_Digits, parse_constant=_Digits)
     except RecursionError:
         raise _unreadable(source, "it nests too deeply") from None
     except json.JSONDecodeError as error:
-        place = f"line {error.lineno}, column {error.colno}"
-        if error.pos >= len(text) or error.msg.startswith("Unterminated"):
+        place = f"line {error.lineno}, column {error.colno - (is_part and error.lineno == 1)}"
+        if error.pos >= len(whole) - is_part or error.msg.startswith("Unterminated"):
             raise cut_off(source, f"at {place}") from None
         raise _unreadable(source, f"not JSON at {place}: {error.msg}") from None
     if not isinstance(found, dict):

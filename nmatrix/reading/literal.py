@@ -21,13 +21,12 @@ from nmatrix.linear.rational import (
     to_floats,
     transpose,
 )
-from nmatrix.reading.contents import Tokens, unreadable
+from nmatrix.reading.contents import OF_A_QUATERNION, SQUARES, Tokens, unreadable
 from nmatrix.reading.digits import TypedDigits, bits_of, digits_of, half_units, shared_half_units
 from nmatrix.reading.roots import Exact, exact_number
 from nmatrix.report import LARGEST_MATRIX
 from nmatrix.surds import Surd
 
-SQUARES = {9: 3, 16: 4}  # flat lists that are square matrices
 TypedRows = tuple[tuple[Exact, ...], ...]
 BARE_POINT = re.compile(r"(?<=[0-9])\.(?![0-9])")  # NumPy prints 1. where others print 1.0
 
@@ -228,9 +227,10 @@ def _entry(text: str, place: tuple[int, int], source: str) -> Exact:
 def _require_4x4(matrix: MatrixLiteral, takes: str) -> None:
     if matrix.shape != (4, 4):
         height, width = matrix.shape
-        if 1 in matrix.shape:
+        if 1 in matrix.shape and height * width != 4:
             raise _miscounted(height * width, matrix.source)
-        raise unreadable(matrix.source, f"it has {height} × {width} entries", f"give {takes}")
+        next_step = f"give {takes}: {OF_A_QUATERNION}" if height * width == 4 else f"give {takes}"
+        raise unreadable(matrix.source, f"it has {height} × {width} entries", next_step)
 
 
 def _not_affine(matrix: MatrixLiteral) -> IllegalValueError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import islice
@@ -11,8 +12,15 @@ from typing import TYPE_CHECKING
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError, printable, quantity, quoted, shortlist
 from nmatrix.linear.rational import is_affine, transpose
-from nmatrix.reading.contents import ACCEPTED, Contents, Tokens, unreadable
-from nmatrix.reading.literal import SQUARES, MatrixLiteral, literal_from_tokens
+from nmatrix.reading.contents import (
+    ACCEPTED,
+    OF_A_QUATERNION,
+    SQUARES,
+    Contents,
+    Tokens,
+    unreadable,
+)
+from nmatrix.reading.literal import MatrixLiteral, literal_from_tokens
 from nmatrix.reading.roots import in_one_word
 from nmatrix.report import LARGEST_MATRIX
 
@@ -35,6 +43,16 @@ LONGEST_LITERAL = 160  # characters of a matrix that an error writes again
 _COLOURS = re.compile(r"\x1b\[[0-9;]{0,20}m")  # cglm prints in cyan
 _UNPRINTABLE = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _NUMBER = re.compile(r"(?<![\w.])[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?(?![\w.])")
+
+# What is no matrix, but can be made one.
+_OTHERS = {
+    re.compile(r"\b\w{0,9}(?:[qQ]uat|QUAT)(?:ernion)?\w{0,4}\s*[({]"): OF_A_QUATERNION,
+    re.compile(r"(?<![\w.])(?:translate|scale|rotate|skew|perspective)(?:3d|[XYZ])?\("): (
+        "getComputedStyle(element).transform is one matrix"
+    ),
+}
+
+_NODE_PARTS = {"translation": "translate", "rotation": "quaternion", "scale": "scale"}
 
 _unreadable = partial(
     unreadable, next_step=f"give at most {LARGEST_MATRIX}×{LARGEST_MATRIX} numbers"
@@ -76,7 +94,7 @@ def matrix_literal(
     try:
         notation, contents = read(in_one_word(bare), origin)
         tokens = _chosen(contents, key, origin)
-        used = contents.layout or layout or notation.layout
+        used = contents.layout or layout or notation.layout_of(tokens)
         literal = literal_from_tokens(tokens, used, origin, exact=contents.exact)
     except IllegalValueError as refusal:
         raise _with_values(refusal, bare) from None
@@ -94,7 +112,7 @@ def _remarks(literal: MatrixLiteral, notation: Notation, tokens: Tokens) -> tupl
     own, other = literal.layout, _other(literal.layout)
     option = f"{quantity('input_layout')} {other}"
     is_flat = 1 in (len(tokens), len(tokens[0]))
-    if notation.told and not (is_flat and own is Layout.ROW_MAJOR):
+    if not (notation.shows_rows(tokens) or (is_flat and own is Layout.ROW_MAJOR)):
         how = "row by row" if own is Layout.ROW_MAJOR else "column by column"
         return (f"Read as {notation.name}, {how}; {option} reads it the other way.",)
     turned = transpose(literal.rows_exact)
@@ -111,20 +129,32 @@ def _other(layout: Layout) -> Layout:
 
 
 def _with_values(refusal: IllegalValueError, text: str) -> IllegalValueError:
-    """Show how the numbers of a text that was refused would be read."""
+    """Show how the numbers of a text that was refused would be read, or what reads them."""
     what, why, next_step = refusal.parts
     if next_step != ACCEPTED:
         return refusal
+    for other, reader in _OTHERS.items():
+        if other.search(text[:LONGEST_LITERAL]):
+            return IllegalValueError(what, why, reader)
     found = islice(_NUMBER.finditer(text[: 10 * LONGEST_LITERAL]), 1 + max(SQUARES))
     numbers = [one[0].removesuffix(".") for one in found]
     side = SQUARES.get(len(numbers))
     if side is None:
         return refusal
-    rows = [" ".join(numbers[start : start + side]) for start in range(0, len(numbers), side)]
-    literal = "; ".join(rows)
+    where = "these are its rows"
+    lines = [numbers[at : at + side] for at in range(0, len(numbers), side)]
+    if _is_last_row(line[-1] for line in lines) and not _is_last_row(lines[-1]):
+        where = f"it moves by {' '.join(lines[-1][:3])}"
+        lines = [list(line) for line in zip(*lines, strict=True)]
+    literal = "; ".join(map(" ".join, lines))
     if len(literal) > LONGEST_LITERAL:
         return refusal
-    return IllegalValueError(what, why, f'write "{literal}", if these are its rows')
+    return IllegalValueError(what, why, f'write "{literal}", if {where}')
+
+
+def _is_last_row(numbers: Iterable[str]) -> bool:
+    """Whether an affine 4×4 ends so."""
+    return [float(one) for one in numbers] == [0, 0, 0, 1]
 
 
 def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:
@@ -153,12 +183,22 @@ def _chosen(contents: Contents, key: str | None, source: str) -> Tokens:
     for name in ("", *FIRST_OF):
         if name in found:
             return found[name]
-    if len(found) == 1:
-        return next(iter(found.values()))
+    if len(contents.likely) == 1:
+        return contents.likely[0]
+    if names and found.keys() <= _NODE_PARTS.keys():
+        raise unreadable(source, "it is a node's parts, not a matrix", _world_of(found))
     if not names:
         raise unreadable(source, "it holds no matrix")
     next_step = f"name one of {shortlist(names)} after a #"
     raise unreadable(source, "which of its matrices is meant?", next_step)
+
+
+def _world_of(parts: Mapping[str, Tokens]) -> str:
+    """Write the command that makes a matrix of the parts of a node."""
+    options = {f"--{_NODE_PARTS[key]}": " ".join(rows[0]) for key, rows in parts.items()}
+    line = " ".join(f"{option} {numbers}" for option, numbers in options.items())
+    options_of_all = line if len(line) < LONGEST_LITERAL else " … ".join(options)
+    return f"nmatrix world {options_of_all} makes one"
 
 
 def _program_name(key: str) -> str:

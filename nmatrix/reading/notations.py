@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from nmatrix.enums import Layout
@@ -22,7 +22,8 @@ class Notation:
     """One way to write a matrix.
 
     `sign` is what its texts begin with, or a word that others never hold; `layout` is its own,
-    where the text does not state one. What everybody can see, rows and lists, is not `told`.
+    where the text does not state one, or that of its `flat` lists alone: nested ones show their
+    rows. What everybody can see, rows and lists, is not `told`.
     `rounded` is what is to be said of numbers that were rounded to be printed.
     """
 
@@ -34,10 +35,19 @@ class Notation:
     layout: Layout = ROWS
     told: bool = True
     rounded: str = ""
+    flat: bool = False
+
+    def shows_rows(self, tokens: Tokens) -> bool:
+        """Whether everybody sees which numbers of a text are a row."""
+        return not self.told or (self.flat and min(len(tokens), len(tokens[0])) > 1)
+
+    def layout_of(self, tokens: Tokens) -> Layout:
+        """Choose the layout in which the numbers of a text in this notation are read."""
+        return ROWS if self.shows_rows(tokens) else self.layout
 
 
 def read(text: str, source: str) -> tuple[Notation, Contents]:
-    """Read a text in the first notation whose sign it bears, after what it is assigned to.
+    """Read a text in the first notation whose sign it bears, after what stands before a matrix.
 
     Raises
     ------
@@ -49,7 +59,8 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
     >>> read("float m[2][2] = {{1, 0}, {0, 1}};", "x")[0].name, read("1 0; 0 1", "x")[0].name
     ('braces', 'rows')
     """
-    for candidate in (text, _DECLARATION.sub("", text, count=1)):
+    candidate = text
+    for candidate in _uncovered(text):
         found = _signed(candidate, NOTATIONS[:-1])
         if found is not None:
             return found, found.read(candidate, source)
@@ -88,13 +99,26 @@ def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
     if latex is not None:
         tokens, end = equations.LATEX.matrix(text, latex, source)
         return shaped_rows(tokens, ROWS, source), text.index("}", end) + 1
-    found = _signed(text[start:], _IN_BRACKETS)
+    found = _signed(text[start:], WITHIN_BRACKETS)
     if found is None:
         return None
     end = closing(text, start)
     contents = found.read(in_one_word(text[start:end]), source)
-    tokens = next(iter(contents.quantities.values()), [])
-    return shaped_rows(tokens, found.layout, source), end
+    tokens = next(iter(contents.likely), [])
+    return shaped_rows(tokens, found.layout_of(tokens), source), end
+
+
+def _uncovered(text: str) -> Iterator[str]:
+    """Take off one name, declaration, heading or call after another, numbers never among them."""
+    yield text
+    if declared := _DECLARED.match(text):
+        yield declared["type"] + text[declared.end() :].rstrip(_AFTER)
+    for _ in range(MOST_COVERS):
+        cover = next((found for one in _COVERS if (found := one.match(text))), None)
+        if cover is None or _NUMBER.search(cover[0]):
+            return
+        text = text[cover.end() :].rstrip(_AFTER)
+        yield text
 
 
 def _signed(text: str, among: Iterable[Notation]) -> Notation | None:
@@ -104,7 +128,25 @@ def _signed(text: str, among: Iterable[Notation]) -> Notation | None:
     return None
 
 
-_DECLARATION = re.compile(r"\A(?:[\w:<>*&\s]|\[[0-9]*\]){1,200}?(?:=|<<)\s*")
+_DECLARED = re.compile(  # QMatrix4x4 m(
+    r"(?:(?:static|const|constexpr)\s+)*(?P<type>(?:\w{1,30}::){0,2}[A-Za-z]\w{1,30})\s+\w{1,60}\s?"
+    r"(?=\([+\-.0-9A-Za-z\s])"
+)
+_COVERS = (
+    re.compile(r"(?:[\w:<>*&\s]|\[[0-9]*\]){1,200}?(?:=|<<)\s*[\"']?"),  # float m[4][4] =
+    re.compile(r"(?:\w{1,30}::){0,2}[A-Z]\w{1,30}\s+\w{1,60}\s?(?=\{)"),  # Matrix3d m{
+    re.compile(r"[\"']?-?[A-Za-z_][\w.\- ]{0,60}[\"']?\s?:(?!:)\s*"),  # transform:
+    re.compile(r"(?:new\s+)?[\w.]{1,60}(?:\(\s*\))?\.(?=(?:set|fromArray)\s*\()"),  # m.set(
+    re.compile(r"<tf\.[^\n]{1,80}numpy=\s*"),
+    re.compile(r"[^\n\[\](){}<>|;,:=]{1,60}\n\s*"),  # a heading
+    re.compile(
+        r"[A-Za-z_][\w.]{0,60}\s+(?=[A-Z]\w{1,30}\s?[({]|\([0-9]{1,2}\)\s?\[)"
+    ),  # a log's word
+)
+# A word may end in digits: mat4. Numbers in parentheses tell a size: shape=(4, 4).
+_NUMBER = re.compile(r"(?<![^\s,;])[+\-−]?\.?[0-9](?![^()]{0,20}\))")
+_AFTER = " \n\t;,\"'`>"
+MOST_COVERS = 3  # a style of HTML: style="transform: matrix3d(…)"
 _BRACKET = re.compile(r"[\[\](){}<>]")
 LONGEST_WORD = 40  # characters before a bracket that an error shows
 
@@ -112,8 +154,14 @@ NOTATIONS = (
     Notation(
         "three.js", "JSON.stringify of a Matrix3, a Matrix4, or what holds them",
         '{"elements":[1,0,0,2,3,0,0,0,4]}',
-        re.compile(r"\A\{(?=\s*\").*?\"elements\"\s*:\s*\[", re.DOTALL),
-        jsontext.json_notation, COLUMNS,
+        re.compile(r"\A(?:\{(?=\s*\").*?)?\"elements\"\s*:\s*\[", re.DOTALL),
+        jsontext.json_notation, COLUMNS, flat=True,
+    ),
+    Notation(
+        "glTF's matrix", "glTF nodes; JSON.stringify of three.js's objects",
+        '{"matrix":[1,0,0,0,2,3,0,0,0,0,4,0,0,0,0,1]}',
+        re.compile(r"\A(?:\{(?=\s*\").*?)?\"matrix\"\s*:\s*\[(?=[\s0-9.\-])", re.DOTALL),
+        jsontext.json_notation, COLUMNS, flat=True,
     ),
     Notation(
         "three.js's Matrix", "console.log of a Matrix3 or Matrix4",
@@ -123,7 +171,8 @@ NOTATIONS = (
     Notation(
         "a typed array's JSON", "JSON.stringify of a Float32Array: gl-matrix, WebGL",
         '{"0":1,"1":0,"2":0,"3":2,"4":3,"5":0,"6":0,"7":0,"8":4}',
-        re.compile(r"\A\{\s*[\"']?0[\"']?\s*:"), places.fields, COLUMNS,
+        re.compile(r"\A(?:Float[0-9]{2}Array\s?\([0-9]{1,2}\)\s)?\{?\s{0,9}[\"']?0[\"']?\s?:"),
+        places.fields, COLUMNS,
     ),
     Notation(
         "a DOMMatrix", "JSON.stringify of a DOMMatrix: its m12 stands in column 1",
@@ -138,14 +187,21 @@ NOTATIONS = (
         places.fields,
     ),
     Notation(
-        ".NET's fields", "System.Numerics.Matrix4x4, made for row vectors",
-        "{ {M11:1 M12:2 M13:0} {M21:0 M22:3 M23:0} {M31:0 M32:0 M33:4} }",
-        re.compile(r"\A[\s{]*[\"']?M11[\"']?\s?[:=]"), places.fields,
+        ".NET's fields", "Matrix4x4 of System.Numerics and SceneKit, made for row vectors",
+        "{ {M11:1 M12:0 M13:0} {M21:2 M22:3 M23:0} {M31:0 M32:0 M33:4} }",
+        re.compile(r"\A(?:SCNMatrix4|CATransform3D)?[\s{\[(]*[\"']?[Mm]11[\"']?\s?[:=]"),
+        places.fields, COLUMNS,
+    ),
+    Notation(
+        "Unreal's planes", "FMatrix, made for row vectors: its planes, its text, its JSON",
+        "[X=1 Y=0 Z=0] [X=2 Y=3 Z=0] [X=0 Y=0 Z=4]",
+        re.compile(r"\A(?:\[\s?X=|[({]\s*\"?XPlane\"?\s?[:=])"), places.planes, COLUMNS,
     ),
     Notation(
         "JSON", "nmatrix with -f json, and objects that hold lists of numbers by name",
         '{"normal_matrix": [[1, 2, 0], [0, 3, 0], [0, 0, 4]]}',
-        re.compile(r"\A\{\s*(?:\"|\}|\Z)"), jsontext.json_notation, told=False,
+        re.compile(r"\A(?:\{\s*(?:\"|\}|\Z)|\"\w{1,60}\"\s*:\s*\[)"),
+        jsontext.json_notation, told=False,
     ),
     Notation(
         "CSV report", "nmatrix with -f csv",
@@ -194,7 +250,8 @@ NOTATIONS = (
     Notation(
         "a typed array", "console.log of a Float32Array: gl-matrix, WebGL",
         "Float32Array(9) [1, 0, 0, 2, 3, 0, 0, 0, 4]",
-        re.compile(r"\A(?:new\s+)?Float(?:16|32|64)Array\b"), constructors.bracketed, COLUMNS,
+        re.compile(r"\A(?:(?:new\s+)?Float(?:16|32|64)Array|fromArray)\b"),
+        constructors.bracketed, COLUMNS,
     ),
     Notation(
         "a console's array", "console.log of an array, in Chrome, Firefox and Safari",
@@ -202,20 +259,87 @@ NOTATIONS = (
         re.compile(r"\A(?:Array\s?)?\([0-9]{1,2}\)\s*\["), constructors.bracketed, told=False,
     ),
     Notation(
-        "glam's Mat", "Rust's {:?} of Mat3, Mat4, Affine3A and their doubles",
+        "a Mat of Rust", "{:?} of glam's Mat3, Mat4, Affine3A and of cgmath's Matrix4",
         "Mat3 { x_axis: Vec3(1.0, 0.0, 0.0), y_axis: Vec3(2.0, 3.0, 0.0), "
         "z_axis: Vec3(0.0, 0.0, 4.0) }",
-        re.compile(r"\AD?(?:Mat[234]|Affine[23])A?\s*\{"), constructors.bracketed, COLUMNS,
+        re.compile(r"\A(?:D?(?:Mat[234]|Affine[23])A?\s*\{|Matrix[234] \[\[)"),
+        constructors.bracketed, COLUMNS,
     ),
     Notation(
-        "Godot's Basis", "print of a Basis or a Transform3D",
+        "Godot's print", "print of a Basis or a Transform3D; what is made of its Vector3",
         "[X: (1, 0, 0), Y: (2, 3, 0), Z: (0, 0, 4), O: (0, 0, 0)]",
-        re.compile(r"\A\[X:"), constructors.bracketed, COLUMNS,
+        re.compile(r"\A(?:\[X:|(?:Transform3D|Transform|Basis)\s*\(\s*(?:Vector|Basis)|Projection\s*\()"),
+        constructors.bracketed, COLUMNS,
     ),
     Notation(
-        "CSS", "getComputedStyle(…).transform",
+        "Godot's scene file", "Transform3D: the rows of its basis, then its origin; Basis",
+        "Transform3D(1, 2, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0)",
+        re.compile(r"\A(?:Transform3D|Basis|Transform(?=\s*\((?:[^,()]{1,60},){11}))\s*\("),
+        constructors.bracketed,
+    ),
+    Notation(
+        "CSS", "transform, getComputedStyle; matrix(…) of six numbers in SVG too",
         "matrix3d(1, 0, 0, 0, 2, 3, 0, 0, 0, 0, 4, 0, 0, 0, 0, 1)",
-        re.compile(r"\Amatrix3d\s*\("), constructors.bracketed, COLUMNS,
+        re.compile(r"\Amatrix(?:3d\s*\(|\s*\(\s*[+\-.0-9])"), constructors.bracketed, COLUMNS,
+    ),
+    Notation(
+        "Qt's QMatrix4x4", "qDebug, and C++ that makes one",
+        "QMatrix4x4(1, 2, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0, 0, 0, 0, 1)",
+        re.compile(r"\AQMatrix[34]x[34]\s*\(\s*(?:type:[\w,]{1,60}\s*)?[+\-.0-9]"),
+        constructors.bracketed,
+    ),
+    Notation(
+        "three.js's set", "JavaScript with Matrix3 and Matrix4; Bullet's btMatrix3x3",
+        "new THREE.Matrix3().set(1, 2, 0, 0, 3, 0, 0, 0, 4)",
+        re.compile(r"\A(?:(?:new\s+)?THREE\.Matrix[34]|set|btMatrix3x3)\s*\(\s*[+\-.0-9]"),
+        constructors.bracketed,
+    ),
+    Notation(
+        "Eigen's <<", "C++ that fills a matrix row by row",
+        "Eigen::Matrix3d m; m << 1, 2, 0, 0, 3, 0, 0, 0, 4;",
+        re.compile(
+            r"\A(?:[\w:<>,]{1,60}\s+\w{1,60}\s*;\s*)?\w[\w.>\[\]\-]{0,60}\s*<<\s*[+\-−.0-9]"
+        ),
+        rows.streamed_rows,
+    ),
+    Notation(
+        "a matrix for row vectors",
+        "DirectXMath, .NET's Matrix4x4, USD's Matrix4d, Maya's MMatrix, Unreal's FMatrix, Babylon",
+        "XMFLOAT3X3(1, 0, 0, 2, 3, 0, 0, 0, 4)",
+        re.compile(
+            r"\A(?:(?:new|uniform|custom)\s+)?(?:DirectX::|Gf\.|om\.|imath\.)?"
+            r"(?:XMMATRIX|XMMatrixSet|XMFLOAT[34]X[34]A?|Matrix4x4|Matrix[34][df]|matrix[34]d|MMatrix"
+            r"|LMatrix[34][fd]?|M[34]{2}[fd]|FMatrix|(?:BABYLON\.)?Matrix\.FromValues)"
+            r"\s*\(\s*\(*\s*(?:[+\-.0-9]|FPlane|XMVectorSet)"
+        ),
+        constructors.bracketed, COLUMNS,
+    ),
+    Notation(
+        "a declaration for row vectors", "usda files with matrix4d, C++ with XMMATRIX, XMFLOAT4X4",
+        "matrix3d m = ( (1, 0, 0), (2, 3, 0), (0, 0, 4) )",
+        re.compile(
+            r"\A(?:(?:uniform|custom|static|const|constexpr|DirectX::)\s*)*+"
+            r"(?:matrix[234]d|XMMATRIX|XMFLOAT[34]X[34]A?)\s[\w:]{1,60}\s?=?\s?[({]"
+        ),
+        constructors.declared, COLUMNS,
+    ),
+    Notation(
+        "Unity's constructor", "C# that makes a Matrix4x4 of its columns",
+        "new Matrix4x4(new Vector4(1, 0, 0, 0), new Vector4(2, 3, 0, 0), new Vector4(0, 0, 4, 0), "
+        "new Vector4(0, 0, 0, 1))",
+        re.compile(r"\A(?:new\s+)?Matrix4x4\s*\(\s*(?:new\s+)?Vector4"),
+        constructors.bracketed, COLUMNS,
+    ),
+    Notation(
+        "OpenCV's YAML", "FileStorage, and the camera files of ROS",
+        "!!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+        "   data: [ 1., 2., 0., 0., 3., 0., 0., 0., 4. ]",
+        places.YAML, places.yaml_matrix,
+    ),
+    Notation(
+        "an element of XML", "COLLADA's matrix; Mitsuba's",
+        "<matrix>1 2 0 0 0 3 0 0 0 0 4 0 0 0 0 1</matrix>",
+        re.compile(r"\A<matrix\b"), rows.element_rows,
     ),
     Notation(
         "Swift's simd", "Swift's print of a simd matrix",
@@ -290,7 +414,7 @@ NOTATIONS = (
     ),
 )  # fmt: skip
 # Inside of an expression a list is an expression itself, and a report is not a value.
-_IN_BRACKETS = tuple(
+WITHIN_BRACKETS = tuple(
     one
     for one in NOTATIONS
     if one.read in (constructors.bracketed, places.fields, jsontext.json_notation)

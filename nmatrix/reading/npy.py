@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MAGIC = b"\x93NUMPY"
+ENDINGS = (".npy", ".npz")
 LARGEST = 4096  # bytes of a header and 64 numbers, and room to spare
 
 _unreadable = partial(unreadable, next_step="save a matrix of floats with np.save")
@@ -47,6 +48,8 @@ def npy_literal(content: bytes, layout: Layout | None, source: str) -> MatrixLit
 def _array(content: bytes, source: str) -> NDArray[np.generic]:
     import numpy as np
 
+    if not content.startswith(MAGIC):
+        raise _unreadable(source, "it does not begin as a .npy file does")
     if len(content) > LARGEST:
         raise _unreadable(source, f"{len(content)} bytes are more than a matrix takes")
     try:

@@ -1,4 +1,4 @@
-"""Matrices whose entries name their places: nmatrix's CSV, Unity's fields, an array's 0 … 15."""
+"""Matrices that name their places: nmatrix's CSV, Unity's fields, Unreal's planes, YAML's rows."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ import csv
 import re
 from functools import partial
 from io import StringIO
+from itertools import islice
 
 from nmatrix.enums import Layout
 from nmatrix.errors import counted
-from nmatrix.reading.brackets import plain_number
+from nmatrix.reading.brackets import PAIRS, plain_number
 from nmatrix.reading.contents import Contents, cut_off, unreadable
 
 HEADER = re.compile(r"\Akey,row,column,value\s*(\n|$)")
@@ -17,8 +18,16 @@ _PLACE = re.compile(r"[0-9]{1,2}")
 # Of two digits the first counts rows, the second columns; a number alone counts the entries.
 _FIELD = re.compile(
     r"(?<![\w.])[\"']?(?:(?P<letter>[A-Za-z])(?P<row>[0-4])(?P<column>[0-4])|(?P<index>[0-9]{1,2}))"
-    r"[\"']?\s?[:=]\s?(?P<value>[^\s,;{}]+)"
+    r"[\"']?\s?[:=]\s?(?P<value>[^\s,;{}()\[\]]+)"
 )
+_PLANE = re.compile(r"[XYZW]\"?\s?[=:][^\[\](){}]*")
+_PLANE_ENTRY = re.compile(r"\b(?P<name>[XYZW])\"?\s?[=:]\s?(?P<value>[^\s,\"]+)")
+_LETTER = "XYZW".index
+YAML = re.compile(
+    r"\A[\w:!\s-]{0,80}?\brows:\s*(?P<rows>[1-4])[\s,]+cols:\s*(?P<cols>[1-4])[\s,]+"
+    r"(?:dt:\s*\w+[\s,]+)?data:\s*\[(?P<data>[^\[\]]*)(?P<end>\]?)"
+)
+LARGEST = 4  # rows of a matrix
 MOST = 64  # fields; System.Numerics and DOMMatrix have others beside their sixteen
 
 Places = dict[tuple[int, int], str]
@@ -78,10 +87,52 @@ def fields(text: str, source: str) -> Contents:
     if min(min(place) for place in places):  # .NET and CSS count from 1
         places = {(row - 1, column - 1): value for (row, column), value in places.items()}
     lacking = _gaps(places)
-    if lacking or (text.startswith("{") and not text.endswith("}")):
-        missing = f"{lacking} are missing" if lacking else "} is missing"
+    unclosed = [end for start, end in PAIRS.items() if text.count(start) > text.count(end)]
+    if lacking or unclosed:
+        missing = f"{lacking} are missing" if lacking else f"{unclosed[0]} is missing"
         raise cut_off(source, f"after {counted(len(places), 'number')}: {missing}")
     return Contents({"": _rows(places)})
+
+
+def planes(text: str, source: str) -> Contents:
+    """Read rows whose numbers are called X, Y, Z and W, in any order.
+
+    Raises
+    ------
+    IllegalValueError
+        If a row lacks one of the names that another has.
+
+    Examples
+    --------
+    >>> planes("[X=1 Y=2] [Y=4 X=3]", "x").quantities
+    {'': [['1', '2'], ['3', '4']]}
+    """
+    found = [
+        {one["name"]: one["value"] for one in islice(_PLANE_ENTRY.finditer(plane[0]), MOST)}
+        for plane in islice(_PLANE.finditer(text), LARGEST + 1)
+    ]
+    if not all(row.keys() == found[0].keys() for row in found) or text[-1] not in "])}":
+        raise cut_off(source, f"in row {len(found)}")
+    return Contents(
+        {"": [[plain_number(row[name]) for name in sorted(row, key=_LETTER)] for row in found]}
+    )
+
+
+def yaml_matrix(text: str, source: str) -> Contents:
+    """Read a matrix that says how many rows and columns its list of numbers has.
+
+    Examples
+    --------
+    >>> yaml_matrix("rows: 2, cols: 1, data: [3, 4]", "x").quantities
+    {'': [['3'], ['4']]}
+    """
+    told = YAML.search(text)
+    assert told is not None  # it is the sign of the notation
+    numbers = told["data"].replace(",", " ").split(None, MOST)
+    height, width = int(told["rows"]), int(told["cols"])
+    if not told["end"] or len(numbers) != height * width:
+        raise cut_off(source, f"after {counted(len(numbers), 'number')} of {height * width}")
+    return Contents({"": [numbers[at : at + width] for at in range(0, len(numbers), width)]})
 
 
 def _keep(record: list[str], found: dict[str, Places], source: str) -> None:

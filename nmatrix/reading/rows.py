@@ -10,12 +10,15 @@ from collections.abc import Sequence
 
 from nmatrix.errors import IllegalValueError, counted
 from nmatrix.reading.brackets import MOST, plain_number
-from nmatrix.reading.contents import Contents, Tokens, cut_off, unreadable
+from nmatrix.reading.contents import SQUARES, Contents, Tokens, cut_off, unreadable
 
 # SymPy, nalgebra and Julia draw brackets, cglm bars; R and Julia have a heading.
 _FRAME = re.compile(
     r"\A(?:Matrix \(float[234]x[234]\):|[234]×[234] [^\n:]{1,120}:)|[|│┃┌┐└┘⎡⎤⎢⎥⎣⎦⎛⎞⎜⎟⎝⎠]"
     r"|\[[ ]*[0-9]?,[0-9]?\]"
+)
+_ELEMENT = re.compile(
+    r"<\w+\b[^<>]*?(?:\bvalue\s*=\s*\"(?P<value>[^\"<>]+)\"[^<>]*/?>|>(?P<inside>[^<>]+)</\w+\s*>)"
 )
 _SEPARATOR = re.compile(r"\s*,\s*|\s+")
 _PARTED = re.compile(r"[\s;]+")
@@ -52,6 +55,22 @@ def bare_rows(text: str, source: str) -> Contents:
     return Contents({"": [[plain_number(one) for one in row] for row in rows]})
 
 
+def streamed_rows(text: str, source: str) -> Contents:
+    """Read numbers that C++ streams into a square matrix, one after another or line by line.
+
+    Examples
+    --------
+    >>> streamed_rows("m << 1,0,0, 0,1,0, 0,0,1;", "x").quantities[""][1]
+    ['0', '1', '0']
+    """
+    found = bare_rows(text.partition("<<")[2].rstrip("; \n"), source).quantities[""]
+    numbers = [one for row in found for one in row]
+    side = SQUARES.get(len(numbers))
+    if side is None:
+        return Contents({"": found})
+    return Contents({"": [numbers[at : at + side] for at in range(0, len(numbers), side)]})
+
+
 def framed_rows(text: str, source: str) -> Contents:
     r"""Read rows in a frame.
 
@@ -61,6 +80,22 @@ def framed_rows(text: str, source: str) -> Contents:
     {'': [['1', '0'], ['0', '2']]}
     """
     return bare_rows(_FRAME.sub(" ", text), source)
+
+
+def element_rows(text: str, source: str) -> Contents:
+    """Read the numbers of an element of XML, between its tags or in its attribute `value`.
+
+    Examples
+    --------
+    >>> element_rows('<matrix sid="t">1 0 0 0 2 0 0 0 3</matrix>', "x").quantities
+    {'': [['1', '0', '0'], ['0', '2', '0'], ['0', '0', '3']]}
+    """
+    found = _ELEMENT.match(text)
+    if found is None:
+        raise cut_off(source, "before its closing tag or quote")
+    numbers = (found["value"] or found["inside"]).split(None, MOST)
+    side = SQUARES.get(len(numbers), len(numbers)) or 1
+    return Contents({"": [numbers[at : at + side] for at in range(0, len(numbers), side)]})
 
 
 def _with_decimal_commas(lines: Sequence[str]) -> Tokens:

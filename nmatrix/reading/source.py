@@ -58,7 +58,7 @@ def matrix_source(
 def _from_file(path: Path, key: str | None, layout: Layout | None) -> MatrixLiteral:
     content = file_bytes(path)
     source = quoted(str(path))
-    if content.startswith(npy.MAGIC):
+    if content.startswith(npy.MAGIC) or path.suffix.lower() in npy.ENDINGS:
         if key is not None:
             raise IllegalValueError(
                 f"key ({quoted(key)})", f"{source} holds one array without a name", "drop the key"

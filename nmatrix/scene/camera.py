@@ -9,7 +9,7 @@ from functools import partial
 from nmatrix.enums import Convention, Handedness, chosen
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear import rational
-from nmatrix.linear.angle import Angle, float_turn
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import (
     RationalMatrix,
     RationalVector,
@@ -18,6 +18,7 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
 from nmatrix.linear.view import first_person, look_at
+from nmatrix.reading.angles import float_turn
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 from nmatrix.scene.measured_view import Extrinsics, MeasuredView, measured_view

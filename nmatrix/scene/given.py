@@ -58,7 +58,12 @@ def world_of(given: Given, base: World | None = None) -> World:
     refuse_together("quaternion", ("rotate", "axis_angle"), found, "both are the rotation")
     refuse_together("axis_angle", ("rotate",), found, "both are the rotation")
     for whole in WHOLE_TURNS:
-        refuse_together(whole, ("order",), found, "an order is for angles, it has none")
+        if whole in found and "order" in found:
+            beside = f"{quantity(whole)} with {quantity('order')}"
+            in_order = (
+                f"{quantity('world_matrix')} MATRIX with an order tells the angles of any turn"
+            )
+            raise IllegalValueError(beside, "an order is for angles, it has none", in_order)
     convention = chosen(Convention, found.get("convention", Convention.STANDARD), "convention")
     if convention is not Convention.STANDARD and "order" in found:
         course = f"{quantity('convention')} {convention}"

@@ -14,7 +14,7 @@ from math import atan, degrees, inf, radians, tan
 from typing import TYPE_CHECKING, Any
 
 from nmatrix.errors import IllegalValueError, quantity
-from nmatrix.linear.angle import Angle, float_turn
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.measured_lens import (
     FilmBack,
     HorizontalField,
@@ -44,8 +44,9 @@ from nmatrix.linear.projection import (
     through,
 )
 from nmatrix.linear.rational import ONE, RationalMatrix, exactly, rounded_for_display
-from nmatrix.linear.values import listed, named, read_fields, real, refuse_beside, refused, vector
+from nmatrix.linear.values import named, read_fields, real, refuse_beside, refused, vector
 from nmatrix.linear.viewport import Viewport, read_viewport
+from nmatrix.reading.angles import float_turn, turns
 from nmatrix.reading.arrays import read_projection
 
 if TYPE_CHECKING:
@@ -316,11 +317,11 @@ def measured_lens(given: Mapping[str, Any], base: MeasuredLens | None) -> Measur
         For a value that is illegal, or a focal length without a sensor.
     """
     if "fov_x" in given:
-        return HorizontalField(given["fov_x"])
+        return HorizontalField(float_turn(given["fov_x"], "fov_x"))
     if "intrinsics" in given:
         return Intrinsics(*vector(given["intrinsics"], "intrinsics", size=4))
     if "angles" in given:
-        return SideAngles(*listed(given["angles"], "angles", (4,)))  # type: ignore[arg-type]  # read there
+        return SideAngles(*map(float, turns(given["angles"], "angles", size=4)))
     film = {name: given[name] for name in ("focal", "sensor") if name in given}
     if not film:
         return base

@@ -8,7 +8,7 @@ from functools import cached_property, partial
 
 from nmatrix.enums import Frame
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
-from nmatrix.linear.angle import Angle, direction_from_angles, turns
+from nmatrix.linear.angle import Angle, direction_from_angles
 from nmatrix.linear.classify import BUILT
 from nmatrix.linear.rational import (
     RationalMatrix,
@@ -17,6 +17,7 @@ from nmatrix.linear.rational import (
     rational_vector,
 )
 from nmatrix.linear.values import named, number, read_fields, refuse_beside, vector
+from nmatrix.reading.angles import turns
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Vector
 from nmatrix.scene.camera import PlacedCamera, View

@@ -9,7 +9,7 @@ from functools import cached_property, partial
 from nmatrix.enums import Convention, chosen
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear import affine
-from nmatrix.linear.angle import Angle, turn, turns
+from nmatrix.linear.angle import Angle
 from nmatrix.linear.decompose import Parts, parts, parts_given
 from nmatrix.linear.rank_keeping import rounded_keeping_rank
 from nmatrix.linear.rational import (
@@ -22,6 +22,7 @@ from nmatrix.linear.rational import (
 )
 from nmatrix.linear.rounding import integers, nearest, unit
 from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
+from nmatrix.reading.angles import turn, turns
 from nmatrix.reading.arrays import read_affine
 from nmatrix.report import Number, Vector
 
@@ -53,7 +54,8 @@ class World:
     translate, scale, shear
         In world units; one number is a uniform scale; shear is xy, xz, yz.
     rotate_degrees
-        About x, y, z, or the course's three angles under its conventions; numbers or `Angle`.
+        About x, y, z, or the course's three angles under its conventions; numbers, `Angle` or
+        texts such as "pi/6rad".
     quaternion
         x, y, z, w instead of the three angles; any length but zero.
     axis_angle

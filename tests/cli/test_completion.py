@@ -116,6 +116,10 @@ def test_every_word_of_a_list_completes(offered, name: str) -> None:
         ("nmatrix handout --roster ", {"class"}),
         ("nmatrix stress --case N1", {"N1", "N19"}),
         ("nmatrix normal --method ", {"exact", "inverse", "cofactor", "none"}),
+        ("nmatrix world --order ", {"XYZ", "ZYX", "YXZ", "xyz", "zxy"}),
+        ("nmatrix axes opengl unity --order z", {"zxy", "zyx"}),
+        ("nmatrix axes u", {"unity", "unreal", "usd-z-up"}),
+        ("nmatrix render --samples ", {"1", "4", "16", "64"}),
         ("nmatrix help ", set(COMMANDS) | {"options"}),
         ("nmatrix help --", {"--docs"}),
         ("nmatrix --", {"--help", "--version", "--install-completion", "--show-completion"}),
@@ -127,6 +131,12 @@ def test_every_word_of_a_list_completes(offered, name: str) -> None:
 )
 def test_words_that_are_no_enum(offered, line: str, words: set[str]) -> None:
     assert words <= set(offered(line))
+
+
+def test_every_order_of_axes_is_one_that_is_taken(offered, nmatrix) -> None:
+    told = offered("nmatrix world --order ")
+    assert len(set(told)) == len(told) == 12
+    assert all(nmatrix(f"world --order {one}").code == 0 for one in told)
 
 
 def test_nothing_is_offered_twice_or_where_it_cannot_stand(offered) -> None:

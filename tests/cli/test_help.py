@@ -64,6 +64,19 @@ def test_a_page_is_short_narrow_and_has_every_option(nmatrix, name: str) -> None
 
 
 @pytest.mark.parametrize("name", COMMANDS)
+def test_an_argument_is_named_by_what_it_is(nmatrix, name: str) -> None:
+    usage = next(one for one in nmatrix(f"{name} --help").out.splitlines() if "Usage" in one)
+    assert "None" not in usage
+    assert "[OPTIONS]" in usage
+
+
+def test_examples_of_measuring_are_quick(nmatrix) -> None:
+    examples = nmatrix("cost --help").out.partition("Usage")[0].split("\n\n")[0].splitlines()
+    assert len(examples) >= 3
+    assert all("--quick" in one for one in examples)
+
+
+@pytest.mark.parametrize("name", COMMANDS)
 def test_the_full_page_describes_every_option(nmatrix, name: str) -> None:
     page = nmatrix(f"{name} --help --full").out
     assert max(map(len, page.splitlines())) <= 80

@@ -10,7 +10,9 @@ import pytest
 from nmatrix.enums import Space
 from nmatrix.report import SCREEN
 
-EVERYDAY = ("world", "normal", "view", "projection", "light", "eye", "trace")
+EVERYDAY = (
+    "world", "normal", "view", "projection", "identify", "axes", "light", "eye", "trace",
+)  # fmt: skip
 
 
 def lines_of(text: str) -> list[str]:
@@ -48,6 +50,21 @@ def some_options(command: str, seed: int) -> str:
         "trace": [
             f"{world} --point {three()} --normal 1 {number()} 0",
             "--pixel 10 20 --api vulkan",
+        ],
+        "identify": [
+            "'0.1 0 0 0; 0 0.2 0 0; 0 0 -0.02 -1; 0 0 0 1'",
+            "'1.299 0 0 0; 0 -1.732 0 0; 0 0 0 0.1; 0 0 -1 0'",
+            f"'{number()} 0 0.123 0; 0 {number()} 0.456 0; 0 0 -1.002 -0.2002; 0 0 -1 0'",
+            f"'{three()} {number()}; {three()} 1; {three()} 2; 0 0 0 1'",
+            f"'{three()}; {three()}; {three()}'",
+            "'0 0 1 2.5; 0 1 0 3; -1 0 0 4; 0 0 0 1'",
+        ],
+        "axes": [
+            "blender unity",
+            "unity gltf",
+            f"unreal ros '{three()} {number()}; {three()} 1; {three()} 2; 0 0 0 1'",
+            f"opencv unreal '{three()}; {three()}; {three()}' --order zyx",
+            "unreal opengl '1 0 0 0; 0 0 0 0; 0 0 1 0; 0 0 0 1'",
         ],
     }
     return rng.choice(options[command])
@@ -90,6 +107,27 @@ def test_remarks_that_find_no_room_are_counted(nmatrix: Callable) -> None:
     left = every - shown
     assert left > 0
     assert (f"and {left} remarks" if left > 1 else "and a remark") in " ".join(short.out.split())
+
+
+def first_entry(matrix: str) -> int:
+    """Find the line of a text with the first row of a matrix."""
+    return next(at for at, line in enumerate(lines_of(matrix)) if line.strip().startswith("x ⎡"))
+
+
+def test_what_was_asked_for_stands_on_top(nmatrix: Callable) -> None:
+    moved = nmatrix("axes ros unreal '0 -1 0 4; 1 0 0 5; 0 0 1 6; 0 0 0 1'").out
+    assert first_entry(moved) <= 3
+    assert "rotate XYZ (deg)" in moved
+    assert first_entry(nmatrix("axes blender unity").out) <= 3
+    lens = nmatrix("identify '1.299 0 0 0; 0 -1.732 0 0; 0 0 0 0.1; 0 0 -1 0'").out
+    assert lens.startswith("It is a perspective projection")
+    assert lens.index("nmatrix projection --fov 60 --aspect 4/3") < lens.index("at least")
+
+
+def test_what_is_nearly_one_is_called_so(nmatrix: Callable) -> None:
+    told = nmatrix("identify '0.7071067 0 0.7071067 1; 0 1 0 2; -0.7071067 0 0.7071067 3; 0 0 0 1'")
+    assert "scaled by nearly 1 1 1" in told.out
+    assert "scaled by 1 2 1." in nmatrix("identify '1 0 0; 0 2 0; 0 0 1'").out
 
 
 def test_each_further_normal_takes_one_line(nmatrix: Callable) -> None:

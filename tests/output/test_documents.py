@@ -113,3 +113,19 @@ def test_typst_matrices() -> None:
     assert 'mat(delim: "[", 1, 2 times 10^(-30); 0, -3.5) $' in text
     assert 'mat(delim: "[", 1; 2; 3) $' in text
     assert "determinant: $det A = 1 times 10^(600)$" in text
+
+
+@pytest.mark.parametrize(
+    ("text", "written"),
+    [
+        ("A⁻ᵀ", r"A$^{-\mathsf T}$"),
+        ("σ₁₂/10⁻¹²", r"$\sigma_{12}$/10$^{-12}$"),
+        ("x₁²", r"x$_{1}^{2}$"),
+        ("$−5, $$κ", r"\$$-$5, \$\$$\kappa$"),
+        ("¹′", "$^{1}{}'$"),
+    ],
+)
+def test_latex_has_one_formula_where_signs_meet(text: str, written: str) -> None:
+    from nmatrix.output.formulas.latex_words import escaped
+
+    assert escaped(text) == written

@@ -44,6 +44,21 @@ def test_the_worst_is_that_of_the_worst_body_and_the_mean_is_over_all(rule: Norm
     assert together.mean_angle_error_deg == pytest.approx(total / sum(fragments))
 
 
+@pytest.mark.parametrize("rule", [NormalRule.EXACT, NormalRule.NONE])
+def test_a_sentence_names_the_body_that_is_worst(rule: NormalRule) -> None:
+    bodies = {"round": ROUND, "tall": TALL, "flat": FLAT}  # stretched by 1, 2 and 7
+    for names in (
+        ("round", "tall", "flat"),
+        ("flat", "round"),
+        ("tall", "round"),
+        ("tall", "flat"),
+    ):
+        found = measured(*(sphere(one, bodies[one]) for one in names), normals=rule)
+        worst = max(names, key=("round", "tall", "flat").index)
+        assert found.verdict.endswith(f"° off, on {worst}.")
+    assert " on " not in measured(sphere("flat", FLAT), normals=rule).verdict
+
+
 def test_what_is_hidden_does_not_count_and_what_is_behind_glass_does() -> None:
     glass = replace(DEFAULT_MATERIAL, opacity=0.5)
     plane = ShapeGeometry(Shape.PLANE)

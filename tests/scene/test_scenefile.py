@@ -244,7 +244,7 @@ FAULTS = [
     ("scale = true", "scale (true): …; mend scale"),
     ("scale = nan", "scale (nan): it is not a finite number"),
     ("translate = [0, inf, 0]", "translate (0 inf 0): it is not a finite number"),
-    ('rotate = [0, 0, "x"]', 'rotate (0 0 "x"): …; mend rotate: turn about x, y, z'),
+    ('rotate = [0, 0, "x"]', 'rotate (0 0 "x"): it is not a number; write it like'),
     ("rotate = [[0], 0, 0]", "rotate ([0] 0 0): …; mend rotate"),
     ("rotate = {x = 1}", "rotate (a table): …; mend rotate"),
     ("scale = 1e999", "number ('1e999'): no float64 is near it"),

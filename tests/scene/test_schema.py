@@ -33,7 +33,9 @@ def faults(value: Any, part: dict[str, Any], where: str = "$") -> list[str]:
         return [] if [] in ways else ways[0]
     if "enum" in part:
         return [] if value in part["enum"] else [f"{where}: {value!r}"]
-    kind = part["type"]
+    kind, *others = part["type"] if isinstance(part["type"], list) else [part["type"]]
+    if others and isinstance(value, str):
+        kind = "string"  # an angle
     if not isinstance(value, TYPES[kind]) or (kind != "boolean" and isinstance(value, bool)):
         return [f"{where}: {value!r} is no {kind}"]
     if kind == "object":

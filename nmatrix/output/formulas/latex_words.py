@@ -34,7 +34,7 @@ MATHEMATICS = {
     "√": r"\surd",
     "°": r"^{\circ}",
     "∞": r"\infty",
-    "′": "'",
+    "′": "{}'",  # it may follow an exponent
 }
 _RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", (*"0123456789-", r"\mathsf T"), strict=True))
 _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))

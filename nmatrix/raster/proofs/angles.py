@@ -33,7 +33,8 @@ class AngleMap:
     """Angles over a picture (height, width), and their statistics over the samples.
 
     `pixel_deg` is the mean over a pixel's samples that have both normals, the part `compared` of
-    it; these three are of opaque bodies. The statistics count every layer of glass.
+    it; these three are of opaque bodies. The statistics count every layer of glass; `worst_body`
+    has the largest angle.
     """
 
     pixel_deg: Array
@@ -41,6 +42,7 @@ class AngleMap:
     covered: Array
     worst_deg: float | None
     mean_deg: float | None
+    worst_body: Body | None
 
     @property
     def errors(self) -> dict[str, float | None]:
@@ -63,24 +65,30 @@ def angle_map(plan: Plan, wrong: Sequence[Array], right: Sequence[Array]) -> Ang
     The two sides of a flattened body are alike: there normals count up to their sign.
     """
     loaded = plan.loaded
-    of_samples: list[Array] = []
+    of_samples: list[tuple[Body, Array]] = []
     drawables = [
         _compared(loaded, *one, of_samples) for one in zip(plan.bodies, wrong, right, strict=True)
     ]
     drawing = Drawing(drawables, loaded.canvas, np.zeros(3), loaded.settings.depth)
     total, compared, covered = np.moveaxis(drawing.picture().image, 2, 0)
-    angles = np.concatenate([np.zeros(0), *of_samples])
+    angles = np.concatenate([np.zeros(0), *(found for _, found in of_samples)])
+    worst, _ = max(of_samples, key=lambda one: one[1].max(), default=(None, angles))
     return AngleMap(
         quotient(total, compared),
         compared,
         covered,
         float(angles.max()) if len(angles) else None,
         float(angles.mean()) if len(angles) else None,
+        worst,
     )
 
 
 def _compared(
-    loaded: LoadedScene, plan: BodyPlan, wrong: Array, right: Array, of_samples: list[Array]
+    loaded: LoadedScene,
+    plan: BodyPlan,
+    wrong: Array,
+    right: Array,
+    of_samples: list[tuple[Body, Array]],
 ) -> Drawable:
     """Return a body that is drawn as its angles, which are also added to those of the samples."""
     culled = 0 if Effect.BACK_FACES in plan.effects else -plan.seen.front
@@ -93,7 +101,8 @@ def _compared(
         angles = angles_deg(a, b)
         if plan.body.linear_map.rank < 3:
             angles = np.minimum(angles, 180 - angles)
-        of_samples.append(angles[both])
+        if both.any():
+            of_samples.append((plan.body, angles[both]))
         return np.stack([angles * both, both.astype(float), np.ones(len(both))])
 
     points = {"wrong": projected.per_vertex(wrong), "right": projected.per_vertex(right)}

@@ -25,6 +25,11 @@ from nmatrix.scene.words import LightKind, Shape, Wrap
 MOST_PIXELS = 8192  # on a side
 FINEST = 2000  # cells on a side of a shape
 
+# Degrees; or a text as on the command line, of which the reader makes degrees before it checks.
+ANGLE = Meta(extra_json_schema={"format": "angle"})
+Turn = Annotated[float, ANGLE]
+HalfAngle = Annotated[Turn, Meta(ge=0)]
+Field = Annotated[Turn, Meta(gt=0, lt=180)]
 Three = tuple[float, float, float]
 Four = tuple[float, float, float, float]
 Level = Annotated[float, Meta(ge=0, le=1)]
@@ -48,10 +53,10 @@ class CameraRecord(Record, frozen=True):
     target: Annotated[Three | None, Meta(description="What it looks at, 0 0 0 by default.")] = None
     up: Annotated[Three | None, Meta(description="What is up, 0 1 0 by default.")] = None
     elevation: Annotated[
-        float | None, Meta(description="Look up by degrees, instead of a target.")
+        Turn | None, Meta(description="Look up by degrees, instead of a target.")
     ] = None
-    angle: Annotated[float | None, Meta(description="Look sideways by degrees.")] = None
-    roll: Annotated[float | None, Meta(description="Turn about the view axis by degrees.")] = None
+    angle: Annotated[Turn | None, Meta(description="Look sideways by degrees.")] = None
+    roll: Annotated[Turn | None, Meta(description="Turn about the view axis by degrees.")] = None
     extrinsics: Annotated[
         Rows | None, Meta(description="Rows of [R t], from the world to an OpenCV camera.")
     ] = None
@@ -63,11 +68,11 @@ class CameraRecord(Record, frozen=True):
         Convention.STANDARD
     )
     fov: Annotated[
-        Annotated[float, Meta(gt=0, lt=180)] | None,
+        Field | None,
         Meta(description="Vertical field of view in degrees, 60 by default."),
     ] = None
     fov_x: Annotated[
-        Annotated[float, Meta(gt=0, lt=180)] | None,
+        Field | None,
         Meta(description="Horizontal field of view in degrees instead."),
     ] = None
     focal: Annotated[
@@ -82,7 +87,7 @@ class CameraRecord(Record, frozen=True):
         Meta(description="fx, fy, cx, cy in pixels of the viewport, from its upper left corner."),
     ] = None
     angles: Annotated[
-        Four | None,
+        tuple[Turn, Turn, Turn, Turn] | None,
         Meta(description="Left, right, down, up from the view axis in degrees, left, down < 0."),
     ] = None
     viewport: Annotated[
@@ -116,7 +121,7 @@ class LightRecord(Record, frozen=True):
     kind: Annotated[LightKind, Meta(description="What kind of light.")] = LightKind.DIRECTIONAL
     direction: Annotated[Three | None, Meta(description="In which the light travels.")] = None
     angles: Annotated[
-        tuple[float, float] | None,
+        tuple[Turn, Turn] | None,
         Meta(description="The direction by two angles α and β, in degrees."),
     ] = None
     position: Annotated[Three | None, Meta(description="Of a point or spot light.")] = None
@@ -131,7 +136,7 @@ class LightRecord(Record, frozen=True):
         Meta(description="Beyond this distance nothing arrives, or inf."),
     ] = None
     cone: Annotated[
-        tuple[NotNegative, NotNegative] | None,
+        tuple[HalfAngle, HalfAngle] | None,
         Meta(
             description="Inner and outer half angle of a spot light in degrees, 20 30 by default."
         ),
@@ -161,13 +166,16 @@ class ObjectRecord(Record, frozen=True):
         ),
     ] = None
     translate: Annotated[Three | None, Meta(description="Move.")] = None
-    rotate: Annotated[Three | None, Meta(description="Turn about x, y, z, in degrees.")] = None
+    rotate: Annotated[
+        tuple[Turn, Turn, Turn] | None, Meta(description="Turn about x, y, z, in degrees.")
+    ] = None
     order: Annotated[
         str | None, Meta(description="A permutation of XYZ (intrinsic) or xyz (extrinsic).")
     ] = None
     quaternion: Annotated[Four | None, Meta(description="x, y, z, w instead of angles.")] = None
     axis_angle: Annotated[
-        Four | None, Meta(description="x, y, z of an axis and degrees instead of angles.")
+        tuple[float, float, float, Turn] | None,
+        Meta(description="x, y, z of an axis and degrees instead of angles."),
     ] = None
     scale: Annotated[
         float | Three | None, Meta(description="Stretch, by three numbers or one for all.")
@@ -221,7 +229,7 @@ class MaterialRecord(Record, frozen=True):
         Meta(description="Multiplies u and v: 2 shows an image twice as often."),
     ] = 1.0
     uv_rotation: Annotated[
-        float, Meta(description="Then turns u and v counter-clockwise, in degrees.")
+        Turn, Meta(description="Then turns u and v counter-clockwise, in degrees.")
     ] = 0.0
     uv_offset: Annotated[tuple[float, float], Meta(description="Then is added to u and v.")] = (
         0.0,

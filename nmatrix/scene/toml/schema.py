@@ -21,21 +21,23 @@ def schema() -> str:
     True
     """
     found = msgspec.json.schema(SceneRecord)
-    whole = {"$schema": DRAFT, "title": "An nmatrix scene", **_without_null(found)}
+    whole = {"$schema": DRAFT, "title": "An nmatrix scene", **_as_written(found)}
     return msgspec.json.format(msgspec.json.encode(whole), indent=2).decode() + "\n"
 
 
-def _without_null(part: Schema) -> Schema:
-    """Return the schema without null, which TOML does not have: a key is left out instead."""
+def _as_written(part: Schema) -> Schema:
+    """Return the schema of what a file may say: never null, and angles as texts too."""
     if isinstance(part, list):
-        return [_without_null(one) for one in part if one != {"type": "null"}]
+        return [_as_written(one) for one in part if one != {"type": "null"}]
     if not isinstance(part, dict):
         return part
     kept = {
-        key: _without_null(value)
+        key: _as_written(value)
         for key, value in part.items()
         if not (key == "default" and value is None)
     }
+    if kept.get("format") == "angle":
+        kept["type"] = ["number", "string"]
     alternatives = kept.get("anyOf")
     if alternatives is not None and len(alternatives) == 1:
         kept = {key: value for key, value in kept.items() if key != "anyOf"} | alternatives[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import cache
 from math import isfinite
 from pathlib import Path
 from typing import Any, Literal, TypeVar, get_args, get_origin
@@ -13,9 +14,10 @@ import msgspec
 
 from nmatrix.errors import IllegalValueError, did_you_mean, printable, quoted, shortlist
 from nmatrix.linear.rational import AFFINE_ROW, RationalMatrix, affine_matrix, rational_matrix
+from nmatrix.reading.angles import angle
 from nmatrix.reading.files import existing_file
 from nmatrix.scene.beside import beside
-from nmatrix.scene.toml.records import Record
+from nmatrix.scene.toml.records import ANGLE, Record
 
 Checked = TypeVar("Checked", bound=Record)
 Raw = Any  # what TOML can say
@@ -131,15 +133,29 @@ class SceneTable:
             )
         for key, value in self.raw.items():
             self._check_finite(key, value)
+        raw = self._in_degrees(kind)
         try:
-            return msgspec.convert(self.raw, kind)
+            return msgspec.convert(raw, kind)
         except msgspec.ValidationError:
-            raise self._first_fault(kind) from None
+            raise self._first_fault(kind, raw) from None
 
-    def _first_fault(self, kind: type[Record]) -> IllegalValueError:
+    def _in_degrees(self, kind: type[Record]) -> Mapping[str, Raw]:
+        """Make degrees of the angles that are texts with a unit."""
+        found = dict(self.raw)
+        for key, angles in _angles_of(kind).items():
+            value = found.get(key)
+            if isinstance(value, str | list):
+                try:
+                    found[key] = _with_texts_read(value, angles)
+                except IllegalValueError as error:
+                    _, why, next_step = error.parts
+                    raise self.fault(key, why, next_step) from None
+        return found
+
+    def _first_fault(self, kind: type[Record], raw: Mapping[str, Raw]) -> IllegalValueError:
         """Check again, key by key: then it is known whose fault the checker complains of."""
         fields = {one.name: one for one in msgspec.structs.fields(kind)}
-        for key, value in self.raw.items():
+        for key, value in raw.items():
             if key not in fields:
                 near = suggestion(key, fields)
                 return self.refused(printable(key), "no such key is known here", near)
@@ -160,6 +176,32 @@ class SceneTable:
         if isinstance(value, list):
             for one in value:
                 self._check_finite(key, one)
+
+
+@cache
+def _angles_of(kind: type[Record]) -> Mapping[str, object]:
+    """List the keys of a record that hold angles, with their types."""
+    types = {one.name: one.type for one in msgspec.structs.fields(kind)}
+    return {key: one for key, one in types.items() if _has_angle(one)}
+
+
+def _has_angle(annotation: object) -> bool:
+    if ANGLE in getattr(annotation, "__metadata__", ()):
+        return True
+    return any(map(_has_angle, get_args(annotation)))
+
+
+def _with_texts_read(value: Raw, annotation: object) -> Raw:
+    """Make degrees of a text where the type has an angle; all else stays."""
+    if isinstance(value, str) and ANGLE in getattr(annotation, "__metadata__", ()):
+        return float(angle(value))
+    parts = get_args(annotation)
+    if get_origin(annotation) is tuple:
+        is_whole = isinstance(value, list) and len(value) == len(parts)
+        return list(map(_with_texts_read, value, parts)) if is_whole else value
+    for part in parts:
+        value = _with_texts_read(value, part)
+    return value
 
 
 def in_words(error: msgspec.ValidationError) -> str:
