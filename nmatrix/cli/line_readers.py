@@ -28,7 +28,12 @@ HINT = "help lists what can be written"
 
 
 class LineReader(Protocol):
-    """Reads one statement after the other."""
+    """Reads one statement after the other.
+
+    `needs_echo` is one that leaves it to the terminal to show keys.
+    """
+
+    needs_echo: bool
 
     def read(self, names: Iterable[str]) -> str:
         """Read a statement; TAB offers these names.
@@ -124,6 +129,8 @@ def completed(names: Iterable[str], before: str) -> Offer:
 class _PlainReader:
     """Reads lines by `input`, which readline completes and remembers where it is there."""
 
+    needs_echo = True
+
     def __init__(self, history: History) -> None:
         self.history = history
         self.names: tuple[str, ...] = ()
@@ -186,6 +193,8 @@ class _PlainReader:
 
 class _ToolkitReader:
     """Reads with prompt_toolkit: lines that go on, a paste, search, completion."""
+
+    needs_echo = False
 
     def __init__(self, history: History) -> None:
         from prompt_toolkit import PromptSession

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from textwrap import wrap
 from unicodedata import combining, east_asian_width
 
 from nmatrix.calculator.answer import KEYS
@@ -191,8 +192,10 @@ def _refusal(statement: str, reply: Reply, options: OutputOptions) -> str:
     """Write an error, with a caret under the character where it lies."""
     assert reply.error is not None  # there is one to be told
     error = reply.error.without_caret if isinstance(reply.error, PlacedError) else reply.error
+    line = spelled(f"error: {error.spelled(_spell)}", options.charset)
+    first, *more = wrap(line, options.width, subsequent_indent=MORE, break_on_hyphens=False)
     head = render((Span("error:", Style.WRONG),), options.colour)
-    told = f"{head} {spelled(error.spelled(_spell), options.charset)}\n"
+    told = "".join(f"{one}\n" for one in (head + first.removeprefix("error:"), *more))
     return told if reply.at is None else _caret(statement, reply.at, options) + told
 
 
