@@ -11,13 +11,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nmatrix.typed_rows import TypedRows, bar_of
+from nmatrix.typed import LOWERED, RAISED, TypedRows, bar_of
 
 APART = ",  "  # between two statements, which stand further apart than two numbers
-OPERATORS = ("det", "tan", "sin", "cos", "arctan", "max")  # which LaTeX and Typst know by name
-FUNCTIONS = (*OPERATORS, "sign", "rank", "fl")
-RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
-LOWERED = "₀₁₂₃₄₅₆₇₈₉"
+# Names that LaTeX and Typst know.
+OPERATORS = ("det", "tan", "sin", "cos", "arctan", "arccos", "max")
+FUNCTIONS = (*OPERATORS, "sign", "rank", "rref", "fl")
 _ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")
 _TOKEN = re.compile(
     rf",\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"

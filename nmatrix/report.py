@@ -20,7 +20,7 @@ from nmatrix.surds import Surd
 
 if TYPE_CHECKING:
     from nmatrix.formula import Row
-    from nmatrix.typed_rows import TypedRows
+    from nmatrix.typed import TypedRows
 
 Entry = TypeVar("Entry", covariant=True)
 

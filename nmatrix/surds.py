@@ -324,7 +324,7 @@ def _square_factor(n: int) -> tuple[int, int]:
     if whole * whole == left:
         return outside * whole, inside
     if left > TRIED**3:  # with three factors, two of them may be the same
-        raise TooManyRootsError(f"the square factors of {left}")
+        raise TooManyRootsError(f"the square factors of a number of {left.bit_length()} bits")
     return outside, inside * left
 
 

@@ -15,7 +15,7 @@ from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueErro
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.function import Argument, Parameter
 from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.homogeneous import as_long_as, settled, w_of, with_w
+from nmatrix.calculator.homogeneous import settled, understood, w_of, with_w
 from nmatrix.calculator.meanings import SCENE, Meaning
 from nmatrix.calculator.nearest import Part, forms
 from nmatrix.calculator.numbers import Number, PiMultiple, shown, times_pi
@@ -227,6 +227,8 @@ class _Evaluation:
         if node.sign == "@" and isinstance(node.left, Infix):
             self.products[id(node.left)] = self.products.get(id(node), node)
         a, b = self.value_of(node.left), self.value_of(node.right)
+        if node.sign in rules.ENTRY_BY_ENTRY:
+            a, b = understood(a, b), understood(b, a)
         operands = self._operand(node.left, a), self._operand(node.right, b)
         found = partial(rules.meaning_of, node.sign, *operands)
         meaning = self._meaning(node, node.sign, found, operands)
@@ -238,7 +240,6 @@ class _Evaluation:
 
     def _comparison(self, node: Infix, operands: tuple[Operand, Operand]) -> Value:
         a, b = (one.value for one in operands)
-        a, b = as_long_as(a, b), as_long_as(b, a)
         told = rules.different_ways(*operands)
         self.remarks += [told] if told and not self.untyped else []
         if node.sign == "==":
@@ -273,18 +274,27 @@ class _Evaluation:
     def _part(self, node: Node, operands: Sequence[Operand]) -> Part:
         """Take the part of the expression that a refusal is about: of products the whole chain."""
         if not (isinstance(node, Infix) and node.sign == "@"):
-            return Part(self._typed(node), node.start, tuple(operands))
+            written = sorted({one.start: one for one in operands if one.start is not None}.items())
+            found = tuple(one for _, one in written)
+            is_dot = isinstance(node, Infix) and node.sign == "·"
+            is_product = is_dot and found[0].value.kind is ValueKind.MATRIX
+            return Part(self._typed(node), node.start, found, is_product=is_product)
         whole = self.products.get(id(node), node)
         factors: list[Node] = [whole]
         while isinstance(factors[0], Infix) and factors[0].sign == "@":
             factors[:1] = [factors[0].left, factors[0].right]
         quiet = replace(self, steps=[], remarks=[], products={}, advises=False)
+        chain: list[Operand] = []
         try:
-            found = [self._operand(factor, quiet.value_of(factor)) for factor in factors]
+            for factor in factors:
+                chain.append(self._operand(factor, quiet.value_of(factor)))
+                if chain[-1].value.kind is ValueKind.VECTOR:
+                    break
         except NMatrixError:  # further on there is another fault
             return Part(self._typed(node), node.start, tuple(operands), is_product=True)
-        rest = self.expression[node.end : whole.end]
-        return Part(self._typed(whole), whole.start, tuple(found), is_product=True, rest=rest)
+        end = whole.end if len(chain) == len(factors) else factors[len(chain) - 1].end
+        text, rest = self.expression[whole.start : end], self.expression[node.end : end]
+        return Part(text, whole.start, tuple(chain), is_product=True, rest=rest)
 
     def _is_right(self, form: str) -> bool:
         """Try a form, over V and P too where these have no name yet."""

@@ -41,7 +41,9 @@ class NoValueError(PlacedError, NoAnswerError):
 
 
 class MeaningError(PlacedError, FrameError):
-    """Numbers that fit and spaces that do not; it knows the mistake and the nearest right form.
+    """Spaces or kinds that do not fit; it knows the mistake and the nearest right form.
+
+    The form is empty where numbers do not fit either.
 
     Examples
     --------
@@ -52,7 +54,7 @@ class MeaningError(PlacedError, FrameError):
     def __init__(
         self, expression: str, position: int, what: str, refused: RefusedError, instead: str = ""
     ) -> None:
-        told = f"; write {instead}" if instead else ""
+        told = f"; write {instead}" if instead else "; untyped(x) forgets the space of x"
         named = f"; check calls it {refused.mistake}" if refused.mistake else ""
         super().__init__(expression, position, what, f"{refused.why}{told}{named}")
         self.instead, self.mistake = instead, refused.mistake

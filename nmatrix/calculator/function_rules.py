@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 
+from nmatrix.calculator.deviation import mirrors, orthonormal
 from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Carries, Kind, Located, Map, Meaning
-from nmatrix.calculator.numbers import is_zero
+from nmatrix.calculator.numbers import is_zero, shown
 from nmatrix.calculator.operands import (
     UNDIVIDED,
     Operand,
@@ -15,7 +17,7 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
-from nmatrix.calculator.rules import PROJECTED, mirrors, orthonormal
+from nmatrix.calculator.rules import PROJECTED, raised
 from nmatrix.calculator.rules import meaning_of as meaning_of_operator
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame, chosen
@@ -70,6 +72,17 @@ def _transposed(arguments: Sequence[Given]) -> Meaning | None:
     if found.carries is not Carries.FLIPPED and orthonormal(A.value.matrix):
         return Map(found.source, found.to, Carries.ALL)
     return found.transpose
+
+
+def _raised(arguments: Sequence[Given]) -> Meaning | None:
+    """Multiply a map with itself: it must lead back into its own space."""
+    A, k = _values(arguments)
+    times = A.value.meaning
+    exponent = shown(k.value.scalar)
+    if not isinstance(times, Map) or not isinstance(exponent, Fraction):
+        return times
+    found = raised(A, abs(int(exponent)))
+    return found.inverse if exponent < 0 and isinstance(found, Map) else found
 
 
 def _cofactors(arguments: Sequence[Given]) -> Meaning | None:
@@ -162,19 +175,20 @@ def _made(kind: Kind) -> FunctionRule:
         v, *words = arguments
         assert isinstance(v, Operand)  # the function takes a vector
         named = next((chosen(Frame, word, "space") for word in words if word), None)
-        if v.is_undivided and not (kind is Kind.POINT and named in (None, Frame.CLIP)):
-            raise undivided(v)
-        if named and v.space and named is not v.space:
-            why = f"{v.name} is in {v.space} space already, and {named} is asked for"
-            wanted = Operand(Value(v.value.entries, Located(named, kind)), "")
-            raise RefusedError(why, apart=(v, wanted))
         if named is Frame.CLIP and kind is not Kind.POINT:
             why = f"in clip space there are points alone, and this would be a {kind}"
-            raise RefusedError(why, forms=(f"point({v.text}, clip)", f"{kind}({v.text}, ndc)"))
+            forms = (f"point({x}, clip)" for x in (v.text, f"untyped({v.text})"))
+            raise RefusedError(why, forms=forms)
+        if v.is_undivided and not (kind is Kind.POINT and named in (None, Frame.CLIP)):
+            raise undivided(v)
         refused = _UNMADE.get((kind, v.sort))
         if refused is not None:
             why, mistake = refused
             raise RefusedError(f"{v.name} is {why}", mistake, forms=(v.text,))
+        if named and v.space and named is not v.space:
+            why = f"{v.name} is in {v.space} space already, and {named} is asked for"
+            wanted = Operand(Value(v.value.entries, Located(named, kind)))
+            raise RefusedError(why, apart=(v, wanted))
         if v.sort is Sort.BARE and not named and kind in (Kind.POINT, Kind.VECTOR):
             return None  # a literal with its w
         kept = Kind[v.sort.name] if kind is Kind.VECTOR and v.sort is not Sort.BARE else kind
@@ -204,19 +218,22 @@ def _divided(arguments: Sequence[Given]) -> Meaning | None:
         return None
     if p.space not in (None, Frame.CLIP, Frame.NDC):
         why = f"{p.name} is in {p.space} space, and project divides a point of clip space"
-        wanted = Operand(Value(p.value.entries, UNDIVIDED), "")
+        wanted = Operand(Value(p.value.entries, UNDIVIDED))
         raise RefusedError(why, apart=(p, wanted))
     return Located(Frame.NDC, Kind.POINT)
 
 
 def _unprojected(arguments: Sequence[Given]) -> Meaning | None:
-    """Go from the window back to where the matrix starts."""
-    window, led, *_ = _values(arguments)
-    if not window.is_undivided:
-        together(
-            window,
-            Operand(Value(window.value.entries, Located(Frame.WINDOW, Kind.POINT)), "unproject"),
-        )
+    """Go back to where the matrix starts, from the window where its viewport is given."""
+    window, led, *viewport = _values(arguments)
+    begins = Frame.WINDOW if viewport else Frame.NDC
+    if window.space not in (None, begins):
+        why = f"{window.name} is in {window.space} space, and unproject begins in {begins} space"
+        if window.space is Frame.WINDOW:
+            pixels = f"unproject({window.name}, {led.name}, viewport(640, 480))"
+            raise RefusedError(f"{why} without a viewport", forms=(pixels,))
+        wanted = Operand(Value(window.value.entries, Located(begins, Kind.POINT)), "")
+        raise RefusedError(why, apart=(window, wanted))
     source = led.map.source
     return Located(source, Kind.POINT) if source else None
 
@@ -253,7 +270,6 @@ RULES: dict[str, FunctionRule] = {
     "normalize": _normalised,
     "cross": _crossed,
     "reflect": _reflected,
-    "refract": _reflected,
     "lerp": _alike,
     "slerp": _alike,
     "min": _alike,
@@ -266,14 +282,16 @@ RULES: dict[str, FunctionRule] = {
     **dict.fromkeys(("perspective", "frustum", "ortho"), _always(SCENE["P"])),
     "viewport": _always(Map(Frame.WINDOW, Frame.NDC)),
     **dict.fromkeys(("rotate_x", "rotate_y", "rotate_z", "axis_angle"), _always(_RIGID)),
-    "translate": _always(_RIGID),
+    **dict.fromkeys(("quaternion", "translate"), _always(_RIGID)),
+    "power": _raised,
     **dict.fromkeys(("scale", "shear"), _always(Map())),
     **dict.fromkeys(
         (
-            "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer", "cross_matrix",
-            "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pow", "depth_of",
+            "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer",
+            "cross_matrix", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
+            "depth_of",
             "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
-            "polar", "power", "quaternion", "quaternion_of", "euler",
+            "polar", "quaternion_of", "euler",
         ),
         _nothing,
     ),

@@ -35,12 +35,23 @@ def with_w(A: Value, v: Value) -> Value:
     return Value((*v.vector, w), v.meaning)
 
 
-def as_long_as(v: Value, other: Value) -> Value:
-    """Write the w of a vector behind it, where a literal beside it has four components."""
-    w = w_of(v)
-    if w is None or other.kind is not ValueKind.VECTOR or len(other.vector) != 4:
+def understood(v: Value, other: Value) -> Value:
+    """Read a literal of four beside a thing without w: a point if its w is 1, a direction if 0.
+
+    Examples
+    --------
+    >>> p = Value((1, 2, 3), Located(Frame.WORLD, Kind.POINT))
+    >>> print(understood(Value((4, 5, 6, 1)), p).meaning)
+    point
+    """
+    is_literal = v.meaning is None and v.kind is ValueKind.VECTOR and len(v.vector) == 4
+    if not is_literal or w_of(other) is None:
         return v
-    return Value((*v.vector, w), v.meaning)
+    *place, w = v.vector
+    for kind in (Kind.POINT, Kind.DIRECTION):
+        if w == _W[kind]:
+            return Value(tuple(place), Located(None, kind))
+    return v
 
 
 def settled(value: Value) -> Value:
@@ -65,7 +76,7 @@ def settled(value: Value) -> Value:
     if not isinstance(meaning, Located) or len(value.vector) != 4 or meaning.space is Frame.CLIP:
         return value
     *place, w = value.vector
-    if meaning.kind is Kind.NORMAL:
+    if meaning.kind in (Kind.NORMAL, Kind.VECTOR):
         return Value(tuple(place), meaning)
     if is_zero(w):
         return Value(tuple(place), Located(meaning.space, Kind.DIRECTION))

@@ -43,9 +43,10 @@ class Part:
         """Write the part with other texts for some operands, by their places."""
         written, end = [], self.start
         for place, operand in enumerate(self.operands):
-            before = self.text[end - self.start : operand.start - self.start]
+            start = operand.start or 0
+            before = self.text[end - self.start : start - self.start]
             written += [before, texts.get(place, operand.text)]
-            end = operand.start + len(operand.text)
+            end = start + len(operand.text)
         return "".join([*written, self.text[end - self.start :]])
 
 
@@ -86,7 +87,7 @@ def _brought_together(refused: RefusedError, part: Part, led: Mapping[str, Map])
     pairs = [(one, other) for one in refused.apart for other in refused.apart if one is not other]
     for with_inverses in (False, True):
         for one, other in pairs:
-            if one.space and other.space and one.text:
+            if one.space and other.space and one.start is not None:
                 way = _way(one.space, other.space, led, with_inverses=with_inverses)
                 if way:
                     moved = _carried(one, way)
@@ -191,7 +192,7 @@ def _untyped(part: Part, place: int) -> Iterator[str]:
     operand = part.operands[place]
     text = f"untyped({operand.text})"
     yield text
-    if operand.is_undivided:
+    if operand.value.kind is ValueKind.VECTOR:  # four may be written, where three are compared
         yield f"untyped({factor(operand.text)}.xyz)"
     if part.is_product and isinstance(operand.value.meaning, Located):
         yield from (f"point({text})", f"vector({text})")

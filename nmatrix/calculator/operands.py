@@ -33,11 +33,11 @@ class Sort(StrEnum):
 
 @dataclass(frozen=True)
 class Operand:
-    """A value, the text that it comes from, and where that begins in the expression."""
+    """A value, the text that it comes from, and where that begins; None if it was not written."""
 
     value: Value
     text: str = "it"
-    start: int = 0
+    start: int | None = None
 
     @property
     def sort(self) -> Sort:

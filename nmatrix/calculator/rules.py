@@ -6,21 +6,11 @@ how much it would be wrong. What is not known is never refused.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from fractions import Fraction
 
+from nmatrix.calculator.deviation import degrees_off, is_below_0
 from nmatrix.calculator.meanings import FOR_NORMALS, Carries, Kind, Located, Map, Meaning, meets
-from nmatrix.calculator.numbers import (
-    Number,
-    degrees_of,
-    enclosure,
-    is_negative,
-    is_zero,
-    root,
-    shown,
-    size,
-)
 from nmatrix.calculator.operands import (
     UNDIVIDED,
     Operand,
@@ -33,15 +23,8 @@ from nmatrix.calculator.operands import (
 )
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
-from nmatrix.errors import NoAnswerError
 from nmatrix.lessons.check.mistakes import MistakeId
 from nmatrix.linear import rational
-from nmatrix.linear.rational import RationalMatrix
-from nmatrix.linear.rounding import short_text
-from nmatrix.surds import TooManyRootsError
-
-ROUNDING = Fraction(1, 10**12)  # by which the columns of a rotation in float64 may miss 1 and 0
-
 
 Rule = Callable[[Operand, Operand], Meaning | None]
 Grid = dict[tuple[Sort, Sort], Rule]
@@ -72,23 +55,25 @@ def _from_no_place(a: Operand, b: Operand) -> None:
     raise RefusedError(why, forms=(f"{factor(b.text)} - {factor(a.text)}",))
 
 
-def _same_map(a: Operand, b: Operand) -> Meaning:
-    """Keep the way of two maps that lead the same way; what one does not know the other tells."""
+def _same_map(a: Operand, b: Operand) -> Meaning | None:
+    """Keep the way of two maps that lead the same way; what one does not know the other tells.
+
+    What is left of A by its transpose or its normal matrix is no map, and right all the same.
+    """
     one, other = a.map, b.map
+    carried = {one.carries, other.carries} - {Carries.ALL}
+    if len(carried) > 1:
+        return None
     ends = ((one.to, other.to), (one.source, other.source))
     if any(None not in pair and pair[0] is not pair[1] for pair in ends):
         raise RefusedError(f"{_way(a)}, {_way(b)}, and only maps of one way have a sum")
-    carried = {one.carries, other.carries} - {Carries.ALL}
-    if len(carried) > 1:
-        why = f"{a.name} carries {one.carries}, {b.name} {other.carries}"
-        raise RefusedError(f"{why}, and their sum neither")
     carries = carried.pop() if carried else Carries.PLACES  # two rotations have no rotation as sum
     return Map(one.to or other.to, one.source or other.source, carries)
 
 
 def _way(a: Operand) -> str:
-    to, source = (f"{end} space" if end else "anywhere" for end in (a.map.to, a.map.source))
-    return f"{a.name} leads to {to} from {source}"
+    to = f"to {a.map.to} space" if a.map.to else "anywhere"
+    return f"{a.name} leads {to} from {f'{a.map.source} space' if a.map.source else 'anywhere'}"
 
 
 def _of(rows: Mapping[Sort, tuple[Rule, ...]], columns: tuple[Sort, ...]) -> Grid:
@@ -148,16 +133,9 @@ def _scaled(a: Operand, number: Operand) -> Meaning | None:
         return meaning if is_whole else Located(Frame.NDC, Kind.POINT)
     if isinstance(meaning, Located) and meaning.kind is Kind.POINT:
         return Located(meaning.space, Kind.VECTOR)
-    if a.sort is Sort.FLIPPED and _is_below_0(number.value.scalar):  # such as the determinant
+    if a.sort is Sort.FLIPPED and is_below_0(number.value.scalar):  # such as the determinant
         return replace(a.map, carries=Carries.NORMALS)
     return meaning
-
-
-def _is_below_0(number: Number) -> bool:
-    try:
-        return is_negative(number)
-    except NoAnswerError:
-        return False
 
 
 _SCALED = _all(NUMBER, Sort, lambda a, b: _scaled(b, a)) | _all(Sort, NUMBER, _scaled)
@@ -203,8 +181,12 @@ _ONE_BY_ONE: dict[frozenset[Carries], Carries | None] = {
     frozenset((Carries.BACK, Carries.FLIPPED)): Carries.FLIPPED,
     frozenset((Carries.PLACES, Carries.BACK)): None,
 }
-PROJECTED = (Frame.CLIP, Frame.NDC, Frame.WINDOW)
+PROJECTED = frozenset((Frame.CLIP, Frame.NDC, Frame.WINDOW))
 POSE = Map(Frame.WORLD, Frame.CAMERA)
+
+
+def _is_vector(a: Operand) -> bool:
+    return a.value.kind is ValueKind.VECTOR
 
 
 def _composed(a: Operand, b: Operand) -> Meaning | None:
@@ -220,12 +202,19 @@ def _composed(a: Operand, b: Operand) -> Meaning | None:
     carried = frozenset((one.carries, other.carries)) - {Carries.ALL}
     if carried and carried not in _ONE_BY_ONE:
         why = f"{b.name} carries {other.carries}, {a.name} {one.carries}"
-        places = (a if b.map.carries in FOR_NORMALS else b).text
-        right = f"normal_matrix({places.removeprefix('linear(').removesuffix(')')})"
-        forms = (f"{right} @ {factor(b.text)}", f"{factor(a.text)} @ {right}")
-        raise RefusedError(why, MistakeId.USED_WORLD_MATRIX, forms=forms)
+        raise RefusedError(why, MistakeId.USED_WORLD_MATRIX, forms=_both_for_normals(a, b))
     carries = _ONE_BY_ONE[carried] if carried else Carries.ALL
     return None if carries is None else Map(one.to, other.source, carries)
+
+
+def _both_for_normals(a: Operand, b: Operand) -> Iterator[str]:
+    """Write a product of which one factor was for places, with both for normals."""
+    is_left = b.map.carries in FOR_NORMALS
+    inside = (a if is_left else b).text.removeprefix("linear(").removesuffix(")")
+    for text in (inside, (a if is_left else b).text):
+        for name in ("normal_matrix", "inverse_transpose"):
+            right = f"{name}({text})"
+            yield f"{right} @ {factor(b.text)}" if is_left else f"{factor(a.text)} @ {right}"
 
 
 def _is_square(value: Value) -> bool:
@@ -236,8 +225,8 @@ def _place(a: Operand, b: Operand) -> Meaning:
     """Carry a point or a direction."""
     _begins_there(a, b)
     kind = Kind[b.sort.name]
-    if kind is Kind.DIRECTION and a.map.source in PROJECTED and a.map.to not in PROJECTED:
-        why = f"{a.name} undoes a projection, through which points come back and directions do not"
+    if kind is Kind.DIRECTION and a.map.source in PROJECTED and any(a.value.matrix[-1][:3]):
+        why = f"{a.name} undoes a projection with a vanishing point, which keeps no directions"
         raise RefusedError(why)
     if kind is Kind.POINT and len(a.value.matrix[0]) == 3 and a.map.to and a.map.source:
         why = f"a point needs the translation, which the 3×3 matrix {a.name} has not"
@@ -274,22 +263,30 @@ def _no_normal(a: Operand, b: Operand) -> None:
     is_back = not meets(a.map.source, b.space)
     if is_back and a.map.to is not b.space:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
+    if PROJECTED & {a.map.to, a.map.source}:
+        raise RefusedError(_no_angles(a), MistakeId.USED_WORLD_MATRIX)
     said = f", and {_two_spaces(a, b)}" if is_back else ""
     right = rational.transpose if is_back else rational.inverse_transpose
     mistake = MistakeId.NOT_TRANSPOSED if is_back else MistakeId.USED_WORLD_MATRIX
-    raise RefusedError(f"a normal is not carried by {a.name}{_off(a, b, right)}{said}", mistake)
+    raise RefusedError(
+        f"a normal is not carried by {a.name}{degrees_off(a, b, right)}{said}", mistake
+    )
+
+
+def _no_angles(a: Operand) -> str:
+    return f"a projection keeps no angles, so a normal is not carried by {a.name}"
 
 
 def _normal(a: Operand, b: Operand) -> Meaning:
     """Carry a normal by a map for normals."""
     if not meets(a.map.source, b.space):
         if a.sort is Sort.BACK and a.map.to is b.space:
-            off = _off(a, b, rational.inverse)
+            off = degrees_off(a, b, rational.inverse)
             why = f"a normal is not carried by {a.name}{off}, and {_two_spaces(a, b)}"
             raise RefusedError(why, MistakeId.NOT_INVERTED)
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
-    if a.map.to in PROJECTED:
-        raise RefusedError(f"no light falls in {a.map.to} space, and normals have no use there")
+    if PROJECTED & {a.map.to, a.map.source}:
+        raise RefusedError(_no_angles(a))
     return Located(a.map.to, Kind.NORMAL)
 
 
@@ -303,14 +300,15 @@ def _only_normals(a: Operand, b: Operand) -> None:
     if not is_there:
         raise RefusedError(_two_spaces(a, b), _by_spaces(a.map, b))
     is_step = b.sort is Sort.DIRECTION
-    off = _off(a, b, rational.inverse_transpose) if is_step else ""
+    is_measured = is_step and a.sort is not Sort.FLIPPED
+    off = degrees_off(a, b, rational.inverse_transpose) if is_measured else ""
     why = f"{kind} is not carried by {a.name}, which is for normals{off}"
     raise RefusedError(why, MistakeId.COURSE_LIGHT_RULE if is_step else None)
 
 
 def _inside_out(a: Operand, b: Operand) -> None:
     _normal(a, b)
-    why = f"{a.name} are the cofactors of a mirror, which turn {b.name} inside out"
+    why = f"{a.name} has the cofactors of a mirror, which turn {b.name} inside out"
     raise RefusedError(why, MistakeId.COFACTOR_SIGN)
 
 
@@ -327,13 +325,13 @@ def _unknown(a: Operand, b: Operand) -> Meaning:
 
 
 def _anywhere(a: Operand, b: Operand) -> Meaning | None:
-    """Carry a thing by a matrix of which nothing is known."""
+    """Carry a thing by a matrix of which nothing is known: if for normals, it does not tell."""
     if _is_vector(a):
         return None
     if b.sort is Sort.VECTOR:
         return _unknown(a, b)
     _begins_there(a, b)
-    return Located(None, Kind[b.sort.name])
+    return Located(None, Kind.VECTOR if b.sort is Sort.NORMAL else Kind[b.sort.name])
 
 
 _CARRIED = (
@@ -354,13 +352,14 @@ _CARRIED = (
 )
 
 
-def _is_vector(a: Operand) -> bool:
-    return a.value.kind is ValueKind.VECTOR
-
-
 def _dotted(a: Operand, b: Operand) -> Meaning | None:
     """Choose between the two products that the dot stands for."""
     return (_DOTTED if _is_vector(a) and _is_vector(b) else _CARRIED)[a.sort, b.sort](a, b)
+
+
+def _crossed(a: Operand, b: Operand) -> Meaning | None:
+    """Cross two vectors; matrices have no such product."""
+    return _CROSSED[a.sort, b.sort](a, b) if _is_vector(a) and _is_vector(b) else None
 
 
 def _compared(a: Operand, b: Operand) -> None:
@@ -389,10 +388,11 @@ RULES: dict[str, Grid] = {
     "/": _QUOTIENTS,
     "@": _CARRIED,
     "·": _all(Sort, Sort, _dotted) | _SCALED,
-    "×": _CROSSED | _SCALED,
+    "×": _all(Sort, Sort, _crossed) | _SCALED,
     "==": _COMPARISONS,
     "≈": _COMPARISONS,
 }
+ENTRY_BY_ENTRY = ("+", "-", "==", "≈")
 
 
 def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
@@ -413,11 +413,15 @@ def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
     Traceback (most recent call last):
     nmatrix.calculator.operands.RefusedError: V leads to camera space, M starts from object space
     """
+    if sign in ENTRY_BY_ENTRY and a.value.kind is not b.value.kind:
+        return None  # which has no answer
     return RULES[sign][a.sort, b.sort](a, b)
 
 
 def negated(meaning: Meaning | None) -> Meaning | None:
     """Keep what stays of a meaning under a minus: −p is no place, save in clip space."""
+    if isinstance(meaning, Map) and meaning.carries is Carries.FLIPPED:
+        return replace(meaning, carries=Carries.NORMALS)
     if isinstance(meaning, Located) and meaning.kind is Kind.POINT and meaning != UNDIVIDED:
         return Located(meaning.space, Kind.VECTOR)
     return meaning
@@ -443,42 +447,3 @@ def different_ways(a: Operand, b: Operand) -> str:
     if meets(one.to, other.to) and meets(one.source, other.source):
         return ""
     return f"Only numbers are compared: {_way(a)}, {_way(b)}."
-
-
-def orthonormal(A: RationalMatrix) -> bool:
-    """Tell if a matrix is its own inverse transpose, as far as its numbers are known."""
-    product = rational.product(_enclosed(A), rational.transpose(_enclosed(A)))
-    one = rational.identity(len(A))
-    return all(
-        size(x - y) <= ROUNDING
-        for row, other in zip(product, one, strict=True)
-        for x, y in zip(row, other, strict=True)
-    )
-
-
-def mirrors(A: RationalMatrix) -> bool:
-    """Tell if the determinant of a square matrix is below 0, as far as its numbers are known."""
-    return _is_below_0(rational.determinant(_enclosed(A)))
-
-
-def _enclosed(A: RationalMatrix) -> RationalMatrix:
-    """Put roots between their bounds, so that products of many stay short."""
-    return tuple(tuple(map(enclosure, row)) for row in A)  # type: ignore[arg-type]  # numbers
-
-
-def _off(a: Operand, b: Operand, right: Callable[[RationalMatrix], RationalMatrix]) -> str:
-    """Measure by how many degrees a matrix carries a vector away from where the right one does."""
-    A, v = rational.linear_part(a.value.matrix), b.value.vector
-    if right is rational.inverse_transpose and orthonormal(A):
-        why = f"{a.name} only turns and mirrors" if mirrors(A) else f"{a.name} is rigid"
-        return f": 0° off here, since {why}"
-    try:
-        found, wanted = rational.apply(A, v), rational.apply(right(A), v)
-        across = rational.cross(found, wanted)
-        sine, cosine = root(rational.dot(across, across)), rational.dot(found, wanted)
-        if is_zero(sine) and is_zero(cosine):
-            return ""  # one of the two vanishes
-        degrees = shown(degrees_of(sine, cosine))
-    except (NoAnswerError, TooManyRootsError):
-        return ""
-    return f": {short_text(Fraction(float(degrees)), 4)}° off here"

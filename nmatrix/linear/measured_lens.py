@@ -18,6 +18,9 @@ from nmatrix.linear.values import named, number, read_fields, vector
 from nmatrix.linear.viewport import Viewport
 from nmatrix.report import Number, Vector
 
+Turn = Callable[[Fraction], Angle]  # of degrees
+Read = Callable[[Number], Fraction]
+
 
 @dataclass(frozen=True)
 class HorizontalField:
@@ -28,6 +31,10 @@ class HorizontalField:
     def __post_init__(self) -> None:
         read_fields(self, degrees=named("fov_x", float_turn))
         check_field(self.degrees, "fov_x", "horizontal")
+
+    def half(self, turn: Turn, read: Read) -> Angle:
+        """Make the angle from the view axis to the right side."""
+        return turn(read(self.degrees) / 2)
 
 
 @dataclass(frozen=True)
@@ -106,8 +113,6 @@ class SideAngles:
                 )
 
 
-Turn = Callable[[Fraction], Angle]  # of degrees
-Read = Callable[[Number], Fraction]
 MeasuredLens = HorizontalField | FilmBack | Intrinsics | SideAngles
 
 
@@ -149,7 +154,7 @@ def sides_at_distance_one(
     """
     match lens:
         case HorizontalField():
-            right = _tangent(turn(read(lens.degrees) / 2))
+            right = _tangent(lens.half(turn, read))
             return _centred(right, right / aspect)
         case FilmBack():
             width, height = (read(side) / (2 * read(lens.focal)) for side in lens.sensor)

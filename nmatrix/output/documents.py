@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
 from nmatrix.enums import Numbers
-from nmatrix.formula import Grid, Node, Row, Sign, parse
-from nmatrix.output.exact import SAME, exact_and_decimal, formula_of, relation
-from nmatrix.output.numbers import is_matrix, is_number, is_vector, leaves
+from nmatrix.formula import Grid, Name, Node, Numeral, Power, Quotient, Root, Row, Sign, parse
+from nmatrix.output.exact import SAME, exact_and_decimal, relation, short_form
+from nmatrix.output.numbers import is_matrix, is_number, is_vector, leaves, significant
 from nmatrix.output.symbols import label, letter
 from nmatrix.output.write import OutputOptions
 from nmatrix.report import (
@@ -22,6 +23,7 @@ from nmatrix.report import (
     PageBreak,
     Quantity,
     Report,
+    Shown,
     ShownMatrix,
     Step,
     Symbols,
@@ -30,6 +32,7 @@ from nmatrix.report import (
     Text,
     Verdict,
 )
+from nmatrix.surds import Surd
 
 Cells = Sequence[Sequence[str]]
 
@@ -232,3 +235,59 @@ def _cell(value: object, dialect: Dialect) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return dialect.words(" ".join(str(value).split()))
+
+
+def formula_of(value: Shown, options: OutputOptions) -> Node:
+    """Write a number as a formula.
+
+    Examples
+    --------
+    >>> formula_of(1 / 3, OutputOptions(numbers=Numbers.EXACT))
+    Quotient(top=Numeral(text='1'), bottom=Numeral(text='3'))
+    """
+    if options.numbers is Numbers.BOTH:
+        sign = relation([value], options.digits)
+        ways = [formula_of(value, one) for one in exact_and_decimal(options)]
+        return ways[0] if sign is None else Row((ways[0], Sign(sign), ways[1]))
+    exact = short_form(value, options)
+    return _decimal(significant(value, options.digits)) if exact is None else _formula(exact)
+
+
+def _decimal(text: str) -> Node:
+    if text.endswith("inf"):
+        return Name("∞") if text == "inf" else Row((Sign("−"), Name("∞")))
+    mantissa, mark, exponent = text.partition("e")
+    if not mark:
+        return Numeral(text)
+    power = Power(Numeral("10"), str(int(exponent)).replace("-", "−"))
+    return Row((Numeral(mantissa), Sign("×"), power))
+
+
+def _formula(exact: Fraction | Surd) -> Node:
+    if isinstance(exact, Fraction):
+        tops, bottom = [(1, exact.numerator)], exact.denominator
+    else:
+        tops, bottom = exact.over_one_denominator
+    if bottom == 1 and len(tops) == 1 and tops[0][0] == 1:
+        return Numeral(str(tops[0][1]))
+    if len(tops) == 1:  # the minus of −√3/2 stands before the bar
+        (under, before) = tops[0]
+        over = _over(_term(under, abs(before)), bottom)
+        return Row((Sign("−"), over)) if before < 0 else over
+    items: list[Node] = []
+    for under, before in tops:
+        if items or before < 0:
+            items.append(Sign("−" if before < 0 else "+"))
+        items.append(_term(under, abs(before)))
+    return _over(Row(tuple(items)), bottom)
+
+
+def _over(top: Node, bottom: int) -> Node:
+    return top if bottom == 1 else Quotient(top, Numeral(str(bottom)))
+
+
+def _term(under: int, before: int) -> Node:
+    if under == 1:
+        return Numeral(str(before))
+    root = Root(Numeral(str(under)))
+    return root if before == 1 else Row((Numeral(str(before)), root))

@@ -18,7 +18,7 @@ from nmatrix.output.exact import exact_and_decimal, relation, written
 from nmatrix.output.style import AXES, Line, Span, Style, plain, spelled, width
 from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.report import Formula, Shown, ShownMatrix, ShownVector
-from nmatrix.typed_rows import GAP, TypedRows, bar_of, columns_of
+from nmatrix.typed import GAP, TypedRows, bar_of, columns_of
 
 MARGIN = 8  # row name, two brackets, the bar
 _WORDS = re.compile(r"\s+|\S+")
@@ -26,7 +26,11 @@ _NAMES = re.compile("/*[^/]+/*|/+")  # of a path, each with its separator
 _BREAKS = tuple(  # where a formula may go on below: first before a statement, last before a term
     map(
         re.compile,
-        (r"(?<!\s)(?= +⇒ )|(?<=,  )", r"(?<!\s)(?= [=≈] )", r"(?<!\s)(?= [+−·→] (?!det ))"),
+        (
+            r"(?<!\s)(?= +(?:⇒|=>) )|(?<=,  )",
+            r"(?<!\s)(?= [=≈~] )",
+            r"(?<!\s)(?= (?:[+−·→*-]|->) (?!det ))",
+        ),
     )
 )
 HANGING = "    "  # before what goes on below

@@ -141,6 +141,18 @@ def sayable(text: str, encoding: str) -> str:
     return "".join(one if _knows(encoding, one) else _spelling(one) for one in level)
 
 
+def greek(letter: str) -> str | None:
+    """Name a Greek letter, as LaTeX and people call it; None for any other text.
+
+    Examples
+    --------
+    >>> greek("κ"), greek("λ"), greek("Σ"), greek("k"), greek("det")
+    ('kappa', 'lambda', 'Sigma', None, None)
+    """
+    is_greek = len(letter) == 1 and unicodedata.name(letter, "").startswith("GREEK")
+    return _spelling(letter) if is_greek else None
+
+
 def _knows(encoding: str, text: str) -> bool:
     try:
         text.encode(encoding)

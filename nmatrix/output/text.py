@@ -36,6 +36,7 @@ from nmatrix.report import (
     Tone,
     Verdict,
 )
+from nmatrix.typed import TypedRows
 
 INDENT = Span("  ")
 BLANK = 6  # characters of a cell to fill in
@@ -247,10 +248,16 @@ class _Writer:
         return self._spelled(str(cell)).replace("\n", " ")
 
     def _formula(self, block: Formula) -> list[Line]:
-        lines = self._spelled(draw_formula(block, self.options.width - 2)).splitlines()
+        parts = tuple(map(self._typed, block.parts))  # spelled first: some spellings are longer
+        lines = self._spelled(draw_formula(Formula(parts), self.options.width - 2)).splitlines()
         if not all(isinstance(part, str) for part in block.parts):
             return [(INDENT, Span(line)) for line in lines]
         return [(INDENT, Span(piece)) for line in lines for piece in self._hung(line)]
+
+    def _typed(self, part: str | TypedRows) -> str | TypedRows:
+        if isinstance(part, str):
+            return self._spelled(part)
+        return tuple(tuple(map(self._spelled, row)) for row in part)
 
     def _hung(self, line: str) -> list[str]:
         """Wrap a line of a formula where no sign broke it, below its first word."""

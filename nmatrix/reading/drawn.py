@@ -17,13 +17,15 @@ NARROWEST = 40  # columns of text, beyond which a matrix may be drawn in pieces
 LONGEST = 400  # characters of a line
 
 _CELLS = r"[^\s⎡⎢⎣⎤⎥⎦\[\](),;:][^⎡⎢⎣⎤⎥⎦\[\](),;:\n]{0,400}"
-_ROW = rf"[ ]{{2,30}}(?:[xyzw] )?(?P<open>[⎡⎢⎣\[])[ ]+(?P<cells>{_CELLS})[ ][⎤⎥⎦\]]"
-_DRAWN = re.compile(rf"{_ROW}|(?:[xyzw] )?(?P<first>⎡)[ ]+(?P<entries>{_CELLS})[ ]⎤")
+_ASCII = r"[ ]{2,30}(?:[xyzw] )?(?P<ascii>\[)"
+_BRACKET = r"[ ]{0,30}(?:[xyzw] )?(?P<open>[⎡⎢⎣])"
+_ENTRIES = rf"[ ]+(?P<cells>{_CELLS})[ ][⎤⎥⎦\]]"
+_DRAWN = re.compile(rf"(?:{_ASCII}|{_BRACKET}){_ENTRIES}")
 _VECTOR = re.compile(rf"(?P<name>\S.{{0,80}}?) {{2,40}}\([ ]+(?P<cells>{_CELLS})[ ]\)")
 _AXES = re.compile(r"\s+[xyzwt](?:\s+[xyzwt])*\s*")
 DRAWING = re.compile(
     r"(?m:^[ ]{0,30}(?:[xyzw] )?⎡[ ])"
-    rf"|\A[^\s\[({{<|│][^\n]*\n(?:[^\n]*\n){{0,40}}?{_ROW}(?=\n|\Z|[ ]{{2}})"
+    rf"|\A[^\s\[({{<|│][^\n]*\n(?:[^\n]*\n){{0,40}}?{_ASCII}{_ENTRIES}(?=\n|\Z|[ ]{{2}})"
 )
 
 
@@ -86,13 +88,12 @@ class _Drawing:
 
     def take(self, row: re.Match[str]) -> None:
         """Take a row of the piece."""
-        opening = row["open"] or row["first"]
+        opening = row["open"] or row["ascii"]
         if opening == "⎡" or (opening == "[" and not self.pieces):
             self.begin(named=self.is_named)
         if self.is_over or not self.pieces:  # the rest of a formula
             return
-        cells = row["cells"] or row["entries"]
-        self.pieces[-1].append(cells.replace("│", " ").replace("|", " ").split())
+        self.pieces[-1].append(row["cells"].replace("│", " ").replace("|", " ").split())
         self.last, self.widest = opening, max(self.widest, row.end())
         if max(len(self.pieces), len(self.pieces[-1])) > LARGEST_MATRIX:
             most = f"use at most {LARGEST_MATRIX}×{LARGEST_MATRIX}"

@@ -96,6 +96,8 @@ LATEX_MATRIX = re.compile(_MATRIX)
 _ONE = r"[ ]?(?:(?P<{0}>[0-9])|\{{(?P<{0}s>[^{{}}]{{1,400}})\}})"  # \frac13 is \frac{1}{3}
 _LATEX_FRACTION = re.compile(rf"\\[dt]?frac{_ONE.format('a')}{_ONE.format('b')}")
 _LATEX_ROOT = re.compile(rf"\\sqrt{_ONE.format('a')}")
+# A shell takes one of the two backslashes between double quotes.
+_LATEX_ROW_END = re.compile(r"\\\\(?:\[[^\[\]]{1,12}\])?|\\(?=\s|\Z)")
 _LATEX_SIGNS = ((re.compile(r"[ ]?\\times[ ]?"), "×"), (re.compile(r"[ ]?\\cdot[ ]?"), "·"))
 
 
@@ -113,7 +115,8 @@ def _latex_rows(body: str) -> Tokens:
         (_LATEX_ROOT, rf"√{OPEN}\g<a>\g<as>{CLOSE}"),
         (_LATEX_FRACTION, rf"{OPEN}\g<a>\g<as>{CLOSE}/{OPEN}\g<b>\g<bs>{CLOSE}"),
     )
-    return _rows([[one.strip(" {}$") for one in row.split("&")] for row in plain.split(r"\\")])
+    rows = _LATEX_ROW_END.split(plain)
+    return _rows([[one.strip(" {}$") for one in row.split("&")] for row in rows])
 
 
 LATEX = Markup(
@@ -167,6 +170,7 @@ TYPST = Markup(
 _TABLE = r"<mtable\b[^<>]{0,200}>"
 _KEY = r"<math\b[^<>]{0,200}?\sdata-key=\"(?P<key>[^\"]{1,200})\""
 _BETWEEN = r"(?:<[^<>]{1,200}>|[\s\[\]()|])*"
+_PLAIN_TAGS = ("mtd", "mrow", "mn", "mo", "mi", "mtext", "mstyle", "mpadded")
 _MARKUP = re.compile(r"<(?P<close>/?)(?P<tag>\w{1,20})[^<>]{0,200}>|(?P<text>[^<]+)")
 
 
@@ -201,7 +205,9 @@ def _element(tag: str, inner: list[str]) -> str:
     if tag == "msup" and len(inner) == 2:
         return f"{inner[0]}^{inner[1]}"
     joined = "".join(inner)
-    return f"√{OPEN}{joined}{CLOSE}" if tag == "msqrt" else joined
+    if tag == "msqrt":
+        return f"√{OPEN}{joined}{CLOSE}"
+    return joined if tag in _PLAIN_TAGS else f"<{tag}>"  # which is no number
 
 
 MATHML = Markup(

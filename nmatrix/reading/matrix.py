@@ -80,9 +80,11 @@ def matrix_literal(
         literal = literal_from_tokens(tokens, used, origin, exact=contents.exact)
     except IllegalValueError as refusal:
         raise _with_values(refusal, bare) from None
-    if layout is not None or contents.layout is not None:
-        return literal
-    return replace(literal, remarks=_remarks(literal, notation, tokens))
+    is_stated = layout is not None or contents.layout is not None
+    told = () if is_stated else _remarks(literal, notation, tokens)
+    if notation.rounded and any(map(any, literal.half_units)):
+        told = (*told, notation.rounded)
+    return replace(literal, remarks=told)
 
 
 def _remarks(literal: MatrixLiteral, notation: Notation, tokens: Tokens) -> tuple[str, ...]:

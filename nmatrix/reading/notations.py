@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from nmatrix.enums import Layout
-from nmatrix.errors import quoted
+from nmatrix.errors import quantity, quoted
 from nmatrix.reading import constructors, drawn, equations, jsontext, places, rows
 from nmatrix.reading.brackets import closing
 from nmatrix.reading.contents import Contents, Tokens, unreadable
@@ -23,6 +23,7 @@ class Notation:
 
     `sign` is what its texts begin with, or a word that others never hold; `layout` is its own,
     where the text does not state one. What everybody can see, rows and lists, is not `told`.
+    `rounded` is what is to be said of numbers that were rounded to be printed.
     """
 
     name: str
@@ -32,6 +33,7 @@ class Notation:
     read: Callable[[str, str], Contents]
     layout: Layout = ROWS
     told: bool = True
+    rounded: str = ""
 
 
 def read(text: str, source: str) -> tuple[Notation, Contents]:
@@ -266,8 +268,10 @@ NOTATIONS = (
     ),
     Notation(
         "a drawing", "nmatrix as text",
-        "M\n  ⎡ 1  2  0 ⎤\n  ⎢ 0  3  0 ⎥\n  ⎣ 0  0  4 ⎦",
+        "⎡ 1  2  0 ⎤\n⎢ 0  3  0 ⎥\n⎣ 0  0  4 ⎦",
         drawn.DRAWING, drawn.drawn_text, told=False,
+        rounded="Read as it is drawn, to the digits shown: "
+        f"{quantity('format')} json has all of them.",
     ),
     Notation(
         "rows in a frame", "cglm, SymPy's pretty, nalgebra, Julia",

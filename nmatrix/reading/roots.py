@@ -74,9 +74,10 @@ def exact_number(text: str, name: str) -> Exact:
     >>> print(exact_number("-(√6 − √2)/4", "x"), exact_number("1/√2", "x"))
     (√2 − √6)/4 √2/2
     """
+    plain = text.strip().replace(OPEN, "(").replace(CLOSE, ")")
     if not has_root(text):
-        return fraction(text, name)
-    plain = text.strip().replace("−", "-").replace(OPEN, "(").replace(CLOSE, ")")
+        return fraction(plain, name)
+    plain = plain.replace("−", "-")
     tokens = [one[1] for one in _TOKEN.finditer(plain)]
     is_long = len(text) > LONGEST or any(len(one) > DIGITS for one in tokens)
     try:

@@ -227,7 +227,7 @@ class Lens:
         aspect = read(self.aspect_ratio)
         if isinstance(self.measured, HorizontalField):
             check_aspect(aspect)
-            half = turn(read(self.measured.degrees) / 2)
+            half = self.measured.half(turn, read)
             focal = half.cosine / half.sine
             return perspective_rows((focal, focal * aspect), CENTRED, depth_row, self.clip)
         if self.measured is not None:

@@ -7,8 +7,8 @@ from math import prod
 
 from nmatrix.enums import DeterminantBy
 from nmatrix.errors import IllegalValueError
-from nmatrix.formula import LOWERED
 from nmatrix.report import Formula, Step
+from nmatrix.typed import LOWERED
 from nmatrix.working.elimination import Elimination
 from nmatrix.working.working import (
     EXACT,

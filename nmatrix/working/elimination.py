@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from nmatrix.errors import NoAnswerError
 from nmatrix.report import Formula, Step
-from nmatrix.typed_rows import BAR
+from nmatrix.typed import BAR
 from nmatrix.working.working import (
     EXACT,
     ONE,

@@ -199,21 +199,17 @@ class _Derivation:
         over_f = ZERO if self.lens.far == inf else ONE / as_typed(self.lens.far)
         q = (at_near - at_far) / (over_n - over_f)
         p = at_far - q * over_f
-        at_n = f"p + q/n = p + {self.by.factor(over_n)} q = {write(at_near)}"
-        at_f = f"p + q/f = p + {self.by.factor(over_f)} q = {write(at_far)}"
+        at_n = f"p + q/n = p + {_times(over_n, 'q', self.by)} = {write(at_near)}"
+        at_f = f"p + q/f = p + {_times(over_f, 'q', self.by)} = {write(at_far)}"
         put_in = f"{write(at_far)} − {self.by.factor(over_f)}·{self.by.factor(q)}"
-        about = (
-            "depth is D = p + q/d, so that lines stay straight: an equation for near and for far"
-        )
+        about = "depth is D = p + q/d, so that lines stay straight: one equation for each plane"
         if not over_f:
             at_f, put_in = f"p = {write(at_far)}", write(at_far)
             about = "depth is D = p + q/d, so that lines stay straight; infinitely far 1/d is 0"
         proved = p + q * over_n == at_near and p + q * over_f == at_far
         return self._solved(
             (f"{at_n},  {at_f}", about),
-            chain(
-                f"{self.by.factor(over_n - over_f, is_first=True)} q", self._gap(at_near, at_far)
-            ),
+            chain(_times(over_n - over_f, "q", self.by), self._gap(at_near, at_far)),
             f"q = {write(q)},  {chain('p', (put_in, write(p)))}",
             proved=proved,
         ), (p, q)
@@ -239,14 +235,14 @@ class _Derivation:
         p = (at_far - at_near) / (f - n)
         q = at_near - p * n
         at_n, at_f = (
-            f"{self.by.factor(one, is_first=True)} p + q = {write(Fraction(depth))}"
+            f"{_times(one, 'p', self.by)} + q = {write(Fraction(depth))}"
             for one, depth in ((n, at_near), (f, at_far))
         )
         put_in = f"{at_near} − {self.by.factor(p)}·{self.by.factor(n)}"
         proved = p * n + q == at_near and p * f + q == at_far
         return self._solved(
             (f"{at_n},  {at_f}", "depth is D = p d + q: an equation for near and one for far"),
-            chain(f"{self.by.factor(f - n, is_first=True)} p", self._gap(at_far, at_near)),
+            chain(_times(f - n, "p", self.by), self._gap(at_far, at_near)),
             f"p = {write(p)},  {chain('q', (put_in.replace('-', '−'), write(q)))}",
             proved=proved,
         ), (p, q)
@@ -289,3 +285,7 @@ def _below(text: str) -> str:
 
 def _above(text: str) -> str:
     return text if text.strip("()−").replace(".", "").isdigit() else f"({text.strip('()')})"
+
+
+def _times(number: Fraction, name: str, by: Notation) -> str:
+    return name if number == 1 else f"{by.factor(number, is_first=True)} {name}"

@@ -12,12 +12,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from nmatrix.formula import LOWERED, RAISED
 from nmatrix.linear import rational
 from nmatrix.linear.rounding import inverse_root, nearest, short_text
 from nmatrix.report import Formula, Step
 from nmatrix.surds import Surd, TooManyRootsError, is_short, root, short_number
-from nmatrix.typed_rows import columns_of
+from nmatrix.typed import LOWERED, RAISED, columns_of
 
 Entry = Any  # it has + − · /, and nothing else is asked of it
 Vector = Sequence[Entry]
@@ -401,6 +400,18 @@ def exactly_or_near(make: Callable[[Notation], Working]) -> Working:
         return make(SHORT)
     except TooManyRootsError:
         return make(NEAR)
+
+
+def formulas(working: Working) -> tuple[Formula, ...]:
+    """Take the lines of a calculation without their reasons.
+
+    Examples
+    --------
+    >>> line = EXACT.step("1 + 1 = 2", because="the sum", proved=True)
+    >>> formulas(Working((line,), 2))[0].parts
+    ('1 + 1 = 2',)
+    """
+    return tuple(step.formula for step in working.steps)
 
 
 def is_matrix(value: Sequence[Any]) -> bool:

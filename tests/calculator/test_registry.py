@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import CalculatorError, NoValueError, PlacedError
+from nmatrix.calculator.faults import CalculatorError, PlacedError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import parse
 from nmatrix.calculator.numbers import Interval, shown

@@ -57,7 +57,7 @@ def test_the_wrong_entries_are_marked_for_people(nmatrix):
     ("line", "code", "words"),
     [
         ("check world prose", 2, "prose"),
-        ('check world "1 2 3 4 5"', 2, "it holds 5 numbers, a matrix has 9 or 16"),
+        ('check world "1 2 3 4 5"', 2, "it is to have 9 or 16 numbers"),
         ('check light "1 2" --space camera', 2, "3 or 4 numbers"),
         ("check", 2, "WHAT"),
         ("check colour 1", 2, "it is one of"),

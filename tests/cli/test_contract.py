@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import shlex
 import subprocess
@@ -398,23 +399,46 @@ def test_a_course_convention_takes_no_order_not_even_the_default(nmatrix, order:
     assert found.is_one_line
 
 
-@pytest.mark.parametrize("command", ["world", "view", "projection --ortho 0 1 0 1", "space"])
+@pytest.mark.parametrize(
+    ("command", "expected"),
+    [
+        ("world --rotate 0 0 20", "to the digits shown: --format json has all of them"),
+        ("world --rotate 0 0 30 --numbers exact", ""),
+        ("view", ""),
+        ("space", ""),
+    ],
+)
 @pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
-def test_a_text_report_in_the_pipe_gets_a_hint(
+def test_a_text_report_in_the_pipe_is_read_and_told_to_be_rounded_where_it_is(
+    nmatrix, monkeypatch, command: str, expected: str, encoding: str
+) -> None:
+    monkeypatch.setattr(sys, "stdin", piped_from(command, encoding))
+    found = nmatrix("normal - -f json")
+    assert found.code == 0
+    told = " ".join(found.data["remarks"])
+    assert expected in told
+    assert ("digits shown" in told) is bool(expected)
+
+
+@pytest.mark.parametrize("command", ["eye", "stress --case N1"])
+@pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
+def test_a_text_report_without_a_matrix_in_the_pipe_gets_a_hint(
     nmatrix, monkeypatch, command: str, encoding: str
 ) -> None:
-    import io
-
-    done = subprocess.run(
-        [sys.executable, "-m", "nmatrix", *command.split()],
-        capture_output=True,
-        check=True,
-        env={**os.environ, "PYTHONIOENCODING": encoding},
-    )
-    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(done.stdout)))
+    monkeypatch.setattr(sys, "stdin", piped_from(command, encoding))
     found = nmatrix("normal -")
     assert found.code == 2
     assert "add -f json to the command before the pipe" in found.err
+
+
+def piped_from(command: str, encoding: str) -> io.TextIOWrapper:
+    done = subprocess.run(
+        [sys.executable, "-m", "nmatrix", *command.split()],
+        capture_output=True,
+        check=False,
+        env={**os.environ, "PYTHONIOENCODING": encoding},
+    )
+    return io.TextIOWrapper(io.BytesIO(done.stdout))
 
 
 def test_inspect_says_that_a_file_does_not_exist_and_what_it_reads(nmatrix, tmp_path: Path) -> None:

@@ -120,6 +120,12 @@ REFUSED = [
     "array([[1, 2], [3, 4])", "array([1, 2", "1 2 3 4 5 6 7 8 9; 1 2 3 4 5 6 7 8 9",
     "1_0 0; 0 1", "٣ 0; 0 1",
     r"\begin{bmatrix} 1 & 2", r"\begin{bmatrix} \end{bmatrix}", r"\begin{bmatrix} x \end{bmatrix}",
+    "<mtable><mtr><mtd><mroot><mn>2</mn><mn>3</mn></mroot></mtd></mtr></mtable>",
+    "<mtable><mtr><mtd><msub><mn>2</mn><mn>3</mn></msub></mtd></mtr></mtable>",
+    "<mtable><mtr><mtd><msup><mn>2</mn><mn>3</mn></msup></mtd></mtr></mtable>",
+    "mat(root(3, 2), 1; 0, 1)", "mat(1, 2", "mat(x, 1)",
+    r"\begin{bmatrix} \sqrt[3]{2} \end{bmatrix}",
+    r"\begin{bmatrix} \frac{1}{2}^2 \end{bmatrix}", "a\n  ⎡ 1  2 ⎤\n  ⎢ 3  4 ⎥", "  ⎡ x ⎤\n  ⎣ 1 ⎦",
     "key,row,column,value\n", "key,row,column,value\na,0,0\n", "key,row,column,value\na,1,1,2\n",
     "key,row,column,value\na,0,0,\n", "key,row,column,value\n\"a", "\ud800 1",
 ]  # fmt: skip
@@ -190,7 +196,9 @@ def test_any_text_is_a_matrix_or_an_error_of_ours(text: str) -> None:
 PIECES = st.sampled_from(
     ["[", "]", "(", ")", ",", ";", " ", "\n", "1", "-2.5", "1/3", "mat3", "vec3", "array", "=", "{",
      "}", '"value"', ":", r"\begin{bmatrix}", r"\end{bmatrix}", "&", r"\\", "key,row,column,value",
-     "a,0,0,1", "nan", "// ", "const mat2 a = mat2("]
+     "a,0,0,1", "nan", "// ", "const mat2 a = mat2(", "√", "sqrt(", "·", "/", r"\frac{", r"\sqrt",
+     "mat(", "frac(", "$ ", "<mtable>", "<mtr>", "<mtd>", "<mfrac>", "</mfrac>", "</mtable>",
+     "const a = [", "⎡ ", " ⎤", "⎣ ", " ⎦", "\n  [ ", " ]", "  x  y\n", "≈"]
 )  # fmt: skip
 
 

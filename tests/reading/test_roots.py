@@ -38,6 +38,10 @@ TURNS = {
     r"\tfrac{\sqrt3}2 \end{bmatrix}",
     "papers": r"$R = \begin{pmatrix} \dfrac{1}{2}\sqrt{3} & -\tfrac12 \\ \tfrac{1}{2} & "
     r"\frac{\sqrt 3}{2} \end{pmatrix}$",
+    "LaTeX in a shell": r"\begin{bmatrix} \frac{\sqrt{3}}{2} & -\frac12 \ \frac12 & "
+    r"\frac{\sqrt{3}}{2} \end{bmatrix}",
+    "LaTeX with room": "\\begin{bmatrix} \\frac{\\sqrt{3}}{2} & -\\frac12 \\\\[4pt]\n\\frac12 & "
+    "\\frac{\\sqrt{3}}{2} \\\\\n\\end{bmatrix}",
     "Typst": "mat(sqrt(3)/2, -1/2; frac(1, 2), frac(sqrt(3), 2))",
     "MathML": "<mtable><mtr><mtd><mfrac><msqrt><mn>3</mn></msqrt><mn>2</mn></mfrac></mtd>"
     "<mtd><mo>−</mo><mfrac><mn>1</mn><mn>2</mn></mfrac></mtd></mtr>"
@@ -128,6 +132,11 @@ def test_a_refusal_says_why_and_what_to_write(text: str) -> None:
         exact_number(text, "x")
     assert str(caught.value).endswith("write it like √3/2 or sqrt(3)/2")
     assert "⟮" not in str(caught.value)
+
+
+def test_what_is_shown_of_a_cell_has_the_parentheses_that_people_type() -> None:
+    with pytest.raises(IllegalValueError, match=r"\('1 \+ \(1\)/\(2\)'\): it is not a number"):
+        matrix_literal(r"\begin{bmatrix} 1 + \frac12 & 1 \end{bmatrix}")
 
 
 def test_without_a_root_nothing_is_computed() -> None:

@@ -127,3 +127,10 @@ def test_steps_say_that_decimals_are_rounded_and_say_it_only_then(nmatrix) -> No
 def test_programs_of_numbers_leave_the_steps_out(nmatrix) -> None:
     for name in ("glsl", "numpy", "js"):
         assert nmatrix(f"world --steps -f {name}").out == nmatrix(f"world -f {name}").out
+
+
+def test_numbers_of_thousands_of_digits_are_shown_in_six(nmatrix) -> None:
+    far = "--eye 1e15 0.5 5e-324 --axis-angle 0 0.5 0.157 180 --normal 2.29 7.659 5"
+    found = nmatrix(f"normal --steps --space camera {far} -f json")
+    assert all(step["verified"] for step in found.data["steps"])
+    assert max(len(step["text"]) for step in found.data["steps"]) < 2000

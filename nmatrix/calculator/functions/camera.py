@@ -345,8 +345,8 @@ FUNCTIONS: dict[str, Function] = {
             matrix("matrix"),
             Parameter("viewport", (ValueKind.MATRIX,), is_optional=True),
         ),
-        "the point that a matrix such as P @ V and the division by w take to a place and depth; "
-        "in pixels if the viewport is given too",
+        "the point that a matrix such as P @ V and the division by w take to a place of normalised "
+        "device coordinates, or with viewport(width, height) to a place and depth of the window",
         "the inverse matrix, and its own division by w",
         "p = M⁻¹ (x, y, z, 1), over its w",
         "unproject([1/2, 0, 1/2], perspective(90, 1, 1, 3))",

@@ -13,18 +13,21 @@ from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMista
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import column, formula, in_parentheses, typed, written
 from nmatrix.linear.rational import (
+    ONE,
     RationalMatrix,
-    cofactor_matrix,
-    determinant,
-    diagonal,
     linear_part,
-    product,
-    rational_vector,
+    translation,
 )
 from nmatrix.report import Block, Text
 from nmatrix.scene.camera import View
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
+from nmatrix.working.determinants import cofactors
+from nmatrix.working.elimination import solve
+from nmatrix.working.inverses import inverse_transpose
+from nmatrix.working.products import difference, product
+from nmatrix.working.working import formulas
+from nmatrix.working.world import world_matrix as working_of
 
 Vector = tuple[Fraction, ...]
 Build = Callable[[Draws], Exercise | None]
@@ -50,14 +53,7 @@ def world_matrix(draws: Draws) -> Exercise | None:
         MistakeId.SCALE_BEFORE_TRANSLATE,
         MistakeId.TRANSPOSED_LAYOUT,
     )
-    R = linear_part(World(rotate_degrees=world.rotate_degrees).world_from_object)
-    S = diagonal(rational_vector(world.scale))
-    t = rational_vector(world.translate)
-    steps = (
-        formula("R = ", R, ", S = ", S, ", t = ", column(t)),
-        formula("R · S = ", product(R, S)),
-    )
-    return _computed(draws, question, task, planned, steps)
+    return _computed(draws, question, task, planned, formulas(working_of(world)))
 
 
 def normal_matrix(draws: Draws) -> Exercise | None:
@@ -78,13 +74,7 @@ def normal_matrix(draws: Draws) -> Exercise | None:
         MistakeId.NOT_INVERTED,
         MistakeId.USED_WORLD_MATRIX,
     )
-    C, det = cofactor_matrix(A), determinant(A)
-    steps = (
-        formula("C = ", C),
-        formula(f"det A = {written(det)}"),
-        formula("A⁻ᵀ = C / det A"),
-    )
-    return _computed(draws, question, task, planned, steps)
+    return _computed(draws, question, task, planned, formulas(inverse_transpose(A)))
 
 
 def light_in_camera(draws: Draws) -> Exercise | None:
@@ -104,10 +94,9 @@ def light_in_camera(draws: Draws) -> Exercise | None:
         ),
         Text("The camera looks down −z. Three numbers."),
     )
-    V = setup.camera.camera_from_world
-    steps = (
-        formula("V = ", V),
+    steps: tuple[Block, ...] = (
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
+        *formulas(product(setup.camera.camera_from_world, (*light, ONE), ("V", "l"))),
     )
     planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
     return _computed(draws, question, task, planned, steps)
@@ -126,11 +115,12 @@ def eye_in_object(draws: Draws) -> Exercise | None:
         ),
         Text("Three numbers."),
     )
-    t = tuple(row[3] for row in world.world_from_object[:3])
-    away = tuple(Fraction(e) - x for e, x in zip(eye, t, strict=True))
-    steps = (
-        Text("Subtract first, then undo the 3×3 block: A x = e − t."),
-        formula("e − t = ", column(away)),
+    M = world.world_from_object
+    away = difference(eye, translation(M), ("e", "t"), "d")
+    steps: tuple[Block, ...] = (
+        Text("Subtract first, then undo the 3×3 block: A x = d, where d = e − t."),
+        *formulas(away),
+        *formulas(solve(linear_part(M), away.value, ("A", "d", "x"))),
     )
     planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
     return _computed(draws, question, task, planned, steps)
@@ -162,7 +152,7 @@ def mirrored(draws: Draws) -> Exercise | None:
             "det A < 0: the outward normal is −C n, a positive multiple of the inverse transpose's."
         )
         planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
-    steps = (formula("C = ", cofactor_matrix(A)), Text(told))
+    steps: tuple[Block, ...] = (*formulas(cofactors(A, shown=False)), Text(told))
     return _computed(draws, question, task, planned, steps)
 
 

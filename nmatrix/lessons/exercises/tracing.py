@@ -22,6 +22,9 @@ from nmatrix.scene.camera import View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
+from nmatrix.working.products import product
+from nmatrix.working.vectors import project
+from nmatrix.working.working import formulas
 
 UNDIVIDED = "These are clip coordinates: divide x, y and z by the fourth number, w."
 PLANNED = (MistakeId.ASPECT_INVERTED, MistakeId.HORIZONTAL_FOV)
@@ -140,13 +143,11 @@ def _task(setup: Setup, point: RationalVector) -> tuple[Text, ...]:
 
 def _key(setup: Setup, point: RationalVector, right: RationalVector) -> tuple[Block, ...]:
     maps = setup.maps
-    world = apply(maps.world_from_object.exact, (*point, ONE))
-    camera = apply(maps.camera_from_world.exact, world)
-    P: RationalMatrix = maps.clip_from_camera
-    clip = apply(P, camera)
+    world = product(maps.world_from_object.exact, (*point, ONE), ("M", "p"))
+    camera = product(maps.camera_from_world.exact, world.value, ("V", "(M p)"))
     return (
-        formula("world = ", column(world[:3]), ", camera = ", column(camera[:3])),
-        formula("P = ", P, ", clip = ", column(clip)),
-        Text("Divide by the fourth number, w."),
+        *formulas(world),
+        *formulas(camera),
+        *formulas(project(maps.clip_from_camera, camera.value, ("P", "(V M p)"))),
         formula("answer = ", column(right[:3])),
     )

@@ -23,7 +23,7 @@ from nmatrix.formula import (
     Sign,
     Words,
 )
-from nmatrix.output.formulas.latex_words import escaped
+from nmatrix.output.formulas.latex_words import MATHEMATICS, escaped
 
 SIGNS = {  # a sign that is missing here is a fault of ours, and not to be printed as it is
     APART: r",\; ",
@@ -47,14 +47,6 @@ SIGNS = {  # a sign that is missing here is a fault of ours, and not to be print
     "⇒": r" \;\Rightarrow\; ",
     "⇔": r" \;\Leftrightarrow\; ",
     "°": r"^\circ",
-}
-LETTERS = {
-    "κ": r"\kappa",
-    "θ": r"\theta",
-    "σ": r"\sigma",
-    "λ": r"\lambda",
-    "π": r"\pi",
-    "∞": r"\infty",
 }
 EXPONENTS = str.maketrans({"⊤": r"\mathsf T", "′": r"\prime", "−": "-"})
 
@@ -127,7 +119,7 @@ def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if len(letter) > 1:
         return rf"\mathrm{{{letter}}}"
-    return LETTERS.get(letter, letter) + (f"_{{{below}}}" if below else "")
+    return MATHEMATICS.get(letter, letter) + (f"_{{{below}}}" if below else "")
 
 
 def _row(items: Sequence[Node]) -> str:

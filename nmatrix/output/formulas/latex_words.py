@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from itertools import groupby
 
+from nmatrix.output.spelling import greek
 from nmatrix.output.style import spelled
 from nmatrix.output.write import Charset
 
@@ -16,12 +17,8 @@ _CHARACTERS = {
     "…": r"\dots{}",
     "—": "---",
 }
-_MATHEMATICS = {
-    "κ": r"\kappa",
-    "σ": r"\sigma",
-    "θ": r"\theta",
-    "λ": r"\lambda",
-    "π": r"\pi",
+MATHEMATICS = {
+    **{letter: f"\\{greek(letter)}" for letter in "αβγδεζηθκλμνξπρστφχψωΓΔΘΛΞΠΣΦΨΩ"},
     "·": r"\cdot",
     "×": r"\times",
     "−": "-",
@@ -70,8 +67,8 @@ def _piece(mark: str) -> tuple[bool, str]:
         return True, f"^{{{''.join(_RAISED[one] for one in mark)}}}"
     if mark[0] in _LOWERED:
         return True, f"_{{{''.join(_LOWERED[one] for one in mark)}}}"
-    if mark in _MATHEMATICS:
-        return True, _MATHEMATICS[mark]
+    if mark in MATHEMATICS:
+        return True, MATHEMATICS[mark]
     return False, _CHARACTERS.get(mark) or _in_latin(mark)
 
 

@@ -18,6 +18,7 @@ from nmatrix.formula import (
     Sign,
     Words,
 )
+from nmatrix.output.spelling import greek
 
 SIGNS = {
     "=": "equals",
@@ -52,13 +53,14 @@ POWERS = {
     "−2": "to the minus two",
     "s": "to the s",
 }
-LETTERS = {"κ": "kappa", "θ": "theta", "σ": "sigma", "λ": "lambda", "π": "pi", "∞": "infinity"}
 FUNCTIONS = {
     "det": "the determinant of",
     "tan": "tangent of",
     "sin": "sine of",
     "cos": "cosine of",
     "arctan": "arc tangent of",
+    "arccos": "arc cosine of",
+    "rref": "the reduced echelon form of",
     "sign": "the sign of",
     "fl": "the rounded value of",
 }
@@ -101,18 +103,36 @@ def _name(name: Name) -> str:
     letter, below = name.letter_and_index
     if letter in FUNCTIONS:
         return FUNCTIONS[letter]
-    return f"{LETTERS.get(letter, letter)} {below}".strip()
+    said = "infinity" if letter == "∞" else greek(letter) or letter
+    return f"{said} {below}".strip()
 
 
 def _in_a_row(items: tuple[Node, ...]) -> Iterator[str]:
-    """Read each piece aloud; a length after another thing, or × after a number, multiplies it."""
+    """Read each piece aloud; a length after a thing, or a sign beside a number, multiplies."""
     for i, item in enumerate(items):
-        if i and item == Sign("×") and isinstance(items[i - 1], Numeral):
+        beside = (*items[i - 1 : i], *items[i + 1 : i + 2])
+        if item in (Sign("×"), Sign("·")) and any(map(_is_number, beside)):
             yield "times"
             continue
         if i and _is_length(item) and not isinstance(items[i - 1], Sign):
             yield "times"
         yield spoken(item)
+
+
+def _is_number(node: Node) -> bool:
+    """Recognise what multiplies entry by entry, or row by column: a number, or a matrix."""
+    match node:
+        case Numeral() | Root() | Grid():
+            return True
+        case Quotient(top, bottom):
+            return _is_number(top) and _is_number(bottom)
+        case Fence(inside, bars):
+            return not bars and _is_number(inside)
+        case Power(base):
+            return _is_number(base)
+        case Row(items):
+            return all(isinstance(one, Sign) or _is_number(one) for one in items)
+    return False
 
 
 def _is_length(node: Node) -> bool:

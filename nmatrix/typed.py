@@ -1,4 +1,4 @@
-"""Matrices as one types them beside words: their cells, the bar of [A | I], their width.
+"""Formulas as one types them: marks above and below the line, cells, the bar of [A | I], widths.
 
 Whoever writes or draws a formula needs no more of it; its tree is read in `nmatrix.formula`.
 """
@@ -9,6 +9,8 @@ from collections.abc import Sequence
 
 TypedRows = tuple[tuple[str, ...], ...]
 
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ′ˢ"
+LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 BAR = "|"  # in every cell of a column: no numbers, but the line between two blocks
 GAP = "  "  # between two columns of a drawn matrix
 
