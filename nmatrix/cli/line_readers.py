@@ -13,11 +13,11 @@ from pathlib import Path
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Protocol
 
+from nmatrix.calculator import MORE, PROMPT
 from nmatrix.calculator.offers import Offer, offers
 from nmatrix.calculator.statements import is_open, statements
 from nmatrix.calculator.tokens import LONGEST
 from nmatrix.output.transcript import LONGEST as LONGEST_TEXT
-from nmatrix.output.transcript import MORE, PROMPT
 
 if TYPE_CHECKING:
     from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
@@ -102,7 +102,7 @@ def _unfolded(line: str) -> str:
     return "\\".join(part.replace("\\n", "\n") for part in line.split("\\\\"))
 
 
-def reader_of(history: History, names: Iterable[str]) -> LineReader:
+def reader_of(history: History) -> LineReader:
     """Choose the best reader that there is."""
     if os.environ.get("TERM") != "dumb":
         try:

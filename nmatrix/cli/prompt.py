@@ -11,12 +11,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from nmatrix.calculator import PROMPT
+
 if TYPE_CHECKING:
     from nmatrix.calculator.session import Session
     from nmatrix.cli.line_readers import LineReader
     from nmatrix.output.write import OutputOptions
 
-PROMPT = "> "
 Begin = Callable[[], "tuple[Session, Callable[[], OutputOptions]]"]
 
 
@@ -43,7 +44,7 @@ def converse(begin: Begin) -> None:
     with _keys_waiting() as terminal:
         _put(PROMPT)
         begun, options = begin()
-        reader = _reader(begun)
+        reader = _reader()
         terminal.heed(echoes=reader.needs_echo)
         _put("\r")
         session: Session | None = begun
@@ -78,10 +79,10 @@ def _after_a_line(session: Session, reader: LineReader, options: OutputOptions) 
     return None if done.reply.quits else done.session
 
 
-def _reader(session: Session) -> LineReader:
+def _reader() -> LineReader:
     from nmatrix.cli.line_readers import History, reader_of
 
-    return reader_of(History.usual(), session.names)
+    return reader_of(History.usual())
 
 
 class _Terminal:

@@ -12,6 +12,7 @@ from pathlib import Path
 from textwrap import wrap
 from unicodedata import combining, east_asian_width
 
+from nmatrix.calculator import MORE, PROMPT
 from nmatrix.calculator.answer import KEYS
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.orders import enter
@@ -32,7 +33,6 @@ from nmatrix.output.write import OutputOptions, write
 from nmatrix.reading.files import decoded, file_bytes
 from nmatrix.report import Code, Report, Value
 
-PROMPT, MORE = "> ", "  "
 AROUND = 30  # characters on either side of a caret under a long line
 LONGEST = 100_000  # characters of a file of statements
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
