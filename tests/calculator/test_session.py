@@ -128,6 +128,11 @@ def test_every_keyword_is_explained_offered_and_no_name(keyword):
     assert statement(USAGE[keyword][0]).keyword is keyword
 
 
+def test_help_fits_on_a_small_screen_and_lists_every_function_elsewhere():
+    assert len(shown("help").splitlines()) <= 22
+    assert set(FUNCTIONS) <= set(shown("help functions").split())
+
+
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_help_of_a_function_has_what_it_does_its_formula_and_an_example_that_runs(name):
     told = shown(f"help {name}")
