@@ -206,15 +206,15 @@ def _caret(statement: str, at: int, options: OutputOptions) -> str:
     line = statement[begin:] if end < 0 else statement[begin:end]
     column = at - begin
     is_whole = len(line) + len(PROMPT) < options.width and line.isprintable()
+    start, stop = (0, len(line)) if is_whole else (max(0, column - AROUND), column + AROUND)
+    part = "".join(one if one.isprintable() else " " for one in line[start:stop])
+    before = spelled(("…" if start else "") + part[: column - start], options.charset)
+    caret = f"{' ' * (len(MORE) + _columns(before))}^\n"
     if is_whole and end < 0:
-        return f"{' ' * (len(PROMPT) + _columns(line[:column]))}^\n"
-    start = 0 if is_whole else max(0, column - AROUND)
-    part = "".join(one if one.isprintable() else " " for one in line[start : column + AROUND])
-    if is_whole:
-        part = line
-    shown = f"{MORE}{'…' if start else ''}{part}"
-    under = len(MORE) + bool(start) + _columns(part[: column - start])
-    return spelled(f"{shown.rstrip()}\n{' ' * under}^\n", options.charset)
+        return caret  # below what was typed: a prompt is as wide as a margin
+    return (
+        f"{MORE}{before}{spelled(part[column - start :], options.charset)}".rstrip() + f"\n{caret}"
+    )
 
 
 def _columns(text: str) -> int:

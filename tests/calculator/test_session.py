@@ -21,7 +21,7 @@ from nmatrix.calculator.values import Arithmetic
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.output.transcript import Disk, run, text_of, transcript, turn
-from nmatrix.output.write import OutputOptions
+from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.notations import NOTATIONS
 
@@ -94,6 +94,14 @@ def test_the_caret_of_a_long_line_stands_under_the_part_that_is_shown():
     part, caret, _ = shown(line).splitlines()[1:]
     assert part[caret.index("^")] == "Q"
     assert len(part) < 80
+
+
+def test_the_caret_counts_the_columns_that_are_shown():
+    ascii_only = OutputOptions(charset=Charset.ASCII)
+    assert turn(EMPTY, "1+√2+)", ascii_only, NO_FILES).text.startswith(f"{' ' * 12}^\n")
+    assert turn(EMPTY, "1+√2+)", OutputOptions(), NO_FILES).text.startswith(f"{' ' * 7}^\n")
+    assert turn(EMPTY, "'界' + )", OutputOptions(), NO_FILES).text.startswith("  ^\n")
+    assert turn(EMPTY, "1 #界\n+)", OutputOptions(), NO_FILES).text.startswith("  +)\n   ^\n")
 
 
 def test_undo_goes_back_one_change_at_a_time():

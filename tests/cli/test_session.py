@@ -249,6 +249,16 @@ def test_a_line_of_the_history_that_was_cut_is_left_out(tmp_path):
     assert history.statements() == ["a = 1", "back\\slash \\n", "M = [1\n2]"]
 
 
+def test_a_run_has_colours_where_they_are_wanted(nmatrix, own_folder):
+    Path("lines.txt").write_text("1 +\n")
+    assert (
+        "\x1b[1;38;5;166merror:\x1b[0m expression" in nmatrix("calc lines.txt --color always").out
+    )
+    assert "\x1b" not in nmatrix("calc lines.txt").out
+    remark = nmatrix("calc lines.txt --rotate 0 0 1.5708").out
+    assert remark.splitlines()[-1].startswith("• ") or "radians" in remark
+
+
 @pytest.mark.parametrize(
     ("options", "line", "wanted"),
     [
