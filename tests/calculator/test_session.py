@@ -101,7 +101,7 @@ def test_the_caret_counts_the_columns_that_are_shown():
     assert turn(EMPTY, "1+√2+)", ascii_only, NO_FILES).text.startswith(f"{' ' * 12}^\n")
     assert turn(EMPTY, "1+√2+)", OutputOptions(), NO_FILES).text.startswith(f"{' ' * 7}^\n")
     assert turn(EMPTY, "'界' + )", OutputOptions(), NO_FILES).text.startswith("  ^\n")
-    assert turn(EMPTY, "1 #界\n+)", OutputOptions(), NO_FILES).text.startswith("  +)\n   ^\n")
+    assert turn(EMPTY, "[1 #界\n+)", OutputOptions(), NO_FILES).text.startswith("   ^\n")
 
 
 def test_undo_goes_back_one_change_at_a_time():
