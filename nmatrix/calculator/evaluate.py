@@ -378,7 +378,7 @@ class _Evaluation:
             if name in self.names:
                 why = f"{name} is a value: * and @ multiply it, {name}[0] is its first part"
                 raise self._fault(node, name, why)
-            step = did_you_mean(name, FUNCTIONS, "help lists them")
+            step = did_you_mean(name, FUNCTIONS, "in a session, help functions lists them")
             raise self._fault(node, f"function {name[:20]}", step)
         taken = FUNCTIONS[name].parameters
         by_name = {one.name: one for one in taken}
