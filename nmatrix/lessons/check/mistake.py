@@ -63,7 +63,7 @@ class MistakeId(StrEnum):
     WINDOW_Y = "window-y"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mistake:
     """One mistake: its words, and the slip that makes it.
 
