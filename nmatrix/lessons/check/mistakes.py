@@ -393,8 +393,8 @@ MISTAKES: dict[MistakeId, Mistake] = {
         _for(misruled(*axes.OTHER_UPS), Subject.WORLD, Subject.AXES),
     ),
     MistakeId.NORMAL_ROTATION_ONLY: Mistake(
-        "You left the scale out of the normal matrix.",
-        "Normals need the scale too, and its reciprocal: A⁻ᵀ = R·S⁻¹ for A = R·S.",
+        "You used the rotation alone: scale and shear are left out.",
+        "Normals need them too, the scale by its reciprocal: A⁻ᵀ = R·S⁻¹ for A = R·S.",
         "nmatrix derive nonuniform",
         _for(misread(parts.only_turned), Subject.NORMAL),
     ),
