@@ -59,7 +59,7 @@ class Remembered:
         return made
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Misreading:
     """One way to misread each part of a scene; each function lists what the part becomes.
 
@@ -116,7 +116,7 @@ class Entries(Enum):
     ROW_W = "fourth row"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Computation:
     """The four stages of one computation, with the mistakes that happen in it.
 

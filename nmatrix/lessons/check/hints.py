@@ -33,7 +33,7 @@ NOT_YET = "These are the numbers in {frame}: the way goes on from there."
 DIVIDE = "Divided by the fourth number, w, these are right: w is 1 when that is done."
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Hint:
     """Numbers that an answer may be, and what they show."""
 

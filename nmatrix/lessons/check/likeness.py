@@ -26,7 +26,7 @@ SMALLEST = 1e-6  # of the sum of an answer's squares, and of its w
 Place = tuple[int, int]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Likeness:
     """The numbers of an answer beside those of a value, in one shape.
 

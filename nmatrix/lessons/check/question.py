@@ -170,7 +170,7 @@ class Question:
         return not self.unit and (self.is_direction or self.subject is Subject.NORMAL)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Matrices:
     """The matrices that an answer is computed from; a mistake may replace one of them.
 

@@ -46,7 +46,7 @@ class Written(Enum):
         return self in (Written.WHOLE, Written.BARE_ZERO)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class EntryDifference:
     """How far one entry of an answer is off, and what that is held against.
 

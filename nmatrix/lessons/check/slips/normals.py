@@ -27,7 +27,6 @@ from nmatrix.linear.rational import (
     translation,
 )
 from nmatrix.linear.rounding import integers, over_root, unit
-from nmatrix.linear.rules import normal_transform
 from nmatrix.scene.setup import Light
 
 _OF_VECTORS = (NormalRule.TRANSLATED, NormalRule.FOUR_COMPONENT)  # not seen in a 3×3 matrix
@@ -49,6 +48,8 @@ def _normal_by(
     question: Question,
     by: Matrices,
 ) -> RationalMatrix | None:
+    from nmatrix.linear.rules import normal_transform  # of which only normals ask
+
     if not _can_break(rule, question, by):
         return None
     found = normal_transform(rule, by.space_from_object)
