@@ -17,7 +17,7 @@ from nmatrix.linting.builtins import FIELDS, FUNCTIONS, Giving, Moving, built_in
 from nmatrix.linting.declarations import Conventions, Declarations, Scope
 from nmatrix.linting.intrinsics import INTRINSICS
 from nmatrix.linting.judging import Judge
-from nmatrix.linting.names import matrix_named
+from nmatrix.linting.names import matrix_named, vector_named
 from nmatrix.linting.tree import (
     Expression,
     Function,
@@ -27,6 +27,7 @@ from nmatrix.linting.tree import (
 )
 from nmatrix.linting.values import (
     ANYTHING,
+    Carried,
     Fourth,
     Length,
     Matrix,
@@ -156,6 +157,9 @@ class Evaluation(Declarations, ABC):
                 return self.as_convened(named)
         if name in FIELDS:
             return Record(name, name, ())
+        told = vector_named(name, "vec3", Storage.LOCAL, self.stage)
+        if told.kind in (Carried.NORMAL, Carried.TANGENT):
+            return told
         return ANYTHING
 
     def _operated(self, expression: tree.Binary, scope: Scope) -> Value:

@@ -113,6 +113,7 @@ class _Parsing(Expressions):
         self.structs: list[tree.Struct] = []
         self.macros: dict[str, tree.Expression] = {}
         self.again = MOST_AGAIN
+        self.loose: list[tree.Statement] = []  # a piece that other sources include in a function
         self.notes = notes(content)
         self.line_starts = [0, *(one.end() for one in re.finditer(rb"\n", content))]
 
@@ -121,6 +122,9 @@ class _Parsing(Expressions):
         root = parser_of(self.language).parse(self.content).root_node
         self._outer(root.named_children)
         faults = tuple(map(self._fault, self._broken(root)))
+        if any(map(_is_done, self.loose)) and not any(one.name == "main" for one in self.functions):
+            span = self.span(root)
+            self.functions.append(tree.Function(span, "main", "void", (), tuple(self.loose)))
         return Shader(
             self.file,
             self.language,
@@ -145,6 +149,8 @@ class _Parsing(Expressions):
                 self._block_of(previous, node)
             elif node.type in _BRANCHES:
                 self._outer(node.named_children)
+            if node.type in _LOOSE:
+                self.loose += self._statement(node)
             previous = node
 
     def _outer_struct(self, node: Node) -> None:
@@ -485,6 +491,13 @@ class _Parsing(Expressions):
         yield tree.Choice(None, tuple(branches))
 
 
+def _is_done(statement: tree.Statement) -> bool:
+    """Whether a statement is more than a declaration, or has one that is."""
+    if isinstance(statement, tree.Choice):
+        return any(_is_done(one) for branch in statement.branches for one in branch)
+    return not isinstance(statement, tree.Declaration)
+
+
 def _is_array(declarator: Node) -> bool:
     node: Node | None = declarator
     while node is not None:
@@ -499,6 +512,7 @@ def _is_flat(node: Node) -> bool:
 
 
 _BRANCHES = ("preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif", "preproc_elifdef")
+_LOOSE = ("expression_statement", "if_statement", "for_statement", "preproc_if", "preproc_ifdef")
 _OUTSIDE = {
     "function_definition": _Parsing._function,
     "declaration": _Parsing._outer_declaration,
