@@ -289,9 +289,8 @@ RULES: dict[str, FunctionRule] = {
         (
             "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer",
             "cross_matrix", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
-            "depth_of",
-            "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
-            "polar", "quaternion_of", "euler",
+            "depth_of", "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues",
+            "singular_values", "polar", "quaternion_of", "euler",
         ),
         _nothing,
     ),

@@ -155,6 +155,21 @@ def test_a_gimbal_lock_is_told_and_the_angles_still_turn_alike(order):
         assert is_true(f"{again} == {R}", a=a)
 
 
+@pytest.mark.parametrize("turns", [(20, 30, 0), (0, 33, 7), (20, 0, 0), (11, 0, -50)])
+def test_turns_that_no_roots_tell_are_found_and_zeros_among_them_are_zeros(turns):
+    for M in (
+        "world(rotate=t)",
+        "world([1, 2, 3], t, [2, 3, 1/2])",
+        "rotate_x(t[0]) @ rotate_y(t[1]) @ rotate_z(t[2])",
+    ):
+        found = value(f"euler({M})", t=Value(tuple(map(Fraction, turns))))
+        for one, right in zip(found.numbers, turns, strict=True):
+            low, high = bounds(one)
+            assert low <= right <= high
+            assert high - low < Fraction(1, 10**35)
+            assert right or one == 0
+
+
 def test_scale_shear_and_mirror_leave_the_rotation():
     R = "rotate_z(30) @ rotate_x(45)"
     for rest in ("scale(2, 3, 5)", "scale(2, 3, 5) @ shear(1, 2, 3)", "scale(4, 4, 4)"):

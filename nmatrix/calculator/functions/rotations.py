@@ -23,6 +23,7 @@ from nmatrix.calculator.functions.matrices import block_of
 from nmatrix.calculator.functions.vectors import length_of
 from nmatrix.calculator.numbers import (
     Float64,
+    Interval,
     Number,
     angle,
     degrees_of,
@@ -95,8 +96,8 @@ def _quaternion(q: Value) -> Value:
 def rotation_of(M: Value) -> RationalMatrix:
     """Find the rotation of a matrix: what is left where scale and shear are taken out.
 
-    The columns are made unit and perpendicular, the first one first. A mirror turns the column
-    round that leaves the smallest rotation.
+    The columns are made unit and perpendicular, the first one first; those that are perpendicular
+    as far as is known stay so. A mirror turns the column round that leaves the smallest rotation.
 
     Raises
     ------
@@ -116,6 +117,8 @@ def rotation_of(M: Value) -> RationalMatrix:
 
 def _without(unit: RationalVector, v: RationalVector) -> RationalVector:
     along = rational.dot(unit, v)
+    if isinstance(along, Interval) and along.low <= 0 <= along.high:
+        return v
     return tuple(one - along * axis for one, axis in zip(v, unit, strict=True))
 
 
