@@ -27,7 +27,7 @@ def write(report: Report, options: OutputOptions) -> str:
     r"""Write the report as one JSON object.
 
     A number outside the float64 range becomes null, and a remark names it. In column-major
-    layout matrices (2 to 4 rows of numbers) are written transposed; nothing else changes.
+    layout matrices (2 to 8 rows of numbers) are written transposed; nothing else changes.
 
     Examples
     --------

@@ -20,7 +20,7 @@ OPEN, CLOSE = "⟮⟯"  # parentheses inside of a number, where others part the 
 
 _TOKEN = re.compile(rf"\s*([0-9]+(?:\.[0-9]+)?|√|sqrt|[-+*·/(){OPEN}{CLOSE}])")
 _WITHIN = rf"\(([-+*·/√0-9. {OPEN}{CLOSE}]{{1,60}})\)"
-_ROOT_OF = re.compile(rf"(?:(?<![\w.\\])(?:(?:np|numpy|math|Math)\.)?sqrt|√){_WITHIN}")
+_ROOT_OF = re.compile(rf"(?:(?<![A-Za-z_.\\])(?:(?:np|numpy|math|Math)\.)?sqrt|√){_WITHIN}")
 _IN_PARENTHESES = re.compile(rf"{_WITHIN}(?=[ ]?[/*·])|(?<=[/*·]){_WITHIN}")
 # A sign between blanks stands between two terms; with none behind it is that of the next entry.
 _SPACED = re.compile(rf"(?<=[0-9{CLOSE}])[ ]+([-+*·/])[ ]+(?=[0-9√{OPEN}])")

@@ -67,6 +67,8 @@ def test_a_turn_by_thirty_degrees_is_itself_in_every_notation(name: str) -> None
         ("1/4*(√6-√2)", FIFTEEN),
         ("2√3/3", 2 / root(3)),
         ("2*sqrt(3)/3", 2 / root(3)),
+        ("2sqrt(3)/3", 2 / root(3)),
+        ("2sqrt(3)", 2 * root(3)),
         ("2·√3/3", 2 / root(3)),
         ("1/√2", root(2) / 2),
         ("1/(1+√2)", root(2) - 1),

@@ -11,6 +11,7 @@ import pytest
 
 from nmatrix.enums import Layout
 from nmatrix.errors import IllegalValueError
+from nmatrix.reading.arrays import read_matrix
 from nmatrix.reading.literal import MatrixLiteral
 from nmatrix.reading.source import matrix_source
 
@@ -72,6 +73,28 @@ def test_npy(folder: Path, dtype: str, order: str) -> None:
     np.save(folder / "a.npy", array)
     assert source("a.npy").rows == tuple(map(tuple, array.tolist()))
     assert source("a.npy", Layout.COLUMN_MAJOR).rows == tuple(map(tuple, array.T.tolist()))
+
+
+@pytest.mark.parametrize("shape", [(4, 8), (8, 4), (8, 8), (1, 8), (8, 1)])
+def test_the_corners_of_a_box_are_read_from_files_and_arrays(
+    folder: Path, shape: tuple[int, int]
+) -> None:
+    array = np.sqrt(np.arange(shape[0] * shape[1])).reshape(shape)
+    np.save(folder / "a.npy", array)
+    np.savetxt(folder / "a.csv", array, delimiter=",", fmt="%.17g")
+    expected = tuple(map(tuple, array.tolist()))
+    assert source("a.npy").rows == source("a.csv").rows == expected
+    assert read_matrix(array, "answer").rows == expected
+    assert read_matrix(array.tolist(), "answer").rows == expected
+
+
+def test_nine_rows_of_files_and_arrays_are_refused(folder: Path) -> None:
+    array = np.ones((9, 2))
+    np.save(folder / "a.npy", array)
+    with pytest.raises(IllegalValueError, match="use at most 8×8"):
+        source("a.npy")
+    with pytest.raises(IllegalValueError, match="it has 9 rows"):
+        read_matrix(array + np.arange(2), "answer")
 
 
 def test_npy_keeps_every_bit(folder: Path) -> None:
