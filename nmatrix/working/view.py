@@ -115,7 +115,7 @@ def _look_at(eye: Vector, target: Vector, up: Vector, handed: Handedness, by: No
     first += _whole(side.steps, "to the right: perpendicular to f and to up")
     first += _whole(right.steps, "the camera's right, with length 1")
     first += _whole(upper.steps, "the camera's up, which has length 1 as r and f have")
-    about = f"the rows of R are r, u and {'f' if is_left else '−f'}; t stands beside them"
+    about = f"R has the rows r, u and {'f' if is_left else '−f'}"
     return _placed(Block("R", (r, upper.value, third), about), eye, first, by)
 
 
@@ -143,7 +143,7 @@ def _placed(R: Block, eye: Vector, steps: Sequence[Step], by: Notation) -> Worki
     at_origin = by.same(image, origin)
     is_turn = by.is_identity(by.product(transposed(R.rows), R.rows))
     cells = [(f"−({by.products(list(zip(row, eye, strict=True)))})",) for row in R.rows]
-    about = "the eye must come to the origin: minus the rows times e"
+    about = f"{R.because}; the eye must come to the origin"
     proof = Proof(by, "t", about, "minus row {row} times the eye", at_origin)
     moved = cells_or_entries(f"t = −{R.name} e", cells, [(x,) for x in t], about, proof)
     check = by.step(
@@ -156,7 +156,7 @@ def _placed(R: Block, eye: Vector, steps: Sequence[Step], by: Notation) -> Worki
         because="the check: the eye is the camera's origin",
         proved=at_origin,
     )
-    matrix = by.step("V = ", V, because=R.because, proved=is_turn)
+    matrix = by.step("V = ", V, because=f"{R.name}, and t beside it", proved=is_turn)
     return Working((*steps, *_whole(moved, about), matrix, check), V)
 
 
@@ -168,7 +168,9 @@ def _first_person(eye: Vector, angles: FirstPerson, convention: Convention) -> W
     by = SHORT if all(has_roots(one) for _, one in turns) else NEAR
     steps, factors = turned([(axis, one) for axis, one in turns if one], by)
     ((name, R),) = factors or [("I", identity(3))]
-    about = f"{name}, which turns the world the other way than the camera, and t beside it"
+    about = f"{name} turns the world the other way than the camera was turned"
+    if not factors:
+        about = "the camera was not turned"
     return _placed(Block(name, R, about), eye, steps, by)
 
 

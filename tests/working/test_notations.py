@@ -14,7 +14,8 @@ from xml.etree import ElementTree
 import pytest
 from drawn_workings import workings
 
-from nmatrix.errors import NMatrixError
+from nmatrix import Setup
+from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.output.drawing import draw_formula
 from nmatrix.output.formulas.latex import latex
 from nmatrix.output.formulas.mathml import equation, mathml
@@ -134,3 +135,12 @@ def test_numbers_of_thousands_of_digits_are_shown_in_six(nmatrix) -> None:
     found = nmatrix(f"normal --steps --space camera {far} -f json")
     assert all(step["verified"] for step in found.data["steps"])
     assert max(len(step["text"]) for step in found.data["steps"]) < 2000
+
+
+@pytest.mark.parametrize("name", ["world", "view", "projection", "normal"])
+def test_python_asks_for_steps_as_the_command_line_does(name: str) -> None:
+    setup = Setup(world={"scale": (1, 2, 1)})
+    assert getattr(setup, name)().data["steps"] is None
+    assert getattr(setup, name)(steps=True).data["steps"][-1]["verified"]
+    with pytest.raises(IllegalValueError, match="steps"):
+        getattr(setup, name)(steps="yes")
