@@ -93,7 +93,7 @@ def _taken(name: str, text: str) -> Reply:
     error = IllegalValueError(
         f"name {name}", other_meaning(name), f"write {name}_1 = … for instance"
     )
-    return Reply(error=error, at=text.index(name))
+    return Reply(error=error, at=text.rindex(name, 0, text.index("=")))
 
 
 def _refused(asked: Statement, why: str) -> IllegalValueError:
