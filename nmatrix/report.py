@@ -30,6 +30,7 @@ Matrix = tuple[Vector, ...]
 Shown = Number | Surd  # what a writer can print, to the last digit if need be
 ShownVector = tuple[Shown, ...]
 ShownMatrix = tuple[ShownVector, ...]
+ENVELOPE = ("command", "version", "layout", "remarks")  # keys of every answer as data
 LARGEST_MATRIX = 8  # rows and columns: the eight corners of a box
 
 

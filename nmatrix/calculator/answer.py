@@ -11,7 +11,7 @@ from nmatrix.calculator.numbers import Float64, Interval
 from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings, each
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import counted
-from nmatrix.report import Block, Formula, Heading, Quantity, Report, Step
+from nmatrix.report import ENVELOPE, Block, Formula, Heading, Quantity, Report, Step
 from nmatrix.report import Value as JsonValue
 
 KEYS = ("expression", "value", "kind", "to", "from", "space", "exact", "steps")
@@ -35,7 +35,8 @@ def value_report(name: str, calculation: Calculation, steps: tuple[Step, ...] = 
     value = calculation.value
     blocks: tuple[Block, ...] = (*steps, _shown(name, value))
     remarks = _remarks(calculation)
-    return Report("calc", {name: _plain(value)}, blocks, remarks, numbers=Numbers.EXACT)
+    key = f"{name}_" if name in ENVELOPE else name
+    return Report("calc", {key: _plain(value)}, blocks, remarks, numbers=Numbers.EXACT)
 
 
 def keys(calculation: Calculation, steps: tuple[Step, ...] | None) -> dict[str, JsonValue]:
@@ -121,5 +122,5 @@ def _remarks(calculation: Calculation) -> tuple[str, ...]:
     digits = [x.digits for x in value.numbers if isinstance(x, Interval)]
     if digits:
         known = counted(min(digits), "digit is", "digits are")
-        told.append(f"A number in it is irrational: {known} known.")
+        told.append(f"A number in it is not exact: {known} known.")
     return tuple(told)

@@ -11,6 +11,7 @@ from itertools import zip_longest
 from typing import TypeVar
 
 from nmatrix.calculator import function_rules, rules
+from nmatrix.calculator.elsewhere import instead_of
 from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.function import Argument, Parameter
@@ -378,8 +379,7 @@ class _Evaluation:
             if name in self.names:
                 why = f"{name} is a value: * and @ multiply it, {name}[0] is its first part"
                 raise self._fault(node, name, why)
-            step = did_you_mean(name, FUNCTIONS, "in a session, help functions lists them")
-            raise self._fault(node, f"function {name[:20]}", step)
+            raise self._fault(node, f"function {name[:20]}", instead_of(name))
         taken = FUNCTIONS[name].parameters
         by_name = {one.name: one for one in taken}
         arguments = [

@@ -191,8 +191,9 @@ def _made(kind: Kind) -> FunctionRule:
             raise RefusedError(why, apart=(v, wanted))
         if v.sort is Sort.BARE and not named and kind in (Kind.POINT, Kind.VECTOR):
             return None  # a literal with its w
-        kept = Kind[v.sort.name] if kind is Kind.VECTOR and v.sort is not Sort.BARE else kind
-        return Located(named or v.space, kept)
+        if kind is Kind.VECTOR:  # w is 0 of a direction and of a normal
+            return Located(v.space, Kind.NORMAL if v.sort is Sort.NORMAL else Kind.DIRECTION)
+        return Located(named or v.space, kind)
 
     return rule
 
@@ -206,7 +207,10 @@ _UNMADE: dict[tuple[Kind, Sort], tuple[str, MistakeId | None]] = {
         "a normal: w = 1 would add the translation",
         MistakeId.TRANSLATED,
     ),
-    (Kind.DIRECTION, Sort.POINT): ("a point: without its w it would not move along", None),
+    **dict.fromkeys(
+        ((Kind.DIRECTION, Sort.POINT), (Kind.VECTOR, Sort.POINT)),
+        ("a point: without its w it would not move along", None),
+    ),
     (Kind.NORMAL, Sort.POINT): ("a point, and a place is normal to nothing", None),
 }
 
@@ -289,9 +293,8 @@ RULES: dict[str, FunctionRule] = {
         (
             "det", "rank", "trace", "identity", "length", "norm", "dot", "angle", "outer",
             "cross_matrix", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
-            "depth_of",
-            "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues", "singular_values",
-            "polar", "quaternion_of", "euler",
+            "depth_of", "distance_of", "solve", "rref", "null_space", "lu", "eigenvalues",
+            "singular_values", "polar", "quaternion_of", "euler",
         ),
         _nothing,
     ),

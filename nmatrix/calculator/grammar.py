@@ -44,6 +44,7 @@ OPERATORS = {
     "×": PRODUCT,
 }
 _NOTHING = Token(TokenKind.END, "", 0, 0)
+EXPONENT = "it is a whole number, T or -T: A^2, A^-1, A^T, A^-T; a root is sqrt(x)"
 MEMBERS = ("T", "inv", "xyz", "x", "y", "z", "w")
 
 
@@ -141,6 +142,8 @@ class _Parser:
             return self.parentheses(token, depth)
         if token.is_sign("["):
             return self.bracket(token, depth)
+        if token.is_sign("/") and self.ahead().is_sign("/"):
+            raise self.fault(start, "//", "a remark begins with #")
         raise self.fault(start, *_missing(token))
 
     def numeral(self, token: Token, depth: int) -> Node:
@@ -162,6 +165,7 @@ class _Parser:
         while True:
             token = self.next
             adjacent = not token.after_blank
+            self.no_sign_behind(token)
             if token.is_sign(".") and adjacent:
                 node = self.member(node)
             elif token.is_sign("[") and adjacent:
@@ -177,8 +181,15 @@ class _Parser:
         dot, name = self.take(), self.take()
         if name.kind is not TokenKind.NAME or name.text not in MEMBERS:
             known = " ".join(f".{one}" for one in MEMBERS)
-            raise self.fault(dot.start, "a part", f"after a point there are {known}")
+            called = "; functions stand alone: write dot(a, b)" if self.is_call() else ""
+            raise self.fault(dot.start, "a part", f"after a point there are {known}{called}")
         return Member(node.start, name.end, node, name.text, dot.start)
+
+    def no_sign_behind(self, token: Token) -> None:
+        """Refuse MATLAB's .* and its like."""
+        if token.is_sign(".") and self.ahead(1).is_sign("*", "/", "^"):
+            why = "nothing is computed entry by entry; * is of numbers, @ of matrices"
+            raise self.fault(token.start, f".{self.ahead(1).text}", why)
 
     def index(self, node: Node, depth: int) -> Node:
         opening = self.take()
@@ -217,10 +228,12 @@ class _Parser:
                 raise self.fault(token.start, "an exponent", "it has at most four digits")
             exponent, transposed = sign * int(token.text), False
         else:
-            why = "it is a whole number, T or -T: A^2, A^-1, A^T, A^-T; a root is sqrt(x)"
-            raise self.fault(token.start, "an exponent", why)
+            raise self.fault(token.start, "an exponent", EXPONENT)
         if closing and not (token := self.take()).is_sign(closing):
-            raise self.fault(token.start, "an exponent", f"{closing} is missing")
+            is_short = token.kind is TokenKind.END
+            raise self.fault(
+                token.start, "an exponent", f"{closing} is missing" if is_short else EXPONENT
+            )
         if self.next.is_sign("^"):
             why = "write (a^b)^c, or the number that the upper power is"
             raise self.fault(self.next.start, "a power of a power", why)
@@ -324,6 +337,10 @@ class _Parser:
 
     def end(self) -> None:
         token = self.next
+        if token.is_sign(":") and self.ahead(1).is_sign(":"):
+            why = "functions have no prefix: write look_at(eye, target)"
+            raise self.fault(token.start, "::", why)
+        self.no_sign_behind(token)
         if token.kind is not TokenKind.END:
             raise self.fault(token.start, *_stray(token, "it does not read on from here"))
 
@@ -341,7 +358,7 @@ def _behind_a_number(number: str, after: str) -> tuple[str, str]:
         return "a number", f"digits stand together: write {number}{after.replace('_', '')}"
     if number == "0" and after[0] in "xXbBoO":
         return "a number", "numbers are decimal: write 16 for 0x10"
-    return "a product", f"it is written with its sign: {number}*{after}"
+    return "a product", f"it is written with its sign: {number.rstrip('.')}*{after}"
 
 
 def _stray(token: Token, otherwise: str) -> tuple[str, str]:

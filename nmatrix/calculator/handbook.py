@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from nmatrix.calculator.elsewhere import INSTEAD
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.statements import Keyword
 from nmatrix.enums import Format, InverseBy, Numbers
@@ -53,7 +54,9 @@ def page(topic: str) -> Report:
     if word in list(Keyword):
         usage, does = USAGE[Keyword(word)]
         return _report([Text(f"{usage}: {does}")])
-    step = did_you_mean(word, (*FUNCTIONS, *Keyword), f"write help {EVERY_FUNCTION}")
+    step = INSTEAD.get(word.casefold()) or did_you_mean(
+        word, (*FUNCTIONS, *Keyword), f"write help {EVERY_FUNCTION}"
+    )
     raise IllegalValueError(f"help ({word[:40]})", "there is no such function", step)
 
 

@@ -24,6 +24,8 @@ def w_of(value: Value) -> Fraction | None:
     meaning = value.meaning
     if not isinstance(meaning, Located) or meaning.kind not in _W or len(value.vector) != 3:
         return None
+    if meaning.space is Frame.CLIP:
+        return None  # its w was cut off, and is none that the kind could tell
     return Fraction(_W[meaning.kind])
 
 

@@ -99,7 +99,7 @@ def _ordered(  # noqa: PLR0911 - one branch for each
 def _taken(name: str, text: str) -> Reply:
     step = f"write {name[:8]}_1 = … for instance"
     error = IllegalValueError(f"name {name[:40]}", other_meaning(name), step)
-    return Reply(error=error, at=text.index(name))
+    return Reply(error=error, at=text.rindex(name, 0, text.index("=")))
 
 
 def _refused(asked: Statement, why: str) -> IllegalValueError:

@@ -16,7 +16,7 @@ from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import parse
 from nmatrix.calculator.names import ANSWERS, value_of
-from nmatrix.calculator.statements import Statement, is_declared, is_matrix, without_comments
+from nmatrix.calculator.statements import Statement, is_matrix, without_comments
 from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.enums import Format, InverseBy, Layout, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
@@ -138,8 +138,8 @@ class Session:
         try:
             parse(text, frozenset((*FUNCTIONS, *self.names)))
         except CalculatorError as fault:
-            if "=" in text and not is_declared(text):
-                raise  # the value of A[0, 0] = 5 is not meant
+            if text.startswith("|") or ("=" in text and not text.startswith("\\")):
+                raise  # neither -3 is meant by |-3|, nor the value of A[0, 0] = 5
             try:
                 return self._read(text)
             except IllegalValueError:

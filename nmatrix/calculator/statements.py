@@ -45,15 +45,18 @@ class Statement:
 
 
 _NUMBER = r"[+\-−]?(?:[0-9]+(?:[.,][0-9]*)?|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?(?:/[0-9]+)?"
-_GIVEN = re.compile(r"\s*([A-Za-z_][A-Za-z0-9_]*)\s*=(?!=)\s*")
+_GIVEN = re.compile(r"\s*(?!π)([A-Za-z_Α-Ωα-ω][A-Za-z0-9_]*)\s*=(?!=)\s*")
 _KEYWORD = re.compile(rf"\s*({'|'.join(Keyword)})(?:\s+|\Z)")
 _COMMENT = re.compile(r"(?:\A|(?<=\s))#.*")
-_DECLARED = re.compile(r"\s*\\|\s*(?:[A-Za-z_][\w:.<>]*\s+)+[A-Za-z_]\w*(?:\[[0-9]*\])*\s*=(?!=)")
+# What a program declares, with the type before its name: const mat2 m = …, float m[2][2] = …
+_DECLARED = re.compile(r"\s*(?:[A-Za-z_][\w:.<>]*\s+)+([A-Za-z_]\w*)(?:\s*\[[0-9]*\])*\s*=(?!=)\s*")
 # A row: numbers with a blank, a tab, a comma or a semicolon between two of them, not a sum of two.
 _ROW = re.compile(
     rf"\s*{_NUMBER}(?:\s*[,;]\s*|\s+){_NUMBER}(?:(?:\s*[,;]\s*|\s+){_NUMBER})*[\s,;]*"
 )
 _SUM = re.compile(r"[^\s,;]+(?:\s+[+\-−]\S+)+\s*")
+# |v| and |-2|, but not the row | 1 0 |
+_BARS = re.compile(rf"\|+\s*(?:{_NUMBER}\s*\|+\s*\Z|[A-Za-zα-ω_([√])")
 _OPENING = re.compile(r'\\begin\{|\\end\{|[\[({]|[\])}]|<(?=Matrix)|>|"[^"]*"|#.*')
 _LATEX = re.compile(r"\\(?:begin|end)\{\w*\}")
 
@@ -85,7 +88,7 @@ class _Growing:
         self.lines.append(line)
         self.length += len(line) + 1
         if self.is_empty:
-            self.is_framed = has_no_brackets(content.lstrip())
+            self.is_framed = _is_framed(content.lstrip())
             self.is_bare = self.is_framed or _is_open_row(content)
             self.is_empty = not _COMMENT.sub("", content).strip()
         self.depth = _depth_after(content, self.depth)
@@ -180,6 +183,8 @@ def statement(whole: str) -> Statement:
     >>> found = statement("a = 2*3")
     >>> found.name, found.text, found.at, statement("help inverse").keyword.value
     ('a', '2*3', 4, 'help')
+    >>> statement("const mat2 m = mat2(1, 2, 3, 4);").name
+    'm'
     """
     given = _GIVEN.match(whole)
     if given:
@@ -189,6 +194,10 @@ def statement(whole: str) -> Statement:
         rest = _COMMENT.sub("", whole[word.end() :]).strip()
         at = word.end() if rest else word.start(1)
         return Statement(whole, rest, at, keyword=Keyword(word[1]))
+    declared = _DECLARED.match(whole)
+    if declared:
+        at = declared.end()
+        return Statement(whole, whole[at:].rstrip(), at, declared[1])
     text = whole.strip()
     at = whole.index(text)
     return Statement(whole, "" if text.startswith("#") else text, at)
@@ -199,21 +208,15 @@ def is_matrix(text: str) -> bool:
 
     Examples
     --------
-    >>> [is_matrix(text) for text in ("1 2; 3 4", "| 1 0 |", "2 - 1")]
-    [True, True, False]
+    >>> [is_matrix(text) for text in ("1 2; 3 4", "| 1 0 |", "2 - 1", "|-2|")]
+    [True, True, False, False]
     """
-    return has_no_brackets(text) or is_row(without_comments(text.split("\n")[0]))
+    return _is_framed(text) or is_row(without_comments(text.split("\n")[0]))
 
 
-def is_declared(text: str) -> bool:
-    """Recognise a matrix that a program declares, with the type before its name, or LaTeX.
-
-    Examples
-    --------
-    >>> is_declared("const mat2 m = mat2(1, 2, 3, 4);"), is_declared("A[0, 0] = 5")
-    (True, False)
-    """
-    return _DECLARED.match(text) is not None
+def _is_framed(text: str) -> bool:
+    """Recognise a frame, fields or a table; bars around a value ask for its length."""
+    return has_no_brackets(text) and _BARS.match(text) is None
 
 
 def without_comments(text: str) -> str:

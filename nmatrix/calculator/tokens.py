@@ -11,12 +11,15 @@ import string
 from collections.abc import Iterator
 from enum import StrEnum
 from fractions import Fraction
+from itertools import chain
 from typing import NamedTuple
 
 from nmatrix.calculator.faults import CalculatorError
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.angles import angle
+from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.notations import value_at
+from nmatrix.reading.numbers import fraction
 
 LONGEST = 10_000  # characters
 
@@ -53,7 +56,7 @@ class Token(NamedTuple):
 _DIGITS = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _TOKEN = re.compile(
     rf"""
-    (?P<blank>[ \t\r]+ | \#[^\n]*)
+    (?P<blank>[ \t\r\xa0\u2000-\u200a\u202f\u3000]+ | \#[^\n]*)
     | (?P<line_end>\n)
     | (?P<angle>(?:{_DIGITS}(?:\*?(?:pi|π))?|pi|π)(?:/[0-9]+(?:\.[0-9]+)?)?
         [ ]?(?:deg|rad|turns?|°)(?![A-Za-z0-9_]))
@@ -61,7 +64,7 @@ _TOKEN = re.compile(
     | (?P<name>[A-Za-zΑ-Ωα-ω_][A-Za-z0-9_]*)
     | "(?P<word>[A-Za-z_]{{1,40}})" | '(?P<letters>[A-Za-z_]{{1,40}})'
     | (?P<raised>[⁻ᵀ⁰¹²³⁴⁵⁶⁷⁸⁹]+)
-    | (?P<sign>\*\*|==|~=|≈|[-+*/@^=()\[\],;:.·×√−{{}}])
+    | (?P<sign>\*\*|==|~=|≈|[-+*/@^=()\[\],;:.·⋅∙×√−–÷{{}}])
     """,
     re.VERBOSE,
 )
@@ -69,12 +72,13 @@ _NOTATION = re.compile(
     r"(?:new )?[A-Za-z_][\w.:<>]{0,40} ?(?:\([0-9]{1,2}\) ?)?[\[({]"
     r"|\{|\[X|<M|\([0-9]{1,2}\) ?\["
 )
+_CALL = re.compile(r"[A-Za-z]\w* ?\([^)\n]*(?<![0-9.\w])[A-Za-z_α-ω]")
 _BEGINS_NOTATION = frozenset(string.ascii_letters + "_{[<(")
-_AS_TYPED = {"−": "-", "**": "^", "~=": "≈", "π": "pi"}
+_AS_TYPED = {"−": "-", "–": "-", "⋅": "·", "∙": "·", "÷": "/", "**": "^", "~=": "≈", "π": "pi"}
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 NEAREST = {  # what other languages write, and what is written here
     "'": "write A.T or A^T for a transpose",
-    "%": "there is no remainder here",
+    "%": "there is no remainder here; a remark begins with #",
     "!": "write 1*2*3 for a factorial, (a == b) for a comparison",
     "&": "write the two expressions on lines of their own",
     "|": "write length(v) for the length of a vector, abs(x) for a size",
@@ -158,7 +162,11 @@ def _pasted(line: str, at: int, blank: bool, names: frozenset[str]) -> Token | N
         return None
     try:
         value = value_at(line, at, "a literal")
+        for entry in chain.from_iterable(value[0] if value else ()):
+            fraction(BARE_POINT.sub("", entry))
     except IllegalValueError as refusal:
+        if _CALL.match(line, at):
+            return None  # a name in it makes it a function, which has its own refusal
         what, why, _ = refusal.parts
         raise CalculatorError(line, at, what, why) from None
     if value is None:

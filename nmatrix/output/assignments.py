@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -20,12 +21,21 @@ from nmatrix.output.numbers import (
 from nmatrix.report import Report, Shown, ShownMatrix, ShownVector, Step, Value
 from nmatrix.version import __version__
 
-_RESERVED = (
-    " as await break case catch class const continue debugger def default del delete do else enum"
-    " export extends false finally for from function global if import in input instanceof is"
-    " lambda let new nonlocal not null or output package pass private protected public raise"
-    " return sample static super switch this throw true try typeof uniform var varying void while"
-    " window with yield length normalize cross dot reflect transpose inverse determinant "
+# Words that one of the three languages keeps for itself, or names a function by.
+_JAVASCRIPT = """
+arguments case catch const debugger default delete do enum eval export extends false function
+implements instanceof interface let new null package private protected public static super switch
+this throw true typeof var void window"""
+_GLSL = """
+active asm atomic_uint attribute bool buffer cast centroid coherent common cross determinant discard
+dot double external extern filter fixed flat float fvec2 fvec3 fvec4 goto half highp hvec2 hvec3
+hvec4 inline inout input int invariant inverse layout length long lowp main mediump namespace
+noinline noperspective normalize out output partition patch precision readonly reflect resource
+restrict sample shared short sizeof smooth struct subroutine superp template transpose typedef uint
+uniform union unsigned using varying volatile writeonly"""
+_RESERVED = frozenset((*keyword.kwlist, *_JAVASCRIPT.split(), *_GLSL.split()))
+_GLSL_TYPE = re.compile(
+    r"[biud]?vec[234]|d?mat[234](?:x[234])?|[iu]?(?:sampler|image)(?:[123]D|Cube|Buffer)\w*"
 )
 Assigned = bool | Shown | ShownVector | ShownMatrix
 PROGRAMS = (Format.GLSL, Format.JS, Format.NUMPY)
@@ -50,12 +60,13 @@ def identifier(key: str) -> str:
 
     Examples
     --------
-    >>> identifier("spaces.0.eye"), identifier("2nd try"), identifier("window")
-    ('spaces_0_eye', 'v_2nd_try', 'window_')
+    >>> [identifier(key) for key in ("spaces.0.eye", "2nd try", "window", "None", "vec3")]
+    ['spaces_0_eye', 'v_2nd_try', 'window_', 'None_', 'vec3_']
     """
     name = re.sub(r"[^A-Za-z0-9]+", "_", key).strip("_") or "v"
     name = f"v_{name}" if name[0].isdigit() or name.startswith("gl_") else name
-    return f"{name}_" if f" {name} " in _RESERVED else name
+    is_taken = name in _RESERVED or _GLSL_TYPE.fullmatch(name)
+    return f"{name}_" if is_taken else name
 
 
 def program(report: Report, language: Language) -> str:

@@ -134,7 +134,7 @@ def _matrix(value: ShownMatrix, name: str) -> tuple[str, str, ShownVector]:
     columns = transpose(value)
     entries = tuple(entry for column in columns for entry in column)
     rows, across = len(value), len(columns)
-    if across == 1:
+    if min(rows, across) == 1:
         return _vector(entries, name)
     lines = [_list(column) for column in columns]
     if max(rows, across) <= LARGEST:

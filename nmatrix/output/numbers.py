@@ -39,14 +39,14 @@ def is_vector(value: object) -> TypeGuard[ShownVector]:
 
 
 def is_matrix(value: object) -> TypeGuard[ShownMatrix]:
-    """Recognise a matrix: 2 to 8 rows of equally many numbers, 1 to 8 of them.
+    """Recognise a matrix: 1 to 8 rows of equally many numbers, 1 to 8 of them.
 
     Examples
     --------
     >>> is_matrix(((1, 0), (0, 1))), is_matrix(((1, 0), (0,)))
     (True, False)
     """
-    if not (is_list(value) and 2 <= len(value) <= LARGEST_MATRIX):
+    if not (is_list(value) and 1 <= len(value) <= LARGEST_MATRIX):
         return False
     sizes = {len(row) if is_vector(row) else 0 for row in value}
     return len(sizes) == 1 and 1 <= sizes.pop() <= LARGEST_MATRIX

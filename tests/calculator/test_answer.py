@@ -85,7 +85,7 @@ def test_the_remark_says_when_a_value_is_not_exact():
 
     assert remarks("det(A)") == ()
     assert remarks("length([1, 1])") == ()  # √2 is exact
-    assert remarks("sin(20)") == ("A number in it is irrational: 39 digits are known.",)
+    assert remarks("sin(20)") == ("A number in it is not exact: 39 digits are known.",)
     assert "float64" in remarks("det(A)", Arithmetic.FLOAT)[0]
 
 

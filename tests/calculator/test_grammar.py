@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 import warnings
 from dataclasses import fields
 from math import inf
@@ -10,6 +11,7 @@ from math import inf
 import pytest
 from counted import at_most
 
+from nmatrix.calculator.elsewhere import INSTEAD
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
@@ -274,3 +276,62 @@ def test_the_caret_stands_before_the_beginning_of_the_fault(expression: str, at:
         calculate(expression, {})
     assert found.value.position == at
     assert f"{expression[:at]}^{expression[at:]}" in str(found.value)
+
+
+def test_the_words_of_other_programs_are_answered_by_those_of_the_calculator():
+    assert not set(INSTEAD) & set(FUNCTIONS)
+    for name in INSTEAD:
+        for written in (name, name.upper()):
+            with pytest.raises(CalculatorError) as refusal:
+                calculate(f"2 * {written}(a)", {})
+            assert INSTEAD[name] in str(refusal.value)
+            assert refusal.value.position == 4
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        form
+        for told in INSTEAD.values()
+        if told.startswith("write ")
+        for form in re.findall(r"\w+\([^)]*\)", told)
+    ],
+)
+def test_what_is_to_be_written_instead_is_a_function_with_as_many_arguments(written):
+    name, arguments = written[:-1].split("(")
+    parameters = FUNCTIONS[name].parameters
+    count = len(arguments.split(","))
+    assert count <= len(parameters) or len(parameters) == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "at", "told"),
+    [
+        ("transpose(inverse(mat3(M)))", 18, "write linear(M)"),
+        ("2 * vec4(p, 1)", 4, "write point(v)"),
+        ("[1, mat2(1, 2, x, 4)]", 4, "write its numbers"),
+        ("A .* A", 2, "entry by entry"),
+        ("A.^2", 1, "entry by entry"),
+        ("A ./ A", 2, "entry by entry"),
+        ("glm::lookAt(e, t)", 3, "no prefix"),
+        ("np.dot(a, b)", 2, "write dot(a, b)"),
+        ("// words", 0, "begins with #"),
+        ("% words", 0, "begins with #"),
+        ("4^(3/2)", 4, "whole number"),
+        ("4^{1/2}", 4, "whole number"),
+        ("4^(2", 4, ") is missing"),
+    ],
+)
+def test_other_languages_are_refused_at_the_sign_that_is_theirs(line, at, told):
+    names = dict.fromkeys(("M", "A", "np"), Value(rational_matrix([[1, 2], [3, 4]])))
+    with pytest.raises(CalculatorError) as refusal:
+        calculate(line, names)
+    assert (refusal.value.position, told in str(refusal.value)) == (at, True), refusal.value
+
+
+@pytest.mark.parametrize(
+    ("printed", "typed"),
+    [("7 – 2", "7 - 2"), ("3\xa0+\u202f4", "3 + 4"), ("6÷4", "6/4"), ("2⋅5∙3", "2*5*3")],
+)
+def test_the_signs_and_blanks_of_print_are_read_as_those_of_the_keyboard(printed, typed):
+    assert calculate(printed, {}).value == calculate(typed, {}).value

@@ -11,7 +11,7 @@ import pytest
 
 from nmatrix.calculator import function_rules, rules
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import MeaningError
+from nmatrix.calculator.faults import CalculatorError, MeaningError
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import OPERATORS
 from nmatrix.calculator.meanings import SCENE, Carries, Kind, Located, Map
@@ -681,3 +681,27 @@ def test_an_orthographic_projection_keeps_directions_and_a_perspective_does_not(
     found = calculate(f"inverse(ortho(-2, 2, -1, 1, 1, 9)) @ {d}", {}).value
     assert str(found.meaning) == "camera direction"
     assert "vanishing point" in str(refusal(f"inverse(P) @ {d}"))
+
+
+def test_a_vector_is_a_direction_and_never_a_point():
+    for text in ("vector(p / 2)", "vector(-p)", "vector(p - q)", "vector(t)"):
+        still, moved = (calculate(one, NAMES).value for one in (text, f"M @ {text}"))
+        x, y, z = still.entries
+        assert moved.entries == (-y / 2, 2 * x, z)
+        assert moved.meaning == Located(Frame.WORLD, Kind.DIRECTION)
+    with pytest.raises(MeaningError, match="would not move along"):
+        calculate("M @ vector(p)", NAMES)
+
+
+def test_a_point_of_clip_space_whose_w_was_cut_off_has_none():
+    c = "(P @ V @ M @ p)"
+    x, y, z, w = calculate(c, NAMES).value.entries
+    assert calculate(f"{c}.w", NAMES).value.scalar == w
+    assert w != 1
+    assert calculate(f"{c}.xyz / {c}.w", NAMES).value.entries == (x / w, y / w, z / w)
+    for text in (f"{c}.xyz.w", f"{c}.xyz / {c}.xyz.w"):
+        with pytest.raises(CalculatorError, match="a vector of 3"):
+            calculate(text, NAMES)
+    with pytest.raises(MeaningError) as refused:
+        calculate(f"inverse(P) @ {c}.xyz", NAMES)
+    assert ".xyz.w" not in refused.value.instead

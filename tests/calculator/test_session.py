@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from fractions import Fraction
 from pathlib import Path
@@ -24,6 +25,7 @@ from nmatrix.output.transcript import Disk, run, text_of, transcript, turn
 from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.notations import NOTATIONS
+from nmatrix.report import ENVELOPE
 
 EMPTY, NO_FILES = Session({}), NoFiles()
 
@@ -208,7 +210,36 @@ def test_what_is_assigned_to_anything_but_a_name_is_refused():
         "a b c",
     ):
         assert refused(line, session).exit_code == 2
-    assert after("const mat2 m = mat2(1, 2, 3, 4);").names["ans"].matrix == ((1, 3), (2, 4))
+
+
+def test_a_declaration_of_a_program_gives_the_name_that_it_declares():
+    session = after(
+        "const mat2 m = mat2(1, 2, 3, 4);",
+        "let y = 5",
+        "float q[2][2] = {{1, 0}, {0, 7}};",
+        "var z = 2*y",
+        "const mat2x3 r = mat2x3(\n 1, 2, 3,\n 4, 5, 6);",
+    )
+    assert session.names["m"].matrix == ((1, 3), (2, 4))
+    assert session.names["q"].matrix == ((1, 0), (0, 7))
+    assert session.names["r"].matrix == ((1, 4), (2, 5), (3, 6))
+    assert (session.names["y"].scalar, session.names["z"].scalar) == (5, 10)
+    assert "ans" not in session.names
+    taken = enter(session, "const float cos = 3;", NO_FILES)[1]
+    assert taken.error is not None and taken.at == len("const float ")
+
+
+def test_a_greek_letter_may_be_given_a_value_and_pi_may_not():
+    session = after("λ = 2", "θ2 = 30")
+    assert enter(session, "λ^3 * sin(θ2)", NO_FILES)[0].names["ans"].scalar == 4
+    assert refused("π = 3", session).exit_code == 2
+
+
+@pytest.mark.parametrize("line", ["|[3, 4]|", "|v|", "|-3|", "||[3, 4]||", "x = | -2.5 |"])
+def test_bars_ask_for_a_length_and_begin_no_matrix(line):
+    session = after("v = [3, 4]")
+    assert "write length(v)" in str(refused(line, session))
+    assert list(statements([line, "1 + 1"])) == [(1, line), (2, "1 + 1")]
 
 
 @pytest.mark.parametrize("line", ["exit", "quit()", "whos", "?", "quit now", "undo 2", "vars all"])
@@ -368,3 +399,35 @@ def test_tab_offers_what_may_stand_there():
     assert offers([], "steps by ").words == tuple(sorted(InverseBy))
     assert offers([], "load a b").is_file
     assert offers([], "load a b").begun == "a b"
+
+
+@pytest.mark.parametrize("name", [*ENVELOPE, "M", "remarks_"])
+def test_a_name_keeps_its_value_beside_the_keys_of_every_answer(name):
+    session = after(f"{name} = 7/2")
+    reply = turn(session, f"show {name} as json", OutputOptions(), NO_FILES)
+    pairs = json.loads(reply.text, object_pairs_hook=list)
+    keys = [key for key, _ in pairs]
+    assert len(set(keys)) == len(keys)
+    assert [value for key, value in pairs if key.startswith(name) and value == 3.5]
+    assert dict(pairs)["command"] == "calc"
+
+
+@pytest.mark.parametrize("text", ["[[5]]", "[[1, 2, 3]]", "[[√2, 1/3]]", "[[a, 2]]"])
+@pytest.mark.parametrize("format_", FORMATS)
+def test_a_matrix_of_one_row_is_shown_in_every_format(text, format_):
+    session = after(f"R = {text}")
+    assert "\n  [ " in shown(f"R = {text}") or "[ a  2 ]" in shown(f"R = {text}")
+    done = turn(session, f"show R as {format_}", OutputOptions(), NO_FILES)
+    assert "Fraction" not in done.text
+    assert done.error is None or "a" in text
+
+
+def test_one_row_is_told_from_a_vector_where_a_format_can():
+    shows = {f: turn(after("R = [[1, 2]]"), f"show R as {f}", OutputOptions(), NO_FILES).text
+             for f in FORMATS}  # fmt: skip
+    assert json.loads(shows["json"])["R"] == [[1, 2]]
+    assert "R,0,1,2.0" in shows["csv"]
+    assert "1 & 2" in shows["latex"]
+    assert "1 & 2" in shows["markdown"]
+    assert 'mat(delim: "[", 1, 2)' in shows["typst"]
+    assert "const vec2 R = vec2(1.0, 2.0);" in shows["glsl"]  # which has no matrix of one row

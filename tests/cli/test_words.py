@@ -97,7 +97,7 @@ def test_the_calculator_remarks_radians_too(nmatrix) -> None:
     told = "rotate_y takes degrees, but -0.7854 looks like -pi/4 radians, -45 degrees."
     assert told in answer(nmatrix, 'calc "rotate_y(-0.7854)"')["remarks"]
     assert answer(nmatrix, 'calc "rotate_y(0.5) @ rotate_x(3)"')["remarks"] == [
-        "A number in it is irrational: 38 digits are known."
+        "A number in it is not exact: 38 digits are known."
     ]
 
 

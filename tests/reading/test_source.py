@@ -95,6 +95,8 @@ def test_nine_rows_of_files_and_arrays_are_refused(folder: Path) -> None:
         source("a.npy")
     with pytest.raises(IllegalValueError, match="it has 9 rows"):
         read_matrix(array + np.arange(2), "answer")
+
+
 @pytest.mark.parametrize("name", ["a.npy", "a.npz", "a.NPY"])
 def test_what_is_named_as_numpy_names_it_and_is_another_file(folder: Path, name: str) -> None:
     for content in (b"", b"PK\x03\x04", b"\x89PNG\r\n", b"1 0 0; 0 1 0; 0 0 1"):
