@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import nmatrix
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.functions import (
     camera,
     elimination,
@@ -26,7 +27,6 @@ from nmatrix.calculator.functions import (
     vectors,
 )
 from nmatrix.calculator.functions.function import Function, Parameter
-from nmatrix.calculator.values import Value
 
 ENUM = re.compile(r"<\w+\.\w+: ('[^']*')>")  # a default, as Python shows it
 QUOTED_TYPE = re.compile(r"(?<=\w): '([^']*)'")

@@ -58,9 +58,9 @@ def calc(
     ans  8
     """
     from nmatrix.calculator.answer import report
+    from nmatrix.calculator.arithmetic.values import Arithmetic
     from nmatrix.calculator.names import EVERY_NAME, names_of, with_name
-    from nmatrix.calculator.session import Session, Settings
-    from nmatrix.calculator.values import Arithmetic
+    from nmatrix.calculator.sessions.session import Session, Settings
     from nmatrix.output.transcript import Disk, is_session, transcript
     from nmatrix.output.write import OutputOptions
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import isinf
 
+from nmatrix.calculator.arithmetic.meanings import Located, Map
+from nmatrix.calculator.arithmetic.numbers import Float64, Interval
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value, ValueKind, as_strings, each
 from nmatrix.calculator.evaluate import Calculation
-from nmatrix.calculator.meanings import Located, Map
-from nmatrix.calculator.numbers import Float64, Interval
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind, as_strings, each
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import counted
 from nmatrix.report import ENVELOPE, Block, Formula, Heading, Quantity, Report, Step

@@ -10,20 +10,17 @@ from functools import partial
 from itertools import zip_longest
 from typing import TypeVar
 
-from nmatrix.calculator import function_rules, rules
-from nmatrix.calculator.elsewhere import instead_of
-from nmatrix.calculator.faults import CalculatorError, MeaningError, NoValueError
+from nmatrix.calculator.arithmetic.meanings import SCENE, Meaning
+from nmatrix.calculator.arithmetic.numbers import Number, PiMultiple, shown, times_pi
+from nmatrix.calculator.arithmetic.operators import binary, equal, nearly_equal, part, power
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value, ValueKind
 from nmatrix.calculator.functions import FUNCTIONS
+from nmatrix.calculator.functions.elsewhere import instead_of
 from nmatrix.calculator.functions.function import Argument, Parameter
-from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.homogeneous import settled, understood, w_of, with_w
-from nmatrix.calculator.meanings import SCENE, Meaning
-from nmatrix.calculator.nearest import Part, forms
-from nmatrix.calculator.numbers import Number, PiMultiple, shown, times_pi
-from nmatrix.calculator.operands import Operand, RefusedError, bared
-from nmatrix.calculator.operators import binary, equal, nearly_equal, part, power
-from nmatrix.calculator.symbolic import Symbolic
-from nmatrix.calculator.tree import (
+from nmatrix.calculator.language.faults import CalculatorError, MeaningError, NoValueError
+from nmatrix.calculator.language.grammar import parse
+from nmatrix.calculator.language.tree import (
     Bracket,
     Call,
     Index,
@@ -38,7 +35,10 @@ from nmatrix.calculator.tree import (
     Turn,
     Word,
 )
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind
+from nmatrix.calculator.meaning import function_rules, rules
+from nmatrix.calculator.meaning.homogeneous import settled, understood, w_of, with_w
+from nmatrix.calculator.meaning.nearest import Part, forms
+from nmatrix.calculator.meaning.operands import Operand, RefusedError, bared
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
 from nmatrix.linear import rational
 from nmatrix.reading.angles import like_radians, of_pi

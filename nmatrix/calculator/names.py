@@ -6,14 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from nmatrix.calculator.arithmetic.meanings import SCENE
+from nmatrix.calculator.arithmetic.numbers import angle
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.evaluate import CONSTANTS
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.camera import lens_value, looking_at
 from nmatrix.calculator.functions.rotations import about_axis, by_quaternion
-from nmatrix.calculator.meanings import SCENE
-from nmatrix.calculator.numbers import angle
-from nmatrix.calculator.statements import Keyword
-from nmatrix.calculator.values import Value
+from nmatrix.calculator.language.statements import Keyword
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.affine import compose, rotation_by
 from nmatrix.linear.angle import Angle

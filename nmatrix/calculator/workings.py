@@ -11,11 +11,18 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from nmatrix.calculator.homogeneous import with_w
-from nmatrix.calculator.numbers import Float64, Interval, Number, PiMultiple, bounds, shown
-from nmatrix.calculator.operands import Operand
-from nmatrix.calculator.symbolic import Symbolic
-from nmatrix.calculator.values import Value, ValueKind, each
+from nmatrix.calculator.arithmetic.numbers import (
+    Float64,
+    Interval,
+    Number,
+    PiMultiple,
+    bounds,
+    shown,
+)
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.values import Value, ValueKind, each
+from nmatrix.calculator.meaning.homogeneous import with_w
+from nmatrix.calculator.meaning.operands import Operand
 from nmatrix.enums import ClipY, Convention, DepthRange, Handedness, InverseBy
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.projection import ClipSpace

@@ -20,7 +20,7 @@ from nmatrix.errors import IllegalValueError, printable
 from nmatrix.report import Code, Report
 
 if TYPE_CHECKING:
-    from nmatrix.calculator.values import Value
+    from nmatrix.calculator.arithmetic.values import Value
 
 ENDINGS = (".txt", ".calc", ".nmatrix", ".md")  # of files, and of no expression
 
@@ -77,9 +77,9 @@ def calc(
 ) -> None:
     """Show the value of an expression, or run a session."""
     from nmatrix.calculator.answer import report
+    from nmatrix.calculator.arithmetic.values import Arithmetic
     from nmatrix.calculator.names import EVERY_NAME
-    from nmatrix.calculator.session import Session, Settings
-    from nmatrix.calculator.values import Arithmetic
+    from nmatrix.calculator.sessions.session import Session, Settings
     from nmatrix.output.transcript import Disk, is_session, transcript
 
     source, text = _source(expression, common)

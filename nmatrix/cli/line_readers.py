@@ -14,9 +14,9 @@ from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Protocol
 
 from nmatrix.calculator import MORE, PROMPT
-from nmatrix.calculator.offers import Offer, offers
-from nmatrix.calculator.statements import is_open, statements
-from nmatrix.calculator.tokens import LONGEST
+from nmatrix.calculator.language.statements import is_open, statements
+from nmatrix.calculator.language.tokens import LONGEST
+from nmatrix.calculator.sessions.offers import Offer, offers
 from nmatrix.output.transcript import LONGEST as LONGEST_TEXT
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from nmatrix.calculator import PROMPT
 
 if TYPE_CHECKING:
-    from nmatrix.calculator.session import Session
+    from nmatrix.calculator.sessions.session import Session
     from nmatrix.cli.line_readers import LineReader
     from nmatrix.output.write import OutputOptions
 
@@ -29,7 +29,7 @@ def on_terminal() -> bool:
 def usual_session() -> tuple[Session, Callable[[], OutputOptions]]:
     """Begin a session without any option."""
     from nmatrix.calculator.names import EVERY_NAME, names_of
-    from nmatrix.calculator.session import Session, Settings
+    from nmatrix.calculator.sessions.session import Session, Settings
     from nmatrix.cli.shared_options import CommonOptions
     from nmatrix.cli.show import options_of
     from nmatrix.scene.setup import Setup

@@ -14,10 +14,10 @@ from unicodedata import combining, east_asian_width
 
 from nmatrix.calculator import MORE, PROMPT
 from nmatrix.calculator.answer import KEYS
-from nmatrix.calculator.faults import PlacedError
-from nmatrix.calculator.orders import enter
-from nmatrix.calculator.session import Files, Reply, Session
-from nmatrix.calculator.statements import statement, statements
+from nmatrix.calculator.language.faults import PlacedError
+from nmatrix.calculator.language.statements import statement, statements
+from nmatrix.calculator.sessions.orders import enter
+from nmatrix.calculator.sessions.session import Files, Reply, Session
 from nmatrix.errors import (
     IllegalValueError,
     NMatrixError,
@@ -158,7 +158,7 @@ def turn(session: Session, statement: str, options: OutputOptions, files: Files)
 
     Examples
     --------
-    >>> from nmatrix.calculator.session import NoFiles
+    >>> from nmatrix.calculator.sessions.session import NoFiles
     >>> print(turn(Session({}), "1/3 + 1/6", OutputOptions(), NoFiles()).text, end="")
     ans  1/2
     >>> print(turn(Session({}), "1 + )", OutputOptions(), NoFiles()).text, end="")
@@ -241,7 +241,7 @@ def transcript(session: Session, text: str, options: OutputOptions, files: Files
 
     Examples
     --------
-    >>> from nmatrix.calculator.session import NoFiles
+    >>> from nmatrix.calculator.sessions.session import NoFiles
     >>> report = transcript(Session({}), "a = 1/2\na + Bb", OutputOptions(), NoFiles())
     >>> print(report.blocks[0].text.splitlines()[3], str(report.failure)[:14])
           ^ line 2: name B

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from nmatrix.calculator.answer import KEYS, report
+from nmatrix.calculator.arithmetic.meanings import SCENE
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value, as_strings
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.meanings import SCENE
-from nmatrix.calculator.values import Arithmetic, Value, as_strings
 from nmatrix.linear.rational import rational_matrix
 
 NAMES = {"A": Value(rational_matrix([[2, 1], [1, 1]]))}

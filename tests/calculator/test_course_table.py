@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.values import Value
 from nmatrix.linear.rational import rational_matrix, rational_vector
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "calculator.md"

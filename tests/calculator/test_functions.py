@@ -10,11 +10,12 @@ from math import acos, degrees, isclose
 import mpmath
 import pytest
 
-from nmatrix.calculator import evaluate, numbers
+from nmatrix.calculator import evaluate
+from nmatrix.calculator.arithmetic import numbers
+from nmatrix.calculator.arithmetic.numbers import shown
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.numbers import shown
-from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
 
 

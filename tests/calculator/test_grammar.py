@@ -11,13 +11,13 @@ from math import inf
 import pytest
 from counted import at_most
 
-from nmatrix.calculator.elsewhere import INSTEAD
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import CalculatorError, NoValueError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import DEEPEST, parse
-from nmatrix.calculator.tree import Node, Word
-from nmatrix.calculator.values import Arithmetic, Value
+from nmatrix.calculator.functions.elsewhere import INSTEAD
+from nmatrix.calculator.language.faults import CalculatorError, NoValueError
+from nmatrix.calculator.language.grammar import DEEPEST, parse
+from nmatrix.calculator.language.tree import Node, Word
 from nmatrix.errors import NMatrixError
 from nmatrix.linear.rational import rational_matrix
 

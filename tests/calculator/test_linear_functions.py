@@ -8,9 +8,9 @@ from fractions import Fraction
 import mpmath
 import pytest
 
+from nmatrix.calculator.arithmetic.numbers import Interval, bounds
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.numbers import Interval, bounds
-from nmatrix.calculator.values import Value
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.rational import identity, inverse, product, rational_matrix, transpose
 from nmatrix.surds import Surd

@@ -10,13 +10,13 @@ from math import isclose
 import mpmath
 import pytest
 
+from nmatrix.calculator.arithmetic.numbers import bounds, shown
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.functions.camera import DEPTHS, HANDS, ORIGINS
 from nmatrix.calculator.functions.maps import CONVENTIONS
 from nmatrix.calculator.functions.rotations import ORDERS
 from nmatrix.calculator.names import as_typed, names_of
-from nmatrix.calculator.numbers import bounds, shown
-from nmatrix.calculator.values import Value
 from nmatrix.enums import ClipY, Convention
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear.measured_lens import FilmBack, HorizontalField, Intrinsics, SideAngles

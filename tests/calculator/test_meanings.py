@@ -9,15 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nmatrix.calculator import function_rules, rules
+from nmatrix.calculator.arithmetic.meanings import SCENE, Carries, Kind, Located, Map
+from nmatrix.calculator.arithmetic.numbers import shown
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value, ValueKind
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import CalculatorError, MeaningError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import OPERATORS
-from nmatrix.calculator.meanings import SCENE, Carries, Kind, Located, Map
-from nmatrix.calculator.numbers import shown
-from nmatrix.calculator.operands import Operand, RefusedError, Sort
-from nmatrix.calculator.values import Arithmetic, Value, ValueKind
+from nmatrix.calculator.language.faults import CalculatorError, MeaningError
+from nmatrix.calculator.language.grammar import OPERATORS
+from nmatrix.calculator.meaning import function_rules, rules
+from nmatrix.calculator.meaning.operands import Operand, RefusedError, Sort
 from nmatrix.enums import Frame
 from nmatrix.errors import FrameError, NMatrixError
 from nmatrix.lessons.check.mistake import MistakeId

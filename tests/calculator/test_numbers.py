@@ -10,9 +10,17 @@ import mpmath
 import pytest
 
 from nmatrix.calculator.answer import OVERFLOWED, report
+from nmatrix.calculator.arithmetic.numbers import (
+    Interval,
+    angle,
+    bounds,
+    degrees_of,
+    enclosed,
+    root,
+    shown,
+)
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.numbers import Interval, angle, bounds, degrees_of, enclosed, root, shown
-from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.errors import NoAnswerError
 from nmatrix.linear.rational import rational_matrix, rational_vector
 from nmatrix.output.write import OutputOptions, write

@@ -7,12 +7,12 @@ from fractions import Fraction
 
 import pytest
 
+from nmatrix.calculator.arithmetic.numbers import Interval, shown
+from nmatrix.calculator.arithmetic.values import Arithmetic, ValueKind
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import CalculatorError, PlacedError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import parse
-from nmatrix.calculator.numbers import Interval, shown
-from nmatrix.calculator.values import Arithmetic, ValueKind
+from nmatrix.calculator.language.faults import CalculatorError, PlacedError
+from nmatrix.calculator.language.grammar import parse
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.surds import Surd
 

@@ -12,13 +12,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nmatrix
+from nmatrix.calculator.arithmetic.values import Arithmetic
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.handbook import FORMATS, USAGE
-from nmatrix.calculator.offers import offers
-from nmatrix.calculator.orders import enter
-from nmatrix.calculator.session import NoFiles, Session
-from nmatrix.calculator.statements import Keyword, is_open, statement, statements
-from nmatrix.calculator.values import Arithmetic
+from nmatrix.calculator.language.statements import Keyword, is_open, statement, statements
+from nmatrix.calculator.sessions.handbook import FORMATS, USAGE
+from nmatrix.calculator.sessions.offers import offers
+from nmatrix.calculator.sessions.orders import enter
+from nmatrix.calculator.sessions.session import NoFiles, Session
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.output.transcript import Disk, run, text_of, transcript, turn

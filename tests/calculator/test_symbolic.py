@@ -11,10 +11,10 @@ from fractions import Fraction
 import pytest
 from counted import at_most
 
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value, as_strings
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.calculator.faults import CalculatorError, NoValueError
-from nmatrix.calculator.symbolic import Symbolic
-from nmatrix.calculator.values import Arithmetic, Value, as_strings
+from nmatrix.calculator.language.faults import CalculatorError, NoValueError
 from nmatrix.errors import NMatrixError
 
 LINES = (

@@ -9,10 +9,10 @@ from fractions import Fraction
 import pytest
 
 from nmatrix.calculator.answer import report
+from nmatrix.calculator.arithmetic.operators import BINARY
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.operators import BINARY
-from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.calculator.workings import WORKINGS
 from nmatrix.enums import Format, InverseBy
 from nmatrix.errors import IllegalValueError

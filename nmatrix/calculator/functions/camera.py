@@ -8,6 +8,8 @@ from fractions import Fraction
 from math import inf
 from typing import Any
 
+from nmatrix.calculator.arithmetic.numbers import angle, in_degrees, is_zero, shown, size
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.calculator.functions.function import (
     ArgumentError,
     Function,
@@ -25,8 +27,6 @@ from nmatrix.calculator.functions.function import (
 )
 from nmatrix.calculator.functions.matrices import inverted
 from nmatrix.calculator.functions.vectors import length_of
-from nmatrix.calculator.numbers import angle, in_degrees, is_zero, shown, size
-from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import ClipY, DepthRange, Handedness, WindowOrigin
 from nmatrix.errors import IllegalValueError, NoAnswerError, spelled
 from nmatrix.linear import projection, rational, view

@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from nmatrix.calculator.arithmetic.numbers import is_zero, size
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.calculator.functions.function import (
     ArgumentError,
     Function,
@@ -19,8 +21,6 @@ from nmatrix.calculator.functions.function import (
     require_square,
     word,
 )
-from nmatrix.calculator.numbers import is_zero, size
-from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.errors import counted
 from nmatrix.linear import rational
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, RationalVector

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nmatrix.calculator.values import Value, ValueKind
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.errors import IllegalValueError, NoAnswerError, did_you_mean
 
 if TYPE_CHECKING:

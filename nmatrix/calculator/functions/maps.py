@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
+from nmatrix.calculator.arithmetic.numbers import angle, is_zero
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.calculator.functions.function import (
     THREE,
     ArgumentError,
@@ -16,8 +18,6 @@ from nmatrix.calculator.functions.function import (
     zero_vector,
 )
 from nmatrix.calculator.functions.rotations import ORDER, about_axis, by_quaternion
-from nmatrix.calculator.numbers import angle, is_zero
-from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Convention
 from nmatrix.linear import rational
 from nmatrix.linear.affine import rotation, shear_matrix

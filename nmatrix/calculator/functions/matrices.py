@@ -6,6 +6,9 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
 
+from nmatrix.calculator.arithmetic.numbers import Float64, is_zero
+from nmatrix.calculator.arithmetic.operators import power
+from nmatrix.calculator.arithmetic.values import LARGEST, Arithmetic, Value, ValueKind
 from nmatrix.calculator.functions.function import (
     Function,
     NoAnswerForArgumentError,
@@ -18,9 +21,6 @@ from nmatrix.calculator.functions.function import (
     vector,
     whole,
 )
-from nmatrix.calculator.numbers import Float64, is_zero
-from nmatrix.calculator.operators import power
-from nmatrix.calculator.values import LARGEST, Arithmetic, Value, ValueKind
 from nmatrix.linear import rational
 from nmatrix.linear.rational import ZERO, RationalMatrix, RationalVector
 

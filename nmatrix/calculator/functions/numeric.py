@@ -6,14 +6,7 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 
-from nmatrix.calculator.functions.function import (
-    Function,
-    NoAnswerForArgumentError,
-    scalar,
-    turn,
-    vector,
-)
-from nmatrix.calculator.numbers import (
+from nmatrix.calculator.arithmetic.numbers import (
     Float64,
     Interval,
     Number,
@@ -27,7 +20,14 @@ from nmatrix.calculator.numbers import (
     may_be_positive,
     root,
 )
-from nmatrix.calculator.values import Value
+from nmatrix.calculator.arithmetic.values import Value
+from nmatrix.calculator.functions.function import (
+    Function,
+    NoAnswerForArgumentError,
+    scalar,
+    turn,
+    vector,
+)
 
 MOST_NUMBERS = 64  # of which the least is taken
 

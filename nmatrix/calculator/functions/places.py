@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.calculator.functions.function import (
     Argument,
     Function,
@@ -12,7 +13,6 @@ from nmatrix.calculator.functions.function import (
     require_size,
     vector,
 )
-from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 
 ANYTHING = tuple(kind for kind in ValueKind if kind is not ValueKind.TRUTH)

@@ -14,8 +14,8 @@ from functools import reduce
 from itertools import combinations, pairwise
 from math import gcd, lcm
 
-from nmatrix.calculator.numbers import Number, bounds, enclosed, root, size
-from nmatrix.calculator.values import Value
+from nmatrix.calculator.arithmetic.numbers import Number, bounds, enclosed, root, size
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.surds import Surd
 
 Polynomial = tuple[Fraction, ...]  # the coefficients, that of the highest power last

@@ -8,6 +8,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from nmatrix.calculator.arithmetic.numbers import (
+    Float64,
+    Interval,
+    Number,
+    angle,
+    degrees_of,
+    is_negative,
+    is_zero,
+    may_be_positive,
+    root,
+    size,
+)
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.functions.function import (
     FOUR,
     Function,
@@ -21,19 +34,6 @@ from nmatrix.calculator.functions.function import (
 )
 from nmatrix.calculator.functions.matrices import block_of
 from nmatrix.calculator.functions.vectors import length_of
-from nmatrix.calculator.numbers import (
-    Float64,
-    Interval,
-    Number,
-    angle,
-    degrees_of,
-    is_negative,
-    is_zero,
-    may_be_positive,
-    root,
-    size,
-)
-from nmatrix.calculator.values import Value
 from nmatrix.linear import rational
 from nmatrix.linear.affine import AXES, cross_matrix, rotation_about, turned_by_quaternion
 from nmatrix.linear.angle import Angle

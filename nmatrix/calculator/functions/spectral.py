@@ -11,6 +11,17 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 
+from nmatrix.calculator.arithmetic.numbers import (
+    Float64,
+    Number,
+    bits_of,
+    bounds,
+    enclosed,
+    is_negative,
+    is_zero,
+    root,
+)
+from nmatrix.calculator.arithmetic.values import Value
 from nmatrix.calculator.functions.elimination import is_exact
 from nmatrix.calculator.functions.function import (
     ArgumentError,
@@ -22,17 +33,6 @@ from nmatrix.calculator.functions.function import (
 )
 from nmatrix.calculator.functions.matrices import determinant
 from nmatrix.calculator.functions.roots import middle, real_roots
-from nmatrix.calculator.numbers import (
-    Float64,
-    Number,
-    bits_of,
-    bounds,
-    enclosed,
-    is_negative,
-    is_zero,
-    root,
-)
-from nmatrix.calculator.values import Value
 from nmatrix.errors import counted, quantity
 from nmatrix.linear import rational
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix

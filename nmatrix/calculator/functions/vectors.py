@@ -4,6 +4,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from nmatrix.calculator.arithmetic.numbers import (
+    Interval,
+    Number,
+    angle,
+    bounds,
+    degrees_of,
+    exact_degrees,
+    is_negative,
+    is_zero,
+    root,
+)
+from nmatrix.calculator.arithmetic.operators import cross, dot, together
+from nmatrix.calculator.arithmetic.values import Value, ValueKind, each
 from nmatrix.calculator.functions.function import (
     ArgumentError,
     Function,
@@ -15,19 +28,6 @@ from nmatrix.calculator.functions.function import (
     vector,
     zero_vector,
 )
-from nmatrix.calculator.numbers import (
-    Interval,
-    Number,
-    angle,
-    bounds,
-    degrees_of,
-    exact_degrees,
-    is_negative,
-    is_zero,
-    root,
-)
-from nmatrix.calculator.operators import cross, dot, together
-from nmatrix.calculator.values import Value, ValueKind, each
 from nmatrix.linear import rational
 from nmatrix.linear.affine import cross_matrix
 from nmatrix.linear.rational import ZERO, RationalVector

@@ -11,13 +11,13 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from nmatrix.calculator.answer import keys, value_report, worked
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value
 from nmatrix.calculator.evaluate import Calculation, calculate
-from nmatrix.calculator.faults import CalculatorError
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import parse
+from nmatrix.calculator.language.faults import CalculatorError
+from nmatrix.calculator.language.grammar import parse
+from nmatrix.calculator.language.statements import Statement, is_matrix, without_comments
 from nmatrix.calculator.names import ANSWERS, value_of
-from nmatrix.calculator.statements import Statement, is_matrix, without_comments
-from nmatrix.calculator.values import Arithmetic, Value
 from nmatrix.enums import Format, InverseBy, Layout, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.reading.matrix import matrix_literal

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from nmatrix.calculator.meanings import Carries, Kind, Located, Map
-from nmatrix.calculator.values import Value, ValueKind
+from nmatrix.calculator.arithmetic.meanings import Carries, Kind, Located, Map
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.lessons.check.mistake import MistakeId
 

@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import chain
 from typing import NamedTuple
 
-from nmatrix.calculator.faults import CalculatorError
+from nmatrix.calculator.language.faults import CalculatorError
 from nmatrix.errors import IllegalValueError
 from nmatrix.reading.angles import angle
 from nmatrix.reading.literal import BARE_POINT

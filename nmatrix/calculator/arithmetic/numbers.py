@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import copysign, inf, isfinite, isnan, isqrt, nan
 
-from nmatrix.calculator.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
 from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import DEGREES, PI, Angle, arctangent
 from nmatrix.linear.rounding import DECIMALS_PER_BIT, nearest, short_text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from nmatrix.calculator.numbers import (
+from nmatrix.calculator.arithmetic.numbers import (
     Number,
     degrees_of,
     enclosure,
@@ -15,8 +15,8 @@ from nmatrix.calculator.numbers import (
     shown,
     size,
 )
-from nmatrix.calculator.operands import Operand
-from nmatrix.calculator.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
+from nmatrix.calculator.meaning.operands import Operand
 from nmatrix.errors import NMatrixError
 from nmatrix.linear import rational
 from nmatrix.linear.rational import RationalMatrix

@@ -9,13 +9,19 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import assert_never
 
-from nmatrix.calculator.faults import PlacedError
-from nmatrix.calculator.handbook import FORMATS, USAGE, page
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
+from nmatrix.calculator.language.faults import PlacedError
+from nmatrix.calculator.language.statements import (
+    Keyword,
+    Statement,
+    is_open,
+    statement,
+    statements,
+)
+from nmatrix.calculator.language.tokens import LONGEST
 from nmatrix.calculator.names import other_meaning
-from nmatrix.calculator.session import Files, NoFiles, Reply, Session, Settings
-from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
-from nmatrix.calculator.tokens import LONGEST
-from nmatrix.calculator.values import Value, ValueKind
+from nmatrix.calculator.sessions.handbook import FORMATS, USAGE, page
+from nmatrix.calculator.sessions.session import Files, NoFiles, Reply, Session, Settings
 from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError, counted, did_you_mean, placed
 from nmatrix.report import Report, Table, Text
@@ -39,7 +45,7 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
 
     Examples
     --------
-    >>> from nmatrix.calculator.session import NoFiles
+    >>> from nmatrix.calculator.sessions.session import NoFiles
     >>> session, reply = enter(Session({}), "half = 1/2", NoFiles())
     >>> session.names["half"].scalar, enter(session, "half +", NoFiles())[1].error.exit_code
     (Fraction(1, 2), 2)

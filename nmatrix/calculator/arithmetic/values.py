@@ -8,9 +8,9 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import Any, TypeAlias, TypeVar
 
-from nmatrix.calculator.meanings import Meaning
-from nmatrix.calculator.numbers import Number, bits_of, enclosure, float64, shown
-from nmatrix.calculator.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.meanings import Meaning
+from nmatrix.calculator.arithmetic.numbers import Number, bits_of, enclosure, float64, shown
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.report import LARGEST_MATRIX, Shown

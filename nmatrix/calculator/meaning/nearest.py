@@ -13,10 +13,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, permutations
 
-from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Located, Map, Meaning
-from nmatrix.calculator.operands import Operand, RefusedError, Sort, factor
-from nmatrix.calculator.rules import PROJECTED
-from nmatrix.calculator.values import ValueKind
+from nmatrix.calculator.arithmetic.meanings import FOR_NORMALS, SCENE, Located, Map, Meaning
+from nmatrix.calculator.arithmetic.values import ValueKind
+from nmatrix.calculator.meaning.operands import Operand, RefusedError, Sort, factor
+from nmatrix.calculator.meaning.rules import PROJECTED
 from nmatrix.enums import Frame
 
 LONGEST = 5  # factors of a product that are put in another order

@@ -5,10 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from nmatrix.calculator.deviation import mirrors, orthonormal
-from nmatrix.calculator.meanings import FOR_NORMALS, SCENE, Carries, Kind, Located, Map, Meaning
-from nmatrix.calculator.numbers import is_zero, shown
-from nmatrix.calculator.operands import (
+from nmatrix.calculator.arithmetic.meanings import (
+    FOR_NORMALS,
+    SCENE,
+    Carries,
+    Kind,
+    Located,
+    Map,
+    Meaning,
+)
+from nmatrix.calculator.arithmetic.numbers import is_zero, shown
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
+from nmatrix.calculator.meaning.deviation import mirrors, orthonormal
+from nmatrix.calculator.meaning.operands import (
     UNDIVIDED,
     Operand,
     RefusedError,
@@ -17,9 +26,8 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
-from nmatrix.calculator.rules import PROJECTED, raised
-from nmatrix.calculator.rules import meaning_of as meaning_of_operator
-from nmatrix.calculator.values import Value, ValueKind
+from nmatrix.calculator.meaning.rules import PROJECTED, raised
+from nmatrix.calculator.meaning.rules import meaning_of as meaning_of_operator
 from nmatrix.enums import Frame, chosen
 from nmatrix.lessons.check.mistake import MistakeId
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nmatrix.calculator.meanings import Kind, Located, Map
-from nmatrix.calculator.numbers import is_zero
-from nmatrix.calculator.values import Value, ValueKind
+from nmatrix.calculator.arithmetic.meanings import Kind, Located, Map
+from nmatrix.calculator.arithmetic.numbers import is_zero
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
 from nmatrix.enums import Frame
 
 _W = {Kind.POINT: 1, Kind.DIRECTION: 0, Kind.NORMAL: 0}

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from nmatrix.calculator.numbers import Number, is_zero, shown, size
-from nmatrix.calculator.symbolic import Symbolic
-from nmatrix.calculator.values import Arithmetic, Entries, Value, ValueKind, each
+from nmatrix.calculator.arithmetic.numbers import Number, is_zero, shown, size
+from nmatrix.calculator.arithmetic.symbolic import Symbolic
+from nmatrix.calculator.arithmetic.values import Arithmetic, Entries, Value, ValueKind, each
 from nmatrix.errors import IllegalValueError, NoAnswerError
 from nmatrix.linear import rational
 from nmatrix.linear.rounding import short_text

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nmatrix.calculator.operands import RefusedError
+from nmatrix.calculator.meaning.operands import RefusedError
 from nmatrix.errors import FrameError, IllegalValueError, NMatrixError, NoAnswerError
 
 WINDOW = 30  # characters shown on either side of the caret

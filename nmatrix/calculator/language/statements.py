@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from nmatrix.calculator.tokens import LONGEST
+from nmatrix.calculator.language.tokens import LONGEST
 from nmatrix.reading.notations import has_no_brackets
 
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from nmatrix.calculator.evaluate import CONSTANTS
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.grammar import MEMBERS
-from nmatrix.calculator.handbook import EVERY_FUNCTION, FORMATS
-from nmatrix.calculator.statements import Keyword
+from nmatrix.calculator.language.grammar import MEMBERS
+from nmatrix.calculator.language.statements import Keyword
+from nmatrix.calculator.sessions.handbook import EVERY_FUNCTION, FORMATS
 from nmatrix.enums import InverseBy, Numbers
 
 _BEGUN = re.compile(r"(\.?)([A-Za-z_][A-Za-z0-9_]*|)\Z")

@@ -9,9 +9,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from nmatrix.calculator.deviation import degrees_off, is_below_0
-from nmatrix.calculator.meanings import FOR_NORMALS, Carries, Kind, Located, Map, Meaning, meets
-from nmatrix.calculator.operands import (
+from nmatrix.calculator.arithmetic.meanings import (
+    FOR_NORMALS,
+    Carries,
+    Kind,
+    Located,
+    Map,
+    Meaning,
+    meets,
+)
+from nmatrix.calculator.arithmetic.values import Value, ValueKind
+from nmatrix.calculator.meaning.deviation import degrees_off, is_below_0
+from nmatrix.calculator.meaning.operands import (
     UNDIVIDED,
     Operand,
     RefusedError,
@@ -21,7 +30,6 @@ from nmatrix.calculator.operands import (
     together,
     undivided,
 )
-from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Frame
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.linear import rational
@@ -405,13 +413,14 @@ def meaning_of(sign: str, a: Operand, b: Operand) -> Meaning | None:
 
     Examples
     --------
-    >>> from nmatrix.calculator.meanings import SCENE
+    >>> from nmatrix.calculator.arithmetic.meanings import SCENE
     >>> M, V = (Operand(Value(rational.identity(4), SCENE[name]), name) for name in "MV")
     >>> print(meaning_of("@", V, M))
     camera ← object
-    >>> meaning_of("@", M, V)
+    >>> meaning_of("@", M, V)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    nmatrix.calculator.operands.RefusedError: V leads to camera space, M starts from object space
+        ...
+    nmatrix.calculator.meaning.operands.RefusedError: V leads to camera space, M starts from ...
     """
     if sign in ENTRY_BY_ENTRY and a.value.kind is not b.value.kind:
         return None  # which has no answer

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from nmatrix.calculator.faults import CalculatorError
-from nmatrix.calculator.tokens import Token, TokenKind, tokens
-from nmatrix.calculator.tree import (
+from nmatrix.calculator.arithmetic.values import LARGEST
+from nmatrix.calculator.language.faults import CalculatorError
+from nmatrix.calculator.language.tokens import Token, TokenKind, tokens
+from nmatrix.calculator.language.tree import (
     Bracket,
     Call,
     Index,
@@ -27,7 +28,6 @@ from nmatrix.calculator.tree import (
     Turn,
     Word,
 )
-from nmatrix.calculator.values import LARGEST
 
 DEEPEST = 100  # levels of nesting; Python's own stack holds about 1000
 LONGEST_EXPONENT = 4  # digits

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nmatrix.calculator.elsewhere import INSTEAD
 from nmatrix.calculator.functions import FUNCTIONS
-from nmatrix.calculator.statements import Keyword
+from nmatrix.calculator.functions.elsewhere import INSTEAD
+from nmatrix.calculator.language.statements import Keyword
 from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, did_you_mean
 from nmatrix.report import Block, Report, Table, Text

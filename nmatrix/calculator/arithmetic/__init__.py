@@ -1,0 +1,1 @@
+"""Numbers of every kind, values made of them, and the operators between them."""

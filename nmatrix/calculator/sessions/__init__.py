@@ -1,0 +1,1 @@
+"""A session: names, settings, statements, help, and what TAB offers."""
