@@ -32,7 +32,7 @@ class Contents:
     def likely(self) -> Sequence[Tokens]:
         """The quantities that may be maps of space, or all if none of them may be one."""
         every = tuple(self.quantities.values())
-        return tuple(one for one in every if len(one) * len(one[0]) in SIZES) or every
+        return tuple(one for one in every if sum(map(len, one)) in SIZES) or every
 
 
 def unreadable(source: str, why: str, next_step: str = ACCEPTED) -> IllegalValueError:

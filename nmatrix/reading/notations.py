@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from nmatrix.enums import Layout
@@ -39,7 +39,7 @@ class Notation:
 
     def shows_rows(self, tokens: Tokens) -> bool:
         """Whether everybody sees which numbers of a text are a row."""
-        return not self.told or (self.flat and min(len(tokens), len(tokens[0])) > 1)
+        return not self.told or (self.flat and len(tokens) > 1 < len(tokens[0]))
 
     def layout_of(self, tokens: Tokens) -> Layout:
         """Choose the layout in which the numbers of a text in this notation are read."""
@@ -71,18 +71,31 @@ def read(text: str, source: str) -> tuple[Notation, Contents]:
     return NOTATIONS[-1], NOTATIONS[-1].read(candidate, source)
 
 
-def has_no_brackets(text: str) -> bool:
-    """Recognise the first line of a matrix without brackets: a frame, fields or a table.
+def has_no_end(text: str) -> bool:
+    """Recognise the first line of a matrix that only an empty line ends: a frame, fields, a table.
 
     Examples
     --------
-    >>> has_no_brackets("| 1 0 |"), has_no_brackets("e00: 1"), has_no_brackets("{e00: 1")
+    >>> has_no_end("| 1 0 |"), has_no_end("e00: 1"), has_no_end("{e00: 1")
     (True, True, False)
     """
+    return text.startswith(places.YAML_TAG) or _is_read_by(text, _WITHOUT_END)
+
+
+def is_no_list(text: str) -> bool:
+    """Recognise a matrix that says by other signs than brackets what its numbers are.
+
+    Examples
+    --------
+    >>> is_no_list("[X=1 Y=0] [X=0 Y=1]"), is_no_list("| 1 0 |"), is_no_list("[1 0]")
+    (True, True, False)
+    """
+    return _is_read_by(text, (*_WITHOUT_END, *_OF_OTHER_SIGNS))
+
+
+def _is_read_by(text: str, readers: Sequence[Callable[[str, str], Contents]]) -> bool:
     found = _signed(text, NOTATIONS[:-1])
-    if found is None or text.startswith("{"):
-        return False
-    return found.read in (rows.framed_rows, drawn.drawn_text, places.fields, places.csv_report)
+    return found is not None and not text.startswith("{") and found.read in readers
 
 
 def value_at(text: str, start: int, source: str) -> tuple[Tokens, int] | None:
@@ -420,3 +433,11 @@ WITHIN_BRACKETS = tuple(
     if one.read in (constructors.bracketed, places.fields, jsontext.json_notation)
     and one.name not in ("lists", "JSON")
 )
+_WITHOUT_END = (
+    drawn.drawn_text,
+    places.csv_report,
+    places.fields,
+    places.yaml_matrix,
+    rows.framed_rows,
+)
+_OF_OTHER_SIGNS = (constructors.declared, places.planes, rows.element_rows, rows.streamed_rows)

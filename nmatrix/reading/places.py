@@ -23,6 +23,7 @@ _FIELD = re.compile(
 _PLANE = re.compile(r"[XYZW]\"?\s?[=:][^\[\](){}]*")
 _PLANE_ENTRY = re.compile(r"\b(?P<name>[XYZW])\"?\s?[=:]\s?(?P<value>[^\s,\"]+)")
 _LETTER = "XYZW".index
+YAML_TAG = "!!opencv-matrix"  # its numbers come some lines later
 YAML = re.compile(
     r"\A[\w:!\s-]{0,80}?\brows:\s*(?P<rows>[1-4])[\s,]+cols:\s*(?P<cols>[1-4])[\s,]+"
     r"(?:dt:\s*\w+[\s,]+)?data:\s*\[(?P<data>[^\[\]]*)(?P<end>\]?)"

@@ -163,7 +163,7 @@ def test_an_operation_without_an_answer_shows_its_place_too():
 def test_depth_is_refused_where_it_begins(deep: str) -> None:
     """The rest of the line is not looked at: only the tokens up to there are read."""
     line = deep * 1000 + "1" + ")" * 1000
-    with at_most(FEW_CALLS // 10), pytest.raises(CalculatorError) as refused:
+    with at_most(FEW_CALLS // 4), pytest.raises(CalculatorError) as refused:
         parse(line)
     assert refused.value.position <= (DEEPEST + 1) * len(deep)
     is_deep = f"{DEEPEST} levels" in str(refused.value)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from nmatrix.calculator.language.tokens import LONGEST
-from nmatrix.reading.notations import has_no_brackets
+from nmatrix.reading.notations import has_no_end, is_no_list
 
 
 class Keyword(StrEnum):
@@ -88,7 +88,7 @@ class _Growing:
         self.lines.append(line)
         self.length += len(line) + 1
         if self.is_empty:
-            self.is_framed = _is_framed(content.lstrip())
+            self.is_framed = has_no_end(content.lstrip()) and not _is_length(content.lstrip())
             self.is_bare = self.is_framed or _is_open_row(content)
             self.is_empty = not _COMMENT.sub("", content).strip()
         self.depth = _depth_after(content, self.depth)
@@ -195,8 +195,8 @@ def statement(whole: str) -> Statement:
         at = word.end() if rest else word.start(1)
         return Statement(whole, rest, at, keyword=Keyword(word[1]))
     declared = _DECLARED.match(whole)
-    if declared:
-        at = declared.end()
+    if declared:  # with its type, where that says how its numbers are laid out
+        at = 0 if is_no_list(whole.lstrip()) else declared.end()
         return Statement(whole, whole[at:].rstrip(), at, declared[1])
     text = whole.strip()
     at = whole.index(text)
@@ -211,12 +211,13 @@ def is_matrix(text: str) -> bool:
     >>> [is_matrix(text) for text in ("1 2; 3 4", "| 1 0 |", "2 - 1", "|-2|")]
     [True, True, False, False]
     """
-    return _is_framed(text) or is_row(without_comments(text.split("\n")[0]))
+    is_row_first = is_row(without_comments(text.split("\n")[0]))
+    return is_row_first or (is_no_list(text) and not _is_length(text))
 
 
-def _is_framed(text: str) -> bool:
-    """Recognise a frame, fields or a table; bars around a value ask for its length."""
-    return has_no_brackets(text) and _BARS.match(text) is None
+def _is_length(text: str) -> bool:
+    """Recognise bars around a value, which ask for its length."""
+    return _BARS.match(text) is not None
 
 
 def without_comments(text: str) -> str:
