@@ -16,7 +16,7 @@ from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.handbook import FORMATS, USAGE
 from nmatrix.calculator.offers import offers
 from nmatrix.calculator.orders import enter
-from nmatrix.calculator.session import NoFiles, Session
+from nmatrix.calculator.session import NoFiles, Reply, Session
 from nmatrix.calculator.statements import Keyword, is_open, statement, statements
 from nmatrix.calculator.values import Arithmetic
 from nmatrix.enums import InverseBy, Numbers
@@ -417,3 +417,24 @@ def test_one_row_is_told_from_a_vector_where_a_format_can():
     assert "1 & 2" in shows["markdown"]
     assert 'mat(delim: "[", 1, 2)' in shows["typst"]
     assert "const vec2 R = vec2(1.0, 2.0);" in shows["glsl"]  # which has no matrix of one row
+
+
+@pytest.mark.parametrize("line", ["# words", "// words", "% words", "  %", "<!-- key: M -->"])
+def test_remarks_of_other_programs_are_remarks(line):
+    session = after("a = 1")
+    assert enter(session, line, NO_FILES) == (session, Reply())
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        '// key: M\n$ "M" = mat(delim: "[", 1, 2/3; 4, 5) $',
+        '<math display="block"><mtable><mtr><mtd><mn>1</mn></mtd><mtd><mfrac><mn>2</mn><mn>3</mn>'
+        "</mfrac></mtd></mtr><mtr><mtd><mn>4</mn></mtd><mtd><mn>5</mn></mtd></mtr></mtable></math>",
+        "% key: M\n\\[ M = \\begin{bmatrix} 1 & 2/3 \\\\ 4 & 5 \\end{bmatrix} \\]",
+    ],
+)
+def test_markup_that_holds_an_equals_sign_is_read(printed):
+    done = list(run(EMPTY, printed, OutputOptions(), NO_FILES))
+    assert done[-1][1].error is None
+    assert done[-1][1].session.names["ans"].matrix == ((1, Fraction(2, 3)), (4, 5))
