@@ -1,1 +1,4 @@
-"""The matrix calculator: a closed grammar over exact fractions, with the steps on request."""
+"""The matrix calculator: a closed grammar over exact numbers, and sessions of statements."""
+
+# What stands before a statement, and before each line that goes on with it.
+PROMPT, MORE = "> ", "  "

@@ -56,7 +56,9 @@ def instead_of(name: str) -> str:
 
     Examples
     --------
-    >>> [instead_of(name) for name in ("Inv", "lookAt", "frobnicate")]
-    ['write inverse(A), or A^-1', 'did you mean look_at?', 'help lists them']
+    >>> [instead_of(name) for name in ("Inv", "lookAt")]
+    ['write inverse(A), or A^-1', 'did you mean look_at?']
     """
-    return INSTEAD.get(name.casefold()) or did_you_mean(name, FUNCTIONS, "help lists them")
+    return INSTEAD.get(name.casefold()) or did_you_mean(
+        name, FUNCTIONS, "in a session, help functions lists them"
+    )

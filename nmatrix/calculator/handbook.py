@@ -19,13 +19,14 @@ USAGE = {
     Keyword.SHOW: ("show M as glsl", f"a value again; as {', '.join(FORMATS)}"),
     Keyword.VARS: ("vars", "every name that has a value"),
     Keyword.UNDO: ("undo", "go back before the last statement that changed something"),
-    Keyword.STEPS: ("steps on", f"the way to each value, or off; by {', '.join(InverseBy)}"),
+    Keyword.STEPS: ("steps on", f"the way to each value, or off; steps by {', '.join(InverseBy)}"),
     Keyword.NUMBERS: ("numbers exact", f"how numbers are shown: {', '.join(Numbers)}"),
     Keyword.DIGITS: ("digits 8", "significant digits of decimals, 1 to 17"),
     Keyword.SAVE: ("save FILE", "keep the statements, for load or nmatrix calc FILE"),
     Keyword.LOAD: ("load FILE", "carry out the statements of a file"),
     Keyword.QUIT: ("quit", "leave, as Ctrl-D does"),
 }
+EVERY_FUNCTION = "functions"  # the topic that lists them
 OPERATORS = "+  -  *  /  @ of matrices  ^2  ^-1  ^T  .T  .xyz  A[0,3]  ==  ~="
 
 
@@ -45,6 +46,8 @@ def page(topic: str) -> Report:
     word = topic.removesuffix("()")
     if not word:
         return _report(_overview())
+    if word == EVERY_FUNCTION:
+        return _report([Text(" ".join(sorted(FUNCTIONS)))])
     if word in FUNCTIONS:
         one = FUNCTIONS[word]
         return _report([Text(f"{one.usage(word)}: {one.does}\n{one.formula}\ntry {one.example}")])
@@ -52,7 +55,7 @@ def page(topic: str) -> Report:
         usage, does = USAGE[Keyword(word)]
         return _report([Text(f"{usage}: {does}")])
     step = INSTEAD.get(word.casefold()) or did_you_mean(
-        word, (*FUNCTIONS, *Keyword), "help lists what there is"
+        word, (*FUNCTIONS, *Keyword), f"write help {EVERY_FUNCTION}"
     )
     raise IllegalValueError(f"help ({word[:40]})", "there is no such function", step)
 
@@ -63,10 +66,10 @@ def _overview() -> list[Block]:
         ("x + 1", "a value: ans is the last one, ans2 the one before"),
         ("# words", "a remark"),
     )
+    functions = (f"help {EVERY_FUNCTION}", f"the names of all {len(FUNCTIONS)}")
     return [
-        Table(("statement", "what it does"), (*given, *USAGE.values())),
+        Table(("statement", "what it does"), (*given, functions, *USAGE.values())),
         Text(f"Operators: {OPERATORS}"),
-        Text(f"Functions: {' '.join(sorted(FUNCTIONS))}"),
     ]
 
 

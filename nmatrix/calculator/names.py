@@ -26,6 +26,7 @@ from nmatrix.scene.world import World
 
 SCENE_NAMES = tuple(SCENE)
 EVERY_NAME = " ".join(SCENE_NAMES)  # the text of those who may ask for all of them
+LONGEST_NAME = 40
 ANSWERS = ("ans", "ans2")  # the last value of an expression, and the one before
 THROUGH_THE_LENS = ("P", "depth_of", "distance_of")
 SHORT = 15  # digits of a decimal that a float64 tells from every other one
@@ -152,4 +153,6 @@ def other_meaning(name: str) -> str:
         "it is a number": CONSTANTS,
         "it is the last value, or the one before": ANSWERS,
     }
+    if len(name) > LONGEST_NAME:
+        return f"it has {len(name)} letters, a name has {LONGEST_NAME} at the most"
     return next((told for told, names in others.items() if name in names), "")

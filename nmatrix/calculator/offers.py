@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from nmatrix.calculator.evaluate import CONSTANTS
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.grammar import MEMBERS
-from nmatrix.calculator.handbook import FORMATS
+from nmatrix.calculator.handbook import EVERY_FUNCTION, FORMATS
 from nmatrix.calculator.statements import Keyword
 from nmatrix.enums import InverseBy, Numbers
 
@@ -56,7 +56,7 @@ def _beginning(begun: str, words: Iterable[str]) -> Offer:
 def _following(keyword: Keyword, others: list[str], names: Iterable[str]) -> Iterable[str]:
     """List what may stand behind a keyword and the words after it."""
     known: dict[tuple[str, ...], Iterable[str]] = {
-        (Keyword.HELP,): (*FUNCTIONS, *Keyword),
+        (Keyword.HELP,): (EVERY_FUNCTION, *FUNCTIONS, *Keyword),
         (Keyword.SHOW,): names,
         (Keyword.SHOW, "as"): FORMATS,
         (Keyword.STEPS,): ("on", "off", "by"),

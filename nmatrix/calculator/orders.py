@@ -14,6 +14,7 @@ from nmatrix.calculator.handbook import FORMATS, USAGE, page
 from nmatrix.calculator.names import other_meaning
 from nmatrix.calculator.session import Files, NoFiles, Reply, Session, Settings
 from nmatrix.calculator.statements import Keyword, Statement, is_open, statement, statements
+from nmatrix.calculator.tokens import LONGEST
 from nmatrix.calculator.values import Value, ValueKind
 from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError, counted, did_you_mean, placed
@@ -43,23 +44,29 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
     >>> session.names["half"].scalar, enter(session, "half +", NoFiles())[1].error.exit_code
     (Fraction(1, 2), 2)
     """
+    if len(text) > LONGEST:
+        why = f"it has {len(text)} characters, {LONGEST} are read"
+        return session, Reply(error=IllegalValueError("statement", why, "write it in parts"))
     asked = statement(text)
     try:
-        if asked.keyword is not None:
-            return _ordered(asked.keyword, session, asked, files)
-        if asked.name is not None and other_meaning(asked.name):
-            return session, _taken(asked.name, text)
-        if not asked.text and asked.name is None:
-            return session, Reply()
-        if asked.text in OTHER_WORDS and asked.text not in session.names:
-            keyword = OTHER_WORDS[asked.text]
-            why, step = "there is no such statement", f"write {USAGE[keyword][0]}"
-            raise IllegalValueError(asked.text, why, step)
-        return session.valued(asked)
+        return _carried_out(session, asked, files)
     except PlacedError as error:
         return session, Reply(error=error, at=asked.at + error.position)
     except NMatrixError as error:
         return session, Reply(error=error, at=asked.at)
+
+
+def _carried_out(session: Session, asked: Statement, files: Files) -> Outcome:
+    if asked.keyword is not None:
+        return _ordered(asked.keyword, session, asked, files)
+    if asked.name is not None and other_meaning(asked.name):
+        return session, _taken(asked.name, asked.whole)
+    if not asked.text and asked.name is None:
+        return session, Reply()
+    if asked.text in OTHER_WORDS and asked.text not in session.names:
+        step = f"write {USAGE[OTHER_WORDS[asked.text]][0]}"
+        raise IllegalValueError(asked.text, "there is no such statement", step)
+    return session.valued(asked)
 
 
 def _ordered(  # noqa: PLR0911 - one branch for each
@@ -90,9 +97,8 @@ def _ordered(  # noqa: PLR0911 - one branch for each
 
 
 def _taken(name: str, text: str) -> Reply:
-    error = IllegalValueError(
-        f"name {name}", other_meaning(name), f"write {name}_1 = … for instance"
-    )
+    step = f"write {name[:8]}_1 = … for instance"
+    error = IllegalValueError(f"name {name[:40]}", other_meaning(name), step)
     return Reply(error=error, at=text.rindex(name, 0, text.index("=")))
 
 

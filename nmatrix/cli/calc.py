@@ -12,11 +12,12 @@ from nmatrix.cli.camera_options import LensOptions, ViewOptions
 from nmatrix.cli.command import EXPRESSION
 from nmatrix.cli.prompt import converse, on_terminal
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions
-from nmatrix.cli.shared_options import CommonOptions, option_name
+from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import options_of, put, show
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, printable
+from nmatrix.report import Code, Report
 
 if TYPE_CHECKING:
     from nmatrix.calculator.values import Value
@@ -80,8 +81,6 @@ def calc(
     from nmatrix.calculator.session import Session, Settings
     from nmatrix.calculator.values import Arithmetic
     from nmatrix.output.transcript import Disk, is_session, transcript
-    from nmatrix.output.write import write
-    from nmatrix.report import Report
 
     source, text = _source(expression, common)
     settings = Settings(
@@ -98,9 +97,7 @@ def calc(
     names = _names(OptionGroups(world, view, lens, scene=scene), let or (), used, common)
     session = Session(names, settings)
     if source is Source.TERMINAL:
-        told = Report("calc", {}, (), (*common.sources.about, *common.sources.remarks))
-        if told.remarks:
-            put(write(told.spelled(option_name), options_of(common)))
+        _tell(common)
         converse(lambda: (session, lambda: options_of(common)))
     elif is_single:
         show(
@@ -108,7 +105,25 @@ def calc(
             common,
         )
     else:
-        show(transcript(session, text, options_of(common), Disk()), common)
+        _show_run(transcript(session, text, options_of(common), Disk()), common)
+
+
+def _show_run(run: Report, common: CommonOptions) -> None:
+    """Show a transcript as it is, with its colours, or what it holds in another format."""
+    if common.format is not Format.TEXT:
+        show(run, common)
+        return
+    put("".join(block.text for block in run.blocks if isinstance(block, Code)))
+    _tell(common)
+    if run.failure is not None:
+        raise run.failure
+
+
+def _tell(common: CommonOptions) -> None:
+    """Tell what was remarked on the options."""
+    remarks = (*common.sources.about, *common.sources.remarks)
+    if remarks:
+        show(Report("calc", {}, ()), common)
 
 
 def _source(expression: str | None, common: CommonOptions) -> tuple[Source, str]:

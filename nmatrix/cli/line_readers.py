@@ -13,11 +13,11 @@ from pathlib import Path
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Protocol
 
+from nmatrix.calculator import MORE, PROMPT
 from nmatrix.calculator.offers import Offer, offers
 from nmatrix.calculator.statements import is_open, statements
 from nmatrix.calculator.tokens import LONGEST
 from nmatrix.output.transcript import LONGEST as LONGEST_TEXT
-from nmatrix.output.transcript import MORE, PROMPT
 
 if TYPE_CHECKING:
     from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
@@ -28,7 +28,12 @@ HINT = "help lists what can be written"
 
 
 class LineReader(Protocol):
-    """Reads one statement after the other."""
+    """Reads one statement after the other.
+
+    `needs_echo` is one that leaves it to the terminal to show keys.
+    """
+
+    needs_echo: bool
 
     def read(self, names: Iterable[str]) -> str:
         """Read a statement; TAB offers these names.
@@ -97,7 +102,7 @@ def _unfolded(line: str) -> str:
     return "\\".join(part.replace("\\n", "\n") for part in line.split("\\\\"))
 
 
-def reader_of(history: History, names: Iterable[str]) -> LineReader:
+def reader_of(history: History) -> LineReader:
     """Choose the best reader that there is."""
     if os.environ.get("TERM") != "dumb":
         try:
@@ -123,6 +128,8 @@ def completed(names: Iterable[str], before: str) -> Offer:
 
 class _PlainReader:
     """Reads lines by `input`, which readline completes and remembers where it is there."""
+
+    needs_echo = True
 
     def __init__(self, history: History) -> None:
         self.history = history
@@ -186,6 +193,8 @@ class _PlainReader:
 
 class _ToolkitReader:
     """Reads with prompt_toolkit: lines that go on, a paste, search, completion."""
+
+    needs_echo = False
 
     def __init__(self, history: History) -> None:
         from prompt_toolkit import PromptSession

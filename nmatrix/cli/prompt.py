@@ -11,12 +11,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from nmatrix.calculator import PROMPT
+
 if TYPE_CHECKING:
     from nmatrix.calculator.session import Session
     from nmatrix.cli.line_readers import LineReader
     from nmatrix.output.write import OutputOptions
 
-PROMPT = "> "
 Begin = Callable[[], "tuple[Session, Callable[[], OutputOptions]]"]
 
 
@@ -40,15 +41,18 @@ def usual_session() -> tuple[Session, Callable[[], OutputOptions]]:
 
 def converse(begin: Begin) -> None:
     """Hold a session until someone leaves it; an error ends a line, and nothing else."""
-    with _prompt_first():
+    with _keys_waiting() as terminal:
+        _put(PROMPT)
         begun, options = begin()
-        reader = _reader(begun)
-    session: Session | None = begun
-    while session is not None:
-        try:
-            session = _after_a_line(session, reader, options())
-        except KeyboardInterrupt:
-            reader.end_line()
+        reader = _reader()
+        terminal.heed(echoes=reader.needs_echo)
+        _put("\r")
+        session: Session | None = begun
+        while session is not None:
+            try:
+                session = _after_a_line(session, reader, options())
+            except KeyboardInterrupt:
+                reader.end_line()
 
 
 def _after_a_line(session: Session, reader: LineReader, options: OutputOptions) -> Session | None:
@@ -75,35 +79,61 @@ def _after_a_line(session: Session, reader: LineReader, options: OutputOptions) 
     return None if done.reply.quits else done.session
 
 
-def _reader(session: Session) -> LineReader:
+def _reader() -> LineReader:
     from nmatrix.cli.line_readers import History, reader_of
 
-    return reader_of(History.usual(), session.names)
+    return reader_of(History.usual())
+
+
+class _Terminal:
+    """A terminal whose keys wait unseen until someone reads them."""
+
+    def __init__(self) -> None:
+        import signal
+        import termios
+
+        self.usual = termios.tcgetattr(0)
+        waiting = self.usual.copy()
+        waiting[3] &= ~(termios.ECHO | termios.ICANON)
+        self.interrupted = signal.signal(signal.SIGINT, signal.SIG_IGN)  # it drops the line itself
+        termios.tcsetattr(0, termios.TCSANOW, waiting)
+
+    def heed(self, *, echoes: bool) -> None:
+        """Let Ctrl-C be heard, and let the terminal show its keys where the reader does not."""
+        import signal
+
+        signal.signal(signal.SIGINT, self.interrupted)
+        if echoes:
+            self.leave()
+
+    def leave(self) -> None:
+        """Put the terminal back as it was."""
+        import termios
+
+        termios.tcsetattr(0, termios.TCSANOW, self.usual)
+
+
+class _NoTerminal:
+    """What there is where keys cannot be made to wait."""
+
+    def heed(self, *, echoes: bool) -> None:
+        """Do nothing."""
+
+    def leave(self) -> None:
+        """Do nothing."""
 
 
 @contextmanager
-def _prompt_first() -> Iterator[None]:
-    """Show the prompt, and let keys wait unseen until the one who reads them is ready."""
+def _keys_waiting() -> Iterator[_Terminal | _NoTerminal]:
+    """Keep keys unseen, till the end if the reader shows them itself."""
     try:
-        import signal
-        import termios
-    except ImportError:  # Windows
-        _put(PROMPT)
-        yield
-        _put("\r")
-        return
-    usual = termios.tcgetattr(0)
-    waiting = usual.copy()
-    waiting[3] &= ~(termios.ECHO | termios.ICANON)
-    ended = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal drops the line itself
-    termios.tcsetattr(0, termios.TCSANOW, waiting)
+        terminal: _Terminal | _NoTerminal = _Terminal()
+    except (ImportError, OSError):  # Windows
+        terminal = _NoTerminal()
     try:
-        _put(PROMPT)
-        yield
+        yield terminal
     finally:
-        termios.tcsetattr(0, termios.TCSANOW, usual)
-        signal.signal(signal.SIGINT, ended)
-        _put("\r")
+        terminal.heed(echoes=True)
 
 
 def _put(text: str) -> None:

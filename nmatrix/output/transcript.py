@@ -9,8 +9,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from textwrap import wrap
 from unicodedata import combining, east_asian_width
 
+from nmatrix.calculator import MORE, PROMPT
 from nmatrix.calculator.answer import KEYS
 from nmatrix.calculator.faults import PlacedError
 from nmatrix.calculator.orders import enter
@@ -31,7 +33,6 @@ from nmatrix.output.write import OutputOptions, write
 from nmatrix.reading.files import decoded, file_bytes
 from nmatrix.report import Code, Report, Value
 
-PROMPT, MORE = "> ", "  "
 AROUND = 30  # characters on either side of a caret under a long line
 LONGEST = 100_000  # characters of a file of statements
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
@@ -191,8 +192,10 @@ def _refusal(statement: str, reply: Reply, options: OutputOptions) -> str:
     """Write an error, with a caret under the character where it lies."""
     assert reply.error is not None  # there is one to be told
     error = reply.error.without_caret if isinstance(reply.error, PlacedError) else reply.error
+    line = spelled(f"error: {error.spelled(_spell)}", options.charset)
+    first, *more = wrap(line, options.width, subsequent_indent=MORE, break_on_hyphens=False)
     head = render((Span("error:", Style.WRONG),), options.colour)
-    told = f"{head} {spelled(error.spelled(_spell), options.charset)}\n"
+    told = "".join(f"{one}\n" for one in (head + first.removeprefix("error:"), *more))
     return told if reply.at is None else _caret(statement, reply.at, options) + told
 
 
@@ -203,15 +206,15 @@ def _caret(statement: str, at: int, options: OutputOptions) -> str:
     line = statement[begin:] if end < 0 else statement[begin:end]
     column = at - begin
     is_whole = len(line) + len(PROMPT) < options.width and line.isprintable()
+    start, stop = (0, len(line)) if is_whole else (max(0, column - AROUND), column + AROUND)
+    part = "".join(one if one.isprintable() else " " for one in line[start:stop])
+    before = spelled(("…" if start else "") + part[: column - start], options.charset)
+    caret = f"{' ' * (len(MORE) + _columns(before))}^\n"
     if is_whole and end < 0:
-        return f"{' ' * (len(PROMPT) + _columns(line[:column]))}^\n"
-    start = 0 if is_whole else max(0, column - AROUND)
-    part = "".join(one if one.isprintable() else " " for one in line[start : column + AROUND])
-    if is_whole:
-        part = line
-    shown = f"{MORE}{'…' if start else ''}{part}"
-    under = len(MORE) + bool(start) + _columns(part[: column - start])
-    return spelled(f"{shown.rstrip()}\n{' ' * under}^\n", options.charset)
+        return caret  # below what was typed: a prompt is as wide as a margin
+    return (
+        f"{MORE}{before}{spelled(part[column - start :], options.charset)}".rstrip() + f"\n{caret}"
+    )
 
 
 def _columns(text: str) -> int:

@@ -22,7 +22,7 @@ from nmatrix.calculator.values import Arithmetic
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.output.transcript import Disk, run, text_of, transcript, turn
-from nmatrix.output.write import OutputOptions
+from nmatrix.output.write import Charset, OutputOptions
 from nmatrix.reading.matrix import matrix_literal
 from nmatrix.reading.notations import NOTATIONS
 from nmatrix.report import ENVELOPE
@@ -79,11 +79,11 @@ def test_a_statement_that_fails_keeps_everything():
     ],
 )  # fmt: skip
 def test_the_caret_stands_under_the_fault(line, column):
-    echo, caret, error = shown(line).splitlines()
+    echo, caret, error, *more = shown(line).splitlines()
     assert echo == f"> {line}"
     assert caret == f"{' ' * (2 + column)}^"
     assert error.startswith("error: ")
-    assert "caret" not in error
+    assert all(len(one) <= 80 and "caret" not in one for one in (error, *more))
 
 
 def test_the_caret_of_a_statement_of_several_lines_stands_under_its_line():
@@ -96,6 +96,14 @@ def test_the_caret_of_a_long_line_stands_under_the_part_that_is_shown():
     part, caret, _ = shown(line).splitlines()[1:]
     assert part[caret.index("^")] == "Q"
     assert len(part) < 80
+
+
+def test_the_caret_counts_the_columns_that_are_shown():
+    ascii_only = OutputOptions(charset=Charset.ASCII)
+    assert turn(EMPTY, "1+√2+)", ascii_only, NO_FILES).text.startswith(f"{' ' * 12}^\n")
+    assert turn(EMPTY, "1+√2+)", OutputOptions(), NO_FILES).text.startswith(f"{' ' * 7}^\n")
+    assert turn(EMPTY, "'界' + )", OutputOptions(), NO_FILES).text.startswith("  ^\n")
+    assert turn(EMPTY, "[1 #界\n+)", OutputOptions(), NO_FILES).text.startswith("   ^\n")
 
 
 def test_undo_goes_back_one_change_at_a_time():
@@ -128,6 +136,11 @@ def test_every_keyword_is_explained_offered_and_no_name(keyword):
     assert keyword in offers((), keyword[:2]).words
     assert refused(f"{keyword} = 1").exit_code == 2
     assert statement(USAGE[keyword][0]).keyword is keyword
+
+
+def test_help_fits_on_a_small_screen_and_lists_every_function_elsewhere():
+    assert len(shown("help").splitlines()) <= 22
+    assert set(FUNCTIONS) <= set(shown("help functions").split())
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -295,7 +308,8 @@ def test_a_file_that_is_no_text_or_too_long_is_refused(content):
 
 def test_a_line_of_a_million_characters_is_refused_and_the_session_goes_on():
     session = after("a = 1")
-    for text in ("1+" * 500_000, "(" * 10**6, "q" * 10**6, "1 " * 500_000, "help " + "x" * 10**6):
+    a_name = f"{'a' * 9000} = 1"
+    for text in ("1+" * 500_000, "(" * 10**6, "x=" + "1 " * 10**6, "help " + "x" * 10**6, a_name):
         done = turn(session, text, OutputOptions(), NoFiles())
         assert done.error is not None
         assert done.error.exit_code == 2

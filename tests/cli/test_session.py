@@ -249,6 +249,36 @@ def test_a_line_of_the_history_that_was_cut_is_left_out(tmp_path):
     assert history.statements() == ["a = 1", "back\\slash \\n", "M = [1\n2]"]
 
 
+def test_a_run_has_colours_where_they_are_wanted(nmatrix, own_folder):
+    Path("lines.txt").write_text("1 +\n")
+    assert (
+        "\x1b[1;38;5;166merror:\x1b[0m expression" in nmatrix("calc lines.txt --color always").out
+    )
+    assert "\x1b" not in nmatrix("calc lines.txt").out
+    remark = nmatrix("calc lines.txt --rotate 0 0 1.5708").out
+    assert remark.splitlines()[-1].startswith("• ") or "radians" in remark
+
+
+@pytest.mark.parametrize(
+    ("options", "line", "wanted"),
+    [
+        ("--numbers both", "1/3", "ans  1/3 ≈ 0.333333"),
+        ("--digits 3 --numbers decimal", "1/3", "ans  0.333"),
+        ("--float", "0.1 + 0.2", "ans  0.3\n\n• Every product, sum,"),
+        ("--untyped", "V @ P @ M == V @ P @ M", "ans  yes"),
+        ("--steps", "det([2 1; 1 1])", "  det A = 2·1 − 1·1 = 2 − 1 = 1"),
+        ("--by gauss", "inverse([2 1; 1 1])", "R₂ ← R₂ − R₁"),
+        ("--input-layout column-major", "1 2; 3 4", "  ⎡ 1  3 ⎤"),
+        ("--eye 0 0 9", "V[2, 3]", "ans  -9"),
+    ],
+)
+def test_options_are_what_a_session_begins_with(nmatrix, own_folder, options, line, wanted):
+    Path("lines.txt").write_text(line)
+    found = nmatrix(f"calc lines.txt {options}")
+    assert found.code == 0, found.err
+    assert wanted in found.out
+
+
 def test_words_that_have_no_place_in_a_session_are_refused(nmatrix, tmp_path):
     assert "there is no such file" in nmatrix("calc lesson.txt").err
     assert nmatrix("calc 'd = 2'").out == "> d = 2\nd  2\n"
