@@ -130,7 +130,7 @@ def _remarks(calculation: Calculation) -> tuple[str, ...]:
 
 
 def _kept_exactly(value: Value) -> tuple[str, ...]:
-    """Tell of a number that is exact and too long to be shown so, as it is where a line holds it."""
+    """Tell of exact numbers too long to be shown, and the number where a line holds it."""
     rounded = [x for x in value.numbers if isinstance(x, Fraction | Surd) and not is_short(x)]
     if not rounded:
         return ()

@@ -286,6 +286,37 @@ def test_a_polar_decomposition_of_more_rows_holds_as_far_as_it_is_known(seed):
     assert all(bounds(one)[0] > 0 for one in minors)
 
 
+@pytest.mark.parametrize("scale", ["1, 2, 3", "2, 2, 2", "1, 1, 5", "-1, 2, 2"])
+def test_a_polar_decomposition_of_a_turn_that_no_roots_tell(scale):
+    turn = "linear(rotate_x(20) @ rotate_y(33) @ rotate_z(7))"
+    signs = f"linear(scale({', '.join('-1' if '-' in x else '1' for x in scale.split(', '))}))"
+    sizes = f"linear(scale({scale.replace('-', '')}))"
+    for part, right in (("rotation", f"{turn} @ {signs}"), ("stretch", sizes)):
+        found = value(f'polar({turn} @ linear(scale({scale})), "{part}") - {right}')
+        for one in found.numbers:
+            low, high = bounds(one)
+            assert low <= 0 <= high
+            assert high - low < Fraction(1, 10**35)
+    assert is_true('polar(rotate_x(20), "stretch") ≈ identity(4)')
+    known = value("polar(rotate_x(20) @ scale(3, 2, 2))")
+    assert (known.matrix[0], known.matrix[3]) == ((1, 0, 0, 0), (0, 0, 0, 1))
+    assert known.matrix[1][1].digits > 30
+
+
+def test_eigenvalues_of_bounds_that_are_symmetric():
+    with mpmath.workdps(60):
+        s, c = (f(mpmath.radians(20)) for f in (mpmath.sin, mpmath.cos))
+        right = mpmath.eigsy(mpmath.matrix([[2, s, 0], [s, c, 1], [0, 1, 3]]), eigvals_only=True)
+    found = value("eigenvalues([2 sin(20) 0; sin(20) cos(20) 1; 0 1 3])")
+    for one, near in zip(found.numbers, sorted(right, reverse=True), strict=True):
+        low, high = bounds(one)
+        assert low <= Fraction(mpmath.nstr(near, 58)) + Fraction(1, 10**55)
+        assert high >= Fraction(mpmath.nstr(near, 58)) - Fraction(1, 10**55)
+        assert high - low < Fraction(1, 10**35)
+    with pytest.raises(IllegalValueError, match="so many digits only"):
+        value("eigenvalues([sin(20) 0 1e-50; 0 sin(20) 0; 1e-50 1e-50 sin(20)])")
+
+
 def test_a_polar_decomposition_parts_a_turn_from_a_scale():
     turned = "linear(rotate_z(30) @ rotate_x(45))"
     assert is_true(

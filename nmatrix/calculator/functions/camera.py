@@ -197,13 +197,13 @@ def _divided(given: Value, p: RationalVector) -> RationalVector:
     return tuple(one / w for one in place)
 
 
-def _unproject(window: Value, map_: Value, viewport: Value | None) -> Value:
+def _unproject(window: Value, M: Value, viewport: Value | None) -> Value:
     require_size(window, 3, "a place x, y and a depth z")
-    for one in (map_, viewport):
+    for one in (M, viewport):
         if one is not None:
             require_size(one, 4, "a 4×4 matrix")
             require_square(one)
-    back = inverted(map_)
+    back = inverted(M)
     if viewport is not None:
         back = rational.product(back, inverted(viewport))
     return Value(_divided(window, rational.apply(back, (*window.vector, ONE))))

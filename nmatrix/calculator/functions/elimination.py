@@ -173,14 +173,12 @@ def _vanishing(rows: RationalMatrix, pivots: Sequence[int], free: int) -> Ration
 def _lu(A: Value, part: str | None) -> Value:
     require_square(A)
     found = echelon(A.matrix)
-    size_ = len(A.matrix)
-    lower = tuple(
-        tuple(ONE if i == j else found.factors[i][j] for j in range(size_)) for i in range(size_)
-    )
+    n = len(A.matrix)
+    lower = tuple(tuple(ONE if i == j else found.factors[i][j] for j in range(n)) for i in range(n))
     parts = {
         "L": lower,
         "U": found.rows,
-        "P": tuple(tuple(ONE if j == i else ZERO for j in range(size_)) for i in found.order),
+        "P": tuple(tuple(ONE if j == i else ZERO for j in range(n)) for i in found.order),
     }
     if part:
         return Value(parts[part])

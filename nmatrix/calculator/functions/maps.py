@@ -69,11 +69,10 @@ def _world(translate: Value, rotate: Value | None, *others: Value | str | None) 
         raise ArgumentError(
             order, "order= with convention=", "the course fixes it", "leave one out"
         )
-    if (order or convention) and rotate is None and given:
-        word_given = order or convention
-        assert isinstance(word_given, str)
+    beside = next((one for one in (order, convention) if one is not None), None)
+    if beside is not None and rotate is None and given:
         why = "an order and a convention are for three angles"
-        raise ArgumentError(word_given, "a rotation as a whole", why, "leave one out")
+        raise ArgumentError(beside, "a rotation as a whole", why, "leave one out")
     turned = _rotation(rotate, quaternion, axis_angle, str(order or "XYZ"), str(convention or ""))
     return Value(composed(turned, _factors(scale), _three(shear), _three(translate)))
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
+from itertools import pairwise
 
 from nmatrix.calculator.functions.elimination import is_exact
 from nmatrix.calculator.functions.function import (
@@ -114,8 +115,9 @@ def _of_block(A: RationalMatrix) -> list[tuple[Number, int]]:
         return [(A[0][0], 1)]
     if is_exact(A):
         return real_roots(characteristic(A))
-    if rational.transpose(A) == A:
-        return [(one, 1) for one in _near_symmetric(A)]
+    near = _near_symmetric(A)
+    if near is not None:
+        return [(one, 1) for one in near]
     if len(A) > 2:
         what = "eigenvalues of entries that are known to so many digits only"
         raise ArgumentError(Value(A), what, "from 3×3 on they are not told", "use rational entries")
@@ -148,11 +150,19 @@ def characteristic(A: RationalMatrix) -> tuple[Fraction, ...]:
     return tuple(reversed(found))
 
 
-def _near_symmetric(A: RationalMatrix) -> list[Number]:
-    """Enclose the eigenvalues of a symmetric matrix of bounds: they move less than it (Weyl)."""
-    middle, off = _middle(A)
-    near = [one for one, times in real_roots(characteristic(middle)) for _ in range(times)]
-    return [enclosed(bounds(one)[0] - off, bounds(one)[1] + off) for one in near]
+def _near_symmetric(A: RationalMatrix) -> list[Number] | None:
+    """Enclose the eigenvalues of a matrix of bounds that is symmetric; None of any other.
+
+    They move less than the matrix (Weyl). Where only the bounds are symmetric, that tells of real
+    eigenvalues as long as no two of them may meet (Bauer and Fike).
+    """
+    central, off = _middle(A)
+    if rational.transpose(central) != central:
+        return None
+    near = [one for one, times in real_roots(characteristic(central)) for _ in range(times)]
+    found: list[Number] = [enclosed(bounds(one)[0] - off, bounds(one)[1] + off) for one in near]
+    apart = all(bounds(x)[0] > bounds(y)[1] for x, y in pairwise(found))
+    return found if apart or rational.transpose(A) == A else None
 
 
 def _middle(A: RationalMatrix) -> tuple[RationalMatrix, Fraction]:
@@ -193,14 +203,58 @@ def _polar(A: Value, part: str) -> Value:
     if is_rotation and is_zero(determinant(M)):
         why = "its determinant is 0, so several rotations belong to it"
         raise NoAnswerForArgumentError(A, "polar of a singular matrix", why, 'ask for "stretch"')
-    if len(M) == 2:
-        return Value(_polar_of_two(M, is_rotation=is_rotation))
-    B = rational.product(rational.transpose(M), M)
+    return Value(_polar_factor(M, is_rotation=is_rotation))
+
+
+def _polar_factor(A: RationalMatrix, *, is_rotation: bool) -> RationalMatrix:
+    """Find the rotation or the stretch of a matrix, of its blocks one by one."""
+    for k in range(1, len(A)):
+        beside = (*(x for row in A[k:] for x in row[:k]), *(x for row in A[:k] for x in row[k:]))
+        if all(map(_is_known_zero, beside)):
+            first, second = tuple(row[:k] for row in A[:k]), tuple(row[k:] for row in A[k:])
+            left = (_polar_factor(block, is_rotation=is_rotation) for block in (first, second))
+            return _on_the_diagonal(*left)
+    if len(A) == 1:
+        size = abs(A[0][0])
+        return ((A[0][0] / size if is_rotation else size,),)
+    if len(A) == 2:
+        return _polar_of_two(A, is_rotation=is_rotation)
+    if not is_exact(A):
+        return _polar_of_bounds(A, is_rotation=is_rotation)
+    B = rational.product(rational.transpose(A), A)
     distinct = Value(tuple(one for one, _ in spectrum(B))).vector
     roots = Value(tuple(map(root, distinct))).vector
     weights = [1 / one for one in roots] if is_rotation else roots
     found = _interpolated(B, distinct, weights)
-    return Value(rational.product(M, found) if is_rotation else found)
+    return rational.product(A, found) if is_rotation else found
+
+
+def _on_the_diagonal(first: RationalMatrix, second: RationalMatrix) -> RationalMatrix:
+    right, left = (ZERO,) * len(second), (ZERO,) * len(first)
+    return (*((*row, *right) for row in first), *((*left, *row) for row in second))
+
+
+def _polar_of_bounds(A: RationalMatrix, *, is_rotation: bool) -> RationalMatrix:
+    """Enclose a factor by that of the matrix in the middle.
+
+    The rotation moves at most by 2/(σ + σ′) of what the matrix does, of whose two least singular
+    values these are (Li, 1995), and the stretch by √2 of it.
+    """
+    central, off = _middle(A)
+    moves = Fraction(3, 2)
+    if is_rotation:
+        least = bounds(singular(central)[-1])[0]
+        if least <= off:
+            what, why = "a polar decomposition", "its entries leave open if it is singular"
+            raise NoAnswerForArgumentError(Value(A), what, why, "use rational entries")
+        moves = 2 / (2 * least - off)
+    near = _polar_factor(central, is_rotation=is_rotation)
+    return tuple(tuple(_widened(x, moves * off) for x in row) for row in near)
+
+
+def _widened(x: Fraction, by: Fraction) -> Fraction:
+    low, high = bounds(x)
+    return Value(enclosed(low - by, high + by)).scalar
 
 
 def _polar_of_two(A: RationalMatrix, *, is_rotation: bool) -> RationalMatrix:
