@@ -174,6 +174,17 @@ def test_text_in_ascii_spells_roots_and_signs(numbers: Numbers) -> None:
     assert (" ~ " in text) is (numbers is Numbers.BOTH)
 
 
+def test_typst_compiles_fractions_roots_letters_and_eight_columns(tmp_path: Path) -> None:
+    typst = pytest.importorskip("typst")
+    corners = tuple(tuple(root(1 + 8 * r + c) / 3 for c in range(8)) for r in range(4))
+    blocks = tuple(Quantity(key, corners, "corners") for key in (*LETTERS, "corners"))
+    for numbers in Numbers:
+        text = write(Report("calc", {}, blocks), OutputOptions(Format.TYPST, numbers=numbers))
+        source = tmp_path / "exact.typ"
+        source.write_text(text, encoding="utf-8")
+        assert typst.compile(str(source)).startswith(b"%PDF")
+
+
 def test_points_and_the_ends_of_whole_numbers_stand_in_one_column() -> None:
     values = ((3**0.5 / 2, 1.0), (-0.25, 10.0), (0.123456, -1 / 3))
     lines = write(Report("world", {}, (Quantity("v", values),)), EXACT).splitlines()[1:]
