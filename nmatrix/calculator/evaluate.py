@@ -152,7 +152,9 @@ class _Evaluation:
     def _error(self, at: int, what: str, error: NMatrixError) -> NMatrixError:
         """Repeat the error of an operation with its place in the expression."""
         kind = NoValueError if isinstance(error, NoAnswerError) else CalculatorError
-        return kind(self.expression, at, what, str(error))
+        told, *reasons = error.parts
+        reason = "; ".join(filter(None, reasons))
+        return kind(self.expression, at, what, ": ".join(filter(None, (told, reason))))
 
     def _fault(self, node: Node, what: str, why: str) -> NMatrixError:
         return CalculatorError(self.expression, node.start, what, why)

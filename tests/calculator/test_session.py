@@ -452,3 +452,18 @@ def test_markup_that_holds_an_equals_sign_is_read(printed):
     done = list(run(EMPTY, printed, OutputOptions(), NO_FILES))
     assert done[-1][1].error is None
     assert done[-1][1].session.names["ans"].matrix == ((1, Fraction(2, 3)), (4, 5))
+
+
+@pytest.mark.parametrize(
+    "line", ["save /nonexistent/q", "b = 1 == 1\nshow b as glsl", "Nope + 1"]
+)
+def test_the_error_that_a_run_ends_in_is_spelled_as_in_its_transcript(line):
+    report = transcript(EMPTY, line, OutputOptions(), Disk())
+    *_, shown_as = report.blocks[0].text.split("error: ")
+    told = report.failure.spelled(lambda name: f"--{name}").split(": see the caret")[0]
+    assert "--" not in told
+    assert " ".join(shown_as.split()) in told.replace(" (character 1)", "")
+
+
+def test_an_option_in_the_advice_of_an_operation_is_spelled_as_one():
+    assert shown("2^9999").endswith("try --float\n")
