@@ -454,9 +454,7 @@ def test_markup_that_holds_an_equals_sign_is_read(printed):
     assert done[-1][1].session.names["ans"].matrix == ((1, Fraction(2, 3)), (4, 5))
 
 
-@pytest.mark.parametrize(
-    "line", ["save /nonexistent/q", "b = 1 == 1\nshow b as glsl", "Nope + 1"]
-)
+@pytest.mark.parametrize("line", ["save /nonexistent/q", "b = 1 == 1\nshow b as glsl", "Nope + 1"])
 def test_the_error_that_a_run_ends_in_is_spelled_as_in_its_transcript(line):
     report = transcript(EMPTY, line, OutputOptions(), Disk())
     *_, shown_as = report.blocks[0].text.split("error: ")
