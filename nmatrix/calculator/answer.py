@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from math import isinf
 
 from nmatrix.calculator.arithmetic.meanings import Located, Map
-from nmatrix.calculator.arithmetic.numbers import Float64, Interval
+from nmatrix.calculator.arithmetic.numbers import Float64, Interval, bits_of
 from nmatrix.calculator.arithmetic.values import Arithmetic, Value, ValueKind, as_strings, each
 from nmatrix.calculator.evaluate import Calculation
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import counted
 from nmatrix.report import ENVELOPE, Block, Formula, Heading, Quantity, Report, Step
 from nmatrix.report import Value as JsonValue
+from nmatrix.surds import Surd, is_short
 
+BITS_OF_A_LINE = 128  # of the longest integer in it: at most 39 digits
 KEYS = ("expression", "value", "kind", "to", "from", "space", "exact", "steps")
 ROUNDED = "Every product, sum, quotient and root was rounded to float64."
 OVERFLOWED = "inf is a float64 that overflowed: the result is beyond the largest, 1.8e308."
@@ -123,4 +126,14 @@ def _remarks(calculation: Calculation) -> tuple[str, ...]:
     if digits:
         known = counted(min(digits), "digit is", "digits are")
         told.append(f"A number in it is not exact: {known} known.")
-    return tuple(told)
+    return (*told, *_kept_exactly(value))
+
+
+def _kept_exactly(value: Value) -> tuple[str, ...]:
+    """Tell of exact numbers too long to be shown, and the number where a line holds it."""
+    rounded = [x for x in value.numbers if isinstance(x, Fraction | Surd) and not is_short(x)]
+    if not rounded:
+        return ()
+    if value.kind is ValueKind.SCALAR and bits_of(rounded[0]) < BITS_OF_A_LINE:
+        return (f"It is {rounded[0]} exactly.",)
+    return ("What is too long to be shown whole is rounded there, and kept exactly.",)

@@ -120,6 +120,7 @@ class _Evaluation:
     steps: list[CalculationStep] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     letters: set[str] = field(default_factory=set)
+    below: dict[str, None] = field(default_factory=dict)
     products: dict[int, Infix] = field(default_factory=dict)
 
     def value_of(self, node: Node) -> Value:  # noqa: C901, PLR0911 - one line for each kind
@@ -152,7 +153,9 @@ class _Evaluation:
     def _error(self, at: int, what: str, error: NMatrixError) -> NMatrixError:
         """Repeat the error of an operation with its place in the expression."""
         kind = NoValueError if isinstance(error, NoAnswerError) else CalculatorError
-        return kind(self.expression, at, what, str(error))
+        told, *reasons = error.parts
+        reason = "; ".join(filter(None, reasons))
+        return kind(self.expression, at, what, ": ".join(filter(None, (told, reason))))
 
     def _fault(self, node: Node, what: str, why: str) -> NMatrixError:
         return CalculatorError(self.expression, node.start, what, why)
@@ -236,6 +239,8 @@ class _Evaluation:
         if node.sign in ("==", "≈"):
             return self._comparison(node, operands)
         value, rule = self._tried(node.at, node.sign, partial(binary, node.sign), (a, with_w(a, b)))
+        if node.sign == "/" and isinstance(b.entries, Symbolic):
+            self._divided(Value(1 / b.entries))
         value = self._tried(node.at, node.sign, settled, [replace(value, meaning=meaning)])
         return self._step(node, value, (node.sign, rule), operands)
 
@@ -337,6 +342,8 @@ class _Evaluation:
             return self._applied(node, name, [base], {})
         if base.kind is ValueKind.MATRIX and node.exponent < 0:
             base = self._applied(node, "inverse", [base], {})
+        if node.exponent < 0 and isinstance(base.entries, Symbolic):
+            self._divided(Value(1 / base.entries))
         operand = self._operand(node.base, base)
         meaning = self._meaning(
             node, "^", partial(rules.raised, operand, abs(node.exponent)), [operand]
@@ -485,11 +492,16 @@ class _Evaluation:
         many = len(self.letters) > 1
         has = "have no values and stay letters" if many else "has no value and stays a letter"
         self.remarks.append(f"{', '.join(sorted(self.letters))} {has}.")
-        symbolic = (one for one in value.numbers if isinstance(one, Symbolic))
-        below = dict.fromkeys(text for one in symbolic for text in one.denominators)
-        if below:
-            conditions = " and ".join(f"{written(text)} ≠ 0" for text in below)
+        self._divided(value)
+        if self.below:
+            conditions = " and ".join(f"{written(text)} ≠ 0" for text in self.below)
             self.remarks.append(f"It holds where {conditions}.")
+
+    def _divided(self, value: Value) -> None:
+        """Keep what a value is divided by, which may cancel later and must not be 0 even so."""
+        for one in value.numbers:
+            if isinstance(one, Symbolic):
+                self.below |= dict.fromkeys(one.denominators)
 
     def _step(
         self,
@@ -500,6 +512,8 @@ class _Evaluation:
     ) -> Value:
         """Keep an operation, by its name and its rule, with what it was given."""
         kept = self._kept(node, value)
+        if kept.kind is not ValueKind.TRUTH:
+            self._divided(kept)
         self.steps.append(CalculationStep(bared(self._typed(node)), kept, *what, tuple(given)))
         return kept
 

@@ -26,6 +26,7 @@ from nmatrix.errors import (
     printable,
     refusal,
 )
+from nmatrix.errors import spelled as with_names
 from nmatrix.output.files import write_file
 from nmatrix.output.style import Span, Style, render, spelled
 from nmatrix.output.style import printable as without_controls
@@ -258,8 +259,6 @@ def _first(failed: list[NMatrixError]) -> NMatrixError | None:
     if not failed:
         return None
     first, *others = failed
-    if not others:
-        return first
-    what, why, next_step = first.parts
-    more = f"and {counted(len(others), 'other statement')} failed"
+    what, why, next_step = (with_names(part, _spell) for part in first.parts)
+    more = f"and {counted(len(others), 'other statement')} failed" if others else ""
     return type(first)(what, why, "; ".join(part for part in (next_step, more) if part))

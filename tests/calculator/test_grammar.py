@@ -316,6 +316,7 @@ def test_what_is_to_be_written_instead_is_a_function_with_as_many_arguments(writ
         ("glm::lookAt(e, t)", 3, "no prefix"),
         ("np.dot(a, b)", 2, "write dot(a, b)"),
         ("// words", 0, "begins with #"),
+        ("A // words", 3, "begins with #"),
         ("% words", 0, "begins with #"),
         ("4^(3/2)", 4, "whole number"),
         ("4^{1/2}", 4, "whole number"),

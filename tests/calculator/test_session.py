@@ -18,7 +18,7 @@ from nmatrix.calculator.language.statements import Keyword, is_open, statement, 
 from nmatrix.calculator.sessions.handbook import FORMATS, USAGE
 from nmatrix.calculator.sessions.offers import offers
 from nmatrix.calculator.sessions.orders import enter
-from nmatrix.calculator.sessions.session import NoFiles, Session
+from nmatrix.calculator.sessions.session import NoFiles, Reply, Session
 from nmatrix.enums import InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, NMatrixError
 from nmatrix.output.transcript import Disk, run, text_of, transcript, turn
@@ -431,3 +431,37 @@ def test_one_row_is_told_from_a_vector_where_a_format_can():
     assert "1 & 2" in shows["markdown"]
     assert 'mat(delim: "[", 1, 2)' in shows["typst"]
     assert "const vec2 R = vec2(1.0, 2.0);" in shows["glsl"]  # which has no matrix of one row
+
+
+@pytest.mark.parametrize("line", ["# words", "// words", "% words", "  %", "<!-- key: M -->"])
+def test_remarks_of_other_programs_are_remarks(line):
+    session = after("a = 1")
+    assert enter(session, line, NO_FILES) == (session, Reply())
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        '// key: M\n$ "M" = mat(delim: "[", 1, 2/3; 4, 5) $',
+        '<math display="block"><mtable><mtr><mtd><mn>1</mn></mtd><mtd><mfrac><mn>2</mn><mn>3</mn>'
+        "</mfrac></mtd></mtr><mtr><mtd><mn>4</mn></mtd><mtd><mn>5</mn></mtd></mtr></mtable></math>",
+        "% key: M\n\\[ M = \\begin{bmatrix} 1 & 2/3 \\\\ 4 & 5 \\end{bmatrix} \\]",
+    ],
+)
+def test_markup_that_holds_an_equals_sign_is_read(printed):
+    done = list(run(EMPTY, printed, OutputOptions(), NO_FILES))
+    assert done[-1][1].error is None
+    assert done[-1][1].session.names["ans"].matrix == ((1, Fraction(2, 3)), (4, 5))
+
+
+@pytest.mark.parametrize("line", ["save /nonexistent/q", "b = 1 == 1\nshow b as glsl", "Nope + 1"])
+def test_the_error_that_a_run_ends_in_is_spelled_as_in_its_transcript(line):
+    report = transcript(EMPTY, line, OutputOptions(), Disk())
+    *_, shown_as = report.blocks[0].text.split("error: ")
+    told = report.failure.spelled(lambda name: f"--{name}").split(": see the caret")[0]
+    assert "--" not in told
+    assert " ".join(shown_as.split()) in told.replace(" (character 1)", "")
+
+
+def test_an_option_in_the_advice_of_an_operation_is_spelled_as_one():
+    assert shown("2^9999").endswith("try --float\n")

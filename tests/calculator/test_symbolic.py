@@ -128,3 +128,26 @@ def test_sympy_is_loaded_for_letters_alone() -> None:
         "assert 'sympy' not in sys.modules; calculate('a', {}); assert 'sympy' in sys.modules"
     )
     subprocess.run([sys.executable, "-c", script], check=True)
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "zeros"),
+    [
+        ("y / y", 1, ["y"]),
+        ("y * y^-1", 1, ["y"]),
+        ("(y^2 - 1) / (y - 1)", None, ["y − 1"]),
+        ("(y^2 - 1) * (y - 1)^-1", None, ["y − 1"]),
+        ("det(inverse([x 0; 0 y])) * det([x 0; 0 y])", 1, ["x", "y"]),
+        ("trace(inverse([x 0; 0 y]) @ [x 0; 0 y])", 2, ["x", "y"]),
+        ("1 / (x / y)", None, ["x", "y"]),
+        ("(x - x) + 3", 3, []),
+    ],
+)
+def test_what_must_not_be_zero_is_told_even_where_it_cancels(text, value, zeros):
+    found = calculate(text, {})
+    if value is not None:
+        assert found.value.scalar == value
+    told = [one for one in found.remarks if one.startswith("It holds where")]
+    assert len(told) == bool(zeros)
+    assert all(f"{zero} ≠ 0" in told[0] for zero in zeros)
+    assert sum(one.count("≠") for one in told) == len(zeros)

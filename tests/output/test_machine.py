@@ -161,12 +161,21 @@ def test_programs_need_numbers(format_: Format) -> None:
         write(Report("derive", {"cases": ["rule"], "none": None}, ()), OutputOptions(format_))
 
 
-@pytest.mark.parametrize("key", ["a.b", "9", "window", "lambda", "mat-é", "...", "gl_Position"])
+# Words that a compiler of one of the languages refuses as a name, by its specification.
+TAKEN = (
+    "lambda None True async await yield let static eval arguments float int bool mat4 mat2x3 dmat3"
+    " vec3 ivec2 bvec4 uvec3 dvec4 sampler2D isamplerCube image2D struct const in discard flat"
+    " precision highp template this goto half fixed union null undefined_ void main"
+).split()
+
+
+@pytest.mark.parametrize("key", ["a.b", "9", "window", "mat-é", "...", "gl_Position", "λ", *TAKEN])
 def test_identifiers_are_identifiers(key: str) -> None:
     name = identifier(key)
     assert name.isidentifier()
     assert name.isascii()
     assert not name.startswith("gl_")
+    assert name not in TAKEN or name.endswith("_")
     ast.parse(f"{name} = 1")
 
 

@@ -128,7 +128,7 @@ class Value:
         """
         if self.kind is ValueKind.TRUTH:
             return self
-        if self.letters:
+        if any(isinstance(x, Symbolic) for x in self.numbers):  # whose letters may be gone
             return replace(self, entries=each(self.entries, _tidied))
         if arithmetic is Arithmetic.FLOAT:
             return replace(self, entries=each(self.entries, float64))

@@ -56,8 +56,8 @@ def instead_of(name: str) -> str:
 
     Examples
     --------
-    >>> instead_of("Inv"), instead_of("lookAt"), instead_of("frobnicate")[:12]
-    ('write inverse(A), or A^-1', 'did you mean look_at?', 'in a session')
+    >>> [instead_of(name) for name in ("Inv", "lookAt")]
+    ['write inverse(A), or A^-1', 'did you mean look_at?']
     """
     return INSTEAD.get(name.casefold()) or did_you_mean(
         name, FUNCTIONS, "in a session, help functions lists them"

@@ -142,7 +142,9 @@ class _Parser:
             return self.parentheses(token, depth)
         if token.is_sign("["):
             return self.bracket(token, depth)
-        if token.is_sign("/") and self.ahead().is_sign("/"):
+        if token.is_sign("/") and any(
+            one.is_sign("/") for one in (self.ahead(), *self.read[self.place - 2 : self.place - 1])
+        ):
             raise self.fault(start, "//", "a remark begins with #")
         raise self.fault(start, *_missing(token))
 

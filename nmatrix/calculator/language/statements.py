@@ -44,12 +44,15 @@ class Statement:
     keyword: Keyword | None = None
 
 
+REMARKS = ("#", "//", "%", "<!--")  # of a session, and of what other programs print
 _NUMBER = r"[+\-−]?(?:[0-9]+(?:[.,][0-9]*)?|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?(?:/[0-9]+)?"
 _GIVEN = re.compile(r"\s*(?!π)([A-Za-z_Α-Ωα-ω][A-Za-z0-9_]*)\s*=(?!=)\s*")
 _KEYWORD = re.compile(rf"\s*({'|'.join(Keyword)})(?:\s+|\Z)")
 _COMMENT = re.compile(r"(?:\A|(?<=\s))#.*")
 # What a program declares, with the type before its name: const mat2 m = …, float m[2][2] = …
-_DECLARED = re.compile(r"\s*(?:[A-Za-z_][\w:.<>]*\s+)+([A-Za-z_]\w*)(?:\s*\[[0-9]*\])*\s*=(?!=)\s*")
+_DECLARED = re.compile(
+    r"\s*(?:[A-Za-z_][\w:.<>\[\]]*\s+)+([A-Za-z_]\w*)(?:\s*\[[0-9]*\])*\s*=(?!=)\s*"
+)
 # A row: numbers with a blank, a tab, a comma or a semicolon between two of them, not a sum of two.
 _ROW = re.compile(
     rf"\s*{_NUMBER}(?:\s*[,;]\s*|\s+){_NUMBER}(?:(?:\s*[,;]\s*|\s+){_NUMBER})*[\s,;]*"
@@ -200,7 +203,7 @@ def statement(whole: str) -> Statement:
         return Statement(whole, whole[at:].rstrip(), at, declared[1])
     text = whole.strip()
     at = whole.index(text)
-    return Statement(whole, "" if text.startswith("#") else text, at)
+    return Statement(whole, "" if text.startswith(REMARKS) else text, at)
 
 
 def is_matrix(text: str) -> bool:

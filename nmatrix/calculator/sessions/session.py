@@ -138,7 +138,8 @@ class Session:
         try:
             parse(text, frozenset((*FUNCTIONS, *self.names)))
         except CalculatorError as fault:
-            if text.startswith("|") or ("=" in text and not text.startswith("\\")):
+            is_marked_up = text.startswith(("\\", "<", "$"))  # where = is a part of it
+            if text.startswith("|") or ("=" in text and not is_marked_up):
                 raise  # neither -3 is meant by |-3|, nor the value of A[0, 0] = 5
             try:
                 return self._read(text)
