@@ -96,12 +96,26 @@ class Terminal:
 
     def until(self, wanted: str) -> None:
         """Wait for a text behind the one that was waited for before."""
-        end = time.monotonic() + LONGEST
+        assert self.comes(wanted, LONGEST), f"{wanted!r} did not come, but {self.seen!r}"
+
+    def comes(self, wanted: str, seconds: float) -> bool:
+        """Wait so long for a text at the most."""
+        end = time.monotonic() + seconds
         while (found := self.seen.find(wanted, self.place)) < 0:
             ready, _, _ = select.select([self.ours], [], [], max(0.0, end - time.monotonic()))
-            assert ready, f"{wanted!r} did not come, but {self.seen!r}"
+            if not ready:
+                return False
             self.raw += os.read(self.ours, 65536).decode(errors="replace")
         self.place = found + len(wanted)
+        return True
+
+    def interrupt(self) -> None:
+        """Type Ctrl-C: one that falls between two waits of Python is heard with the next key."""
+        for _ in range(LONGEST):
+            self.type("\x03")
+            if self.comes(">", 1):
+                return
+        raise AssertionError(f"Ctrl-C ends nothing: {self.seen!r}")
 
     def answer(self, line: str, wanted: str) -> None:
         """Type a line, and wait for its answer and the next prompt."""
@@ -205,8 +219,7 @@ def test_ctrl_c_ends_the_line_and_ctrl_d_the_session(terminal):
     terminal.answer("a = 5", "a  5")
     terminal.type("b = [1 2")
     terminal.until("b = [1 2")
-    terminal.type("\x03")
-    terminal.until(">")
+    terminal.interrupt()
     terminal.answer("a + 1/", "it ends too early")
     terminal.answer("a * 7", "ans  35")
     terminal.type("\x04")
