@@ -127,9 +127,9 @@ def _beside(block: Block, prefix: str) -> Block:
 
 def _asked(plan: HandoutPlan, sheet: Sheet) -> Iterator[Block]:
     for one in _exercises(plan.exercises, sheet):
-        is_worked_out = any(isinstance(block, Formula) for block in (*one.task, *one.key))
+        is_worked_out = any(isinstance(block, Formula) for block in (*one.asked, *one.key))
         blank = Blank(*one.cells, has_room=is_worked_out)
-        yield Task(one.title, (*one.task, blank), plan.points)
+        yield Task(one.title, (*one.asked, blank), plan.points)
     yield from _how_to_check(sheet)
 
 

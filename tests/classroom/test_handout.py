@@ -582,7 +582,7 @@ def test_what_the_sheet_asks_is_what_the_key_and_the_check_answer() -> None:
         sheet, key = (make(plan, Sheet("7", "Ada")) for make in (handout, key_of))
         task = [block for block in sheet.blocks if isinstance(block, Task)][-1]
         assert task.title == asked.title
-        assert task.blocks[:-1] == asked.task
+        assert task.blocks[:-1] == asked.asked
         assert key.blocks[-len(asked.key) :] == asked.key
         assert asked.judge(asked.right).verdict == Outcome.CORRECT
 

@@ -12,7 +12,7 @@ from nmatrix.lessons.check.answer import Answer, read_answer
 from nmatrix.lessons.check.judge import RIGHT, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import Question
-from nmatrix.report import Block
+from nmatrix.report import Block, Text
 
 
 class ExerciseKind(StrEnum):
@@ -62,12 +62,14 @@ class ExpectedMistake:
 class Exercise:
     """One exercise of one sheet.
 
-    `cells` are the rows and columns to leave blank for the answer; `key` is the worked solution
-    and `right` the right answer as one might type it.
+    `task` is what is asked and `form` how to write the answer on paper; `cells` are the rows and
+    columns to leave blank for it. `key` is the worked solution and `right` the right answer as
+    one might type it.
     """
 
     number: int
     task: tuple[Block, ...]
+    form: str
     cells: tuple[int, int]
     key: tuple[Block, ...]
     right: str
@@ -83,6 +85,12 @@ class Exercise:
     def title(self) -> str:
         """The heading."""
         return f"{self.number}. {self.kind.value[:1].upper()}{self.kind.value[1:]}"
+
+    @property
+    def asked(self) -> tuple[Block, ...]:
+        """All that stands on paper: the task, the choices if there are some, the form."""
+        choices = self.grader.lines if isinstance(self.grader, Choice) else ()
+        return (*self.task, *choices, Text(self.form))
 
     def judge(self, text: str) -> Judgement:
         """Judge a typed answer.
@@ -162,6 +170,11 @@ class Choice:
     def letter(self) -> str:
         """The letter of the right one."""
         return LETTERS[self.right]
+
+    @property
+    def lines(self) -> tuple[Text, ...]:
+        """The options as they stand on paper."""
+        return tuple(Text(f"{LETTERS[i]}) {one.text}") for i, one in enumerate(self.options))
 
     def judge(self, text: str) -> Judgement:
         """Judge a choice."""
