@@ -15,7 +15,8 @@ def written(root: ET.Element, *, indented: bool = True) -> bytes:
     """Write a tree as a file in UTF-8; text among elements is not to be indented."""
     if indented:
         ET.indent(root, " ")
-    return ET.tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+    text: bytes = ET.tostring(root, encoding="UTF-8", xml_declaration=True)
+    return text + b"\n"
 
 
 def zipped(files: Mapping[str, bytes]) -> bytes:

@@ -146,23 +146,34 @@ def definite(question: Question) -> Question:
 def numbers_of(question: Question) -> Numbers:
     """Make the fields of a question that has one definite answer."""
     judge = Judge(question)
-    right = judge.right
     is_flat = _is_flat(question)
-    if is_flat and next(entry for entry in right[0] if entry) < 0:
-        right = scaled(right, -ONE)
-    shown, rulers = (
-        _entries(value, question)
-        for value in (right, yardsticks(right, is_vector=question.is_vector))
-    )
-    wrong = list(_wrong_answers(judge))
+    right = forwards(judge.right) if is_flat else judge.right
+    rulers = _entries(yardsticks(right, is_vector=question.is_vector), question)
     tolerances = {place: max(LAST_PLACE, RELATIVE * ruler) for place, ruler in rulers.items()}
+    shown = _entries(right, question)
+    wrong = [
+        (mistake, _entries(forwards(value) if is_flat else value, question))
+        for mistake, value in _wrong_answers(judge)
+    ]
     fields = (
         NumberField(
-            *place, value, tolerances[place], _wrong_numbers(place, shown, tolerances, wrong)
+            *place, value, tolerances[place], _wrong_numbers(place, shown, tolerances[place], wrong)
         )
         for place, value in shown.items()
     )
     return Numbers(tuple(fields), question, is_flat)
+
+
+def forwards(direction: RationalMatrix) -> RationalMatrix:
+    """Turn a direction of which both signs are right so that its first number is positive.
+
+    Examples
+    --------
+    >>> [int(x) for x in forwards(((Fraction(0), Fraction(-1), Fraction(2)),))[0]]
+    [0, 1, -2]
+    """
+    first = next((entry for entry in direction[0] if entry), ONE)
+    return scaled(direction, -ONE) if first < 0 else direction
 
 
 Place = tuple[int, int]
@@ -182,7 +193,7 @@ def _is_flat(question: Question) -> bool:
     return determinant(linear_part(S)) == 0
 
 
-def _wrong_answers(judge: Judge) -> Iterator[tuple[MistakeId, Entries]]:
+def _wrong_answers(judge: Judge) -> Iterator[tuple[MistakeId, RationalMatrix]]:
     """List what each known mistake gives, in the order of the table."""
     for one in judge.wrong.of_singles():
         try:
@@ -190,20 +201,19 @@ def _wrong_answers(judge: Judge) -> Iterator[tuple[MistakeId, Entries]]:
         except NoAnswerError:
             continue
         if value is not None:
-            yield one.mistakes[0], _entries(value, judge.question)
+            yield one.mistakes[0], value
 
 
 def _wrong_numbers(
     place: Place,
     right: Entries,
-    tolerances: Entries,
+    tolerance: Fraction,
     wrong: list[tuple[MistakeId, Entries]],
 ) -> tuple[WrongNumber, ...]:
     """Collect the numbers that mistakes give at a place and that are right nowhere.
 
     A number that is right at another place may as well have been put into the wrong field.
     """
-    tolerance = tolerances[place]
     found: dict[Fraction, list[MistakeId]] = {}
     for mistake, entries in wrong:
         number = entries.get(place)
