@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
+from nmatrix.classroom.bank.write import BankFormat
+from nmatrix.classroom.words import Language
 from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.errors import IllegalValueError, counted
+from nmatrix.errors import IllegalValueError, counted, did_you_mean
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
 from nmatrix.reading.records import records
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from nmatrix.classroom.manifest import Manifest
     from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
+    from nmatrix.lessons.exercises.scheme import Sheet
 
 HELP = {
     "handout": """nmatrix handout --scale 1 2 1
@@ -37,11 +40,14 @@ nmatrix handout --topics rule,exercises --exercises 10 --key -o ada.html
 
 nmatrix handout --roster class --seed 7 --key -o sheets
 
+nmatrix handout --to moodle --variants 20 -o bank.xml
+
 With a roster everybody in a class gets a sheet of their own, and a rerun completes the folder.""",
 }
 
 USUAL_EXERCISES = 10
 MOST_POINTS = 100
+MOST_VARIANTS = 1000
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 
 
@@ -56,7 +62,13 @@ class HandoutOptions:
     """What stands on the sheet, and what it is printed on."""
 
     to: Annotated[
-        PageFormat | None, Option("--to", help="The format of the file (html, or by its ending).")
+        str | None,
+        Option(
+            "--to",
+            metavar="FORMAT",
+            help="html, pdf, typ, tex, md, or the platform: moodle, qti, canvas (html).",
+            autocompletion=among([*PageFormat, *BankFormat]),
+        ),
     ] = None
     topics: Annotated[
         str | None,
@@ -77,6 +89,9 @@ class HandoutOptions:
             autocompletion=among(samples, ".csv"),
         ),
     ] = None
+    variants: Annotated[
+        str | None, Option(metavar="N", help="To a platform: so many sheets, for no one by name.")
+    ] = None
     title: Annotated[
         str | None,
         Option(
@@ -86,6 +101,9 @@ class HandoutOptions:
     points: Annotated[str | None, Option(metavar="N", help="Of each exercise (a box to fill).")] = (
         None
     )
+    language: Annotated[Language, Option(help="Of the fixed words; what is asked is English.")] = (
+        Language.ENGLISH
+    )
     key: Annotated[bool, Option("--key", help="Write the answers too, as a second file.")] = False
     paper: Annotated[Paper, Option(help="What it is printed on.")] = Paper.A4
     output: Annotated[
@@ -94,10 +112,31 @@ class HandoutOptions:
     force: Annotated[bool, Option("--force", help="Overwrite what is there.")] = False
 
     @cached_property
+    def platform(self) -> BankFormat | None:
+        """The learning platform that --to names, if it does."""
+        self._check_to()
+        return BankFormat(self.to) if self.to in list(BankFormat) else None
+
+    @cached_property
+    def page(self) -> PageFormat | None:
+        """The format on paper that --to names, if it does."""
+        self._check_to()
+        return PageFormat(self.to) if self.to in list(PageFormat) else None
+
+    def _check_to(self) -> None:
+        known = [*PageFormat, *BankFormat]
+        if self.to is not None and self.to not in known:
+            raise IllegalValueError(
+                f"--to ({self.to[:20]})",
+                f"it is one of {', '.join(known)}",
+                did_you_mean(self.to, known, "choose one of them"),
+            )
+
+    @cached_property
     def kind(self) -> PageFormat:
         """The format that --to names, or the ending of the sheet's own file."""
         if self.output is None or self.roster is not None:
-            return self.to or PageFormat.HTML
+            return self.page or PageFormat.HTML
         if Path(self.output).is_dir():
             raise IllegalValueError(
                 f"--output ({self.output[:60]})",
@@ -105,7 +144,7 @@ class HandoutOptions:
                 f"name a file in it, such as {USUAL_NAME}{next(iter(PAGES))}",
             )
         named = kind_of(Path(self.output), PAGES)
-        if self.to not in (None, named):
+        if self.page not in (None, named):
             raise IllegalValueError(
                 f"--to {self.to} with --output ({self.output[:60]})",
                 "they name two formats",
@@ -160,6 +199,12 @@ def handout(
     from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.topics import Topic
 
+    if options.platform is not None:
+        show(_write_bank(options.platform, options, groups, sheet), common)
+        return
+    if options.variants is not None:
+        why = "a sheet on paper has one student"
+        raise IllegalValueError("--variants", why, "add --to moodle, or use --roster FILE")
     topics = options.chosen_topics()
     has_exercises = Topic.EXERCISES in topics
     for option, is_given in (("--key", options.key), ("--points", options.points is not None)):
@@ -181,6 +226,64 @@ def handout(
     else:
         files, made = _write_class(plan, options.roster, options, sheet, workers)
     show(_report(files, made, options), common)
+
+
+def _write_bank(
+    platform: BankFormat, options: HandoutOptions, groups: OptionGroups, sheet: SheetOptions
+) -> Report:
+    """Write the exercises of a class, or of some variants, as one file for a learning platform."""
+    from nmatrix.classroom.bank.question import Bank, questions
+    from nmatrix.classroom.bank.write import write
+    from nmatrix.classroom.topics import Topic
+    from nmatrix.classroom.words import WORDS
+
+    for given, is_given, why in (
+        ("--topics", set(options.chosen_topics()) - {Topic.EXERCISES}, "a bank holds exercises"),
+        ("--key", options.key, "a platform grades by itself"),
+        ("a scene", groups.is_given, "exercises have numbers of their own"),
+    ):
+        if is_given and (given != "--topics" or options.topics is not None):
+            raise IllegalValueError(f"{given} with --to {platform}", why, "leave it out")
+    path = Path(options.output or f"{USUAL_NAME}{platform.ending}")
+    kind_of(path, {platform.ending: platform})
+    refuse_existing([path], force=options.force)
+    count, points = options.count(), options.points_of_each() or 1
+    sheets = _sheets(options, sheet)
+    asked = tuple(
+        questions(one, count) for one in progress(sheets, len(sheets), "writing questions")
+    )
+    name = " ".join((options.title or "").split()) or f"nmatrix, seed {sheets[0].seed}"
+    write_file(
+        path,
+        write(Bank(name, asked, points), platform, WORDS[options.language]),
+        force=options.force,
+    )
+    told = f"Written: {path}"
+    what = f"{counted(count, 'exercise')} each for {counted(len(sheets), 'sheet')}."
+    blocks = (Verdict(told), Text(what), Text(platform.how_to_import))
+    return Report("handout", {"files": [str(path)]}, blocks, platform.limits)
+
+
+def _sheets(options: HandoutOptions, sheet: SheetOptions) -> list[Sheet]:
+    """List whose exercises stand in a bank: a class, some variants, or one student."""
+    from nmatrix.classroom.roster import COLUMN, students
+    from nmatrix.lessons.exercises.scheme import Sheet
+
+    if options.roster is not None and options.variants is not None:
+        raise IllegalValueError(
+            "--variants with --roster", "each student has a variant", "leave one of them out"
+        )
+    if options.roster is not None:
+        seed, salt = sheet.of_a_class("--roster")
+        roster = options.roster
+        everyone = students(records(str(file_or_sample(roster)), (COLUMN,)), roster)
+        return [Sheet(seed, one.name, salt) for one in everyone]
+    if options.variants is None:
+        return [sheet.identity]
+    seed, salt = sheet.of_a_class("--variants")
+    why = f"a bank has 1 to {MOST_VARIANTS}"
+    count = whole_number(options.variants, "--variants", range(1, MOST_VARIANTS + 1), 20, why)
+    return [Sheet(seed, f"variant {i + 1}", salt) for i in range(count)]
 
 
 def _one(plan: HandoutPlan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
-from nmatrix.classroom.bank.question import Bank
-from nmatrix.classroom.words import Words
+if TYPE_CHECKING:
+    from nmatrix.classroom.bank.question import Bank
+    from nmatrix.classroom.words import Words
 
 
 class BankFormat(StrEnum):
