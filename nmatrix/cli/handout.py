@@ -13,7 +13,7 @@ from typer import Option
 from nmatrix.classroom.bank.write import BankFormat
 from nmatrix.classroom.words import Language
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import CommonOptions, among, whole_number
+from nmatrix.cli.shared_options import MOST_POINTS, CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
     from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.manifest import Manifest
+    from nmatrix.classroom.roster import Student
     from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
     from nmatrix.lessons.exercises.scheme import Sheet
@@ -46,7 +47,6 @@ With a roster everybody in a class gets a sheet of their own, and a rerun comple
 }
 
 USUAL_EXERCISES = 10
-MOST_POINTS = 100
 MOST_VARIANTS = 1000
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 
@@ -220,12 +220,22 @@ def handout(
         topics, setup, count, options.kind, options.paper, options.key,
         title=" ".join((options.title or "").split()), points=options.points_of_each(),
     )  # fmt: skip
+    remarks: tuple[str, ...] = ()
     if options.roster is None:
         files = _one(plan, options, sheet)
         made = len(files)
     else:
-        files, made = _write_class(plan, options.roster, options, sheet, workers)
-    show(_report(files, made, options), common)
+        everyone, remarks = _class_list(options.roster)
+        files, made = _write_class(plan, everyone, options, sheet, workers)
+    show(replace(_report(files, made, options), remarks=remarks), common)
+
+
+def _class_list(roster: str) -> tuple[tuple[Student, ...], tuple[str, ...]]:
+    """Read the students of a class, with what is to be said of how they were read."""
+    from nmatrix.classroom.roster import COLUMN, students
+
+    found = records(str(file_or_sample(roster)), (COLUMN,))
+    return students(found.rows, roster), found.remarks
 
 
 def _write_bank(
@@ -248,7 +258,7 @@ def _write_bank(
     kind_of(path, {platform.ending: platform})
     refuse_existing([path], force=options.force)
     count, points = options.count(), options.points_of_each() or 1
-    sheets = _sheets(options, sheet)
+    sheets, remarks = _sheets(options, sheet)
     asked = tuple(
         questions(one, count) for one in progress(sheets, len(sheets), "writing questions")
     )
@@ -261,12 +271,11 @@ def _write_bank(
     told = f"Written: {path}"
     what = f"{counted(count, 'exercise')} each for {counted(len(sheets), 'sheet')}."
     blocks = (Verdict(told), Text(what), Text(platform.how_to_import))
-    return Report("handout", {"files": [str(path)]}, blocks, platform.limits)
+    return Report("handout", {"files": [str(path)]}, blocks, (*remarks, *platform.limits))
 
 
-def _sheets(options: HandoutOptions, sheet: SheetOptions) -> list[Sheet]:
+def _sheets(options: HandoutOptions, sheet: SheetOptions) -> tuple[list[Sheet], tuple[str, ...]]:
     """List whose exercises stand in a bank: a class, some variants, or one student."""
-    from nmatrix.classroom.roster import COLUMN, students
     from nmatrix.lessons.exercises.scheme import Sheet
 
     if options.roster is not None and options.variants is not None:
@@ -275,15 +284,14 @@ def _sheets(options: HandoutOptions, sheet: SheetOptions) -> list[Sheet]:
         )
     if options.roster is not None:
         seed, salt = sheet.of_a_class("--roster")
-        roster = options.roster
-        everyone = students(records(str(file_or_sample(roster)), (COLUMN,)), roster)
-        return [Sheet(seed, one.name, salt) for one in everyone]
+        everyone, remarks = _class_list(options.roster)
+        return [Sheet(seed, one.name, salt) for one in everyone], remarks
     if options.variants is None:
-        return [sheet.identity]
+        return [sheet.identity], ()
     seed, salt = sheet.of_a_class("--variants")
     why = f"a bank has 1 to {MOST_VARIANTS}"
     count = whole_number(options.variants, "--variants", range(1, MOST_VARIANTS + 1), 20, why)
-    return [Sheet(seed, f"variant {i + 1}", salt) for i in range(count)]
+    return [Sheet(seed, f"variant {i + 1}", salt) for i in range(count)], ()
 
 
 def _one(plan: HandoutPlan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:
@@ -317,7 +325,7 @@ def _is_there(path: Path, content: bytes) -> bool:
 
 def _write_class(
     plan: HandoutPlan,
-    roster: str,
+    everyone: Sequence[Student],
     options: HandoutOptions,
     sheet: SheetOptions,
     workers: WorkerOptions,
@@ -325,12 +333,10 @@ def _write_class(
     """Write the sheets of a class that a folder lacks; all its files, and how many were missing."""
     from nmatrix.classroom.handout import pictures_beside
     from nmatrix.classroom.manifest import manifest
-    from nmatrix.classroom.roster import COLUMN, students
     from nmatrix.classroom.run import Job, finished
 
     seed, salt = sheet.of_a_class("--roster")
-    everyone = students(records(str(file_or_sample(roster)), (COLUMN,)), roster)
-    wanted = manifest(plan, seed, salt, everyone)
+    wanted = manifest(plan, seed, salt, tuple(everyone))
     jobs = [Job(plan, one, seed, salt) for one in everyone]
     folder = Path(options.output or USUAL_FOLDER)
     with workers.executor() as executor:  # refused before anything is written

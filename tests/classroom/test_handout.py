@@ -388,11 +388,11 @@ def test_a_cluster_loses_a_worker_and_no_sheet(nmatrix, monkeypatch) -> None:
 
 ROSTERS = [
     (b"", "it is empty"),
-    (b"name\nAda\n", "column student"),
+    (b"grade\nAda\n", "column student"),
     (b"student\nAda\nAda\n", "line 2 has the same name"),
     (b"student,mail\nAda,a\n,b\n", "1 to 200 characters"),
     (b"student\nAda,Bo\n", "cells under 1 column:"),
-    ("student\nZoë\n".encode("latin-1"), "utf-8"),
+    ("student\n山田太郎\n".encode("shift_jis"), "UTF-8"),
     (b"student\n", "names no student"),
     (b"student\n" + b"x" * 300 + b"\n", "1 to 200 characters"),
 ]

@@ -200,9 +200,9 @@ def test_a_class_is_graded_row_by_row(nmatrix, tmp_path):
     ("content", "words"),
     [
         (b"", "it is empty"),
-        (b"name,answer\nAda,1\n", "column student"),
+        (b"grade,answer\nAda,1\n", "column student"),
         (b"student,answer,answer\n", "two of them"),
-        ("student,answer\nZoë,1\n".encode("latin-1"), "utf-8"),
+        ("student,answer\n山田太郎,1\n".encode("shift_jis"), "UTF-8"),
         (b'student,answer\n"Ada,1\n' * 3, ""),
     ],
 )

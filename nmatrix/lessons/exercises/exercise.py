@@ -183,16 +183,19 @@ class Choice:
         if chosen == self.right:
             because = self.options[chosen].because
             return Judgement(Outcome.CORRECT, right, Fraction(0), explanation=f"{RIGHT} {because}")
-        return Judgement(
-            Outcome.UNKNOWN,
-            right,
-            Fraction(1),
-            ((0, 0),),
-            explanation=f"Not {LETTERS[chosen]}. {self.options[chosen].because}",
-        )
+        is_there = chosen < len(self.options)
+        because = self.options[chosen].because if is_there else f"The choices are {self._letters}."
+        told = f"Not {LETTERS[chosen]}. {because}"
+        return Judgement(Outcome.UNKNOWN, right, Fraction(1), ((0, 0),), explanation=told)
+
+    @property
+    def _letters(self) -> str:
+        return ", ".join(LETTERS[: len(self.options)])
 
     def _chosen(self, text: str) -> int:
         """Find the one option that is meant: by letter, by name, by its beginning.
+
+        A letter after the last one is an answer too, and a wrong one.
 
         Raises
         ------
@@ -203,7 +206,7 @@ class Choice:
         letter = typed.strip("(").partition(")")[0].rstrip(".:")
         by_name = [i for i, one in enumerate(self.options) if typed in one.names]
         begun = [i for i, one in enumerate(self.options) if _begins(one, typed)]
-        if len(letter) == 1 and letter in LETTERS[: len(self.options)]:
+        if len(letter) == 1 and letter in LETTERS:
             return LETTERS.index(letter)
         for found in (by_name, begun):
             if len(found) == 1:
@@ -211,7 +214,7 @@ class Choice:
         raise IllegalValueError(
             f"answer ({text.strip()[:30]})",
             "it is none of the choices",
-            f"answer {', '.join(LETTERS[: len(self.options)])}",
+            f"answer {self._letters}",
         )
 
 
