@@ -18,6 +18,18 @@ class Language(StrEnum):
 class Words:
     """The fixed words of one language; words in braces are filled in."""
 
+    course: str = "Course"
+    sheet: str = "Sheet"
+    date: str = "Date"
+    name: str = "Name"
+    theory: str = "Normals, spaces and lights"
+    exercises: str = "Exercises"
+    key: str = "The key to the exercises"
+    are_they_right: str = "Are your answers right?"
+    is_graded: str = "This sheet is part of a graded test: your teacher has what checks it."
+    command_says: str = "This command says so, and names the mistake if there is one:"
+    your_answer: str = "YOUR ANSWER"
+    your_name: str = "YOUR NAME, AS IT STANDS ABOVE"
     right: str = "Right."
     known: str = "A known mistake gives this number:"
     otherwise: str = "Or, with the same number:"
@@ -38,6 +50,18 @@ class Words:
 WORDS: dict[Language, Words] = {
     Language.ENGLISH: Words(),
     Language.ITALIAN: Words(
+        course="Corso",
+        sheet="Foglio",
+        date="Data",
+        name="Nome",
+        theory="Normali, spazi e luci",
+        exercises="Esercizi",
+        key="Le soluzioni degli esercizi",
+        are_they_right="Le tue risposte sono giuste?",
+        is_graded="Questo foglio fa parte di un esame: il docente ha ciò che serve a controllarlo.",
+        command_says="Lo dice questo comando, che nomina anche l’errore, se c’è:",
+        your_answer="LA TUA RISPOSTA",
+        your_name="IL TUO NOME, COME STA SOPRA",
         right="Giusto.",
         known="Un errore noto dà questo numero:",
         otherwise="Oppure, con lo stesso numero:",
@@ -54,6 +78,18 @@ WORDS: dict[Language, Words] = {
         if_wrong="Se è sbagliato: questi sono gli errori noti qui.",
     ),
     Language.GERMAN: Words(
+        course="Kurs",
+        sheet="Blatt",
+        date="Datum",
+        name="Name",
+        theory="Normalen, Räume und Lichter",
+        exercises="Aufgaben",
+        key="Die Lösungen der Aufgaben",
+        are_they_right="Sind deine Antworten richtig?",
+        is_graded="Dieses Blatt gehört zu einer Prüfung: deine Lehrkraft hat, was es prüft.",
+        command_says="Das sagt dieser Befehl; er nennt auch den Fehler, wenn es einer ist:",
+        your_answer="DEINE ANTWORT",
+        your_name="DEIN NAME, WIE ER OBEN STEHT",
         right="Richtig.",
         known="Ein bekannter Fehler ergibt diese Zahl:",
         otherwise="Oder, mit derselben Zahl:",

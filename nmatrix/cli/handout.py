@@ -89,6 +89,10 @@ class HandoutOptions:
             autocompletion=among(samples, ".csv"),
         ),
     ] = None
+    merged: Annotated[
+        str | None,
+        Option(metavar="FILE.pdf", help="With --roster: all sheets in one file, to print."),
+    ] = None
     variants: Annotated[
         str | None, Option(metavar="N", help="To a platform: so many sheets, for no one by name.")
     ] = None
@@ -171,6 +175,20 @@ class HandoutOptions:
             words.append(Topic.EXERCISES)
         return tuple(topic for topic in Topic if topic in words)
 
+    def check_merged(self) -> None:
+        """Refuse a merged file where there is no class, or where files of each are wanted too."""
+        if self.merged is None:
+            return
+        clashes = {
+            "without --roster": (self.roster is None, "add --roster FILE.csv"),
+            "with --output": (self.output is not None, "leave one of them out"),
+            f"with --to {self.to}": (self.to not in (None, "pdf"), "leave --to out"),
+        }
+        for how, (is_so, next_step) in clashes.items():
+            if is_so:
+                why = "it is one PDF of all sheets of a class"
+                raise IllegalValueError(f"--merged {how}", why, next_step)
+
     def count(self) -> int:
         """Read the number of exercises."""
         from nmatrix.lessons.exercises.sheet import MOST
@@ -202,6 +220,7 @@ def handout(
     if options.platform is not None:
         show(_write_bank(options.platform, options, groups, sheet), common)
         return
+    options.check_merged()
     if options.variants is not None:
         why = "a sheet on paper has one student"
         raise IllegalValueError("--variants", why, "add --to moodle, or use --roster FILE")
@@ -210,7 +229,7 @@ def handout(
     for option, is_given in (("--key", options.key), ("--points", options.points is not None)):
         if is_given and not has_exercises:
             raise IllegalValueError(option, "there are no exercises", "add --exercises 10")
-    if options.kind is PageFormat.PDF:
+    if options.kind is PageFormat.PDF or options.merged is not None:
         from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
@@ -219,6 +238,7 @@ def handout(
     plan = HandoutPlan(
         topics, setup, count, options.kind, options.paper, options.key,
         title=" ".join((options.title or "").split()), points=options.points_of_each(),
+        language=options.language,
     )  # fmt: skip
     remarks: tuple[str, ...] = ()
     if options.roster is None:
@@ -226,7 +246,11 @@ def handout(
         made = len(files)
     else:
         everyone, remarks = _class_list(options.roster)
-        files, made = _write_class(plan, everyone, options, sheet, workers)
+        if options.merged is not None:
+            files = _write_merged(plan, everyone, options, sheet)
+            made = len(files)
+        else:
+            files, made = _write_class(plan, everyone, options, sheet, workers)
     show(replace(_report(files, made, options), remarks=remarks), common)
 
 
@@ -351,6 +375,33 @@ def _write_class(
                 write_file(folder / name, content, force=True)
     made = sum(len(job.files) for job in missing)
     return [folder / name for job in jobs for name in job.files], made
+
+
+def _write_merged(
+    plan: HandoutPlan, everyone: Sequence[Student], options: HandoutOptions, sheet: SheetOptions
+) -> list[Path]:
+    """Write the sheets of a class as one PDF, and their keys as another."""
+    from nmatrix.classroom.handout import handout as sheet_of
+    from nmatrix.classroom.handout import key_of
+    from nmatrix.lessons.exercises.scheme import Sheet
+    from nmatrix.output.pages.page_pdf import check_names, pdf_of
+
+    seed, salt = sheet.of_a_class("--roster")
+    check_names([one.name for one in everyone])
+    path = Path(str(options.merged))
+    kind_of(path, {".pdf": PageFormat.PDF}, "merged")
+    made = {path: sheet_of}
+    if plan.with_key:
+        made[path.with_name(f"{path.stem}-key{path.suffix}")] = key_of
+    refuse_existing(list(made), force=options.force)
+    plan = replace(plan, kind=PageFormat.PDF)
+    sheets = [Sheet(seed, one.name, salt) for one in everyone]
+    for target, compose in made.items():
+        composing = progress(sheets, len(sheets), "writing sheets")
+        documents = [compose(plan, one) for one in composing]
+        title = plan.title or documents[0].title
+        write_file(target, pdf_of(documents, title), force=options.force)
+    return list(made)
 
 
 def _check_names(names: Sequence[str], executor: Executor | None) -> None:
