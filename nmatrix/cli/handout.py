@@ -37,8 +37,6 @@ if TYPE_CHECKING:
 HELP = {
     "handout": """nmatrix handout --scale 1 2 1
 
-nmatrix handout --topics rule,exercises --exercises 10 --key -o ada.html
-
 nmatrix handout --roster class --seed 7 --key -o sheets
 
 nmatrix handout --to moodle --variants 20 -o bank.xml

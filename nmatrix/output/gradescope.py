@@ -33,7 +33,7 @@ def write(report: Report, options: OutputOptions) -> str:
     if report.submissions:
         why = f"a file holds one student, and here are {len(report.submissions)}"
         raise IllegalValueError(name, why, f"add {quantity('output')} DIR")
-    raise IllegalValueError(name, "this command grades no answer", "use it with check")
+    raise IllegalValueError(name, "this command grades no answer", f"use {quantity('format')} json")
 
 
 def results(one: Submission) -> str:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from nmatrix.cli.catalogue import COMMANDS
-from nmatrix.enums import PARTICULAR_FORMATS, Format
+from nmatrix.enums import FINDING_FORMATS, PARTICULAR_FORMATS, Format
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
@@ -69,9 +69,10 @@ def test_json_has_exactly_the_keys_of_the_contract(nmatrix, line: str) -> None:
 
 @pytest.mark.parametrize("line", KEYS)
 @pytest.mark.parametrize("format_", PARTICULAR_FORMATS)
-def test_findings_are_a_format_of_what_looks_for_faults(nmatrix, line: str, format_: str) -> None:
+def test_findings_and_scores_are_formats_of_what_has_some(nmatrix, line: str, format_: str) -> None:
     found = nmatrix(f"{line} -f {format_}")
-    if line.split()[0] in LOOK_FOR_FAULTS:
+    speakers = LOOK_FOR_FAULTS if format_ in FINDING_FORMATS else ("check",)
+    if line.split()[0] in speakers:
         assert (found.code, found.err) == (0, "")
     else:
         assert (found.code, found.out) == (2, "")
