@@ -172,8 +172,8 @@ def check_exercise(
 
     Examples
     --------
-    >>> check_exercise(2, "1 0 0; 0 1 0; 0 0 1", seed=7, student="Ada").data["verdict"]
-    'unknown'
+    >>> check_exercise(2, "1 0 0; 0 1 0; 0 0 1", seed=7, student="Ada").data["mistake"]
+    'normal-rotation-only'
     """
     from nmatrix.answers.exercise import check_exercise as checked
     from nmatrix.lessons.exercises.scheme import Sheet

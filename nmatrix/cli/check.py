@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 HELP = {
     "check": """nmatrix check normal "1 0 0; 0 0.5 0; 0 0 1" --scale 1 2 1
 
-nmatrix check trace "0.1 0.2 0.9" --point 1 2 0 --eye 3 1 5
-
 nmatrix check exercise 2 "1 0 0; 0 2 0; 0 0 4" --seed 7 --student Ada
+
+nmatrix check normal --batch answers --scale 1 2 1
 
 Exit 0 if it is right, 1 if not.""",
 }

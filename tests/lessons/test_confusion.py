@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-import pytest
-from mistakes import ALSO, PAGE, SCENES, confusion, counted, listed
+import random
+from collections import Counter
 
+import pytest
+from mistakes import ALSO, PAGE, SCENES, confusion, counted, listed, questions, scene, typed
+
+from nmatrix.lessons.check.judge import SEVERAL, Judge, Outcome
 from nmatrix.lessons.check.mistake import MistakeId
 
 ENOUGH = 0.95
@@ -29,3 +33,18 @@ def test_each_mistake_is_named_in_nearly_every_scene_and_the_documentation_count
         assert named > 0, "each is named first somewhere"
         assert named + beside >= ENOUGH * found[made].total()
     assert counted(found) in PAGE.read_text(encoding="utf-8")
+
+
+def test_two_mistakes_at_once_are_named_unless_one_or_another_pair_gives_the_same_numbers():
+    draw = random.Random(1)
+    outcomes = Counter()
+    for question in questions(scene(draw), draw):
+        judge = Judge(question)
+        for pair in draw.sample(judge.doubles, min(8, len(judge.doubles))):
+            found = judge.judge(typed(pair.value))
+            if found.verdict is not Outcome.CORRECT:  # not even wrong to six decimals
+                is_listed = found.explanation.startswith(SEVERAL)
+                assert found.mistakes or "+".join(pair.mistakes) in found.explanation
+                named = found.mistakes == pair.mistakes
+                outcomes["named" if named else "listed" if is_listed else "another"] += 1
+    assert outcomes["named"] > 0.7 * outcomes.total() > 40

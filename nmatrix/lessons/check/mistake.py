@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
-from nmatrix.lessons.check.computation import Computation, Slip
-from nmatrix.lessons.check.question import Question, Subject
+if TYPE_CHECKING:
+    from nmatrix.lessons.check.computation import Computation, Slip
+    from nmatrix.lessons.check.question import Question, Subject
 
 
 class MistakeId(StrEnum):
@@ -102,6 +104,7 @@ class Mistake:
         Examples
         --------
         >>> from nmatrix.lessons.check.mistakes import MISTAKES
+        >>> from nmatrix.lessons.check.question import Question, Subject
         >>> from nmatrix.scene.setup import Setup
         >>> MISTAKES[MistakeId.DEPTH_RANGE].made_in(Question(Subject.EYE, Setup()))
         ()

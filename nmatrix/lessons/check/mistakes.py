@@ -266,7 +266,8 @@ MISTAKES: dict[MistakeId, Mistake] = {
     ),
     MistakeId.CAMERA_AXES: Mistake(
         "You took the camera's axes as OpenCV has them: y down and z ahead.",
-        "In OpenGL a camera has y up and looks down −z: negate the second and third row.",
+        "Here a camera has y up and looks down −z, a left-handed one down +z: negate the rows of V "
+        "that differ.",
         "nmatrix view --eye 3 1 2",
         _for(misplaced(view.of_opencv), Subject.VIEW, *LIGHTING),
     ),
@@ -296,7 +297,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
         _for(misplaced(*lens.LAST_ROWS, entries=Entries.ROW_W), Subject.PROJECTION),
     ),
     MistakeId.DEPTH_SIGN: Mistake(
-        "A sign of the third row is turned.",
+        "One or both signs of the third row are turned.",
         "The row takes the two distances near and far to the two ends of the depth range: put "
         "them in and see.",
         "nmatrix projection --near 1 --far 10",
@@ -371,7 +372,7 @@ MISTAKES: dict[MistakeId, Mistake] = {
         _for(misread(parts.quaternion_of_any_length), *OF_PARTS),
     ),
     MistakeId.AXES_CONJUGATED: Mistake(
-        "You gave F·M·F, the same F on both sides.",
+        "You gave F·M·F, the same change of axes on both sides of M.",
         "From one axis system to another goes F·M·F⁻¹; within one system M stays as it is.",
         "nmatrix axes blender opengl",
         _for(misruled(axes.flipped_on_both_sides), Subject.WORLD, Subject.AXES),
@@ -393,8 +394,8 @@ MISTAKES: dict[MistakeId, Mistake] = {
         _for(misruled(*axes.OTHER_UPS), Subject.WORLD, Subject.AXES),
     ),
     MistakeId.NORMAL_ROTATION_ONLY: Mistake(
-        "You left the scale out of the normal matrix.",
-        "Normals need the scale too, and its reciprocal: A⁻ᵀ = R·S⁻¹ for A = R·S.",
+        "You used the rotation alone: scale and shear are left out.",
+        "Normals need them too, the scale by its reciprocal: A⁻ᵀ = R·S⁻¹ for A = R·S.",
         "nmatrix derive nonuniform",
         _for(misread(parts.only_turned), Subject.NORMAL),
     ),

@@ -256,7 +256,7 @@ def is_of_usual_size(question: Question) -> bool:
 
 
 def _floats(A: RationalMatrix) -> RationalMatrix:
-    return tuple(numbers_in_floats(row) for row in A)
+    return A if isinstance(A[0][0], float) else tuple(numbers_in_floats(row) for row in A)
 
 
 IN_FLOATS = _floats(identity(4))

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from nmatrix.enums import Space
+from nmatrix.enums import Handedness, Space
 from nmatrix.lessons.check.computation import Place
 from nmatrix.lessons.check.question import Matrices, Question, Subject, eye_of
 from nmatrix.lessons.check.slips.lens import OTHER_HAND
@@ -43,7 +43,9 @@ def mirrored(question: Question, right: Matrices) -> Matrices | None:
 
 def of_opencv(question: Question, right: Matrices) -> Matrices | None:
     """Take a camera whose y points down and whose z points ahead."""
-    return seen_by(question, right, with_negated(right.camera_from_world, Y, Z))
+    is_ahead = question.setup.view.handed is Handedness.LEFT
+    rows = (Y,) if is_ahead else (Y, Z)
+    return seen_by(question, right, with_negated(right.camera_from_world, *rows))
 
 
 def not_inverted(question: Question, right: Matrices) -> Matrices | None:
