@@ -18,6 +18,7 @@ class Language(StrEnum):
 class Words:
     """The fixed words of one language; words in braces are filled in."""
 
+    language: Language = Language.ENGLISH
     course: str = "Course"
     sheet: str = "Sheet"
     date: str = "Date"
@@ -50,6 +51,7 @@ class Words:
 WORDS: dict[Language, Words] = {
     Language.ENGLISH: Words(),
     Language.ITALIAN: Words(
+        language=Language.ITALIAN,
         course="Corso",
         sheet="Foglio",
         date="Data",
@@ -78,6 +80,7 @@ WORDS: dict[Language, Words] = {
         if_wrong="Se è sbagliato: questi sono gli errori noti qui.",
     ),
     Language.GERMAN: Words(
+        language=Language.GERMAN,
         course="Kurs",
         sheet="Blatt",
         date="Datum",

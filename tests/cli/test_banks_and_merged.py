@@ -14,7 +14,10 @@ from nmatrix.classroom.bank.write import BankFormat
 from nmatrix.classroom.handout import HandoutPlan, handout, key_of
 from nmatrix.classroom.topics import Topic
 from nmatrix.classroom.words import WORDS, Language, Words
+from nmatrix.lessons.check.mistake import MistakeId
+from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.exercises.scheme import Sheet
+from nmatrix.lessons.italian import ITALIAN
 from nmatrix.output.pages.page_pdf import pdf_of
 from nmatrix.output.pages.page_typst import typ_of
 from nmatrix.report import Heading
@@ -125,7 +128,8 @@ def test_a_class_is_merged_with_its_keys_beside_it(nmatrix):
 def test_every_fixed_word_is_translated_with_the_same_places_to_fill_in():
     english = vars(WORDS[Language.ENGLISH])
     for language in Language:
-        words = vars(WORDS[language])
+        assert WORDS[language].language is language
+        words = {name: word for name, word in vars(WORDS[language]).items() if name != "language"}
         for name, word in words.items():
             places = re.findall(r"\{\w+\}", english[name])
             assert re.findall(r"\{\w+\}", word) == places
@@ -148,3 +152,23 @@ def test_a_sheet_and_its_key_have_the_words_of_their_language(language):
     assert Heading(words.are_they_right) in one.blocks
     plan = HandoutPlan((Topic.EXERCISES,), Setup(), 1, language=language)
     assert key_of(plan, Sheet()).title == words.key
+
+
+def test_every_mistake_is_told_in_italian_with_the_letters_and_numbers_of_the_english():
+    symbols = re.compile(
+        r"[A-Z]·[A-Z](?:·[A-Z])?|[A-Z][⁻ᵀ¹]+|\d+×\d+|π/180|[fn]+/\(f − n\)|OpenGL|Vulkan"
+    )
+    assert list(ITALIAN) == list(MistakeId)
+    for mistake, (did, rule) in ITALIAN.items():
+        english = MISTAKES[mistake].explanation
+        assert sorted(symbols.findall(f"{did} {rule}")) == sorted(symbols.findall(english)), mistake
+        assert did.endswith(".")
+        assert rule.endswith(".")
+        assert did != MISTAKES[mistake].did
+
+
+def test_an_italian_bank_tells_mistakes_in_italian(nmatrix):
+    assert nmatrix("handout --to moodle --exercises 1 --language it -o b.xml")[0] == 0
+    text = Path("b.xml").read_text(encoding="utf-8")
+    assert WORDS[Language.ITALIAN].known in text
+    assert not any(one.did in text for one in MISTAKES.values())

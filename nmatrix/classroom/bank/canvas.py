@@ -130,11 +130,12 @@ class _Section:
 
 def _known_mistakes(field: NumberField, words: Words) -> str:
     """List each wrong number with the mistakes that give it."""
-    lines = (
-        f"<li>{decimal(wrong.value)}: {prose(' '.join(map(explained, wrong.mistakes)))}</li>"
+    lines = "".join(
+        f"<li>{decimal(wrong.value)}: {prose(told)}</li>"
         for wrong in field.wrong
+        for told in (" ".join(explained(one, words) for one in wrong.mistakes),)
     )
-    return f"<p>{prose(words.if_wrong)}</p><ul>{''.join(lines)}</ul>"
+    return f"<p>{prose(words.if_wrong)}</p><ul>{lines}</ul>"
 
 
 def _processing(item: ET.Element) -> ET.Element:

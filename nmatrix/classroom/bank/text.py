@@ -6,10 +6,11 @@ import re
 from collections.abc import Sequence
 
 from nmatrix.classroom.bank.question import BankQuestion, NumberField, Numbers, WrongNumber
-from nmatrix.classroom.words import Words
+from nmatrix.classroom.words import Language, Words
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Subject
+from nmatrix.lessons.italian import ITALIAN
 from nmatrix.output.documents import blocks_in
 from nmatrix.output.mathml import MathML
 from nmatrix.output.write import OutputOptions
@@ -63,12 +64,19 @@ def place(field: NumberField, numbers: Numbers, words: Words) -> str:
 def feedback(wrong: WrongNumber, words: Words) -> str:
     """Tell which mistakes give a number: the first with its rule, the others by what was done."""
     first, *others = wrong.mistakes
-    told = [words.known, explained(first)]
+    told = [words.known, explained(first, words)]
     if others:
-        told += [words.otherwise, *(MISTAKES[one].did for one in others)]
+        told += [words.otherwise, *(_sentences(one, words)[0] for one in others)]
     return " ".join(told)
 
 
-def explained(mistake: MistakeId) -> str:
+def explained(mistake: MistakeId, words: Words) -> str:
     """Say what was done, and the rule that it broke."""
-    return MISTAKES[mistake].explanation
+    return " ".join(_sentences(mistake, words))
+
+
+def _sentences(mistake: MistakeId, words: Words) -> tuple[str, str]:
+    """Take what was done and the rule, which are told in English and Italian."""
+    if words.language is Language.ITALIAN:
+        return ITALIAN[mistake]
+    return MISTAKES[mistake].did, MISTAKES[mistake].rule
