@@ -100,9 +100,18 @@ def judged(form: Numbers, typed: tuple[str, ...]) -> Judgement:
     return judge_of(form).judge(read_answer(text, form.question))
 
 
-@cache
+JUDGES: dict[int, Judge] = {}  # by the identity of what they judge: banks are made once
+
+
 def judge_of(form: Numbers) -> Judge:
-    return Judge(form.question)
+    return JUDGES.setdefault(id(form), Judge(form.question))
+
+
+@cache
+def judged_answers(sheet: int, number: int) -> list[tuple[tuple[str, ...], Judgement]]:
+    form = bank().sheets[sheet][number - 1].form
+    assert isinstance(form, Numbers)
+    return [(typed, judged(form, typed)) for typed in answers(form)]
 
 
 def wrong_fields(form: Numbers, found: Judgement) -> set[int]:
@@ -142,8 +151,7 @@ def test_platforms_grade_each_number_as_check_does_for_six_students() -> None:
         ident = f"_exercise{number}_"
         cells = [item for item in canvas[sheet] if ident in item.get("ident", "")]
         assert len(cells) == len(qti.responses) == len(form.fields)
-        for typed in answers(form):
-            found = judged(form, typed)
+        for typed, found in judged_answers(sheet, number):
             wrong = wrong_fields(form, found)
             right = tuple(rounded(field.right) for field in form.fields)
             if form.is_flat and found.verdict is Outcome.CORRECT and typed != right:
@@ -167,8 +175,7 @@ def test_a_known_mistake_is_named_by_each_number_that_it_alone_changes() -> None
     for sheet, one, form in of_numbers():
         moodle, qti = moodle_of(sheet, one.exercise.number), qti_of(sheet, one.exercise.number)
         truths = [field.right for field in form.fields]
-        for typed in answers(form):
-            found = judged(form, typed)
+        for typed, found in judged_answers(sheet, one.exercise.number):
             if len(found.mistakes) != 1 or found.mistake == MistakeId.MISSING_NORMALISE:
                 continue  # of the lengths that are not 1, a field knows one
             numbers = {i: float(text) for i, text in enumerate(typed)}
