@@ -38,7 +38,10 @@ _IMPORTED = {
     BankFormat.QTI: "Import it as a QTI 2.1 package.",
     BankFormat.CANVAS: "In Canvas: Settings, Import Course Content, QTI .zip file.",
 }
-_DIGITS = "The platform compares each number by itself, to four decimals; fractions it cannot read."
+_DIGITS = (
+    "The platform compares each number by itself, within 5e-4 of the largest of its kind or 0.0001, "
+    "and reads no fractions."
+)
 _LIMITS = {
     BankFormat.MOODLE: (
         _DIGITS,
