@@ -16,6 +16,7 @@ from nmatrix.reading.legacy import ENCODINGS, guessed
 NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
 SEPARATORS = tuple(NAMES)
 DECLARED = "sep="
+WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")  # how .xlsx, .ods and .xls begin
 LONGEST_NAME = 60  # characters of the header that a message shows
 
 
@@ -60,11 +61,19 @@ def records(name: str, needed: Sequence[str]) -> Records:
 def records_in(content: bytes, needed: Sequence[str], source: str) -> Records:
     r"""Read the rows of bytes in UTF-8, UTF-16, or what a spreadsheet saves by itself.
 
+    Raises
+    ------
+    IllegalValueError
+        If they are a workbook or in no encoding that is known, or the header lacks a column.
+
     Examples
     --------
     >>> records_in("Name\nZoë\n".encode("cp1252"), ["student"], "x").rows[0].cells["student"]
     'Zoë'
     """
+    if content.startswith(WORKBOOKS):
+        why, next_step = "it is a workbook, not a table in text", "save it as CSV UTF-8"
+        raise IllegalValueError(f"file ({quoted(source)})", why, next_step)
     remarks: list[str] = []
     try:
         text = decoded(content, source)

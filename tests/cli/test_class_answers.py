@@ -184,3 +184,14 @@ def test_no_name_is_run_by_a_spreadsheet(nmatrix):
     Path("a.csv").write_text("student,answer\n" + "\n".join(f"{one},0 0 5" for one in names))
     table = rows(nmatrix("check eye --batch a.csv --points 2 -f csv")[1])
     assert [row["student"] for row in table] == [f"'{one}" for one in names]
+
+
+@pytest.mark.parametrize("line", ["check eye --batch {}", "handout --roster {} -o out"])
+@pytest.mark.parametrize(
+    "content", [b"PK\x03\x04\x14\x00", b"\xd0\xcf\x11\xe0\xa1", bytes(range(256))]
+)
+def test_what_is_no_table_is_told_in_one_line(nmatrix, line, content):
+    Path("class.xlsx").write_bytes(content)
+    code, out, err = nmatrix(line.format("class.xlsx"))
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "CSV UTF-8" in err

@@ -34,7 +34,7 @@ def moodle(bank: Bank, words: Words) -> bytes:
 def _category(quiz: ET.Element, *names: str) -> None:
     """Open a category; a stroke parts their names, and two are one that is meant."""
     question = ET.SubElement(quiz, "question", {"type": "category"})
-    path = "/".join(allowed(name).replace("/", "//") for name in names)
+    path = "/".join(filter(None, (allowed(name).replace("/", "//") for name in names)))
     _text(question, "category", f"$course$/top/{path}")
 
 

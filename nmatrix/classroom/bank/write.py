@@ -39,8 +39,8 @@ _IMPORTED = {
     BankFormat.CANVAS: "In Canvas: Settings, Import Course Content, QTI .zip file.",
 }
 _DIGITS = (
-    "The platform compares each number by itself, within 5e-4 of the largest of its kind or 0.0001, "
-    "and reads no fractions."
+    "The platform compares each number by itself, within 5e-4 of the largest of its kind or "
+    "0.0001, and reads no fractions."
 )
 _LIMITS = {
     BankFormat.MOODLE: (
