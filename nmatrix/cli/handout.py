@@ -12,6 +12,7 @@ from typer import Option
 
 from nmatrix.classroom.bank.write import BankFormat
 from nmatrix.classroom.words import Language
+from nmatrix.cli.class_files import class_list, write_bank, write_merged
 from nmatrix.cli.scene_options import OptionGroups
 from nmatrix.cli.shared_options import MOST_POINTS, CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
@@ -20,9 +21,8 @@ from nmatrix.cli.workers import WorkerOptions
 from nmatrix.errors import IllegalValueError, counted, did_you_mean
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
-from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
-from nmatrix.samples import file_or_sample, samples
+from nmatrix.samples import samples
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from nmatrix.classroom.roster import Student
     from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
-    from nmatrix.lessons.exercises.scheme import Sheet
 
 HELP = {
     "handout": """nmatrix handout --scale 1 2 1
@@ -45,7 +44,6 @@ With a roster everybody in a class gets a sheet of their own, and a rerun comple
 }
 
 USUAL_EXERCISES = 10
-MOST_VARIANTS = 1000
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 
 
@@ -112,6 +110,11 @@ class HandoutOptions:
         str | None, Option("--output", "-o", metavar="FILE", help="A folder with --roster.")
     ] = None
     force: Annotated[bool, Option("--force", help="Overwrite what is there.")] = False
+
+    @property
+    def usual_name(self) -> str:
+        """The name of a file that is given none, without its ending."""
+        return USUAL_NAME
 
     @cached_property
     def platform(self) -> BankFormat | None:
@@ -216,7 +219,8 @@ def handout(
     from nmatrix.classroom.topics import Topic
 
     if options.platform is not None:
-        show(_write_bank(options.platform, options, groups, sheet), common)
+        workers.refuse("a bank is one file")
+        show(write_bank(options.platform, options, groups, sheet), common)
         return
     options.check_merged()
     if options.variants is not None:
@@ -243,77 +247,14 @@ def handout(
         files = _one(plan, options, sheet)
         made = len(files)
     else:
-        everyone, remarks = _class_list(options.roster)
+        everyone, remarks = class_list(options.roster)
         if options.merged is not None:
-            files = _write_merged(plan, everyone, options, sheet)
+            workers.refuse("one file is written as a whole")
+            files = write_merged(plan, everyone, options, sheet)
             made = len(files)
         else:
             files, made = _write_class(plan, everyone, options, sheet, workers)
     show(replace(_report(files, made, options), remarks=remarks), common)
-
-
-def _class_list(roster: str) -> tuple[tuple[Student, ...], tuple[str, ...]]:
-    """Read the students of a class, with what is to be said of how they were read."""
-    from nmatrix.classroom.roster import COLUMN, students
-
-    found = records(str(file_or_sample(roster)), (COLUMN,))
-    return students(found.rows, roster), found.remarks
-
-
-def _write_bank(
-    platform: BankFormat, options: HandoutOptions, groups: OptionGroups, sheet: SheetOptions
-) -> Report:
-    """Write the exercises of a class, or of some variants, as one file for a learning platform."""
-    from nmatrix.classroom.bank.question import Bank, questions
-    from nmatrix.classroom.bank.write import write
-    from nmatrix.classroom.topics import Topic
-    from nmatrix.classroom.words import WORDS
-
-    for given, is_given, why in (
-        ("--topics", set(options.chosen_topics()) - {Topic.EXERCISES}, "a bank holds exercises"),
-        ("--key", options.key, "a platform grades by itself"),
-        ("a scene", groups.is_given, "exercises have numbers of their own"),
-    ):
-        if is_given and (given != "--topics" or options.topics is not None):
-            raise IllegalValueError(f"{given} with --to {platform}", why, "leave it out")
-    path = Path(options.output or f"{USUAL_NAME}{platform.ending}")
-    kind_of(path, {platform.ending: platform})
-    refuse_existing([path], force=options.force)
-    count, points = options.count(), options.points_of_each() or 1
-    sheets, remarks = _sheets(options, sheet)
-    asked = tuple(
-        questions(one, count) for one in progress(sheets, len(sheets), "writing questions")
-    )
-    name = " ".join((options.title or "").split()) or f"nmatrix, seed {sheets[0].seed}"
-    write_file(
-        path,
-        write(Bank(name, asked, points), platform, WORDS[options.language]),
-        force=options.force,
-    )
-    told = f"Written: {path}"
-    what = f"{counted(count, 'exercise')} each for {counted(len(sheets), 'sheet')}."
-    blocks = (Verdict(told), Text(what), Text(platform.how_to_import))
-    return Report("handout", {"files": [str(path)]}, blocks, (*remarks, *platform.limits))
-
-
-def _sheets(options: HandoutOptions, sheet: SheetOptions) -> tuple[list[Sheet], tuple[str, ...]]:
-    """List whose exercises stand in a bank: a class, some variants, or one student."""
-    from nmatrix.lessons.exercises.scheme import Sheet
-
-    if options.roster is not None and options.variants is not None:
-        raise IllegalValueError(
-            "--variants with --roster", "each student has a variant", "leave one of them out"
-        )
-    if options.roster is not None:
-        seed, salt = sheet.of_a_class("--roster")
-        everyone, remarks = _class_list(options.roster)
-        return [Sheet(seed, one.name, salt) for one in everyone], remarks
-    if options.variants is None:
-        return [sheet.identity], ()
-    seed, salt = sheet.of_a_class("--variants")
-    why = f"a bank has 1 to {MOST_VARIANTS}"
-    count = whole_number(options.variants, "--variants", range(1, MOST_VARIANTS + 1), 20, why)
-    return [Sheet(seed, f"variant {i + 1}", salt) for i in range(count)], ()
 
 
 def _one(plan: HandoutPlan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:
@@ -373,33 +314,6 @@ def _write_class(
                 write_file(folder / name, content, force=True)
     made = sum(len(job.files) for job in missing)
     return [folder / name for job in jobs for name in job.files], made
-
-
-def _write_merged(
-    plan: HandoutPlan, everyone: Sequence[Student], options: HandoutOptions, sheet: SheetOptions
-) -> list[Path]:
-    """Write the sheets of a class as one PDF, and their keys as another."""
-    from nmatrix.classroom.handout import handout as sheet_of
-    from nmatrix.classroom.handout import key_of
-    from nmatrix.lessons.exercises.scheme import Sheet
-    from nmatrix.output.pages.page_pdf import check_names, pdf_of
-
-    seed, salt = sheet.of_a_class("--roster")
-    check_names([one.name for one in everyone])
-    path = Path(str(options.merged))
-    kind_of(path, {".pdf": PageFormat.PDF}, "merged")
-    made = {path: sheet_of}
-    if plan.with_key:
-        made[path.with_name(f"{path.stem}-key{path.suffix}")] = key_of
-    refuse_existing(list(made), force=options.force)
-    plan = replace(plan, kind=PageFormat.PDF)
-    sheets = [Sheet(seed, one.name, salt) for one in everyone]
-    for target, compose in made.items():
-        composing = progress(sheets, len(sheets), "writing sheets")
-        documents = [compose(plan, one) for one in composing]
-        title = plan.title or documents[0].title
-        write_file(target, pdf_of(documents, title), force=options.force)
-    return list(made)
 
 
 def _check_names(names: Sequence[str], executor: Executor | None) -> None:

@@ -78,6 +78,8 @@ REFUSED = (
     ("handout --merged all.pdf --roster class.csv -o out", "--output"),
     ("handout --merged all.pdf --roster class.csv --to html", "--to"),
     ("handout --language fr", "en"),
+    ("handout --to qti --roster class.csv --workers 2", "--workers"),
+    ("handout --merged all.pdf --roster class.csv --dask x", "--dask"),
 )
 
 
