@@ -268,10 +268,13 @@ class Format(StrEnum):
     NUMPY = "numpy"
     SARIF = "sarif"
     GITHUB = "github"
+    GRADESCOPE = "gradescope"
 
 
 # What they list are findings; an answer that found nothing to find fault with has none.
 FINDING_FORMATS = (Format.SARIF, Format.GITHUB)
+# What only some commands can say something in: findings, and scores.
+PARTICULAR_FORMATS = (*FINDING_FORMATS, Format.GRADESCOPE)
 
 
 class Severity(StrEnum):

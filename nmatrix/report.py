@@ -311,17 +311,36 @@ class Findings:
 
 
 @dataclass(frozen=True)
+class Score:
+    """The points of one answer, of how many, and what is said about it."""
+
+    name: str
+    points: Fraction
+    most: int
+    explanation: str
+
+
+@dataclass(frozen=True)
+class Submission:
+    """All that one student handed in, answer by answer."""
+
+    student: str
+    scores: tuple[Score, ...]
+
+
+@dataclass(frozen=True)
 class Report:
     """The answer of one command.
 
     `failure` is the error that the answer still ends in (an undefined normal, a failed check):
     the whole report is shown first, then its one line. `records` is for an answer that is a list
     of rows by nature, such as the grades of a class: as CSV it is written as that table.
-    `findings` are the faults that a check of files met. `glsl` is code that a shader needs beside
-    the numbers. `brief` is what text shows unless all is asked for; the first `about` remarks tell
-    what the answer is of, and are shown with it whatever room there is. `numbers` is how people
-    read its numbers unless they say; it is exact where fractions are kept as they were typed, while
-    those of other answers stand for the floats that programs are given.
+    `findings` are the faults that a check of files met, `submissions` the scores that a grader
+    gave. `glsl` is code that a shader needs beside the numbers. `brief` is what text shows unless
+    all is asked for; the first `about` remarks tell what the answer is of, and are shown with it
+    whatever room there is. `numbers` is how people read its numbers unless they say; it is exact
+    where fractions are kept as they were typed, while those of other answers stand for the floats
+    that programs are given.
     """
 
     command: str
@@ -331,6 +350,7 @@ class Report:
     failure: NMatrixError | None = field(default=None, compare=False)
     records: Table | None = None
     findings: Findings | None = None
+    submissions: tuple[Submission, ...] = ()
     glsl: str = ""
     brief: Brief | None = None
     about: int = 0

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
+from nmatrix.answers.points import submission
 from nmatrix.enums import Space
 from nmatrix.errors import (
     OF_THE_SCENE,
@@ -124,7 +125,8 @@ def judged(
     blocks = _blocks(named or _named(question), question, answer, found)
     remarks = (*found.remarks, *_defaults_used(question, found))
     failure = _failure(question, found, command)
-    return Report("check", judgement_data(found), blocks, remarks, failure)
+    given = (submission(named or _named(question), found),)
+    return Report("check", judgement_data(found), blocks, remarks, failure, submissions=given)
 
 
 def _defaults_used(question: Question, found: Judgement) -> tuple[str, ...]:

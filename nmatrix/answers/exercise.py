@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from nmatrix.answers.check import judged, judgement_data
+from nmatrix.answers.points import submission
 from nmatrix.errors import CheckFailedError, IllegalValueError
 from nmatrix.lessons.check.judge import Judgement, Outcome
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExerciseKind
@@ -35,7 +36,9 @@ def check_exercise(number: int, sheet: Sheet, text: str) -> Report:
         verdict = Verdict("Wrong.", Tone.WRONG)
         wrong = CheckFailedError("answer (wrong)", "another choice is right", "think again")
     blocks += [verdict, Text(found.explanation)]
-    return Report("check", judgement_data(found), tuple(blocks), found.remarks, wrong)
+    given = (submission(_title(one, sheet), found),)
+    data = judgement_data(found)
+    return Report("check", data, tuple(blocks), found.remarks, wrong, submissions=given)
 
 
 def exercises_of(seed: str, salt: bytes) -> Callable[[Mapping[str, str]], Judgement]:

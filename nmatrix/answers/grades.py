@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from nmatrix.answers.check import best_judgement, judges
+from nmatrix.answers.points import Gradebook, Graded, share
 from nmatrix.enums import Layout
 from nmatrix.errors import CheckFailedError, NMatrixError
 from nmatrix.lessons.check.judge import Judgement, Outcome
@@ -22,6 +25,7 @@ _WORDS: dict[str, str] = {
     Outcome.MISTAKE: "with a known mistake",
     Outcome.UNKNOWN: "wrong in another way",
 }
+DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 NAMED = 5  # of the students who answered more than once
 
 JudgeRecord = Callable[[Mapping[str, str]], Judgement]
@@ -37,6 +41,7 @@ class Grade:
     mistake: str | None
     also: tuple[str, ...]
     explanation: str
+    share: Fraction = Fraction(0)  # of the entries that are right
 
     @property
     def cells(self) -> tuple[str | None, ...]:
@@ -56,8 +61,11 @@ class Grade:
         return {**dict(zip(COLUMNS, self.cells, strict=True)), "also": list(self.also)}
 
 
-def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
+def grades(records: Iterable[Record], judge: JudgeRecord, points: int | None = None) -> Report:
     """Answer with one grade for each row; a row that cannot be read costs only itself.
+
+    With the points of an exercise there is one row a student. The report fails where rows could
+    not be read.
 
     Examples
     --------
@@ -81,13 +89,29 @@ def grades(records: Iterable[Record], judge: JudgeRecord) -> Report:
         *_unreadable(found),
         *_mistakes(found),
     )
-    return Report(
+    report = Report(
         "check",
         {"rows": rows, "summary": dict(summary)},
         blocks,
-        _repeated_answers(found),
+        _repeated_answers(found, "each row graded by itself"),
         failure=_failure(summary[UNREADABLE]),
         records=table,
+    )
+    return report if points is None else _with_points(report, found, points)
+
+
+def _with_points(report: Report, found: list[Grade], points: int) -> Report:
+    """Put points in the place of verdicts: a row a student, with a part for each right entry."""
+    answers = (Graded(one.student, one.exercise, one.share, one.explanation) for one in found)
+    book = Gradebook.of(answers, points)
+    heading, verdict, _, *others = report.blocks
+    return replace(
+        report,
+        data={**report.data, "students": book.data},
+        blocks=(heading, verdict, *book.blocks, *others),
+        remarks=_repeated_answers(found, "the last one counts"),
+        records=book.table,
+        submissions=book.submissions,
     )
 
 
@@ -112,12 +136,34 @@ def _grade(record: Record, judge: JudgeRecord) -> Grade:
     try:
         if record.fault:
             raise CheckFailedError(record.fault)
-        found = judge(record.cells)
+        found = _judged(record.cells, judge)
     except NMatrixError as error:
         sentence = f"line {record.line}: {error}"
         return Grade(student, exercise, UNREADABLE, None, (), sentence)
-    verdict = found.verdict.value
-    return Grade(student, exercise, verdict, found.mistake, found.also, found.explanation)
+    return Grade(
+        student,
+        exercise,
+        found.verdict.value,
+        found.mistake,
+        found.also,
+        found.explanation,
+        share(found),
+    )
+
+
+def _judged(cells: Mapping[str, str], judge: JudgeRecord) -> Judgement:
+    """Judge an answer as it was typed, or if that is none, with decimal commas."""
+    try:
+        return judge(cells)
+    except NMatrixError:
+        with_points = DECIMAL_COMMA.sub(".", cells["answer"])
+        if with_points == cells["answer"] or "." in cells["answer"]:
+            raise
+        try:
+            return judge({**cells, "answer": with_points})
+        except NMatrixError:
+            pass  # what was typed is told, and not what was tried
+        raise
 
 
 def _counted(summary: Mapping[str, int]) -> str:
@@ -130,7 +176,7 @@ def _unreadable(found: list[Grade]) -> tuple[Block, ...]:
     return (Table(("student", "reason"), rows, "Could not be read"),) if rows else ()
 
 
-def _repeated_answers(found: list[Grade]) -> tuple[str, ...]:
+def _repeated_answers(found: list[Grade], told: str) -> tuple[str, ...]:
     """Remark on students who answered the same exercise more than once."""
     counts = Counter((grade.student, grade.exercise) for grade in found)
     several = [
@@ -141,7 +187,7 @@ def _repeated_answers(found: list[Grade]) -> tuple[str, ...]:
     if not several:
         return ()
     named = "; ".join(several[:NAMED]) + (" …" if len(several) > NAMED else "")
-    return (f"Answered more than once, each row graded by itself: {named}.",)
+    return (f"Answered more than once, {told}: {named}.",)
 
 
 def _mistakes(found: list[Grade]) -> tuple[Block, ...]:

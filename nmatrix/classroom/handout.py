@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from nmatrix.classroom.first_page import CLAIM, Part
 from nmatrix.classroom.topics import PARTS, Topic
+from nmatrix.classroom.words import WORDS, Language, Words
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
 from nmatrix.output.pages.document import (
     WITH_PICTURES_BESIDE,
@@ -27,9 +28,6 @@ if TYPE_CHECKING:
     from nmatrix.lessons.exercises.exercise import Exercise
 
 LONGEST_WORD = 32  # of a command on paper, which has one line for it
-THEORY_TITLE, EXERCISES_TITLE = "Normals, spaces and lights", "Exercises"
-KEY_TITLE = "The key to the exercises"
-TO_FILL_IN = (Field("Course", room=32), Field("Sheet", room=10), Field("Date", room=22))
 
 
 @dataclass(frozen=True)
@@ -45,11 +43,18 @@ class HandoutPlan:
     prefix: str = ""  # of the names of pictures that lie beside the sheet
     title: str = ""  # what stands above the claim: the course, the sheet, the date
     points: int | None = None  # of each exercise
+    language: Language = Language.ENGLISH
+
+    @property
+    def words(self) -> Words:
+        """The fixed words."""
+        return WORDS[self.language]
 
     @property
     def usual_title(self) -> str:
         """The title of a sheet that does not begin with its claim."""
-        return EXERCISES_TITLE if self.topics == (Topic.EXERCISES,) else THEORY_TITLE
+        is_drill = self.topics == (Topic.EXERCISES,)
+        return self.words.exercises if is_drill else self.words.theory
 
     @property
     def note(self) -> str:
@@ -102,7 +107,7 @@ def key_of(plan: HandoutPlan, sheet: Sheet) -> Document:
     for one in _exercises(plan.exercises, sheet):
         blocks += [Heading(one.title), *one.key]
     head, foot = _head(plan, sheet), _foot(plan, sheet)
-    return Document(KEY_TITLE, tuple(blocks), head, foot, paper=plan.paper)
+    return Document(plan.words.key, tuple(blocks), head, foot, paper=plan.paper)
 
 
 @lru_cache(maxsize=1)  # a sheet and its key have the same ones
@@ -127,24 +132,24 @@ def _beside(block: Block, prefix: str) -> Block:
 
 def _asked(plan: HandoutPlan, sheet: Sheet) -> Iterator[Block]:
     for one in _exercises(plan.exercises, sheet):
-        is_worked_out = any(isinstance(block, Formula) for block in (*one.task, *one.key))
+        is_worked_out = any(isinstance(block, Formula) for block in (*one.asked, *one.key))
         blank = Blank(*one.cells, has_room=is_worked_out)
-        yield Task(one.title, (*one.task, blank), plan.points)
-    yield from _how_to_check(sheet)
+        yield Task(one.title, (*one.asked, blank), plan.points)
+    yield from _how_to_check(sheet, plan.words)
 
 
-def _how_to_check(sheet: Sheet) -> Iterator[Block]:
+def _how_to_check(sheet: Sheet, words: Words) -> Iterator[Block]:
     """Explain the check of an answer; a salted sheet is checked by whoever has the salt."""
-    yield Heading("Are your answers right?")
+    yield Heading(words.are_they_right)
     if sheet.salt:
-        yield Text("This sheet is part of a graded test: your teacher has what checks it.")
+        yield Text(words.is_graded)
         return
-    words = ["nmatrix", "check", "exercise", "1", "YOUR ANSWER", "--seed", sheet.seed]
+    line = ["nmatrix", "check", "exercise", "1", words.your_answer, "--seed", sheet.seed]
     if sheet.student:
         is_short = len(_in_quotes(sheet.student)) <= LONGEST_WORD
-        words += ["--student", sheet.student if is_short else "YOUR NAME, AS IT STANDS ABOVE"]
-    yield Text("This command says so, and names the mistake if there is one:")
-    yield Code("sh", f"{' '.join(map(_in_quotes, words))}\n")
+        line += ["--student", sheet.student if is_short else words.your_name]
+    yield Text(words.command_says)
+    yield Code("sh", f"{' '.join(map(_in_quotes, line))}\n")
 
 
 def _in_quotes(word: str) -> str:
@@ -157,8 +162,14 @@ def _in_quotes(word: str) -> str:
 
 def _head(plan: HandoutPlan, sheet: Sheet) -> tuple[Field, ...]:
     """Head a sheet by what the teacher calls it, or by lines to fill in, and by its student."""
-    called = (Field("", plan.title),) if plan.title else TO_FILL_IN
-    return (*called, Field("Name", sheet.student, 44))
+    words = plan.words
+    to_fill_in = (
+        Field(words.course, room=32),
+        Field(words.sheet, room=10),
+        Field(words.date, room=22),
+    )
+    called = (Field("", plan.title),) if plan.title else to_fill_in
+    return (*called, Field(words.name, sheet.student, 44))
 
 
 def _foot(plan: HandoutPlan, sheet: Sheet) -> str:

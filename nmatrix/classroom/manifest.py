@@ -32,6 +32,7 @@ class Manifest:
     with_key: bool
     title: str
     points: int | None
+    language: str
     students: tuple[str, ...]
 
     def text(self) -> bytes:
@@ -54,6 +55,7 @@ def manifest(plan: HandoutPlan, seed: str, salt: bytes, students: tuple[Student,
         plan.with_key,
         plan.title,
         plan.points,
+        plan.language.value,
         tuple(one.name for one in students),
     )
 

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from typer import Argument, Option
 
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import AXES, CommonOptions, among
+from nmatrix.cli.shared_options import AXES, MOST_POINTS, CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.sources import table
-from nmatrix.enums import AxisName
-from nmatrix.errors import IllegalValueError, did_you_mean
+from nmatrix.enums import AxisName, Format
+from nmatrix.errors import IllegalValueError, counted, did_you_mean
+from nmatrix.output.files import write_file
 from nmatrix.reading.numbers import fraction, numbers
+from nmatrix.report import Report, Text
 from nmatrix.samples import file_or_sample, samples
 
 if TYPE_CHECKING:
@@ -36,6 +39,7 @@ Exit 0 if it is right, 1 if not.""",
 }
 
 EXERCISE = "exercise"
+RESULTS = "results.json"
 IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
 USUAL_ANSWERS = {
     "normal": "1 0 0; 0 1 0; 0 0 1",
@@ -102,6 +106,49 @@ class CheckOptions:
         }
 
 
+@dataclass(frozen=True)
+class ClassOptions:
+    """A class's answers, and what becomes of them."""
+
+    batch: Annotated[
+        str | None,
+        Option(
+            metavar="FILE",
+            help="A .csv with the columns student, answer (and exercise).",
+            autocompletion=among(samples, ".csv"),
+        ),
+    ] = None
+    points: Annotated[
+        str | None,
+        Option(metavar="N", help="Of each exercise: a row a student, points by entries."),
+    ] = None
+    strict: Annotated[
+        bool, Option("--strict", help="With --batch: exit 1 where a row could not be read.")
+    ] = False
+    output: Annotated[
+        str | None,
+        Option(
+            "--output", "-o", metavar="DIR", help="With -f gradescope: a results.json a student."
+        ),
+    ] = None
+
+    @property
+    def points_of_each(self) -> int | None:
+        """The points of an exercise, if they were given."""
+        if self.points is None:
+            return None
+        why = f"an exercise has 1 to {MOST_POINTS}"
+        return whole_number(self.points, "--points", range(1, MOST_POINTS + 1), 4, why)
+
+    def refuse_without_batch(self) -> None:
+        """Refuse what only a class has."""
+        for name, is_given in (("--strict", self.strict), ("--output", self.output is not None)):
+            if is_given:
+                raise IllegalValueError(
+                    f"{name} without --batch", "one answer is no class", "leave it out"
+                )
+
+
 def _subjects() -> list[str]:
     from nmatrix.lessons.check.question import Subject
 
@@ -141,53 +188,52 @@ def check(
         Argument(metavar="ANSWER", help="The answer to exercise N.", show_default=False),
     ] = None,
     sheet: SheetOptions,
-    batch: Annotated[
-        str | None,
-        Option(
-            metavar="FILE",
-            help="A .csv with the columns student, answer (and exercise).",
-            autocompletion=among(samples, ".csv"),
-        ),
-    ] = None,
+    of_class: ClassOptions,
 ) -> None:
     """Check an answer."""
+    if of_class.batch is None:
+        of_class.refuse_without_batch()
     if what == EXERCISE:
         _refuse_scene(groups, options)
-        if batch is None:
-            _check_exercise(answer, exercise_answer, sheet, common)
+        if of_class.batch is None:
+            _check_exercise(answer, exercise_answer, sheet, of_class, common)
         else:
-            _check_class(batch, answer, sheet, common)
+            _check_class(of_class, answer, sheet, common)
         return
     sheet.refuse(what)
     if exercise_answer is not None:
         typed, why = exercise_answer[:30], f"check {what} takes one ANSWER"
         raise IllegalValueError(f"argument ({typed})", why, "quote it as a whole")
-    _check_scene(_question(what, groups, options, common), answer, batch, common)
+    _check_scene(_question(what, groups, options, common), answer, of_class, common)
 
 
 def _check_scene(
-    question: Question, answer: str | None, batch: str | None, common: CommonOptions
+    question: Question, answer: str | None, of_class: ClassOptions, common: CommonOptions
 ) -> None:
     """Check one answer to a question about a scene, or a class's."""
-    if (answer is None) is (batch is None):
+    if (answer is None) is (of_class.batch is None):
         example = USUAL_ANSWERS.get(question.subject, IDENTITY)
         raise IllegalValueError(
             f"check {question.subject}",
             "it takes an ANSWER or --batch FILE, one of them",
             f'try nmatrix check {question.subject} "{example}"',
         )
-    if batch is not None:
+    if of_class.batch is not None:
         from nmatrix.answers.grades import NEEDED, answers_to
 
-        _show_grades(batch, NEEDED, answers_to(question, common.input_layout), common)
+        _show_grades(of_class, NEEDED, answers_to(question, common.input_layout), common)
     elif answer is not None:
         from nmatrix.answers.check import check as answer_of
 
-        show(answer_of(question, common.sources.literal(answer)), common)
+        _show_one(answer_of(question, common.sources.literal(answer)), of_class, common)
 
 
 def _check_exercise(
-    number: str | None, answer: str | None, sheet: SheetOptions, common: CommonOptions
+    number: str | None,
+    answer: str | None,
+    sheet: SheetOptions,
+    of_class: ClassOptions,
+    common: CommonOptions,
 ) -> None:
     """Check the answer to an exercise of a sheet."""
     from nmatrix.answers import exercise
@@ -198,11 +244,12 @@ def _check_exercise(
             "it takes the number of the exercise and an ANSWER",
             "write it like nmatrix check exercise 3 c --seed 7 --student Ada",
         )
-    show(exercise.check_exercise(exercise.whole_number(number), sheet.identity, answer), common)
+    found = exercise.check_exercise(exercise.whole_number(number), sheet.identity, answer)
+    _show_one(found, of_class, common)
 
 
 def _check_class(
-    batch: str, answer: str | None, sheet: SheetOptions, common: CommonOptions
+    of_class: ClassOptions, answer: str | None, sheet: SheetOptions, common: CommonOptions
 ) -> None:
     """Check the answers of a class, each with its student and exercise."""
     from nmatrix.answers.exercise import exercises_of
@@ -213,16 +260,50 @@ def _check_class(
             "the answers stand in the file",
             "leave it out",
         )
-    _show_grades(batch, EXERCISE_COLUMNS, exercises_of(*sheet.of_a_class("--batch")), common)
+    _show_grades(of_class, EXERCISE_COLUMNS, exercises_of(*sheet.of_a_class("--batch")), common)
+
+
+def _show_one(report: Report, of_class: ClassOptions, common: CommonOptions) -> None:
+    from nmatrix.answers.points import worth
+
+    show(worth(report, of_class.points_of_each or 1), common)
 
 
 def _show_grades(
-    batch: str, columns: Sequence[str], judge: JudgeRecord, common: CommonOptions
+    of_class: ClassOptions, columns: Sequence[str], judge: JudgeRecord, common: CommonOptions
 ) -> None:
+    """Grade the rows of a file; what could not be read is a failure only if that is asked for."""
     from nmatrix.answers.grades import grades
 
-    rows = table(str(file_or_sample(batch)), columns)
-    show(grades(progress(rows, len(rows), "grading answers"), judge), common)
+    is_for_files = common.format is Format.GRADESCOPE
+    if of_class.output is not None and not is_for_files:
+        raise IllegalValueError("--output", "a class is written to files", "add -f gradescope")
+    points = of_class.points_of_each or (1 if is_for_files else None)
+    found = table(str(file_or_sample(str(of_class.batch))), columns)
+    rows = progress(found.rows, len(found.rows), "grading answers")
+    report = grades(rows, judge, points)
+    if of_class.output is not None:
+        report, common = _as_files(report, Path(of_class.output)), common.as_text()
+    remarks = (*found.remarks, *report.remarks)
+    failure = report.failure if of_class.strict else None
+    show(replace(report, remarks=remarks, failure=failure), common)
+
+
+def _as_files(report: Report, folder: Path) -> Report:
+    """Write a results.json for each student, each into a folder of their own."""
+    from nmatrix.classroom.roster import stem_of
+    from nmatrix.output.gradescope import results
+
+    names = [folder / stem_of(i, one.student) / RESULTS for i, one in enumerate(report.submissions)]
+    for name, one in zip(names, report.submissions, strict=True):
+        try:
+            name.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            why = error.strerror or "it cannot be made"
+            raise IllegalValueError(f"folder ({folder})", why, "choose another with -o") from None
+        write_file(name, results(one).encode(), force=True)
+    written = Text(f"Written: {counted(len(names), 'file')} {RESULTS} in {folder}")
+    return replace(report, blocks=(*report.blocks, written))
 
 
 def _refuse_scene(groups: OptionGroups, options: CheckOptions) -> None:

@@ -10,38 +10,40 @@ from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
+from nmatrix.classroom.bank.write import BankFormat
+from nmatrix.classroom.words import Language
+from nmatrix.cli.class_files import class_list, write_bank, write_merged
 from nmatrix.cli.scene_options import OptionGroups
-from nmatrix.cli.shared_options import CommonOptions, among, whole_number
+from nmatrix.cli.shared_options import MOST_POINTS, CommonOptions, among, whole_number
 from nmatrix.cli.sheet_options import SheetOptions
 from nmatrix.cli.show import progress, show
 from nmatrix.cli.workers import WorkerOptions
-from nmatrix.errors import IllegalValueError, counted
+from nmatrix.errors import IllegalValueError, counted, did_you_mean
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.output.pages.document import PAGES, WITH_PICTURES_BESIDE, PageFormat, Paper
-from nmatrix.reading.records import records
 from nmatrix.report import Block, Report, Text, Verdict
-from nmatrix.samples import file_or_sample, samples
+from nmatrix.samples import samples
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.manifest import Manifest
+    from nmatrix.classroom.roster import Student
     from nmatrix.classroom.run import Job
     from nmatrix.classroom.topics import Topic
 
 HELP = {
     "handout": """nmatrix handout --scale 1 2 1
 
-nmatrix handout --topics rule,exercises --exercises 10 --key -o ada.html
-
 nmatrix handout --roster class --seed 7 --key -o sheets
+
+nmatrix handout --to moodle --variants 20 -o bank.xml
 
 With a roster everybody in a class gets a sheet of their own, and a rerun completes the folder.""",
 }
 
 USUAL_EXERCISES = 10
-MOST_POINTS = 100
 USUAL_NAME, USUAL_FOLDER = "handout", "handouts"
 
 
@@ -56,7 +58,13 @@ class HandoutOptions:
     """What stands on the sheet, and what it is printed on."""
 
     to: Annotated[
-        PageFormat | None, Option("--to", help="The format of the file (html, or by its ending).")
+        str | None,
+        Option(
+            "--to",
+            metavar="FORMAT",
+            help="html, pdf, typ, tex, md, or the platform: moodle, qti, canvas (html).",
+            autocompletion=among([*PageFormat, *BankFormat]),
+        ),
     ] = None
     topics: Annotated[
         str | None,
@@ -77,6 +85,13 @@ class HandoutOptions:
             autocompletion=among(samples, ".csv"),
         ),
     ] = None
+    merged: Annotated[
+        str | None,
+        Option(metavar="FILE.pdf", help="With --roster: all sheets in one file, to print."),
+    ] = None
+    variants: Annotated[
+        str | None, Option(metavar="N", help="To a platform: so many sheets, for no one by name.")
+    ] = None
     title: Annotated[
         str | None,
         Option(
@@ -86,6 +101,9 @@ class HandoutOptions:
     points: Annotated[str | None, Option(metavar="N", help="Of each exercise (a box to fill).")] = (
         None
     )
+    language: Annotated[Language, Option(help="Of the fixed words; what is asked is English.")] = (
+        Language.ENGLISH
+    )
     key: Annotated[bool, Option("--key", help="Write the answers too, as a second file.")] = False
     paper: Annotated[Paper, Option(help="What it is printed on.")] = Paper.A4
     output: Annotated[
@@ -93,11 +111,37 @@ class HandoutOptions:
     ] = None
     force: Annotated[bool, Option("--force", help="Overwrite what is there.")] = False
 
+    @property
+    def usual_name(self) -> str:
+        """The name of a file that is given none, without its ending."""
+        return USUAL_NAME
+
+    @cached_property
+    def platform(self) -> BankFormat | None:
+        """The learning platform that --to names, if it does."""
+        self._check_to()
+        return BankFormat(self.to) if self.to in list(BankFormat) else None
+
+    @cached_property
+    def page(self) -> PageFormat | None:
+        """The format on paper that --to names, if it does."""
+        self._check_to()
+        return PageFormat(self.to) if self.to in list(PageFormat) else None
+
+    def _check_to(self) -> None:
+        known = [*PageFormat, *BankFormat]
+        if self.to is not None and self.to not in known:
+            raise IllegalValueError(
+                f"--to ({self.to[:20]})",
+                f"it is one of {', '.join(known)}",
+                did_you_mean(self.to, known, "choose one of them"),
+            )
+
     @cached_property
     def kind(self) -> PageFormat:
         """The format that --to names, or the ending of the sheet's own file."""
         if self.output is None or self.roster is not None:
-            return self.to or PageFormat.HTML
+            return self.page or PageFormat.HTML
         if Path(self.output).is_dir():
             raise IllegalValueError(
                 f"--output ({self.output[:60]})",
@@ -105,7 +149,7 @@ class HandoutOptions:
                 f"name a file in it, such as {USUAL_NAME}{next(iter(PAGES))}",
             )
         named = kind_of(Path(self.output), PAGES)
-        if self.to not in (None, named):
+        if self.page not in (None, named):
             raise IllegalValueError(
                 f"--to {self.to} with --output ({self.output[:60]})",
                 "they name two formats",
@@ -131,6 +175,20 @@ class HandoutOptions:
         if wants_exercises and Topic.EXERCISES not in words:
             words.append(Topic.EXERCISES)
         return tuple(topic for topic in Topic if topic in words)
+
+    def check_merged(self) -> None:
+        """Refuse a merged file where there is no class, or where files of each are wanted too."""
+        if self.merged is None:
+            return
+        clashes = {
+            "without --roster": (self.roster is None, "add --roster FILE.csv"),
+            "with --output": (self.output is not None, "leave one of them out"),
+            f"with --to {self.to}": (self.to not in (None, "pdf"), "leave --to out"),
+        }
+        for how, (is_so, next_step) in clashes.items():
+            if is_so:
+                why = "it is one PDF of all sheets of a class"
+                raise IllegalValueError(f"--merged {how}", why, next_step)
 
     def count(self) -> int:
         """Read the number of exercises."""
@@ -160,12 +218,20 @@ def handout(
     from nmatrix.classroom.handout import HandoutPlan
     from nmatrix.classroom.topics import Topic
 
+    if options.platform is not None:
+        workers.refuse("a bank is one file")
+        show(write_bank(options.platform, options, groups, sheet), common)
+        return
+    options.check_merged()
+    if options.variants is not None:
+        why = "a sheet on paper has one student"
+        raise IllegalValueError("--variants", why, "add --to moodle, or use --roster FILE")
     topics = options.chosen_topics()
     has_exercises = Topic.EXERCISES in topics
     for option, is_given in (("--key", options.key), ("--points", options.points is not None)):
         if is_given and not has_exercises:
             raise IllegalValueError(option, "there are no exercises", "add --exercises 10")
-    if options.kind is PageFormat.PDF:
+    if options.kind is PageFormat.PDF or options.merged is not None:
         from nmatrix.output.pages.page_pdf import check_typst
 
         check_typst()
@@ -174,13 +240,21 @@ def handout(
     plan = HandoutPlan(
         topics, setup, count, options.kind, options.paper, options.key,
         title=" ".join((options.title or "").split()), points=options.points_of_each(),
+        language=options.language,
     )  # fmt: skip
+    remarks: tuple[str, ...] = ()
     if options.roster is None:
         files = _one(plan, options, sheet)
         made = len(files)
     else:
-        files, made = _write_class(plan, options.roster, options, sheet, workers)
-    show(_report(files, made, options), common)
+        everyone, remarks = class_list(options.roster)
+        if options.merged is not None:
+            workers.refuse("one file is written as a whole")
+            files = write_merged(plan, everyone, options, sheet)
+            made = len(files)
+        else:
+            files, made = _write_class(plan, everyone, options, sheet, workers)
+    show(replace(_report(files, made, options), remarks=remarks), common)
 
 
 def _one(plan: HandoutPlan, options: HandoutOptions, sheet: SheetOptions) -> list[Path]:
@@ -214,7 +288,7 @@ def _is_there(path: Path, content: bytes) -> bool:
 
 def _write_class(
     plan: HandoutPlan,
-    roster: str,
+    everyone: Sequence[Student],
     options: HandoutOptions,
     sheet: SheetOptions,
     workers: WorkerOptions,
@@ -222,12 +296,10 @@ def _write_class(
     """Write the sheets of a class that a folder lacks; all its files, and how many were missing."""
     from nmatrix.classroom.handout import pictures_beside
     from nmatrix.classroom.manifest import manifest
-    from nmatrix.classroom.roster import COLUMN, students
     from nmatrix.classroom.run import Job, finished
 
     seed, salt = sheet.of_a_class("--roster")
-    everyone = students(records(str(file_or_sample(roster)), (COLUMN,)), roster)
-    wanted = manifest(plan, seed, salt, everyone)
+    wanted = manifest(plan, seed, salt, tuple(everyone))
     jobs = [Job(plan, one, seed, salt) for one in everyone]
     folder = Path(options.output or USUAL_FOLDER)
     with workers.executor() as executor:  # refused before anything is written

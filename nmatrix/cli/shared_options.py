@@ -38,6 +38,7 @@ HandedOption = Annotated[
 ]
 SHARED = ("convention", "handed")
 USUAL_DIGITS = 6
+MOST_POINTS = 100  # of an exercise
 AXES = f"{', '.join(AxisName)}, or three signed axes."
 OUTSIDE = "Read files too that a file names outside of its own folder."
 

@@ -16,7 +16,7 @@ from nmatrix.reading.literal import MatrixLiteral, as_affine, as_projection
 from nmatrix.reading.source import matrix_source
 
 if TYPE_CHECKING:
-    from nmatrix.reading.records import Record
+    from nmatrix.reading.records import Records
 
 STDIN = "standard input"
 
@@ -99,7 +99,7 @@ class Sources:
         return self._from_stdin
 
 
-def table(name: str, needed: Sequence[str]) -> list[Record]:
+def table(name: str, needed: Sequence[str]) -> Records:
     """Read the rows of a file, or of standard input for `-`.
 
     Raises
@@ -107,11 +107,11 @@ def table(name: str, needed: Sequence[str]) -> list[Record]:
     IllegalValueError
         If there is no such file, it is too long, it is not text, or its header lacks a column.
     """
-    from nmatrix.reading.records import records, records_of
+    from nmatrix.reading.records import records, records_in
 
     if name != "-":
         return records(name, needed)
-    return list(records_of(decoded(_standard_input("cut it down"), STDIN), needed, STDIN))
+    return records_in(_standard_input("cut it down"), needed, STDIN)
 
 
 def _standard_input(next_step: str) -> bytes:

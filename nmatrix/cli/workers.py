@@ -28,6 +28,12 @@ class WorkerOptions:
     workers: Annotated[str | None, in_workers(metavar="N", help="So many processes.")] = None
     dask: Annotated[str | None, in_workers(metavar="ADDRESS", help="A cluster.")] = None
 
+    def refuse(self, why: str) -> None:
+        """Refuse these options where nothing is shared out."""
+        for name, value in (("--workers", self.workers), ("--dask", self.dask)):
+            if value is not None:
+                raise IllegalValueError(f"{name} ({value[:60]})", why, "leave it out")
+
     @contextmanager
     def executor(self) -> Iterator[Executor | None]:
         """Open what runs the jobs: nothing, processes, or a cluster's executor."""

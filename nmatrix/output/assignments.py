@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
-from nmatrix.enums import FINDING_FORMATS, Format
+from nmatrix.enums import PARTICULAR_FORMATS, Format
 from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.numbers import (
     is_list,
@@ -79,7 +79,7 @@ def program(report: Report, language: Language) -> str:
     """
     numbers = (leaf for leaf in leaves(report.data) if not isinstance(leaf.value, (str, bool)))
     if not any(leaf.value is not None for leaf in numbers):
-        without = (Format.TEXT, *PROGRAMS, *FINDING_FORMATS)
+        without = (Format.TEXT, *PROGRAMS, *PARTICULAR_FORMATS)
         works = sorted(each for each in Format if each not in without)
         raise IllegalValueError(
             f"{quantity('format')} ({language.format})",

@@ -119,6 +119,8 @@ def _writer(chosen: Format) -> Writer:  # noqa: C901, PLR0912  # one branch for 
             from nmatrix.output.sarif import write as found
         case Format.GITHUB:
             from nmatrix.output.github import write as found
+        case Format.GRADESCOPE:
+            from nmatrix.output.gradescope import write as found
         case _:
             assert_never(chosen)
     return found

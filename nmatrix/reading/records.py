@@ -10,9 +10,13 @@ from itertools import islice
 
 from nmatrix.errors import IllegalValueError, counted, quoted
 from nmatrix.reading.files import decoded, existing_file, file_bytes, is_folder
+from nmatrix.reading.headers import places_of, plain
+from nmatrix.reading.legacy import ENCODINGS, guessed
 
 NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
 SEPARATORS = tuple(NAMES)
+DECLARED = "sep="
+WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")  # how .xlsx, .ods and .xls begin
 LONGEST_NAME = 60  # characters of the header that a message shows
 
 
@@ -28,10 +32,19 @@ class Record:
     fault: str = ""
 
 
-def records(name: str, needed: Sequence[str]) -> list[Record]:
-    """Read the rows of a file; empty lines are skipped, column names match in any case.
+@dataclass(frozen=True)
+class Records:
+    """The rows of a table, and what is to be said of how it was read."""
 
-    The separator is the comma, semicolon or tab that the header uses most.
+    rows: tuple[Record, ...]
+    remarks: tuple[str, ...] = ()
+
+
+def records(name: str, needed: Sequence[str]) -> Records:
+    """Read the rows of a file, as spreadsheets save it; empty lines are skipped.
+
+    Columns are known by any of their names, and the separator is the comma, semicolon or tab that
+    the header uses most.
 
     Raises
     ------
@@ -42,7 +55,40 @@ def records(name: str, needed: Sequence[str]) -> list[Record]:
     if path is None:
         why = "it is a folder" if is_folder(name) else "there is no such file"
         raise IllegalValueError(f"file ({quoted(name)})", why, "check the path")
-    return list(records_of(decoded(file_bytes(path), str(path)), needed, str(path)))
+    return records_in(file_bytes(path), needed, str(path))
+
+
+def records_in(content: bytes, needed: Sequence[str], source: str) -> Records:
+    r"""Read the rows of bytes in UTF-8, UTF-16, or what a spreadsheet saves by itself.
+
+    Raises
+    ------
+    IllegalValueError
+        If they are a workbook or in no encoding that is known, or the header lacks a column.
+
+    Examples
+    --------
+    >>> records_in("Name\nZoë\n".encode("cp1252"), ["student"], "x").rows[0].cells["student"]
+    'Zoë'
+    """
+    if content.startswith(WORKBOOKS):
+        why, next_step = "it is a workbook, not a table in text", "save it as CSV UTF-8"
+        raise IllegalValueError(f"file ({quoted(source)})", why, next_step)
+    remarks: list[str] = []
+    try:
+        text = decoded(content, source)
+    except IllegalValueError:
+        found = guessed(content)
+        if found is None:
+            why = "its encoding is none that is known"
+            next_step = "save it as CSV UTF-8"
+            raise IllegalValueError(f"text ({source})", why, next_step) from None
+        text, encoding = found
+        remarks.append(
+            f"Read as {ENCODINGS[encoding]} text ({encoding}): if names look wrong, save it as CSV "
+            "UTF-8."
+        )
+    return Records(tuple(records_of(text, needed, source)), tuple(remarks))
 
 
 def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record]:
@@ -54,16 +100,18 @@ def records_of(text: str, needed: Sequence[str], source: str) -> Iterator[Record
     ...  ["student"], "x")]
     ['Ada', 'Lovelace, A.']
     """
-    head, _, _ = text.partition("\n")
-    separator = max(SEPARATORS, key=head.count)
-    header: list[str] | None = None
-    for line, cells, fault in _rows(text.removeprefix("\ufeff"), separator):
+    header: _Header | None = None
+    text = text.removeprefix("\ufeff").replace("\r\n", "\n")
+    separator = _separator(text)
+    for line, cells, fault in _rows(text, separator):
+        if cells[0].startswith(DECLARED) and header is None:
+            continue  # Excel's own line, which says what parts the cells
         if header is None:
             if fault:
                 raise IllegalValueError(f"header of {quoted(source)}", fault, "mend the quotes")
             header = _header(cells, needed, source)
         elif fault:
-            yield Record(line, _filled(header, cells), fault)
+            yield Record(line, header.named(cells), fault)
         else:
             yield _record(line, header, cells, separator)
     if header is None:
@@ -102,27 +150,48 @@ def _told(error: csv.Error) -> str:
     return "a quote is never closed, or text follows it"
 
 
-def _header(cells: list[str], needed: Sequence[str], source: str) -> list[str]:
-    header = [cell.lower() for cell in cells]
-    for column in needed:
-        if header.count(column) != 1:
+def _separator(text: str) -> str:
+    """Choose what parts the cells: as Excel's own first line says, or what the header uses most."""
+    head = next((line for line in text.split("\n") if line.strip(' \t;,"')), "")
+    declared = head.strip('"').removeprefix(DECLARED)
+    if head.strip('"').startswith(DECLARED) and declared[:1] in SEPARATORS:
+        return declared[0]
+    return max(SEPARATORS, key=head.count)
+
+
+@dataclass(frozen=True)
+class _Header:
+    """Where the needed columns stand, and the names of all."""
+
+    names: tuple[str, ...]
+    needed: Mapping[str, tuple[int, ...]]
+
+    def named(self, cells: Sequence[str]) -> dict[str, str]:
+        """Give the cells of a row by the names of their columns; a missing one is empty."""
+        filled = [*cells, *[""] * (len(self.names) - len(cells))]
+        named = dict(zip(self.names, filled, strict=False))
+        for column, places in self.needed.items():
+            named[column] = " ".join(filled[place] for place in places).strip()
+        return named
+
+
+def _header(cells: list[str], needed: Sequence[str], source: str) -> _Header:
+    places = {column: places_of(column, cells) for column in needed}
+    for column, found in places.items():
+        if not found:
             shown = ", ".join(cells)[:LONGEST_NAME]
-            many = "two of them" if column in header else "none"
+            many = "two of them" if [plain(one) for one in cells].count(column) > 1 else "none"
             raise IllegalValueError(
                 f"header of {quoted(source)} ({shown})",
                 f"it needs one column {column} and has {many}",
                 f"make the first line {','.join(needed)}",
             )
-    return header
+    return _Header(tuple(cell.lower() for cell in cells), places)
 
 
-def _record(line: int, header: list[str], cells: list[str], separator: str) -> Record:
+def _record(line: int, header: _Header, cells: list[str], separator: str) -> Record:
     fault = ""
-    if len(cells) > len(header):
+    if len(cells) > len(header.names):
         remedy = f"quote a cell that holds a {NAMES[separator]}"
-        fault = f"{len(cells)} cells under {counted(len(header), 'column')}: {remedy}"
-    return Record(line, _filled(header, cells), fault)
-
-
-def _filled(header: list[str], cells: list[str]) -> dict[str, str]:
-    return dict(zip(header, cells + [""] * (len(header) - len(cells)), strict=False))
+        fault = f"{len(cells)} cells under {counted(len(header.names), 'column')}: {remedy}"
+    return Record(line, header.named(cells), fault)

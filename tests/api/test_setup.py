@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import nmatrix
-from nmatrix.enums import FINDING_FORMATS, Format
+from nmatrix.enums import PARTICULAR_FORMATS, Format
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENE = ROOT / "docs" / "scenes" / "hierarchy.toml"
@@ -144,7 +144,7 @@ def test_a_scene_gives_the_setup_that_its_options_give(nmatrix) -> None:
         assert found == {key: one for key, one in told.items() if key not in BESIDE}
 
 
-@pytest.mark.parametrize("format", [one for one in Format if one not in FINDING_FORMATS])
+@pytest.mark.parametrize("format", [one for one in Format if one not in PARTICULAR_FORMATS])
 def test_a_report_is_written_as_the_command_line_writes_it(format: Format, nmatrix) -> None:
     import nmatrix as package
 

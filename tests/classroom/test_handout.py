@@ -388,11 +388,11 @@ def test_a_cluster_loses_a_worker_and_no_sheet(nmatrix, monkeypatch) -> None:
 
 ROSTERS = [
     (b"", "it is empty"),
-    (b"name\nAda\n", "column student"),
+    (b"grade\nAda\n", "column student"),
     (b"student\nAda\nAda\n", "line 2 has the same name"),
     (b"student,mail\nAda,a\n,b\n", "1 to 200 characters"),
     (b"student\nAda,Bo\n", "cells under 1 column:"),
-    ("student\nZoë\n".encode("latin-1"), "utf-8"),
+    ("student\n山田太郎\n".encode("shift_jis"), "UTF-8"),
     (b"student\n", "names no student"),
     (b"student\n" + b"x" * 300 + b"\n", "1 to 200 characters"),
 ]
@@ -582,7 +582,7 @@ def test_what_the_sheet_asks_is_what_the_key_and_the_check_answer() -> None:
         sheet, key = (make(plan, Sheet("7", "Ada")) for make in (handout, key_of))
         task = [block for block in sheet.blocks if isinstance(block, Task)][-1]
         assert task.title == asked.title
-        assert task.blocks[:-1] == asked.task
+        assert task.blocks[:-1] == asked.asked
         assert key.blocks[-len(asked.key) :] == asked.key
         assert asked.judge(asked.right).verdict == Outcome.CORRECT
 

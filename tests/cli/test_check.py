@@ -114,7 +114,7 @@ Gil,"1 0 0; 0 0.5 0; 0 0 1"
 def test_a_bad_row_costs_only_itself(nmatrix, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("class.csv").write_text(DAMAGED.replace("LONG", "1" * 200_000))
-    code, out, _ = nmatrix("check normal --scale 1 2 1 --batch class.csv -f json")
+    code, out, _ = nmatrix("check normal --scale 1 2 1 --batch class.csv --strict -f json")
     assert code == 1
     rows = json.loads(out)["rows"]
     assert [(row["student"], row["verdict"]) for row in rows] == [
@@ -183,7 +183,7 @@ Cy;1;half
 def test_a_class_is_graded_row_by_row(nmatrix, tmp_path):
     file = tmp_path / "class.csv"
     file.write_text(CLASS, encoding="utf-8")
-    code, out, err = nmatrix(f"check normal --batch {file} --scale 1 2 1 -f csv")
+    code, out, err = nmatrix(f"check normal --batch {file} --scale 1 2 1 -f csv --strict")
     rows = list(csv.DictReader(StringIO(out)))
     assert [row["verdict"] for row in rows] == [
         "unreadable", "correct", "mistake", "unreadable", "unknown",
@@ -200,16 +200,16 @@ def test_a_class_is_graded_row_by_row(nmatrix, tmp_path):
     ("content", "words"),
     [
         (b"", "it is empty"),
-        (b"name,answer\nAda,1\n", "column student"),
+        (b"grade,answer\nAda,1\n", "column student"),
         (b"student,answer,answer\n", "two of them"),
-        ("student,answer\nZoë,1\n".encode("latin-1"), "utf-8"),
+        ("student,answer\n山田太郎,1\n".encode("shift_jis"), "UTF-8"),
         (b'student,answer\n"Ada,1\n' * 3, ""),
     ],
 )
 def test_a_class_file_that_cannot_be_read_is_refused(nmatrix, tmp_path, content, words):
     file = tmp_path / "class.csv"
     file.write_bytes(content)
-    code, _, err = nmatrix(f"check eye --batch {file}")
+    code, _, err = nmatrix(f"check eye --batch {file} --strict")
     assert code in (1, 2)
     assert words in err
     assert err.count("\n") == 1
@@ -218,7 +218,7 @@ def test_a_class_file_that_cannot_be_read_is_refused(nmatrix, tmp_path, content,
 def test_who_answers_twice_and_who_cannot_be_read_are_named(nmatrix, tmp_path):
     path = tmp_path / "class.csv"
     path.write_text("student,answer\nAda,0 0 5\nAda,0 0 4\nBo,five\n", encoding="utf-8")
-    code, out, err = nmatrix(f"check eye --batch {path} -f markdown")
+    code, out, err = nmatrix(f"check eye --batch {path} --strict -f markdown")
     assert code == 1
     assert "Answered more than once, each row graded by itself: Ada." in out
     assert "line 4" in out

@@ -42,7 +42,7 @@ def test_a_class_of_exercises_is_graded_by_student_and_number(nmatrix, tmp_path)
     lines += ["Cy,one,a", "Cy,3,z"]
     file = tmp_path / "class.csv"
     file.write_text("\n".join(lines), encoding="utf-8")
-    code, out, _ = nmatrix(f"check exercise --batch {file} --seed 7 -f json")
+    code, out, _ = nmatrix(f"check exercise --batch {file} --seed 7 --strict -f json")
     assert code == 1
     assert json.loads(out)["summary"] == {
         "correct": 20, "mistake": 0, "unknown": 0, "unreadable": 2,

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from nmatrix.cli.catalogue import COMMANDS
-from nmatrix.enums import FINDING_FORMATS, Format
+from nmatrix.enums import FINDING_FORMATS, PARTICULAR_FORMATS, Format
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
@@ -70,10 +70,11 @@ def test_json_has_exactly_the_keys_of_the_contract(nmatrix, line: str) -> None:
 
 
 @pytest.mark.parametrize("line", KEYS)
-@pytest.mark.parametrize("format_", FINDING_FORMATS)
-def test_findings_are_a_format_of_what_looks_for_faults(nmatrix, line: str, format_: str) -> None:
+@pytest.mark.parametrize("format_", PARTICULAR_FORMATS)
+def test_findings_and_scores_are_formats_of_what_has_some(nmatrix, line: str, format_: str) -> None:
     found = nmatrix(f"{line} -f {format_}")
-    if line.split()[0] in LOOK_FOR_FAULTS:
+    speakers = LOOK_FOR_FAULTS if format_ in FINDING_FORMATS else ("check",)
+    if line.split()[0] in speakers:
         assert (found.code, found.err) == (0, "")
     else:
         assert (found.code, found.out) == (2, "")
@@ -86,7 +87,7 @@ def test_the_parts_of_a_world_have_the_keys_of_the_contract(nmatrix) -> None:
 
 
 @pytest.mark.parametrize("line", [line for line in KEYS if line.split()[0] not in WITHOUT_FORMATS])
-@pytest.mark.parametrize("format_", [one for one in Format if one not in FINDING_FORMATS])
+@pytest.mark.parametrize("format_", [one for one in Format if one not in PARTICULAR_FORMATS])
 def test_every_format_of_every_command(nmatrix, line: str, format_: Format) -> None:
     found = nmatrix(f"{line} -f {format_}")
     assert found.code == 0, found.err

@@ -12,7 +12,7 @@ import pytest
 from nmatrix.cli.app import run
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.show import put
-from nmatrix.enums import Format
+from nmatrix.enums import PARTICULAR_FORMATS, Format
 from nmatrix.output.spelling import sayable
 
 ENCODINGS = ("ascii", "latin-1", "cp1252", "cp437", "cp850", "koi8-r", "shift_jis", "utf-8")
@@ -87,7 +87,7 @@ def test_every_format_can_be_said(said, format_: Format) -> None:
         import shlex
 
         code, out, err = said([*shlex.split(line), "-f", format_], "ascii")
-        assert code == 0 or "lists faults in files" in err
+        assert code == 0 or format_ in PARTICULAR_FORMATS, err
         assert not re.search(r"\\[uUxN][0-9a-f]{2}|U\+[0-9A-F]{4}|\ufffd", out)
 
 

@@ -31,7 +31,7 @@ def lines(blocks) -> str:
 
 
 def said(one: Exercise) -> str:
-    return lines((*one.task, *one.key))
+    return lines((*one.asked, *one.key))
 
 
 def judged_rightly(one: Exercise) -> None:
@@ -136,7 +136,7 @@ def test_numbers_are_small_enough_for_hand_work() -> None:
 
 def test_the_key_is_not_on_the_sheet() -> None:
     for one in exercises(SIZE, Sheet("9", "Cy")):
-        task = lines(one.task)
+        task = lines(one.asked)
         assert "answer = " not in task or one.kind is ExerciseKind.MISTAKE
         assert "Answer: " not in task
 

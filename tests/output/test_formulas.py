@@ -29,7 +29,7 @@ def of_lessons() -> list[Formula]:
 
 def of_exercises() -> list[Formula]:
     sheet = exercises(2 * len(ExerciseKind), Sheet("7", "Ada"))
-    blocks = (block for one in sheet for block in (*one.task, *one.key))
+    blocks = (block for one in sheet for block in (*one.asked, *one.key))
     return [block for block in blocks if isinstance(block, Formula)]
 
 

@@ -14,7 +14,7 @@ from io import StringIO
 import numpy as np
 import pytest
 
-from nmatrix.enums import FINDING_FORMATS, Format, Layout
+from nmatrix.enums import PARTICULAR_FORMATS, Format, Layout
 from nmatrix.errors import IllegalValueError
 from nmatrix.output import Charset, OutputOptions, write
 from nmatrix.output.assignments import identifier
@@ -34,7 +34,7 @@ DATA = {
 REPORT = Report("world", DATA, (), ("A remark.",))
 
 PEOPLE = {Format.TEXT, Format.LATEX, Format.MARKDOWN, Format.MATHML, Format.TYPST}
-OF_NUMBERS = [one for one in Format if one not in FINDING_FORMATS]
+OF_NUMBERS = [one for one in Format if one not in PARTICULAR_FORMATS]
 PROGRAMS = [one for one in OF_NUMBERS if one not in PEOPLE | {Format.JSON, Format.CSV}]
 
 

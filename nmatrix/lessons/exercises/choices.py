@@ -10,7 +10,7 @@ from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.bank import CONCEPTS, SPACE_OPTIONS, SPACES
-from nmatrix.lessons.exercises.exercise import LETTERS, Choice, Exercise, Option
+from nmatrix.lessons.exercises.exercise import Choice, Exercise, Option
 from nmatrix.lessons.exercises.matrices import CONVENTION, SCALES, SHORT_MOVES
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import formula, in_parentheses, written
@@ -21,7 +21,7 @@ from nmatrix.report import Block, Code, Text
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
-LETTER = Text("Answer with a letter.")
+LETTER = "Answer with a letter."
 CHOICES = 4
 # They need a sentence of context to be a fair question.
 NOT_ASKED = (MistakeId.POLIMI_ANGLES_SWAPPED, MistakeId.USED_MODEL_VIEW)
@@ -153,5 +153,4 @@ def _choice(
 ) -> Exercise:
     grader = Choice(options, right)
     worked = (*key, Text(f"Answer: {grader.letter}. {options[right].because}"))
-    choices = (Text(f"{LETTERS[i]}) {option.text}") for i, option in enumerate(options))
-    return Exercise(draws.number, (*task, *choices, LETTER), (1, 1), worked, grader.letter, grader)
+    return Exercise(draws.number, task, LETTER, (1, 1), worked, grader.letter, grader)

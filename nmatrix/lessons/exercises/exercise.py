@@ -12,7 +12,7 @@ from nmatrix.lessons.check.answer import Answer, read_answer
 from nmatrix.lessons.check.judge import RIGHT, Judge, Judgement, Outcome
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import Question
-from nmatrix.report import Block
+from nmatrix.report import Block, Text
 
 
 class ExerciseKind(StrEnum):
@@ -62,12 +62,14 @@ class ExpectedMistake:
 class Exercise:
     """One exercise of one sheet.
 
-    `cells` are the rows and columns to leave blank for the answer; `key` is the worked solution
-    and `right` the right answer as one might type it.
+    `task` is what is asked and `form` how to write the answer on paper; `cells` are the rows and
+    columns to leave blank for it. `key` is the worked solution and `right` the right answer as
+    one might type it.
     """
 
     number: int
     task: tuple[Block, ...]
+    form: str
     cells: tuple[int, int]
     key: tuple[Block, ...]
     right: str
@@ -83,6 +85,12 @@ class Exercise:
     def title(self) -> str:
         """The heading."""
         return f"{self.number}. {self.kind.value[:1].upper()}{self.kind.value[1:]}"
+
+    @property
+    def asked(self) -> tuple[Block, ...]:
+        """All that stands on paper: the task, the choices if there are some, the form."""
+        choices = self.grader.lines if isinstance(self.grader, Choice) else ()
+        return (*self.task, *choices, Text(self.form))
 
     def judge(self, text: str) -> Judgement:
         """Judge a typed answer.
@@ -163,6 +171,11 @@ class Choice:
         """The letter of the right one."""
         return LETTERS[self.right]
 
+    @property
+    def lines(self) -> tuple[Text, ...]:
+        """The options as they stand on paper."""
+        return tuple(Text(f"{LETTERS[i]}) {one.text}") for i, one in enumerate(self.options))
+
     def judge(self, text: str) -> Judgement:
         """Judge a choice."""
         chosen = self._chosen(text)
@@ -170,16 +183,19 @@ class Choice:
         if chosen == self.right:
             because = self.options[chosen].because
             return Judgement(Outcome.CORRECT, right, Fraction(0), explanation=f"{RIGHT} {because}")
-        return Judgement(
-            Outcome.UNKNOWN,
-            right,
-            Fraction(1),
-            ((0, 0),),
-            explanation=f"Not {LETTERS[chosen]}. {self.options[chosen].because}",
-        )
+        is_there = chosen < len(self.options)
+        because = self.options[chosen].because if is_there else f"The choices are {self._letters}."
+        told = f"Not {LETTERS[chosen]}. {because}"
+        return Judgement(Outcome.UNKNOWN, right, Fraction(1), ((0, 0),), explanation=told)
+
+    @property
+    def _letters(self) -> str:
+        return ", ".join(LETTERS[: len(self.options)])
 
     def _chosen(self, text: str) -> int:
         """Find the one option that is meant: by letter, by name, by its beginning.
+
+        A letter after the last one is an answer too, and a wrong one.
 
         Raises
         ------
@@ -190,7 +206,7 @@ class Choice:
         letter = typed.strip("(").partition(")")[0].rstrip(".:")
         by_name = [i for i, one in enumerate(self.options) if typed in one.names]
         begun = [i for i, one in enumerate(self.options) if _begins(one, typed)]
-        if len(letter) == 1 and letter in LETTERS[: len(self.options)]:
+        if len(letter) == 1 and letter in LETTERS:
             return LETTERS.index(letter)
         for found in (by_name, begun):
             if len(found) == 1:
@@ -198,7 +214,7 @@ class Choice:
         raise IllegalValueError(
             f"answer ({text.strip()[:30]})",
             "it is none of the choices",
-            f"answer {', '.join(LETTERS[: len(self.options)])}",
+            f"answer {self._letters}",
         )
 
 

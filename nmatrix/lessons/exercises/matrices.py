@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from fractions import Fraction
 
 from nmatrix.enums import Space
@@ -37,6 +38,7 @@ MOVES = tuple(Fraction(x) for x in (-3, -2, -1, 1, 2, 3))
 SHORT_MOVES = MOVES[1:5]
 QUARTERS = (90, -90)
 AXES = "xyz"
+THREE = "Three numbers."
 CONVENTION = "Column vectors; M = T · R · S; angles by the right-hand rule."
 
 
@@ -44,16 +46,14 @@ def world_matrix(draws: Draws) -> Exercise | None:
     """Ask for a world matrix made of a translation, a quarter turn and a scale."""
     world, told = _placed(draws)
     question = Question(Subject.WORLD, Setup(world))
-    task = (
-        Text(f"An object {told}. Write its world matrix M. {CONVENTION}"),
-        Text("Four rows of four numbers."),
-    )
+    task = (Text(f"An object {told}. Write its world matrix M. {CONVENTION}"),)
     planned = (
         MistakeId.ROTATION_SIGN,
         MistakeId.SCALE_BEFORE_TRANSLATE,
         MistakeId.TRANSPOSED_LAYOUT,
     )
-    return _computed(draws, question, task, planned, formulas(working_of(world)))
+    asked = _Asked(task, "Four rows of four numbers.")
+    return _computed(draws, question, asked, planned, formulas(working_of(world)))
 
 
 def normal_matrix(draws: Draws) -> Exercise | None:
@@ -67,14 +67,14 @@ def normal_matrix(draws: Draws) -> Exercise | None:
     task = (
         formula("A = ", A),
         Text("is the 3×3 block of a world matrix. By which matrix are its normals multiplied?"),
-        Text("Three rows of three numbers; any positive multiple counts."),
     )
+    form = "Three rows of three numbers; any positive multiple counts."
     planned = (
         MistakeId.NOT_TRANSPOSED,
         MistakeId.NOT_INVERTED,
         MistakeId.USED_WORLD_MATRIX,
     )
-    return _computed(draws, question, task, planned, formulas(inverse_transpose(A)))
+    return _computed(draws, question, _Asked(task, form), planned, formulas(inverse_transpose(A)))
 
 
 def light_in_camera(draws: Draws) -> Exercise | None:
@@ -90,16 +90,15 @@ def light_in_camera(draws: Draws) -> Exercise | None:
         Text(
             f"The camera stands at {in_parentheses(eye)}, looks at the origin, and y is up. A "
             f"lamp hangs in the world at {in_parentheses(light)}. An object {told}. "
-            "Where is the lamp in camera space?"
+            "The camera looks down −z. Where is the lamp in camera space?"
         ),
-        Text("The camera looks down −z. Three numbers."),
     )
     steps: tuple[Block, ...] = (
         Text("The lamp is fixed in the world, so V alone moves it; M has no part in it."),
         *formulas(product(setup.camera.camera_from_world, (*light, ONE), ("V", "l"))),
     )
     planned = (MistakeId.USED_MODEL_VIEW, MistakeId.VIEW_NOT_INVERTED, MistakeId.USED_WORLD_MATRIX)
-    return _computed(draws, question, task, planned, steps)
+    return _computed(draws, question, _Asked(task, THREE), planned, steps)
 
 
 def eye_in_object(draws: Draws) -> Exercise | None:
@@ -113,7 +112,6 @@ def eye_in_object(draws: Draws) -> Exercise | None:
             f"An object {told}, and the eye is at {in_parentheses(eye)} in the world. Where is "
             f"the eye in object space? {CONVENTION}"
         ),
-        Text("Three numbers."),
     )
     M = world.world_from_object
     away = difference(eye, translation(M), ("e", "t"), "d")
@@ -123,7 +121,7 @@ def eye_in_object(draws: Draws) -> Exercise | None:
         *formulas(solve(linear_part(M), away.value, ("A", "d", "x"))),
     )
     planned = (MistakeId.USED_WORLD_MATRIX, MistakeId.SCALE_BEFORE_TRANSLATE)
-    return _computed(draws, question, task, planned, steps)
+    return _computed(draws, question, _Asked(task, THREE), planned, steps)
 
 
 def mirrored(draws: Draws) -> Exercise | None:
@@ -142,8 +140,8 @@ def mirrored(draws: Draws) -> Exercise | None:
             "A is the 3×3 block of a world matrix, n the outward normal of a surface. In which "
             "direction does the normal point after the map?"
         ),
-        Text("Three numbers; any positive multiple counts, and where A flattens, either sign."),
     )
+    form = "Three numbers; any positive multiple counts, and where A flattens, either sign."
     if is_flat:
         told = "det A = 0: no inverse is left, and C n is the plane's normal. Both signs are right."
         planned: tuple[MistakeId, ...] = ()
@@ -153,7 +151,15 @@ def mirrored(draws: Draws) -> Exercise | None:
         )
         planned = (MistakeId.COFACTOR_SIGN, MistakeId.USED_WORLD_MATRIX)
     steps: tuple[Block, ...] = (*formulas(cofactors(A, shown=False)), Text(told))
-    return _computed(draws, question, task, planned, steps)
+    return _computed(draws, question, _Asked(task, form), planned, steps)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What is asked, and how the answer is written on paper."""
+
+    task: tuple[Block, ...]
+    form: str
 
 
 def _placed(draws: Draws) -> tuple[World, str]:
@@ -178,7 +184,7 @@ def _quarter_turn(draws: Draws) -> Vector:
 def _computed(
     draws: Draws,
     question: Question,
-    task: tuple[Block, ...],
+    asked: _Asked,
     planned: tuple[MistakeId, ...],
     steps: tuple[Block, ...],
 ) -> Exercise | None:
@@ -191,7 +197,8 @@ def _computed(
     shown = column(right[0]) if question.is_vector else right
     return Exercise(
         draws.number,
-        task,
+        asked.task,
+        asked.form,
         (len(shown), len(shown[0])),
         (*steps, formula("answer = ", shown)),
         typed(right),

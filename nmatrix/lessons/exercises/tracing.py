@@ -8,7 +8,7 @@ from nmatrix.lessons.check.judge import Judge
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.question import Question, Subject
 from nmatrix.lessons.exercises.exercise import Computed, Exercise, ExpectedMistake
-from nmatrix.lessons.exercises.matrices import SHORT_MOVES
+from nmatrix.lessons.exercises.matrices import SHORT_MOVES, THREE
 from nmatrix.lessons.exercises.scheme import Draws
 from nmatrix.lessons.notation import column, formula, in_parentheses, typed, written
 from nmatrix.linear.rational import ONE, RationalVector
@@ -41,7 +41,8 @@ def trace(draws: Draws) -> Exercise | None:
         return None
     return Exercise(
         draws.number,
-        _task(setup, point),
+        (_task(setup, point),),
+        THREE,
         (3, 1),
         _key(setup, point, right),
         typed((right[:3],)),
@@ -50,18 +51,15 @@ def trace(draws: Draws) -> Exercise | None:
     )
 
 
-def _task(setup: Setup, point: RationalVector) -> tuple[Text, ...]:
+def _task(setup: Setup, point: RationalVector) -> Text:
     world, lens = setup.world, setup.lens
-    return (
-        Text(
-            f"An object is scaled by {written(Fraction(world.scale[0]))} and moved by "
-            f"{in_parentheses(world.translate)}. "
-            f"The camera stands at (0, 0, {setup.view.eye[2]}), looks at the origin, and y is up; "
-            f"a vertical field of view of 90°, width over height 2, near 1, far {lens.far:g}, "
-            "depth from −1 to 1. Where is the vertex "
-            f"{in_parentheses(point)} in normalised device coordinates?"
-        ),
-        Text("Three numbers."),
+    return Text(
+        f"An object is scaled by {written(Fraction(world.scale[0]))} and moved by "
+        f"{in_parentheses(world.translate)}. "
+        f"The camera stands at (0, 0, {setup.view.eye[2]}), looks at the origin, and y is up; "
+        f"a vertical field of view of 90°, width over height 2, near 1, far {lens.far:g}, "
+        "depth from −1 to 1. Where is the vertex "
+        f"{in_parentheses(point)} in normalised device coordinates?"
     )
 
 

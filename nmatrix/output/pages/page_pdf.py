@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 from nmatrix.canvas.text import font_file
 from nmatrix.errors import IllegalValueError, MissingPackageError, quantity
 from nmatrix.output.pages.document import Document
-from nmatrix.output.pages.page_typst import typ
+from nmatrix.output.pages.page_typst import typ_of
 from nmatrix.report import Text
 
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
@@ -26,12 +26,24 @@ def pdf(document: Document) -> bytes:
     MissingPackageError
         If Typst is not installed.
     """
+    return pdf_of((document,), document.title)
+
+
+def pdf_of(documents: Sequence[Document], title: str) -> bytes:
+    """Print documents as one PDF, sheet by sheet for two-sided paper.
+
+    Raises
+    ------
+    MissingPackageError
+        If Typst is not installed.
+    """
     check_typst()
     import typst
 
     with TemporaryDirectory() as name:
         folder = Path(name)
-        for path, content in document.pictures.items():
+        pictures = {path: one for document in documents for path, one in document.pictures.items()}
+        for path, content in pictures.items():
             folder.joinpath(path).parent.mkdir(parents=True, exist_ok=True)
             folder.joinpath(path).write_bytes(content)
         fonts = folder / "fonts"  # beside these, matplotlib has one with a box for any character
@@ -39,7 +51,7 @@ def pdf(document: Document) -> bytes:
         for bold, oblique in product((False, True), repeat=2):
             copy(font_file(bold=bold, oblique=oblique), fonts)
         source = folder / "main.typ"
-        source.write_bytes(typ(document))
+        source.write_bytes(typ_of(documents, title))
         found = typst.compile(
             str(source),
             root=name,

@@ -27,6 +27,7 @@ from nmatrix.output.write import OutputOptions
 from nmatrix.report import Blank, Figure, Formula, Task
 
 SIZES = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
+BOTH = {"1": "false", "1 / 1": "true"}
 LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 #set par(justify: false, leading: 0.6em, spacing: 0.85em)
 #set super(typographic: false)
@@ -83,26 +84,46 @@ LOOK = f"""#set text(lang: "en", size: 10.5pt, font: "Libertinus Serif")
 
 def typ(document: Document) -> bytes:
     """Write the document as Typst source."""
-    body = blocks_in(document.blocks, TypstPage(OutputOptions()))
-    head = f"#head{''.join(f'[{_field(one)}]' for one in document.head)}\n" * bool(document.head)
-    source = f"""#set document(title: {quoted(document.title)}, author: ())
-#set page(
-  paper: "{SIZES[document.paper]}",
-  margin: (x: 18mm, top: 11mm, bottom: 15mm),
-  numbering: "1 / 1",
-  footer: context [
-    #set text(size: 8pt, fill: luma(25%))
-    {escaped(document.foot)} #h(1fr) #counter(page).display("1 / 1", both: true)
-  ],
-)
-#let room-high = {document.paper.room}mm
-{LOOK}
+    return typ_of((document,), document.title)
 
-{head}= {prose(document.title)}
+
+def typ_of(documents: Sequence[Document], title: str) -> bytes:
+    """Write documents as one source, each from a right-hand page on and with its own foot."""
+    is_alone = len(documents) == 1
+    pages = (_pages(one, "1 / 1" if is_alone else "1") for one in documents)
+    body = "\n\n".join(pages) if is_alone else "\n".join(map(_on_its_own, pages))
+    source = f"""#set document(title: {quoted(title)}, author: ())
+#let room-high = {documents[0].paper.room}mm
+{LOOK}
 
 {body}
 """
     return source.encode("utf-8", "replace")
+
+
+def _on_its_own(pages: str) -> str:
+    """Begin on a right-hand page, so that two-sided sheets part, and count pages anew."""
+    return f'#pagebreak(weak: true, to: "odd")\n#[\n{pages}\n]'
+
+
+def _pages(document: Document, numbers: str) -> str:
+    """Write the pages of a document; `numbers` is the pattern of their numbers."""
+    body = blocks_in(document.blocks, TypstPage(OutputOptions()))
+    head = f"#head{''.join(f'[{_field(one)}]' for one in document.head)}\n" * bool(document.head)
+    return f"""#set page(
+  paper: "{SIZES[document.paper]}",
+  margin: (x: 18mm, top: 11mm, bottom: 15mm),
+  numbering: "{numbers}",
+  footer: context [
+    #set text(size: 8pt, fill: luma(25%))
+    {escaped(document.foot)} #h(1fr) #counter(page).display("{numbers}", both: {BOTH[numbers]})
+  ],
+)
+{"#counter(page).update(1)" if numbers == "1" else ""}
+
+{head}= {prose(document.title)}
+
+{body}"""
 
 
 def _field(field: Field) -> str:

@@ -1,0 +1,1 @@
+"""Question banks: exercises for a learning platform, which grades them by itself."""
