@@ -16,13 +16,14 @@ class Parts:
     """The pieces of an expression that a correction changes.
 
     `missing` is the function that must be applied to the matrix too, `order` the right order of the
-    factors of a product.
+    factors of a product, `met` are the two vectors that must not meet.
     """
 
     matrix: Expression | None = None
     vector: Expression | None = None
     missing: str = ""
     order: tuple[int, ...] = ()
+    met: tuple[Vector, Vector] | None = None
 
 
 NO_PARTS = Parts()

@@ -65,12 +65,13 @@ class Judge(Products):
         mine, yours = self.space_of(left), self.space_of(right)
         if mine in PROJECTED or yours in PROJECTED or None in (left.kind, right.kind):
             return
-        spaces = (left.where, right.where)
+        spaces, parts = (left.where, right.where), Parts(met=(left, right))
         lit = Role.LIGHT in (left.role, right.role)
         if mine is not None and yours is not None:
             if mine is not yours:
                 rule = RuleId.STUCK_LIGHT if lit else RuleId.SPACES_MIXED
-                self.tell(rule, at, f"The {left.told} meets the {right.told}", spaces)
+                told = f"The {left.told} meets the {right.told}"
+                self.tell(rule, at, told, spaces, parts=parts)
             return
         for one, other in ((left, yours), (right, mine)):
             if one.space is not None or one.likely is None or other in (None, one.likely):
@@ -86,7 +87,7 @@ class Judge(Products):
                 self.tell(RuleId.STUCK_LIGHT, at, told, spaces, Severity.NOTE)
             elif one.role is Role.EYE and one.kind is Carried.POINT and other is ShaderSpace.CAMERA:
                 told = "The eye is the origin of camera space, and this one is of another space"
-                self.tell(RuleId.SPACES_MIXED, at, told, spaces)
+                self.tell(RuleId.SPACES_MIXED, at, told, spaces, parts=parts)
 
     def dotted(self, at: tree.Call, left: Vector, right: Vector) -> Scalar:
         """Multiply by the scalar product."""

@@ -142,12 +142,14 @@ LINT_RULES = {
         "Reflected the wrong way round",
         "reflect(I, N) takes the vector that arrives at the surface, not the one to the light.",
         "Write reflect(-L, N) for an L that points to the light.",
+        "light-towards",
     ),
     RuleId.W_NOT_DIVIDED: LintRule(
         _ERROR,
         "Division by w left out",
         "Coordinates behind a projection are homogeneous until they are divided by w.",
         "Divide by w before the range is changed or a texture is read.",
+        "w-not-divided",
     ),
     RuleId.POWER_OF_NEGATIVE: LintRule(
         _WARNING,
