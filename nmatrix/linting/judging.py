@@ -96,7 +96,8 @@ class Judge(Products):
         for one, other, place in ((left, right, 0), (right, left, 1)):
             if not same:
                 self._judge_length(at, one, place)
-            if one.is_reflected and one.role is Role.LIGHT and other.role is Role.EYE:
+            is_seen = other.role is Role.EYE or (other.role is Role.ORIGIN and not other.space)
+            if one.is_reflected and one.role is Role.LIGHT and is_seen:
                 self._judge_reflected(at, one, other)
             if one.role is Role.ORIGIN and other.role is Role.LIGHT and other.is_reflected:
                 self._judge_origin(at, one, other)

@@ -20,7 +20,7 @@ from nmatrix.linting.tree import Shader
 
 TOLD_ONCE = frozenset({RuleId.NOT_NORMALISED})  # in a file of each vector
 MOST_TOGETHER = 6  # changes that mend one finding
-MOST_READ = 2_000_000  # bytes of a program that are read again, so that the work grows with files
+MOST_READ = 1_000_000  # bytes of a program that are read again, so that the work grows with files
 
 
 @dataclass(frozen=True)
