@@ -86,6 +86,7 @@ class Telling:
         self._parts = NO_PARTS
         self._moves: dict[str, Expression] = {}
         self._calls: dict[str, Expression] = {}
+        self._halves: dict[str, Expression] = {}
         self.faults: dict[tuple[str, int, int], Fault] = {}
         self.factors: dict[Span, tuple[Matrix, ...]] = {}
         self._told_once: set[tuple[str, str]] = set()

@@ -405,6 +405,7 @@ _MENDERS: dict[RuleId, tuple[_Mender, ...]] = {
     RuleId.REFLECTED_WRONG_WAY: (_turned_round,),
     RuleId.W_NOT_DIVIDED: (_divided,),
     RuleId.POWER_OF_NEGATIVE: (_clamped,),
+    RuleId.HALFWAY_NOT_UNIT: (_normalised,),
 }
 _UNMENDED = {
     RuleId.NORMAL_BY_PROJECTION: "the source does not tell which matrix was meant",

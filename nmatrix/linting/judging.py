@@ -102,7 +102,17 @@ class Judge(Products):
             if one.role is Role.ORIGIN and other.role is Role.LIGHT and other.is_reflected:
                 self._judge_origin(at, one, other)
         is_cosine = left.is_direction and right.is_direction and not same
-        return Scalar(is_cosine=is_cosine)
+        return Scalar(is_cosine=is_cosine, origin=self._too_long(at, left, right))
+
+    def _too_long(self, at: tree.Call, left: Vector, right: Vector) -> str:
+        """Note a product with a halfway vector that is none of length 1: a power of it is wrong."""
+        for place, one, other in ((0, left, right), (1, right, left)):
+            is_half = one.role is Role.HALFWAY and one.length is Length.SUM
+            if is_half and other.kind is Carried.NORMAL:
+                origin = f"dot at {at.span.file}:{at.span.start}"
+                self._calls[origin], self._halves[origin] = at, at.arguments[place]
+                return origin
+        return ""
 
     def _judge_length(self, at: tree.Call, one: Vector, place: int) -> None:
         if one.kind is not Carried.NORMAL or one.length is not Length.INTERPOLATED:
@@ -188,6 +198,10 @@ class Judge(Products):
 
     def powered(self, at: Expression, base: Value) -> Scalar:
         """Raise to a power."""
+        if isinstance(base, Scalar) and base.origin in self._halves:
+            told = "The halfway vector is a sum of two unit vectors, and no unit vector itself"
+            parts = Parts(vector=self._halves[base.origin])
+            self.tell(RuleId.HALFWAY_NOT_UNIT, self._calls[base.origin], told, parts=parts)
         if self.is_gated:  # what a comparison let through may be positive
             return Scalar()
         if isinstance(base, Scalar) and base.is_cosine and not base.is_clamped:

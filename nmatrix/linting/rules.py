@@ -28,6 +28,7 @@ class RuleId(StrEnum):
     REFLECTED_WRONG_WAY = "NM303"
     W_NOT_DIVIDED = "NM304"
     POWER_OF_NEGATIVE = "NM305"
+    HALFWAY_NOT_UNIT = "NM306"
     INVERSE_IN_SHADER = "NM401"
 
 
@@ -156,6 +157,13 @@ LINT_RULES = {
         "Power of a cosine that may be negative",
         "pow is undefined for a negative base, and the cosine of a far side is negative.",
         "Clamp the cosine first: pow(max(c, 0.0), n).",
+    ),
+    RuleId.HALFWAY_NOT_UNIT: LintRule(
+        _ERROR,
+        "Halfway vector not normalised",
+        "The sum of two unit vectors, or half of it, has length 1 only by chance.",
+        "Write normalize(L + V).",
+        "missing-normalise",
     ),
     RuleId.INVERSE_IN_SHADER: LintRule(
         _NOTE,
