@@ -190,10 +190,11 @@ def _factors(expression: Expression | None) -> Iterator[Expression]:
 
 
 def _from_the_eye(mending: _Mending) -> Change | None:
-    expression = mending.fault.expression
-    while isinstance(expression, tree.Call) and expression.arguments:
-        expression = expression.arguments[0]
-    if not isinstance(expression, tree.Unary) or mending.fault.left != spoken(ShaderSpace.WORLD):
+    expression, shader = mending.fault.expression, mending.shader
+    written = (expression, *_operands(expression))
+    turned = (_followed(one, shader) for one in written if one is not None)
+    expression = next((one for one in turned if isinstance(one, tree.Unary)), None)
+    if expression is None or mending.fault.left != spoken(ShaderSpace.WORLD):
         return None
     stage = mending.shader.stage
     for one in mending.uniforms():
@@ -261,13 +262,7 @@ def _left_alone(mending: _Mending, place: int) -> Change | None:
     met, operands = mending.fault.parts.met, _operands(mending.fault.expression)
     if met is None or len(operands) != 2:
         return None
-    whole: Expression | None = operands[place]
-    for _ in range(4):  # names of names
-        while isinstance(whole, tree.Call) and whole.function == "normalize" and whole.arguments:
-            whole = whole.arguments[0]
-        if not isinstance(whole, tree.Name):
-            break
-        whole = _initial(mending.shader, whole.name)
+    whole = _followed(operands[place], mending.shader)
     inner = _uncut(whole)
     is_cut = inner is not whole
     if whole is None or not isinstance(inner, tree.Binary) or inner.operator != "*":
@@ -280,6 +275,18 @@ def _left_alone(mending: _Mending, place: int) -> Change | None:
     if bare is not None and is_cut:
         return Change(whole.span, mending.bare(bare))
     return Change(whole.span, f"{mending.bare(vectors[0])}{'.xyz' if is_cut else ''}")
+
+
+def _followed(written: Expression, shader: Shader) -> Expression | None:
+    """Follow locals to what they are made of, and take what is inside of `normalize(…)`."""
+    whole: Expression | None = written
+    for _ in range(4):  # names of names
+        while isinstance(whole, tree.Call) and whole.function == "normalize" and whole.arguments:
+            whole = whole.arguments[0]
+        if not isinstance(whole, tree.Name):
+            break
+        whole = _initial(shader, whole.name)
+    return whole
 
 
 def _uncut(vector: Expression | None) -> Expression | None:

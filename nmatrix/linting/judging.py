@@ -120,8 +120,8 @@ class Judge(Products):
         if self.stage is not Stage.FRAGMENT or not self._is_first(at, one):
             return
         told = f"The interpolated {one.told} is shorter than 1 between vertices"
-        parts = Parts(vector=at.arguments[place])
-        self.tell(RuleId.NOT_NORMALISED, at, told, (one.where, ""), parts=parts)
+        normal = at.arguments[place]
+        self.tell(RuleId.NOT_NORMALISED, normal, told, (one.where, ""), parts=Parts(vector=normal))
 
     def _judge_reflected(self, at: Expression, mirrored: Vector, eye: Vector) -> None:
         if mirrored.sense * eye.sense * (-1 if self.is_turned else 1) >= 0:
