@@ -181,7 +181,9 @@ class _Program:
         if not tried:
             is_short = self.left > 0
             told = (
-                "the source does not tell what was meant" if is_short else "there is too much of it"
+                "the source does not tell what was meant"
+                if is_short
+                else "too many changes were tried before"
             )
             return Correction(reason=told)
         better = [(state, change) for state, change in tried if self._is_better(state, start)]
