@@ -21,7 +21,7 @@ from nmatrix.errors import CheckFailedError, IllegalValueError, NMatrixError, co
 from nmatrix.linear.classify import BUILT, classify
 from nmatrix.linear.rational import RationalMatrix
 from nmatrix.linting.faults import Fault
-from nmatrix.linting.fixes import Change, changed, fixed
+from nmatrix.linting.mending import Correction, Mended, mended
 from nmatrix.linting.program import Linted, lint
 from nmatrix.linting.rules import LINT_RULES, RULE_OF, RULES
 from nmatrix.linting.tree import Shader
@@ -149,15 +149,6 @@ class _Lines:
     def column_of(self, place: int) -> int:
         return len(self.text(self.starts[self.line_of(place) - 1], place)) + 1
 
-    def with_change(self, change: Change) -> str:
-        """Write the lines of a change as they are after it."""
-        first = self.line_of(change.span.start)
-        last = self.line_of(max(change.span.end - 1, change.span.start))
-        before = self.text(self.starts[first - 1], change.span.start)
-        return f"{before}{change.text}{self.text(change.span.end, self.starts[last])}".rstrip(
-            "\r\n"
-        )
-
     @property
     def unparsed(self) -> list[int]:
         faults = () if self.shader is None else self.shader.faults
@@ -175,7 +166,16 @@ class _Placed:
     severity: Severity
     message: str
     degrees: float | None
-    change: Change | None
+    correction: Correction
+
+    @property
+    def unmended(self) -> str:
+        """Why the patch does not mend it; empty where it does, or is not asked for."""
+        told = self.correction
+        if told.reason is None or told.is_gone:
+            return ""
+        where = f"{self.fault.span.file}:{self.line}:{self.column}"
+        return f"{where}: {self.fault.rule.value} is not mended: {told.reason}."
 
     @property
     def title(self) -> str:
@@ -232,9 +232,19 @@ class _Reporting:
 
     @cached_property
     def placed(self) -> tuple[_Placed, ...]:
-        return tuple(map(self._place, self.linted.faults))
+        corrections = self.mended.corrections
+        return tuple(map(self._place, self.linted.faults, corrections))
 
-    def _place(self, fault: Fault) -> _Placed:
+    @cached_property
+    def mended(self) -> Mended:
+        """The corrected sources, if they are asked for."""
+        texts = {name: one.content for name, one in self.lines.items() if one.shader is not None}
+        if not self.asked.with_fixes:
+            return Mended(texts, (Correction(),) * len(self.linted.faults))
+        is_one = self.asked.are_one_program
+        return mended(texts, self.linted, self.asked.language, are_one_program=is_one)
+
+    def _place(self, fault: Fault, correction: Correction) -> _Placed:
         lines, span = self.lines[fault.span.file], fault.span
         severity, message, degrees = fault.severity, f"{fault.message}.", None
         if LINT_RULES[fault.rule].gains_degrees and self.asked.world is not None:
@@ -246,9 +256,6 @@ class _Reporting:
                 message += " With this world it does not matter."
             else:
                 message += f" With this world it is off by up to {degrees:.4g}°."
-        change = None
-        if lines.shader is not None:
-            change = fixed(fault, lines.shader, lines.content)
         return _Placed(
             fault,
             lines.line_of(span.start),
@@ -257,20 +264,15 @@ class _Reporting:
             severity,
             message,
             degrees,
-            change,
+            correction,
         )
 
     @cached_property
     def patch(self) -> str:
         """The corrected files against the given ones, as the program `patch` takes it."""
-        changes: dict[str, list[Change]] = {}
-        for one in self.placed:
-            if one.change is not None:
-                changes.setdefault(one.fault.span.file, []).append(one.change)
         parts = []
-        for file, listed in changes.items():
+        for file, new in self.mended.sources.items():
             content = self.lines[file].content
-            new = changed(content, listed)
             before, after = (
                 [line.decode("utf-8", "replace") for line in text.splitlines(keepends=True)]
                 for text in (content, new)
@@ -283,7 +285,6 @@ class _Reporting:
 
     def _data(self, one: _Placed) -> dict[str, Value]:
         fault = one.fault
-        lines = self.lines[fault.span.file]
         return {
             "file": fault.span.file,
             "line": one.line,
@@ -294,7 +295,8 @@ class _Reporting:
             "message": one.message,
             "space_left": fault.left or None,
             "space_right": fault.right or None,
-            "fix": None if one.change is None else lines.with_change(one.change),
+            "fix": one.correction.line,
+            "no_fix": one.correction.reason,
             "degrees": one.degrees,
         }
 
@@ -356,7 +358,7 @@ class _Reporting:
                 told.append(
                     f"{one.name} does not parse in {noun} {where}; the rest of it was read."
                 )
-        return told
+        return (*told, *(one.unmended for one in self.placed if one.unmended))
 
     @cached_property
     def _failing(self) -> tuple[_Placed, ...]:

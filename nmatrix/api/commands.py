@@ -269,8 +269,8 @@ def lint(
 ) -> Report:
     """Read shaders for their spaces, and tell where two meet that must not.
 
-    `data` has the findings and the spaces of the names. Two sources are one program; of more, those
-    whose names differ only in their endings.
+    `data` has the findings, a patch of what can be mended, and the spaces of the names.
+    Two sources are one program; of more, those whose names differ only in their endings.
 
     Parameters
     ----------
@@ -304,6 +304,7 @@ def lint(
         world=None if world is None else world_part(world).world_from_object,
         language=None if language is None else chosen(ShaderLanguage, language, "language"),
         are_one_program=len(given) == 2,
+        with_fixes=True,
     )
     return Report(report(given, asked))
 

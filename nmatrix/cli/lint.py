@@ -9,7 +9,7 @@ from typer import Argument, Option
 
 from nmatrix.cli.scene_options import OptionGroups, SceneOptions
 from nmatrix.cli.shared_options import CommonOptions, among
-from nmatrix.cli.show import put, show
+from nmatrix.cli.show import put, put_remarks, show
 from nmatrix.cli.world_options import WorldOptions
 from nmatrix.enums import Format, Severity, ShaderLanguage, chosen
 from nmatrix.errors import IllegalValueError
@@ -82,6 +82,7 @@ def lint(
     found = report([source(path, content, typed.get(path)) for path in paths], asked)
     if fix and common.format is Format.TEXT:  # so that `patch` takes every byte of it
         put(str(found.data["patch"]))
+        put_remarks(found.remarks)
         if found.failure is not None:
             raise found.failure
     else:

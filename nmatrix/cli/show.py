@@ -1,4 +1,4 @@
-"""The only place that writes to a terminal: one report to stdout, one line to stderr."""
+"""The only place that writes to a terminal: one report to stdout, errors and notes to stderr."""
 
 from __future__ import annotations
 
@@ -130,7 +130,17 @@ def fail(message: str, exit_code: int, when: ColorWhen = ColorWhen.AUTO) -> int:
     from nmatrix.output.style import Span, Style, render
 
     colour = _colour_of(sys.stderr, when) if sys.stderr.isatty() else Colour.PLAIN
-    head = render((Span("error:", Style.WRONG),), colour)
+    _put_aside(render((Span("error:", Style.WRONG),), colour), message)
+    return exit_code
+
+
+def put_remarks(remarks: Iterable[str]) -> None:
+    """Write to stderr what belongs to an answer that another program reads from stdout."""
+    for one in remarks:
+        _put_aside("note:", one)
+
+
+def _put_aside(head: str, message: str) -> None:
     line = "".join(_printable(character) for character in message)
     if len(line) > LONGEST_LINE:
         line = f"{line[: LONGEST_LINE - 1]}…"
@@ -139,7 +149,6 @@ def fail(message: str, exit_code: int, when: ColorWhen = ColorWhen.AUTO) -> int:
         sys.stderr.flush()
     except OSError:  # there is nobody to be told
         _forget(sys.stderr.fileno())
-    return exit_code
 
 
 def _sayable(text: str, stream: TextIO) -> str:

@@ -110,7 +110,9 @@ def total(left: Vector, right: Vector) -> Vector:
         return replace(base, kind=Carried.POINT, role=point.role, w=point.w)
     roles = {left.role, right.role}
     if roles == {Role.LIGHT, Role.EYE}:
-        return replace(base, kind=Carried.DIRECTION, role=Role.HALFWAY)
+        are_units = left.length is Length.UNIT and right.length is Length.UNIT
+        length = Length.SUM if are_units else None
+        return replace(base, kind=Carried.DIRECTION, role=Role.HALFWAY, length=length)
     kind = left.kind if left.kind is right.kind else Carried.DIRECTION
     return replace(base, kind=kind)
 
@@ -150,7 +152,7 @@ def times(vector: Vector, number: Scalar, *, is_divided: bool) -> Vector:
     elif number.number < 0:
         turned = negated(vector)
         return replace(turned, w=None) if isinstance(turned, Vector) else vector
-    length = vector.length if vector.length is Length.INTERPOLATED else None
+    length = None if vector.length is Length.UNIT else vector.length
     if number.number is None:
         length = None
     is_kept = vector.w is Fourth.ZERO or (vector.w is Fourth.DEPTH and number.number is not None)
@@ -170,7 +172,8 @@ def product_of_numbers(operator: str, left: Scalar, right: Scalar) -> Scalar:
         return Scalar()
     cosine, number = (left, right.number) if right.number is not None else (right, left.number)
     is_positive = number is not None and number >= 0
-    return Scalar(cosine.is_cosine and is_positive, cosine.is_clamped and is_positive)
+    is_cosine, is_clamped = cosine.is_cosine and is_positive, cosine.is_clamped and is_positive
+    return Scalar(is_cosine, is_clamped, origin=cosine.origin)
 
 
 def swizzled(vector: Vector, name: str) -> Value:

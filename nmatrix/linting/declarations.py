@@ -130,7 +130,8 @@ class Declarations:
             told = vector_named(variable.name, type_, Storage.LOCAL, self.stage)
             value = self._judged_eye(variable, told, value)
             if value.kind is None:
-                return replace(told, length=value.length, is_assumed=False)
+                sense = value.sense or told.sense  # `l = lamp - position` leads to it
+                return replace(told, length=value.length, is_assumed=False, sense=sense)
             return value
         if is_matrix(type_) and not isinstance(value, Matrix):
             return self.by_name(variable.name, type_, Storage.LOCAL)

@@ -27,12 +27,14 @@ from nmatrix.linting.tree import (
 )
 from nmatrix.linting.values import (
     ANYTHING,
+    Because,
     Carried,
     Fourth,
     Length,
     Matrix,
     Record,
     Scalar,
+    Sense,
     Value,
     Vector,
     joined,
@@ -176,9 +178,38 @@ class Evaluation(Declarations, ABC):
                 self._judge_window(expression, left, right)
                 if expression.operator == "-" and _is_zero(expression.left):
                     return negated(right)
-                return self.judge.added(expression, left, right)
+                found = self.judge.added(expression, left, right)
+                if isinstance(found, Vector) and found.kind is None:
+                    return replace(found, sense=self._sense_of(expression, left, right))
+                return found
             case _:
                 return Scalar()
+
+    def _sense_of(self, difference: tree.Binary, left: Value, right: Value) -> Sense:
+        """Tell whether what is not known by name leads away from the surface or to it."""
+        if (
+            difference.operator == "-"
+            and _is_unknown(left)
+            and self._is_surface(difference.right, right)
+        ):
+            return Sense.OUT
+        if (
+            difference.operator == "-"
+            and _is_unknown(right)
+            and self._is_surface(difference.left, left)
+        ):
+            return Sense.IN
+        return Sense.UNKNOWN
+
+    def _is_surface(self, written: Expression, value: Value) -> bool:
+        """Whether a point is one of the surface: a lamp's may be called a position too."""
+        if not isinstance(value, Vector) or value.kind is not Carried.POINT or value.role:
+            return False
+        while isinstance(written, tree.Member):
+            written = written.of
+        variable = self.declared.get(written.name) if isinstance(written, tree.Name) else None
+        is_input = variable is not None and variable.storage in (Storage.INPUT, Storage.BOTH)
+        return is_input or value.because is Because.ARITHMETIC
 
     def _judge_window(self, sum_: tree.Binary, left: Value, right: Value) -> None:
         """Find a change from −1…1 to 0…1 of what was not divided by w."""
@@ -377,6 +408,10 @@ def _with_components(owner: Vector, name: str, value: Value) -> Vector | None:
     if name in ("w", "a"):
         return replace(owner, w=FOURTHS.get(value.number) if isinstance(value, Scalar) else None)
     return replace(owner, w=None, length=None, via=None)
+
+
+def _is_unknown(value: Value) -> bool:
+    return isinstance(value, Vector) and value.kind is None
 
 
 def compares(condition: Expression) -> bool:

@@ -16,13 +16,14 @@ class Parts:
     """The pieces of an expression that a correction changes.
 
     `missing` is the function that must be applied to the matrix too, `order` the right order of the
-    factors of a product.
+    factors of a product, `met` are the two vectors that must not meet.
     """
 
     matrix: Expression | None = None
     vector: Expression | None = None
     missing: str = ""
     order: tuple[int, ...] = ()
+    met: tuple[Vector, Vector] | None = None
 
 
 NO_PARTS = Parts()
@@ -85,6 +86,7 @@ class Telling:
         self._parts = NO_PARTS
         self._moves: dict[str, Expression] = {}
         self._calls: dict[str, Expression] = {}
+        self._halves: dict[str, Expression] = {}
         self.faults: dict[tuple[str, int, int], Fault] = {}
         self.factors: dict[Span, tuple[Matrix, ...]] = {}
         self._told_once: set[tuple[str, str]] = set()

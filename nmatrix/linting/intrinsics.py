@@ -102,17 +102,24 @@ def _inverse(self: Evaluating, call: tree.Call, arguments: list[Value]) -> Value
     return self.judge.inverted(call, arguments[0], is_given=is_given)
 
 
+def _origin(arguments: list[Value]) -> str:
+    numbers = (one for one in arguments if isinstance(one, Scalar))
+    return next((one.origin for one in numbers if one.origin), "")
+
+
 def _clamped(self: Evaluating, call: tree.Call, arguments: list[Value]) -> Value:
     if arguments and all(isinstance(one, Scalar) for one in arguments):
         is_cosine = any(isinstance(one, Scalar) and one.is_cosine for one in arguments)
-        return Scalar(is_cosine, is_clamped=True)
+        return Scalar(is_cosine, is_clamped=True, origin=_origin(arguments))
     return Vector(size=_size(arguments))
 
 
 def _smaller(self: Evaluating, call: tree.Call, arguments: list[Value]) -> Value:
     if arguments and all(isinstance(one, Scalar) for one in arguments):
         numbers = [one for one in arguments if isinstance(one, Scalar)]
-        return Scalar(any(one.is_cosine for one in numbers), all(one.is_clamped for one in numbers))
+        is_cosine = any(one.is_cosine for one in numbers)
+        is_clamped = all(one.is_clamped for one in numbers)
+        return Scalar(is_cosine, is_clamped, origin=_origin(arguments))
     return Vector(size=_size(arguments))
 
 

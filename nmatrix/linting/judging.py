@@ -65,12 +65,13 @@ class Judge(Products):
         mine, yours = self.space_of(left), self.space_of(right)
         if mine in PROJECTED or yours in PROJECTED or None in (left.kind, right.kind):
             return
-        spaces = (left.where, right.where)
+        spaces, parts = (left.where, right.where), Parts(met=(left, right))
         lit = Role.LIGHT in (left.role, right.role)
         if mine is not None and yours is not None:
             if mine is not yours:
                 rule = RuleId.STUCK_LIGHT if lit else RuleId.SPACES_MIXED
-                self.tell(rule, at, f"The {left.told} meets the {right.told}", spaces)
+                told = f"The {left.told} meets the {right.told}"
+                self.tell(rule, at, told, spaces, parts=parts)
             return
         for one, other in ((left, yours), (right, mine)):
             if one.space is not None or one.likely is None or other in (None, one.likely):
@@ -86,7 +87,7 @@ class Judge(Products):
                 self.tell(RuleId.STUCK_LIGHT, at, told, spaces, Severity.NOTE)
             elif one.role is Role.EYE and one.kind is Carried.POINT and other is ShaderSpace.CAMERA:
                 told = "The eye is the origin of camera space, and this one is of another space"
-                self.tell(RuleId.SPACES_MIXED, at, told, spaces)
+                self.tell(RuleId.SPACES_MIXED, at, told, spaces, parts=parts)
 
     def dotted(self, at: tree.Call, left: Vector, right: Vector) -> Scalar:
         """Multiply by the scalar product."""
@@ -95,12 +96,23 @@ class Judge(Products):
         for one, other, place in ((left, right, 0), (right, left, 1)):
             if not same:
                 self._judge_length(at, one, place)
-            if one.is_reflected and one.role is Role.LIGHT and other.role is Role.EYE:
+            is_seen = other.role is Role.EYE or (other.role is Role.ORIGIN and not other.space)
+            if one.is_reflected and one.role is Role.LIGHT and is_seen:
                 self._judge_reflected(at, one, other)
             if one.role is Role.ORIGIN and other.role is Role.LIGHT and other.is_reflected:
                 self._judge_origin(at, one, other)
         is_cosine = left.is_direction and right.is_direction and not same
-        return Scalar(is_cosine=is_cosine)
+        return Scalar(is_cosine=is_cosine, origin=self._too_long(at, left, right))
+
+    def _too_long(self, at: tree.Call, left: Vector, right: Vector) -> str:
+        """Note a product with a halfway vector that is none of length 1: a power of it is wrong."""
+        for place, one, other in ((0, left, right), (1, right, left)):
+            is_half = one.role is Role.HALFWAY and one.length is Length.SUM
+            if is_half and other.kind is Carried.NORMAL:
+                origin = f"dot at {at.span.file}:{at.span.start}"
+                self._calls[origin], self._halves[origin] = at, at.arguments[place]
+                return origin
+        return ""
 
     def _judge_length(self, at: tree.Call, one: Vector, place: int) -> None:
         if one.kind is not Carried.NORMAL or one.length is not Length.INTERPOLATED:
@@ -108,8 +120,8 @@ class Judge(Products):
         if self.stage is not Stage.FRAGMENT or not self._is_first(at, one):
             return
         told = f"The interpolated {one.told} is shorter than 1 between vertices"
-        parts = Parts(vector=at.arguments[place])
-        self.tell(RuleId.NOT_NORMALISED, at, told, (one.where, ""), parts=parts)
+        normal = at.arguments[place]
+        self.tell(RuleId.NOT_NORMALISED, normal, told, (one.where, ""), parts=Parts(vector=normal))
 
     def _judge_reflected(self, at: Expression, mirrored: Vector, eye: Vector) -> None:
         if mirrored.sense * eye.sense * (-1 if self.is_turned else 1) >= 0:
@@ -186,6 +198,10 @@ class Judge(Products):
 
     def powered(self, at: Expression, base: Value) -> Scalar:
         """Raise to a power."""
+        if isinstance(base, Scalar) and base.origin in self._halves:
+            told = "The halfway vector is a sum of two unit vectors, and no unit vector itself"
+            parts = Parts(vector=self._halves[base.origin])
+            self.tell(RuleId.HALFWAY_NOT_UNIT, self._calls[base.origin], told, parts=parts)
         if self.is_gated:  # what a comparison let through may be positive
             return Scalar()
         if isinstance(base, Scalar) and base.is_cosine and not base.is_clamped:

@@ -98,7 +98,6 @@ class Products(Telling):
             (spoken(left.source), spoken(right.to)),
             parts=Parts(order=order),
         )
-        self.factors[at.span] = (made,)
         return replace(made, because=Because.ARITHMETIC)
 
     def _is_within(self, one: Fault, span: Span) -> bool:

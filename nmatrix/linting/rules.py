@@ -28,6 +28,7 @@ class RuleId(StrEnum):
     REFLECTED_WRONG_WAY = "NM303"
     W_NOT_DIVIDED = "NM304"
     POWER_OF_NEGATIVE = "NM305"
+    HALFWAY_NOT_UNIT = "NM306"
     INVERSE_IN_SHADER = "NM401"
 
 
@@ -142,18 +143,27 @@ LINT_RULES = {
         "Reflected the wrong way round",
         "reflect(I, N) takes the vector that arrives at the surface, not the one to the light.",
         "Write reflect(-L, N) for an L that points to the light.",
+        "light-towards",
     ),
     RuleId.W_NOT_DIVIDED: LintRule(
         _ERROR,
         "Division by w left out",
         "Coordinates behind a projection are homogeneous until they are divided by w.",
         "Divide by w before the range is changed or a texture is read.",
+        "w-not-divided",
     ),
     RuleId.POWER_OF_NEGATIVE: LintRule(
         _WARNING,
         "Power of a cosine that may be negative",
         "pow is undefined for a negative base, and the cosine of a far side is negative.",
         "Clamp the cosine first: pow(max(c, 0.0), n).",
+    ),
+    RuleId.HALFWAY_NOT_UNIT: LintRule(
+        _ERROR,
+        "Halfway vector not normalised",
+        "The sum of two unit vectors, or half of it, has length 1 only by chance.",
+        "Write normalize(L + V).",
+        "missing-normalise",
     ),
     RuleId.INVERSE_IN_SHADER: LintRule(
         _NOTE,

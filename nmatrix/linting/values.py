@@ -63,6 +63,7 @@ class Length(StrEnum):
 
     UNIT = "1"
     INTERPOLATED = "shorter than 1 between vertices"
+    SUM = "that of a sum of two units"
 
 
 class Because(StrEnum):
@@ -177,11 +178,15 @@ class Matrix:
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """A number; a cosine that is not clamped may be negative."""
+    """A number; a cosine that is not clamped may be negative.
+
+    `origin` is the scalar product that it comes from, if a vector in it was too long or short.
+    """
 
     is_cosine: bool = False
     is_clamped: bool = False
     number: float | None = None
+    origin: str = ""
 
 
 @dataclass(frozen=True, slots=True)
