@@ -13,7 +13,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from nmatrix.calculator.evaluate import calculate
-from nmatrix.enums import FINDING_FORMATS, Format, Numbers
+from nmatrix.enums import PARTICULAR_FORMATS, Format, Numbers
 from nmatrix.lessons.derive.lesson import derive
 from nmatrix.output import OutputOptions, write
 from nmatrix.output.assignments import PROGRAMS
@@ -25,7 +25,7 @@ from nmatrix.surds import LONGEST, Surd, root, short_number
 
 CONVENTIONS = Path(__file__).parents[2] / "docs" / "conventions.md"
 MACHINE = (Format.JSON, Format.CSV, *PROGRAMS)
-PEOPLE = [one for one in Format if one not in (*MACHINE, *FINDING_FORMATS)]
+PEOPLE = [one for one in Format if one not in (*MACHINE, *PARTICULAR_FORMATS)]
 EXACT = OutputOptions(numbers=Numbers.EXACT)
 TOPS, BOTTOMS, UNDER = (
     st.integers(-999, 999),

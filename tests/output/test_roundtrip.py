@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nmatrix.enums import FINDING_FORMATS, Format, Layout, Numbers
+from nmatrix.enums import PARTICULAR_FORMATS, Format, Layout, Numbers
 from nmatrix.errors import IllegalValueError
 from nmatrix.output import OutputOptions, write
 from nmatrix.output import glsl as glsl_writer
@@ -18,7 +18,7 @@ from nmatrix.reading.matrix import matrix_literal
 from nmatrix.report import LARGEST_MATRIX, Quantity, Report, ShownMatrix
 from nmatrix.surds import root
 
-FORMATS = [one for one in Format if one not in FINDING_FORMATS]  # that write numbers
+FORMATS = [one for one in Format if one not in PARTICULAR_FORMATS]  # that write numbers
 MACHINE = [Format.JSON, Format.CSV, Format.NUMPY, Format.GLSL, Format.JS]
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)
 SHORT = st.builds(Fraction, st.integers(-999, 999), st.integers(1, 999))

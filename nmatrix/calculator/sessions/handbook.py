@@ -7,11 +7,11 @@ from collections.abc import Iterable
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.functions.elsewhere import INSTEAD
 from nmatrix.calculator.language.statements import Keyword
-from nmatrix.enums import Format, InverseBy, Numbers
+from nmatrix.enums import PARTICULAR_FORMATS, Format, InverseBy, Numbers
 from nmatrix.errors import IllegalValueError, did_you_mean
 from nmatrix.report import Block, Report, Table, Text
 
-NO_FORMATS = (Format.TEXT, Format.SARIF, Format.GITHUB)  # faults in files are no values
+NO_FORMATS = (Format.TEXT, *PARTICULAR_FORMATS)  # faults and scores are no values
 FORMATS = tuple(one for one in Format if one not in NO_FORMATS)
 # How each keyword is written, and what it does.
 USAGE = {
