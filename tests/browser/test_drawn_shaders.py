@@ -35,6 +35,8 @@ from nmatrix.scene.scene import Fog, Scene, SceneObject
 from nmatrix.scene.words import Filter, LightKind, Shape, Sides, Wrap
 from nmatrix.scene.world import World
 
+pytestmark = pytest.mark.slow  # a browser draws by software
+
 ENOUGH = 0.999
 IMAGES = Path(__file__).parents[2] / "docs" / "scenes"
 SKEWED = rational_matrix([[2, 1, 0, 5], [0, 1, 0, -1], [0.5, 0, 1, 2], [0, 0, 0, 1]])
@@ -123,17 +125,13 @@ def assert_all_is_said(plan: Plan) -> None:
         assert not any(value is None for value in one["uniforms"].values())
 
 
-@pytest.mark.parametrize(
-    "space",
-    [pytest.param(one, marks=() if one is Space.WORLD else pytest.mark.slow) for one in Space],
-)
+@pytest.mark.parametrize("space", Space)
 def test_spaces_shadings_reflections_lights_and_maps_agree(blank, space: Space) -> None:
     mine = [one for one in EVERY if one.space is space]
     for case in random.Random(space).sample(mine, 8):
         must_agree(blank, case.scene(), what=case)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("reflection", Reflection)
 @pytest.mark.parametrize("shading", Shading)
 @pytest.mark.parametrize("space", Space)
@@ -274,7 +272,6 @@ def test_every_feature_agrees(blank, name: str) -> None:
     must_agree_with(blank, case, FEATURES[name])
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", FEATURES)
 def test_every_feature_agrees_in_many_spaces_shadings_and_maps(blank, name: str) -> None:
     for case, which in random.Random(name).sample([*product(LIT, MAPS)], len(LIT)):
@@ -307,7 +304,6 @@ def test_shadows_agree(blank, name: str) -> None:
         must_agree_in_shadow(blank, case, name)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", SHADOWS)
 def test_shadows_agree_in_many_spaces_shadings_and_maps(blank, name: str) -> None:
     for case, which in random.Random(name).sample([*product(LIT, MAPS)], 2 * len(LIT)):
@@ -353,7 +349,6 @@ def test_reversed_depth_sees_the_same(blank) -> None:
 SCENES = sorted(IMAGES.glob("*.toml"))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", SCENES, ids=[path.stem for path in SCENES])
 def test_the_example_scenes_agree(blank, path: Path) -> None:
     scene = scene_of(path).sized(200, 150)

@@ -37,6 +37,8 @@ from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.words import LightKind, Shape
 from nmatrix.scene.world import World
 
+pytestmark = pytest.mark.slow  # a browser draws by software
+
 SETUP = Setup(World(scale=(1, 2, 1)), View(eye=(1.5, 1.75, 3.25)), light=Light((-1, -2, -1)))
 SIZE = 480
 BARE = """side => {
@@ -339,9 +341,7 @@ LENSES = [
 ]
 
 
-@pytest.mark.parametrize(
-    "options", [LENSES[0], *(pytest.param(one, marks=pytest.mark.slow) for one in LENSES[1:])]
-)
+@pytest.mark.parametrize("options", LENSES)
 def test_every_lens_draws_the_body_in_the_middle_and_is_told(
     opened, tmp_path, capsys, options
 ) -> None:

@@ -12,6 +12,8 @@ from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 
+pytestmark = pytest.mark.slow  # a browser draws by software
+
 A4_AT_96_DPI = 794 - 2 * 68  # pixels between the margins
 
 
