@@ -17,16 +17,17 @@ from nmatrix.calculator.arithmetic.numbers import (
     Number,
     PiMultiple,
     bounds,
-    shown,
 )
 from nmatrix.calculator.arithmetic.symbolic import Symbolic
 from nmatrix.calculator.arithmetic.values import Value, ValueKind, each
+from nmatrix.calculator.functions.camera import HANDS, clip_of
+from nmatrix.calculator.functions.maps import CONVENTIONS
 from nmatrix.calculator.meaning.homogeneous import with_w
 from nmatrix.calculator.meaning.operands import Operand
-from nmatrix.enums import ClipY, Convention, DepthRange, Handedness, InverseBy
+from nmatrix.enums import InverseBy
 from nmatrix.errors import IllegalValueError, NoAnswerError
-from nmatrix.linear.projection import ClipSpace
 from nmatrix.linear.rational import linear_part
+from nmatrix.linear.rounding import nearest
 from nmatrix.report import Formula, Step
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.world import World
@@ -167,7 +168,7 @@ def _worked(operation: Operation, value: Value) -> Working | None:
             by, found = NEAR, make(operation, NEAR)
         else:
             found = exactly_or_near(lambda chosen: make(operation, chosen) or _NOTHING)
-            by = NEAR if any(not one.exact for one in (value,)) else SHORT
+            by = SHORT if value.exact else NEAR
     except (IllegalValueError, NoAnswerError, TooManyRootsError):
         if operation.inverse_by is not None and operation.name == "inverse":
             raise
@@ -317,16 +318,15 @@ def _angle(asked: Operation, by: Notation) -> Working:
     return Working(found.steps, whole if NEAR.same(found.value, whole) else found.value)
 
 
-def _look_at(asked: Operation, by: Notation) -> Working:
+def _look_at(asked: Operation, by: Notation) -> Working | None:
     *_, hand = asked.given
     eye, target, up = (asked.entries(i) for i in range(3))
-    return view.look_at(eye, target, up, Handedness(str(hand)))
+    return None if by is LETTERS else view.look_at(eye, target, up, HANDS[str(hand)])
 
 
 def _perspective(asked: Operation, by: Notation) -> Working:
-    depth, handed, clip_y = map(str, asked.given[4:])
-    clip = ClipSpace(DepthRange(depth.replace("_", "-")), Handedness(handed), ClipY(clip_y))
-    fov, aspect, near, far = (float(asked.entries(i)) for i in range(4))
+    fov, aspect, near, far = map(_as_float, asked.given[:4])
+    clip = clip_of(*map(str, asked.given[4:]))
     return projection_matrix(Lens(fov, aspect, near, far, clip=clip))
 
 
@@ -341,12 +341,18 @@ def _world(asked: Operation, by: Notation) -> Working:
     if order:
         given["order"] = str(order)
     if convention:
-        given["convention"] = Convention(str(convention).replace("_", "-"))
+        given["convention"] = CONVENTIONS[str(convention)]
     return world_matrix(World(**given))
 
 
+def _as_float(given: Given) -> float:
+    """Take the number of an argument; of words there is "inf" alone."""
+    return _float(given.value.scalar) if isinstance(given, Operand) else float(str(given))
+
+
 def _float(x: Number) -> float:
-    return float(shown(x))
+    low, high = bounds(x)
+    return nearest((low + high) / 2)
 
 
 _DOT = _of_two(vectors.dot, ("a", "b"))

@@ -116,3 +116,16 @@ def test_json_has_the_shape_of_a_derivation() -> None:
     told = json.loads(write(found, OutputOptions(format=Format.JSON)))["steps"]
     assert all(set(one) == {"text", "latex", "because", "verified"} for one in told)
     assert report(calculate("det(A)", NAMES), with_steps=False).data["steps"] is None
+
+
+@pytest.mark.parametrize(
+    ("line", "has_lines"),
+    [
+        ('perspective(60, 1, 1, "inf")', True),
+        ("perspective(near=1, far=2, fov=60, aspect=1)", True),
+        ("world(translate=[10^400, 0, 0])", False),
+        ("look_at([a, 0, 0], [0, 0, 0])", False),
+    ],
+)
+def test_what_no_working_can_take_is_one_line(line: str, has_lines: bool) -> None:
+    assert (len(steps(line)) > 2) is has_lines

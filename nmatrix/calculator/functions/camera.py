@@ -114,7 +114,8 @@ def _look_at_remarks(eye: Value, target: Value, up: Value, handed: str) -> list[
     return [f"up is parallel to the view direction; [{taken}] took its place."]
 
 
-def _clip(depth: str, handed: str, clip_y: str) -> ClipSpace:
+def clip_of(depth: str, handed: str, clip_y: str) -> ClipSpace:
+    """Make a clip space of the words that the functions of lenses take."""
     return ClipSpace(DEPTHS[depth], HANDS[handed], ClipY(clip_y))
 
 
@@ -150,7 +151,7 @@ def _perspective(fov: Value, aspect: Value, near: Value, far: Value | str, *word
         raise ArgumentError(aspect, "the aspect", why, "try 16/9")
     _depth_row(near, far, words[0], projection.perspective_depth)
     half = angle(Value(in_degrees(fov.scalar)).scalar / 2)
-    clip = _clip(*words)
+    clip = clip_of(*words)
     shape, *ends = map(_distance, (aspect, near, far))
     return lens_value(projection.perspective(half, shape, ends[0], ends[1], clip), clip)
 
@@ -167,14 +168,14 @@ def _sides(given: Sequence[Value]) -> projection.Sides:
 def _frustum(*given: Arguments) -> Value:
     sides, (near, far, *words) = _sides(given[:4]), given[4:]
     row = _depth_row(near, far, words[0], projection.perspective_depth)
-    clip = _clip(*words)
+    clip = clip_of(*words)
     return lens_value(projection.through(sides, near.scalar, row, clip), clip)
 
 
 def _ortho(*given: Arguments) -> Value:
     sides, (near, far, *words) = _sides(given[:4]), given[4:]
     row = _depth_row(near, far, words[0], projection.orthographic_depth)
-    clip = _clip(*words)
+    clip = clip_of(*words)
     return lens_value(projection.parallel(sides, row, clip), clip)
 
 
