@@ -186,7 +186,7 @@ def _along(word: str, command: str) -> tuple[str, str] | None:
 
 
 def program_option_for(word: str) -> str:
-    """Say what was meant by an option that stands before a command."""
+    """Find what was meant by an option that stands before a command."""
     takers = [name for name in COMMANDS if word in names_of(name)]
     if not takers:
         found = meant_by(word)

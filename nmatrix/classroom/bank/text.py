@@ -71,7 +71,7 @@ def feedback(wrong: WrongNumber, words: Words) -> str:
 
 
 def explained(mistake: MistakeId, words: Words) -> str:
-    """Say what was done, and the rule that it broke."""
+    """Write a mistake as feedback: what was done, and the rule that it broke."""
     return " ".join(_sentences(mistake, words))
 
 
