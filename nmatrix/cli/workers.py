@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Option
 
 from nmatrix.cli.shared_options import whole_number
-from nmatrix.errors import IllegalValueError, MissingPackageError
+from nmatrix.errors import IllegalValueError
+from nmatrix.requirements import missing
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -54,11 +55,7 @@ def _cluster(address: str):  # type: ignore[no-untyped-def]  # noqa: ANN202  # a
     try:
         from distributed import Client
     except ImportError:
-        raise MissingPackageError(
-            f"--dask {address[:60]}",
-            "the package distributed is not installed",
-            'run: python -m pip install "nmatrix[dask]"',
-        ) from None
+        raise missing(f"--dask {address[:60]}", "distributed") from None
     try:
         return Client(address, timeout=PATIENCE)
     except (OSError, ValueError) as error:

@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from nmatrix.enums import Level, NormalMatrixKind
-from nmatrix.errors import MissingPackageError
 from nmatrix.linear import compensated, plain, single
 from nmatrix.linear.certified import (
     CORRECTLY_ROUNDED,
@@ -36,6 +35,7 @@ from nmatrix.linear.certified import (
 from nmatrix.linear.compensated import Scaled, cofactors
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.plain import LARGEST, SMALLEST
+from nmatrix.requirements import missing
 
 Array = NDArray[Any]
 
@@ -104,9 +104,7 @@ def is_compiled() -> bool:
     if not os.environ.get("NMATRIX_COMPILED"):
         return False
     if find_spec("numba") is None:
-        raise MissingPackageError(
-            "NMATRIX_COMPILED is set", "Numba is not installed", "pip install 'nmatrix[fast]'"
-        )
+        raise missing("NMATRIX_COMPILED is set", "numba")
     return True
 
 

@@ -14,7 +14,6 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from nmatrix.enums import ShaderLanguage
-from nmatrix.errors import MissingPackageError
 from nmatrix.linting import tree
 from nmatrix.linting.expressions import DEEPEST, NUMBER, Expressions
 from nmatrix.linting.source import (
@@ -27,6 +26,7 @@ from nmatrix.linting.source import (
     without_bare_macros,
 )
 from nmatrix.linting.tree import Shader, Storage, Variable
+from nmatrix.requirements import missing
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -92,11 +92,7 @@ def parser_of(language: ShaderLanguage) -> Parser:
         import tree_sitter_glsl
         import tree_sitter_hlsl
     except ImportError:
-        raise MissingPackageError(
-            "lint",
-            "it needs the packages tree-sitter, tree-sitter-glsl and tree-sitter-hlsl",
-            "pip install 'nmatrix[lint]'",
-        ) from None
+        raise missing("lint", "tree_sitter", "tree_sitter_glsl", "tree_sitter_hlsl") from None
     grammar = tree_sitter_glsl if language is ShaderLanguage.GLSL else tree_sitter_hlsl
     with warnings.catch_warnings():  # these grammars still give a number where a capsule is wanted
         warnings.simplefilter("ignore", DeprecationWarning)

@@ -95,7 +95,7 @@ def context() -> Any:
     try:
         import moderngl
     except ImportError as error:
-        raise AbsentError("no llvmpipe: pip install nmatrix[bench]") from error
+        raise AbsentError("no llvmpipe: pip install 'moderngl>=5.12'") from error
     try:
         return moderngl.create_context(standalone=True, backend="egl")
     except Exception as error:

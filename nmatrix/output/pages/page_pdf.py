@@ -10,10 +10,11 @@ from shutil import copy
 from tempfile import TemporaryDirectory
 
 from nmatrix.canvas.text import font_file
-from nmatrix.errors import IllegalValueError, MissingPackageError, quantity
+from nmatrix.errors import IllegalValueError, quantity
 from nmatrix.output.pages.document import Document
 from nmatrix.output.pages.page_typst import typ_of
 from nmatrix.report import Text
+from nmatrix.requirements import missing
 
 NO_TIME = datetime(2020, 1, 1, tzinfo=UTC)  # a document does not say when it was made
 
@@ -102,8 +103,5 @@ def check_typst() -> None:
     try:
         import typst  # noqa: F401  # whether it is there
     except ImportError:
-        raise MissingPackageError(
-            f"{quantity('to')} pdf",
-            "it needs the package typst",
-            "pip install 'nmatrix[pdf]', or print the HTML from a browser",
-        ) from None
+        otherwise = "print the HTML from a browser"
+        raise missing(f"{quantity('to')} pdf", "typst", otherwise=otherwise) from None

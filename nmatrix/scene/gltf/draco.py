@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nmatrix.errors import MissingPackageError, counted
+from nmatrix.errors import counted
+from nmatrix.requirements import missing
 from nmatrix.scene.gltf.accessors import SHAPES, Values
 from nmatrix.scene.gltf.file import GltfFile
 from nmatrix.scene.gltf.records import DracoRecord, Primitive
-
-INSTALL = "pip install 'DracoPy>=2.0'"
 
 
 def unpacked(
@@ -33,8 +32,7 @@ def unpacked(
     try:
         import DracoPy
     except ImportError:
-        why = "it is packed by Draco, and the package DracoPy that reads it is not installed"
-        raise MissingPackageError(f"{file.path}", why, INSTALL) from None
+        raise missing(f"{file.path} (packed by Draco)", "DracoPy") from None
     view = file.entry("buffer view", file.document.buffer_views, packed.buffer_view)
     content = file.buffer(view.buffer)
     if not 0 <= view.byte_offset <= view.byte_offset + view.byte_length <= len(content):

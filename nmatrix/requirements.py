@@ -1,0 +1,128 @@
+"""The packages that nmatrix asks for beside itself, and the command that installs a missing one.
+
+Their ranges stand in `pyproject.toml` alone: a checkout reads them there, an installed package or
+a zip file in the metadata that were made of it.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import tomllib
+from collections.abc import Iterable
+from functools import cache
+from importlib.metadata import PackageNotFoundError, requires
+from itertools import chain
+from pathlib import Path
+
+from nmatrix.errors import MissingPackageError
+
+PROJECT = Path(__file__).parents[1] / "pyproject.toml"
+# Other packages are called as their modules are.
+PACKAGES = {"PIL": "pillow", "flint": "python-flint"}
+_NAME = re.compile(r"[\w.-]+\w|\w")
+
+
+def missing(what: str, *modules: str, otherwise: str = "") -> MissingPackageError:
+    """Refuse what needs a package that is not installed, with the command that installs it.
+
+    Parameters
+    ----------
+    what
+        What was asked for.
+    modules
+        What it imports, by the names of the modules.
+    otherwise
+        What to do instead of installing them.
+
+    Examples
+    --------
+    >>> missing("a walk", "boots", otherwise="take the bus").parts[1]
+    'it needs the package boots, which is not installed'
+    >>> str(missing("a walk", "boots", "hat")).partition(";")[0]
+    'a walk: it needs the packages boots and hat, and not all are installed'
+    """
+    *others, last = (_NAME.findall(requirement_of(one))[0] for one in modules)
+    why = (
+        f"it needs the packages {', '.join(others)} and {last}, and not all are installed"
+        if others
+        else f"it needs the package {last}, which is not installed"
+    )
+    command = install_command(*modules)
+    return MissingPackageError(what, why, f"{command}, or {otherwise}" if otherwise else command)
+
+
+def install_command(*modules: str) -> str:
+    """Write the command that installs the packages of some modules, in the range that is tried.
+
+    A program that pipx installed has its packages beside it, where pip does not reach.
+
+    Examples
+    --------
+    >>> install_command("boots", "PIL").replace("'pillow>=11'", "pillow")
+    'pip install boots pillow'
+    """
+    by_pipx = (Path(sys.prefix) / "pipx_metadata.json").is_file()
+    wanted = (requirement_of(one) for one in modules)
+    words = (f"'{one}'" if set(one) & set("<>=~!;") else one for one in wanted)
+    return " ".join(["pipx inject nmatrix" if by_pipx else "pip install", *words])
+
+
+def requirement_of(module: str) -> str:
+    """Find the package of a module and the versions that nmatrix asks for, or its bare name."""
+    package = package_of(module)
+    return _ranges().get(package.lower(), package)
+
+
+def is_required(module: str) -> bool:
+    """Find out if nmatrix asks for the package of a module, always or for an extra.
+
+    Examples
+    --------
+    >>> is_required("boots")
+    False
+    """
+    return package_of(module).lower() in _ranges()
+
+
+def package_of(module: str) -> str:
+    """Name the package that brings a module; an index does not tell capitals apart.
+
+    Examples
+    --------
+    >>> package_of("tree_sitter_glsl"), package_of("PIL.Image"), package_of("DracoPy")
+    ('tree-sitter-glsl', 'pillow', 'DracoPy')
+    """
+    top = module.partition(".")[0]
+    return PACKAGES.get(top, top.replace("_", "-"))
+
+
+@cache
+def _ranges() -> dict[str, str]:
+    """Read the requirements of nmatrix and of its extras, by package."""
+    return dict(map(read_requirement, _listed()))
+
+
+def _listed() -> Iterable[str]:
+    if PROJECT.is_file():  # an editable installation keeps the metadata of the day it was made
+        project = tomllib.loads(PROJECT.read_text("utf-8"))["project"]
+        return [*project["dependencies"], *chain(*project["optional-dependencies"].values())]
+    try:
+        return requires("nmatrix") or ()
+    except PackageNotFoundError:  # the files of the package alone
+        return ()
+
+
+def read_requirement(line: str) -> tuple[str, str]:
+    """Read a line of package metadata: the package, and it with its range, lower bound first.
+
+    Examples
+    --------
+    >>> read_requirement("typst<0.17,>=0.15; extra == 'pdf'")
+    ('typst', 'typst>=0.15,<0.17')
+    """
+    wanted = line.partition(";")[0].replace(" ", "").replace("(", "").replace(")", "")
+    found = _NAME.match(wanted)
+    assert found is not None  # metadata are well formed
+    bounds = sorted(wanted[found.end() :].split(","), reverse=True)
+    return found[0].replace("_", "-").lower(), found[0] + ",".join(bounds)
