@@ -12,7 +12,6 @@ import tomllib
 from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import PackageNotFoundError, requires
-from itertools import chain
 from pathlib import Path
 
 from nmatrix.errors import MissingPackageError
@@ -100,13 +99,16 @@ def package_of(module: str) -> str:
 @cache
 def _ranges() -> dict[str, str]:
     """Read the requirements of nmatrix and of its extras, by package."""
-    return dict(map(read_requirement, _listed()))
+    return dict(map(read_requirement, listed()))
 
 
-def _listed() -> Iterable[str]:
+def listed() -> Iterable[str]:
+    """List the requirements as the metadata of a package do, those of extras behind a marker."""
     if PROJECT.is_file():  # an editable installation keeps the metadata of the day it was made
         project = tomllib.loads(PROJECT.read_text("utf-8"))["project"]
-        return [*project["dependencies"], *chain(*project["optional-dependencies"].values())]
+        extras = project["optional-dependencies"].items()
+        marked = (f"{one}; extra == '{extra}'" for extra, wanted in extras for one in wanted)
+        return [*project["dependencies"], *marked]
     try:
         return requires("nmatrix") or ()
     except PackageNotFoundError:  # the files of the package alone

@@ -13,6 +13,7 @@ import shlex
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from pkgutil import get_data
 from typing import Any, NamedTuple
 
 TABLE = Path(__file__).with_name("completions.json")
@@ -24,7 +25,7 @@ _NUMBER = "0123456789."
 @cache
 def table() -> dict[str, Any]:
     """Everything that may be typed, by command: arguments, options, how many values they take."""
-    found: dict[str, Any] = json.loads(TABLE.read_text(encoding="utf-8"))
+    found: dict[str, Any] = json.loads(get_data(__name__, TABLE.name) or b"{}")
     return found
 
 

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import takewhile
-from pathlib import Path
+from pkgutil import get_data
 
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.command import AXES
@@ -20,7 +20,7 @@ from nmatrix.cli.completion import table
 from nmatrix.errors import did_you_mean, shortlist
 
 USUAL_COMMAND = "world"  # it answers without any argument
-WORDS = Path(__file__).with_name("meanings.txt")
+WORDS = "meanings.txt"
 
 
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+[0-9x]*|[0-9]+")  # gluLookAt is glu, Look, At
@@ -64,7 +64,7 @@ def _spellings(word: str) -> Iterator[str]:
 def meanings() -> dict[str, tuple[str, ...]]:
     """Every foreign word, spelled without marks, with its hints, best first."""
     found: dict[str, tuple[str, ...]] = {}
-    for line in WORDS.read_text(encoding="utf-8").splitlines():
+    for line in (get_data(__name__, WORDS) or b"").decode().splitlines():
         words, _, hints = line.partition(": ")
         if not line.startswith("#"):
             found |= dict.fromkeys(map(_plain, words.split()), tuple(hints.split(" | ")))

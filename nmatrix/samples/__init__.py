@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+from functools import cache
 from pathlib import Path
 
-FOLDER = Path(__file__).parent
+HERE = Path(__file__).parent
 
 
 def samples(*endings: str) -> dict[str, Path]:
@@ -16,7 +17,7 @@ def samples(*endings: str) -> dict[str, Path]:
     >>> list(samples(".obj")), list(samples(*SHADERS))
     (['teapot'], ['phong.frag', 'phong.vert'])
     """
-    files = (one for one in sorted(FOLDER.iterdir()) if one.suffix in endings)
+    files = (one for one in sorted(_folder().iterdir()) if one.suffix in endings)
     return {one.name if one.suffix in SHADERS else one.stem: one for one in files}
 
 
@@ -35,6 +36,23 @@ def file_or_sample(name: str | os.PathLike[str]) -> Path:
     if path.name not in known:
         return path
     return path if os.path.lexists(path) else known[path.name]
+
+
+@cache
+def _folder() -> Path:
+    """Find the folder of the samples; a packed program lays them out for as long as it runs."""
+    if HERE.is_dir():
+        return HERE
+    import atexit
+    from importlib.resources import files
+    from tempfile import TemporaryDirectory
+
+    laid_out = TemporaryDirectory(prefix="nmatrix-samples-")
+    atexit.register(laid_out.cleanup)
+    for one in files(__name__).iterdir():
+        if one.is_file():
+            Path(laid_out.name, one.name).write_bytes(one.read_bytes())
+    return Path(laid_out.name)
 
 
 ENDINGS = (".obj", ".toml", ".csv")
