@@ -185,7 +185,7 @@ def check(
     ] = None,
     exercise_answer: Annotated[
         str | None,
-        Argument(metavar="ANSWER", help="The answer to exercise N.", show_default=False),
+        Argument(metavar="ANSWER_TO_N", help="The answer to exercise N.", show_default=False),
     ] = None,
     sheet: SheetOptions,
     of_class: ClassOptions,

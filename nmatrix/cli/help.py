@@ -82,15 +82,15 @@ def _of_command(command: GatheringCommand, *, described: bool) -> list[Line]:
         *_usage(" ".join([command.name or "", *places, "[OPTIONS]"])),
     ]
     page += [line for text in (command.help or "").split("\n\n") for line in _wrapped(text)]
-    page += _section("Arguments", {str(one.metavar): _about(one) for one in arguments})
-    own = {_typed(one): _about(one) for one in options if one.rich_help_panel is None}
+    page += _section("Arguments", {str(one.metavar): description_of(one) for one in arguments})
+    own = {as_typed(one): description_of(one) for one in options if one.rich_help_panel is None}
     page += _section(
         "Options", {**own, "--help, -h": "Show this page." if described else FULL_HELP}
     )
-    groups = _by_panel(options)
+    groups = by_panel(options)
     if described:
         for panel, listed in groups.items():
-            page += _section(panel, {_typed(one): _about(one) for one in listed})
+            page += _section(panel, {as_typed(one): description_of(one) for one in listed})
         return page
     page += _section("Groups", {panel: _names(listed) for panel, listed in groups.items()})
     return page
@@ -102,10 +102,10 @@ def of_options(commands: Iterable[GatheringCommand]) -> list[Line]:
     described: dict[str, dict[str, str]] = {}
     for command in commands:
         options = [one for one in command.params if isinstance(one, TyperOption)]
-        for panel, listed in _by_panel(options).items():
+        for panel, listed in by_panel(options).items():
             takers.setdefault(panel, []).append(command.name or "")
             for one in listed:
-                described.setdefault(panel, {}).setdefault(_typed(one), _about(one))
+                described.setdefault(panel, {}).setdefault(as_typed(one), description_of(one))
     page = [*_wrapped("A command takes whole groups of options; an option means the same in each.")]
     for panel, rows in described.items():
         page += _section(panel, rows, f"{panel}: {_some(takers[panel])}")
@@ -170,7 +170,8 @@ def _section(name: str, rows: Mapping[str, str], title: str = "") -> list[Line]:
     return page
 
 
-def _by_panel(options: Iterable[TyperOption]) -> dict[str, list[TyperOption]]:
+def by_panel(options: Iterable[TyperOption]) -> dict[str, list[TyperOption]]:
+    """Sort the options of a command into its groups."""
     found: dict[str, list[TyperOption]] = {}
     for one in options:
         if one.rich_help_panel is not None:
@@ -190,7 +191,7 @@ def _choices(one: TyperArgument | TyperOption) -> list[str]:
     return [str(word) for word in getattr(one.type, "choices", ())]
 
 
-def _typed(one: TyperOption) -> str:
+def as_typed(one: TyperOption) -> str:
     """Write an option as it is typed, with the name of its value, or its words if they are few."""
     names = ", ".join(_spellings(one))
     if one.is_flag:
@@ -201,7 +202,7 @@ def _typed(one: TyperOption) -> str:
     return f"{names} {one.metavar or 'WORD'}"
 
 
-def _about(one: TyperArgument | TyperOption) -> str:
+def description_of(one: TyperArgument | TyperOption) -> str:
     """Describe an option, with its words where they are many, and its default."""
     about = one.help or ""
     words = _choices(one)

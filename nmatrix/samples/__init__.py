@@ -6,7 +6,7 @@ import os
 from functools import cache
 from pathlib import Path
 
-HERE = Path(__file__).parent
+FOLDER = Path(__file__).parent
 
 
 def samples(*endings: str) -> dict[str, Path]:
@@ -41,8 +41,8 @@ def file_or_sample(name: str | os.PathLike[str]) -> Path:
 @cache
 def _folder() -> Path:
     """Find the folder of the samples; a packed program lays them out for as long as it runs."""
-    if HERE.is_dir():
-        return HERE
+    if FOLDER.is_dir():
+        return FOLDER
     import atexit
     from importlib.resources import files
     from tempfile import TemporaryDirectory

@@ -67,6 +67,8 @@ def test_a_page_is_short_narrow_and_has_every_option(nmatrix, name: str) -> None
 def test_an_argument_is_named_by_what_it_is(nmatrix, name: str) -> None:
     usage = next(one for one in nmatrix(f"{name} --help").out.splitlines() if "Usage" in one)
     assert "None" not in usage
+    places = re.findall(r"[A-Z_]{2,}", usage)
+    assert len(places) == len(set(places))
     assert "[OPTIONS]" in usage
 
 
