@@ -52,7 +52,8 @@ VARIABLES = {
     "NMATRIX_THEME": "as --theme",
 }
 FULL_HELP = "Show this page; --help --full describes the options of the groups too."
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+A_DOCUMENT = "conventions.md"
+CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 def overview() -> list[Line]:
@@ -114,15 +115,15 @@ def of_options(commands: Iterable[GatheringCommand]) -> list[Line]:
 
 
 def of_documentation() -> list[Line]:
-    """Tell where the documentation is, which not every installation brings along."""
-    if (DOCS / "conventions.md").is_file():
+    """Tell where the documentation is, which a packed program does not bring along."""
+    if (folder := documents()) is not None:
         return _wrapped(
-            f"The documentation is in {DOCS}; the README.md beside it says what is where."
+            f"The documentation is in {folder}; the README.md beside it says what is where."
         )
     return [
         *_wrapped(
-            "The documentation is the folder docs of the source distribution of nmatrix; it is not "
-            "installed with the program. What is installed explains itself:"
+            "The documentation is the folder docs of an installed nmatrix and of its sources; it "
+            "is not packed into this program, which explains itself:"
         ),
         *_section(
             "Help",
@@ -133,6 +134,20 @@ def of_documentation() -> list[Line]:
             },
         ),
     ]
+
+
+def documents() -> Path | None:
+    """Find the documentation: the folder docs of a checkout, else where a wheel has put it."""
+    if (CHECKOUT / "docs" / A_DOCUMENT).is_file():
+        return CHECKOUT / "docs"
+    from importlib.metadata import PackageNotFoundError, files
+
+    try:
+        brought = files("nmatrix") or ()
+    except PackageNotFoundError:
+        return None
+    found = (Path(str(one.locate())) for one in brought if one.name == A_DOCUMENT)
+    return next((one.resolve().parent for one in found if one.is_file()), None)
 
 
 def _some(names: list[str]) -> str:

@@ -7,8 +7,11 @@ mirror, and up to length when it scales alike everywhere. Numbers stay exact unt
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isfinite, nan
+from operator import mul
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
@@ -94,19 +97,44 @@ def _course_rule(B: RationalMatrix, direction: RationalVector) -> RationalVector
 
 
 def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
-    import numpy as np
-
     try:
-        V = np.array(maps.camera_from_world.matrix)
-        world_from_space = np.array(maps.space_from_world(space).inverse().matrix)
+        V = maps.camera_from_world.matrix
+        world_from_space = maps.space_from_world(space).inverse().matrix
     except IllegalValueError:  # an entry beyond float64, which such a program cannot hold
         return None
-    with np.errstate(all="ignore"):
-        try:
-            found = np.linalg.inv(V @ world_from_space)[:3, 3]
-        except np.linalg.LinAlgError:
-            return None
-    return tuple(found.tolist()) if np.isfinite(found).all() else None
+    columns = list(zip(*world_from_space, strict=True))
+    MV = [[sum(map(mul, row, column)) for column in columns] for row in V]
+    found = _last_column_of_inverse(MV)
+    return found[:3] if all(map(isfinite, found)) else None
+
+
+def _last_column_of_inverse(A: Sequence[Sequence[float]]) -> Three:
+    """Solve A x = e by Gaussian elimination with partial pivoting, as float64 programs do.
+
+    Examples
+    --------
+    >>> _last_column_of_inverse([[1.0, 0, 3], [0, 2.0, 4], [0, 0, 1.0]])
+    (-3.0, -2.0, 1.0)
+    >>> _last_column_of_inverse([[1.0, 1.0], [1.0, 1.0]])
+    (nan, nan)
+    """
+    size = len(A)
+    rows = [[*row, float(i == size - 1)] for i, row in enumerate(A)]
+    for i in range(size):
+        pivot = max(range(i, size), key=lambda row: abs(rows[row][i]))
+        if rows[pivot][i] == 0:
+            return (nan,) * size
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        for row in rows[i + 1 :]:
+            factor = row[i] / rows[i][i]
+            row[i:] = [
+                one - factor * other for one, other in zip(row[i:], rows[i][i:], strict=True)
+            ]
+    x = [0.0] * size
+    for i in reversed(range(size)):
+        known = sum(map(mul, rows[i][i + 1 : size], x[i + 1 :]))
+        x[i] = (rows[i][size] - known) / rows[i][i]
+    return tuple(x)
 
 
 def _relative(exact: RationalVector, course: Three) -> Fraction | None:
