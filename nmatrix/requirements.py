@@ -7,6 +7,7 @@ a zip file in the metadata that were made of it.
 from __future__ import annotations
 
 import re
+import shlex
 import sys
 import tomllib
 from collections.abc import Iterable
@@ -54,17 +55,26 @@ def missing(what: str, *modules: str, otherwise: str = "") -> MissingPackageErro
 def install_command(*modules: str) -> str:
     """Write the command that installs the packages of some modules, in the range that is tried.
 
-    A program that pipx installed has its packages beside it, where pip does not reach.
+    A program that pipx or uv installed has its packages beside it, where pip does not reach.
 
     Examples
     --------
     >>> install_command("boots", "PIL").replace("'pillow>=11'", "pillow")
     'pip install boots pillow'
     """
-    by_pipx = (Path(sys.prefix) / "pipx_metadata.json").is_file()
+    quote = '"' if sys.platform == "win32" else "'"
     wanted = (requirement_of(one) for one in modules)
-    words = (f"'{one}'" if set(one) & set("<>=~!;") else one for one in wanted)
-    return " ".join(["pipx inject nmatrix" if by_pipx else "pip install", *words])
+    words = (f"{quote}{one}{quote}" if set(one) & set("<>=~!;") else one for one in wanted)
+    return " ".join([_installer(), *words])
+
+
+def _installer() -> str:
+    prefix = Path(sys.prefix)
+    if (prefix / "pipx_metadata.json").is_file():
+        return "pipx inject nmatrix"
+    if (prefix / "uv-receipt.toml").is_file():
+        return f"uv pip install --python {shlex.quote(str(prefix))}"
+    return "pip install"
 
 
 def requirement_of(module: str) -> str:

@@ -59,10 +59,27 @@ def test_a_package_without_metadata_still_names_what_is_missing(monkeypatch) -> 
     assert not is_required("typst")
 
 
-def test_what_pipx_installed_gets_its_packages_through_pipx(tmp_path, monkeypatch) -> None:
-    (tmp_path / "pipx_metadata.json").write_text("{}")
-    monkeypatch.setattr(sys, "prefix", str(tmp_path))
-    assert install_command("typst") == "pipx inject nmatrix 'typst>=0.15,<0.17'"
+@pytest.mark.parametrize(
+    ("left_by", "command"),
+    [
+        ("pipx_metadata.json", ["pipx", "inject", "nmatrix"]),
+        ("uv-receipt.toml", ["uv", "pip", "install", "--python", "{prefix}"]),
+    ],
+)
+def test_a_program_in_a_place_of_its_own_gets_packages_there(
+    left_by: str, command: list[str], tmp_path, monkeypatch
+) -> None:
+    prefix = tmp_path / "a place"
+    prefix.mkdir()
+    (prefix / left_by).touch()
+    monkeypatch.setattr(sys, "prefix", str(prefix))
+    words = [one.format(prefix=prefix) for one in command]
+    assert shlex.split(install_command("typst")) == [*words, "typst>=0.15,<0.17"]
+
+
+def test_a_shell_of_windows_knows_double_quotes_alone(monkeypatch) -> None:
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert install_command("typst") == 'pip install "typst>=0.15,<0.17"'
 
 
 def test_what_else_can_be_done_stands_last() -> None:
