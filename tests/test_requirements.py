@@ -122,3 +122,9 @@ def test_no_document_installs_this_project_from_an_index() -> None:
             if path.name != Path(__file__).name and not re.search(r"inject|--from|--spec", one):
                 said[path.name] = one
     assert said == {}
+
+
+@pytest.mark.parametrize("extra", EXTRAS)
+def test_every_extra_is_explained_to_those_who_install(extra: str) -> None:
+    part = (ROOT / "README.md").read_text("utf-8").partition("## Other ways to get it")[2]
+    assert f"`{extra}`" in part.partition("\n## ")[0]
