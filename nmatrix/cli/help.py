@@ -130,7 +130,6 @@ def of_documentation() -> list[Line]:
             {
                 **HELP_PAGES,
                 "nmatrix derive all": "The mathematics, each step proved.",
-                "python -m pydoc nmatrix": "The Python package.",
             },
         ),
     ]
