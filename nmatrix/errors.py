@@ -224,6 +224,17 @@ class MissingPackageError(NMatrixError, ImportError):
     exit_code = 4
 
 
+def defect(error: Exception) -> str:
+    """Tell of an error that no value should cause.
+
+    Examples
+    --------
+    >>> defect(KeyError("a"))
+    "a defect of nmatrix (KeyError: 'a'): it should not happen"
+    """
+    return f"a defect of nmatrix ({type(error).__name__}: {error}): it should not happen"
+
+
 def placed(error: NMatrixError, place: str) -> NMatrixError:
     """Make an error of the same kind that says first where it happened.
 

@@ -10,7 +10,7 @@ import re
 import shlex
 import sys
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib.metadata import PackageNotFoundError, requires
 from pathlib import Path
@@ -42,6 +42,8 @@ def missing(what: str, *modules: str, otherwise: str = "") -> MissingPackageErro
     >>> str(missing("a walk", "boots", "hat")).partition(";")[0]
     'a walk: it needs the packages boots and hat, and not all are installed'
     """
+    if sys.platform == "emscripten":
+        return _missing_in_browser(what, modules, otherwise)
     *others, last = (_NAME.findall(requirement_of(one))[0] for one in modules)
     why = (
         f"it needs the packages {', '.join(others)} and {last}, and not all are installed"
@@ -50,6 +52,29 @@ def missing(what: str, *modules: str, otherwise: str = "") -> MissingPackageErro
     )
     command = install_command(*modules)
     return MissingPackageError(what, why, f"{command}, or {otherwise}" if otherwise else command)
+
+
+def _missing_in_browser(what: str, modules: Sequence[str], otherwise: str) -> MissingPackageError:
+    """Refuse it in a browser, where nothing can be installed."""
+    names = ", ".join(map(package_of, modules))
+    steps = ("run it in a terminal, where nmatrix is installed", otherwise)
+    step = ", or ".join(one for one in steps if one)
+    return MissingPackageError(what, f"it needs {names}, which this page does not bring", step)
+
+
+def missing_part(error: Exception, what: str) -> MissingPackageError | None:
+    """Explain an import that failed, if a package that nmatrix asks for is absent.
+
+    Few commands need every package, so each is imported where it is used, and what was asked for
+    ends there. What is not here for another reason is a defect, and no part is missing.
+
+    Examples
+    --------
+    >>> print(missing_part(ModuleNotFoundError("No module named 'boots'", name="boots"), "a walk"))
+    None
+    """
+    name = error.name if isinstance(error, ModuleNotFoundError) else None
+    return missing(what, name) if name is not None and is_required(name) else None
 
 
 def install_command(*modules: str) -> str:

@@ -23,7 +23,7 @@ from nmatrix.cli.command import (
 from nmatrix.cli.environment import usual
 from nmatrix.cli.prompt import converse, on_terminal, usual_session
 from nmatrix.cli.show import ColorWhen, fail, put, show_page
-from nmatrix.errors import IllegalValueError, NMatrixError, printable, refusal
+from nmatrix.errors import IllegalValueError, NMatrixError, defect, printable, refusal
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:
@@ -78,12 +78,17 @@ def run(arguments: Sequence[str]) -> int:
     except Exception as error:  # the last line of defence against a traceback
         if "NMATRIX_DEBUG" in os.environ:
             raise
-        return fail(
-            f"a defect of nmatrix ({type(error).__name__}: {error}): it should not happen; "
-            "set NMATRIX_DEBUG=1 to see where",
-            DEFECT,
-            when,
-        )
+        return _unforeseen(error, arguments, when)
+
+
+def _unforeseen(error: Exception, arguments: Sequence[str], when: ColorWhen) -> int:
+    """Tell of a package that is not installed, or of a defect."""
+    from nmatrix.requirements import missing_part
+
+    absent = missing_part(error, next(iter(arguments), "nmatrix"))
+    if absent is not None:
+        return fail(str(absent), absent.exit_code, when)
+    return fail(f"{defect(error)}; set NMATRIX_DEBUG=1 to see where", DEFECT, when)
 
 
 def _run(words: list[str], when: ColorWhen) -> int:

@@ -79,6 +79,9 @@ COMMANDS = {
     "explore": CatalogueEntry(
         Panel.CLASSROOM, "explore", "One page to turn and drag: wrong normals beside right ones"
     ),
+    "web": CatalogueEntry(
+        Panel.CLASSROOM, "web", "This program as a folder that any browser runs, without a network"
+    ),
     "inspect": CatalogueEntry(
         Panel.FILES, "inspect", "Which nodes of a file need the inverse transpose"
     ),

@@ -13,7 +13,7 @@ from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show
 from nmatrix.output.files import kind_of, refuse_existing, write_file
 from nmatrix.report import Report, Text, Verdict
-from nmatrix.scene.setup import Light
+from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 
 FROM_ABOVE = (3.6, 1.5, 9.2)  # the page comes as near as the body lets it
@@ -47,14 +47,26 @@ def explore(
     refuse_existing([path], force=force)
     setup = groups.setup(common)
     if groups.scene.scene is None:
+        first = first_look(setup)
         setup = replace(
             setup,
-            world=setup.world if groups.world.given else STRETCHED,
-            view=setup.view if groups.view.given else replace(setup.view, eye=FROM_ABOVE),
-            lens=setup.lens if groups.lens.given else replace(setup.lens, fov_degrees=LONG_LENS),
-            light=setup.light if groups.light.given else FROM_THE_RIGHT,
+            world=setup.world if groups.world.given else first.world,
+            view=setup.view if groups.view.given else first.view,
+            lens=setup.lens if groups.lens.given else first.lens,
+            light=setup.light if groups.light.given else first.light,
         )
     fits = groups.scene.scene is None and not groups.view.given
     write_file(path, written(setup, fits=fits), force=force)
     blocks = (Verdict(f"Written: {path}"), Text("Open it in a browser; it needs no network."))
     show(Report("explore", {"file": str(path)}, blocks), common)
+
+
+def first_look(setup: Setup) -> Setup:
+    """Make of a setup the one that the page begins with, where nothing is given."""
+    return replace(
+        setup,
+        world=STRETCHED,
+        view=replace(setup.view, eye=FROM_ABOVE),
+        lens=replace(setup.lens, fov_degrees=LONG_LENS),
+        light=FROM_THE_RIGHT,
+    )

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from nmatrix.calculator import PROMPT
+from nmatrix.errors import defect
 
 if TYPE_CHECKING:
     from nmatrix.calculator.sessions.session import Session
@@ -74,7 +75,7 @@ def _after_a_line(session: Session, reader: LineReader, options: OutputOptions) 
     except Exception as error:  # the session outlives what should not happen
         if "NMATRIX_DEBUG" in os.environ:
             raise
-        put(f"error: a defect of nmatrix ({type(error).__name__}): it should not happen\n")
+        put(f"error: {defect(error)}\n")
         return session
     return None if done.reply.quits else done.session
 

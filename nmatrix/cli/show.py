@@ -6,6 +6,8 @@ import os
 import struct
 import sys
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, TextIO, TypeVar
@@ -26,6 +28,7 @@ Item = TypeVar("Item")
 LONGEST_LINE = 600
 WIDTH, NARROWEST, WIDEST = 80, 40, 1000  # columns
 ENDLESS = 1_000_000  # lines of a page that is no terminal
+_WITNESSES: ContextVar[tuple[list[Report], ...]] = ContextVar("witnesses", default=())
 BRACKETS = "⎡⎢⎣│−ᵀ⁻¹°✓"
 
 
@@ -43,9 +46,23 @@ def show(report: Report, common: CommonOptions) -> None:
 
     remarks = (*common.sources.about, *common.sources.remarks, *report.remarks)
     told = replace(report, remarks=remarks, about=len(common.sources.about))
-    put(_written(told.spelled(option_name), options_of(common), common))
+    told = told.spelled(option_name)
+    put(_written(told, options_of(common), common))
+    for witness in _WITNESSES.get():
+        witness.append(told)
     if report.failure is not None:
         raise report.failure
+
+
+@contextmanager
+def witnessed() -> Iterator[list[Report]]:
+    """Collect the reports that are shown meanwhile, for who shows them once more otherwise."""
+    seen: list[Report] = []
+    token = _WITNESSES.set((*_WITNESSES.get(), seen))
+    try:
+        yield seen
+    finally:
+        _WITNESSES.reset(token)
 
 
 def options_of(common: CommonOptions) -> OutputOptions:

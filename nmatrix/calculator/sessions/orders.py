@@ -60,6 +60,13 @@ def enter(session: Session, text: str, files: Files) -> Outcome:
         return session, Reply(error=error, at=asked.at + error.position)
     except NMatrixError as error:
         return session, Reply(error=error, at=asked.at)
+    except ModuleNotFoundError as error:
+        from nmatrix.requirements import missing_part
+
+        absent = missing_part(error, "letters")
+        if absent is None:
+            raise
+        return session, Reply(error=absent, at=asked.at)
 
 
 def _carried_out(session: Session, asked: Statement, files: Files) -> Outcome:

@@ -84,7 +84,7 @@ def page(setup: Setup, *, fits: bool = False) -> bytes:
         If the world matrix is singular and not given by its parts: sliders cannot show it.
     """
     script = "\n".join(_text(f"{name}.js") for name in SCRIPTS)
-    style = _colours() + _text("page.css")
+    style = colours() + _text("page.css")
     data = json.dumps(
         page_data(setup, fits=fits), ensure_ascii=False, separators=(",", ":"), allow_nan=False
     )
@@ -104,7 +104,7 @@ def _text(name: str) -> str:
     return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 
-def _colours() -> str:
+def colours() -> str:
     """Write the palettes as variables of the style: by the reader's scheme, by choice, on paper."""
     told = {theme: _variables(palette) for theme, palette in PALETTES.items()}
     chosen = [CHOSEN % (theme.value, told[theme]) for theme in (Theme.LIGHT, Theme.DARK)]
