@@ -104,6 +104,26 @@ def test_packages_that_this_python_has_are_used(packed: Path, tmp_path: Path) ->
     assert answers[0] == answers[1]
 
 
+@pytest.mark.parametrize(
+    ("words", "package"),
+    [
+        ("render teapot", "numpy>=2.0"),
+        ("derive", "sympy>=1.13"),
+        ("explore", "numpy>=2.0"),
+        ("inspect teapot", "msgspec>=0.19"),
+        ("cost normals --quick", "numpy>=2.0"),
+        ("world --scene sample", "msgspec>=0.19"),
+        ("lint phong.vert", "tree-sitter>=0.25"),
+        ("handout --to pdf", "typst>=0.15,<0.17"),
+    ],
+)
+def test_what_needs_a_package_says_so_in_one_line(words, package, packed, tmp_path) -> None:
+    bare = [sys.executable, "-I", "-S", str(packed)]
+    code, out, err = run(bare, words.split(), tmp_path)
+    assert (code, out) == (MissingPackageError.exit_code, b"")
+    assert re.fullmatch(rf"error: .*; pip install '{re.escape(package)}'.*\n", err.decode())
+
+
 def test_jobs_go_to_processes_as_well(packed: Path, tmp_path: Path) -> None:
     words = "handout --roster class --topics exercises --workers 2 -o sheets".split()
     code, _, err = run([sys.executable, "-I", "-S", str(packed)], words, tmp_path)
