@@ -19,7 +19,7 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from nmatrix.errors import IllegalValueError, printable, refusal
-from nmatrix.requirements import PROJECT, listed, missing
+from nmatrix.requirements import PROJECT, listed, missing, read_requirement
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:
@@ -91,8 +91,14 @@ def modules(package: str) -> dict[str, bytes]:
 def metadata() -> dict[str, bytes]:
     """Write what a zip file needs to know of this package's version and requirements."""
     lines = ["Metadata-Version: 2.1", "Name: nmatrix", f"Version: {__version__}"]
-    lines += [f"Requires-Dist: {one}" for one in listed()]
+    lines += sorted(f"Requires-Dist: {_in_one_spelling(one)}" for one in listed())
     return {f"nmatrix-{__version__}.dist-info/METADATA": "\n".join([*lines, ""]).encode()}
+
+
+def _in_one_spelling(requirement: str) -> str:
+    """Write a requirement alike, whether a project or a built package lists it."""
+    marker = requirement.partition(";")[2].strip()
+    return "; ".join(filter(None, (read_requirement(requirement)[1], marker)))
 
 
 def zipped(content: Mapping[str, bytes], head: bytes = b"") -> bytes:
