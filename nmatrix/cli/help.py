@@ -50,6 +50,7 @@ VARIABLES = {
     "NMATRIX_DIGITS": "as --digits",
     "NMATRIX_COLOR": "as --color",
     "NMATRIX_THEME": "as --theme",
+    "NMATRIX_PYODIDE": "as --pyodide",
 }
 FULL_HELP = "Show this page; --help --full describes the options of the groups too."
 A_DOCUMENT = "conventions.md"

@@ -1,0 +1,103 @@
+"""A command line gives the same bytes in a browser as in a pipe, and so does every grading."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from itertools import islice
+from pathlib import Path
+
+import pytest
+from web.command_lines import command_lines
+
+from nmatrix.lessons.exercises.exercise import Choice, ExerciseKind
+from nmatrix.lessons.exercises.scheme import Sheet
+from nmatrix.lessons.exercises.sheet import exercise
+from nmatrix.web.desk import NEEDS
+
+pytestmark = pytest.mark.slow
+
+MISSING = 4
+MANY = """async (asked) => {
+  const {ask} = await import('./engine.js');
+  const told = [];
+  for (const one of asked) told.push(await ask("command", one).catch((error) => ({refused: error.message})));
+  return told;
+}"""
+ENVIRONMENT = {
+    **{name: one for name, one in os.environ.items() if not name.startswith("NMATRIX_")},
+    "PYTHONPATH": str(Path(__file__).resolve().parents[2]),
+    "PYTHONIOENCODING": "utf-8",
+}
+ENVIRONMENT.pop("COLUMNS", None)
+
+
+def in_pipes(asked: list[dict[str, object]]) -> list[dict[str, object]]:
+    done = subprocess.run(
+        [sys.executable, Path(__file__).with_name("forked.py")],
+        input=json.dumps(asked),
+        capture_output=True,
+        text=True,
+        check=True,
+        env=ENVIRONMENT,
+    )
+    return json.loads(done.stdout)
+
+
+def of_pipes(told: dict[str, object]) -> dict[str, object]:
+    return {name: told.get(name) for name in ("code", "out", "err")}
+
+
+def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
+    asked = command_lines()
+    here, there = opened().evaluate(MANY, asked), in_pipes(asked)
+    alike, absent = 0, set()
+    for line, one, other in zip(asked, here, there, strict=True):
+        if one.get("code") == MISSING:
+            absent.add(line["words"][0])
+            continue
+        assert of_pipes(one) == other, line
+        alike += 1
+    assert alike >= 300
+    assert absent == (set(NEEDS) & {line["words"][0] for line in asked if line["words"]}) | {"handout"}
+
+
+def gradings() -> list[dict[str, object]]:
+    """Right answers, and each planned wrong one, to the ten kinds of thirty students."""
+    found = []
+    for i in range(30):
+        sheet = Sheet("7", f"student {i}")
+        for number in range(1, len(ExerciseKind) + 1):
+            one = exercise(number, sheet)
+            wrong = [two.text for two in one.planned]
+            if isinstance(one.grader, Choice):
+                wrong = ["abcdefgh"[j] for j in range(len(one.grader.options))]
+            for answer in dict.fromkeys((one.right, *wrong)):
+                whose = ["--seed", sheet.seed, "--student", sheet.student, "-f", "json"]
+                found.append({"words": ["check", "exercise", str(number), *whose, "--", answer]})
+    return found
+
+
+def test_a_grading_is_the_same_to_the_byte(opened) -> None:
+    asked = gradings()
+    assert len(asked) >= 300
+    here, there = opened().evaluate(MANY, asked), in_pipes(asked)
+    for line, one, other in zip(asked, here, there, strict=True):
+        assert of_pipes(one) == other, line
+    assert {json.loads(one["out"])["verdict"] for one in here} == {"correct", "mistake", "unknown"}
+
+
+def test_forked_lines_are_what_processes_of_their_own_print() -> None:
+    asked = [one for one in islice(command_lines(), 0, None, 40) if not one["files"]]
+    for line, told in zip(asked, in_pipes(asked), strict=True):
+        done = subprocess.run(
+            [sys.executable, "-m", "nmatrix", *line["words"]],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            check=False,
+            env=ENVIRONMENT,
+        )
+        assert told == {"code": done.returncode, "out": done.stdout, "err": done.stderr}
