@@ -44,7 +44,11 @@ def run(words: list[str], own: str, pipes: str) -> NoReturn:
     # Three streams that have read and written nothing yet.
     sys.stdin, sys.stdout, sys.stderr = (
         os.fdopen(number, mode, encoding="utf-8", errors=errors, closefd=False)
-        for number, mode, errors in ((0, "r", "strict"), (1, "w", "strict"), (2, "w", "backslashreplace"))
+        for number, mode, errors in (
+            (0, "r", "strict"),
+            (1, "w", "strict"),
+            (2, "w", "backslashreplace"),
+        )
     )
     sys.argv = ["nmatrix", *words]
     from nmatrix.__main__ import main as program

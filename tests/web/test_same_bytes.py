@@ -61,7 +61,9 @@ def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
         assert of_pipes(one) == other, line
         alike += 1
     assert alike >= 300
-    assert absent == (set(NEEDS) & {line["words"][0] for line in asked if line["words"]}) | {"handout"}
+    assert absent == (set(NEEDS) & {line["words"][0] for line in asked if line["words"]}) | {
+        "handout"
+    }
 
 
 def gradings() -> list[dict[str, object]]:
