@@ -6,13 +6,14 @@ import json
 import os
 import subprocess
 import sys
+from base64 import b64encode
 from itertools import islice
 from pathlib import Path
 
 import pytest
 from web.command_lines import command_lines
 
-from nmatrix.lessons.exercises.exercise import Choice, ExerciseKind
+from nmatrix.lessons.exercises.exercise import LETTERS, Choice, ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
 from nmatrix.web.desk import NEEDS
@@ -46,8 +47,12 @@ def in_pipes(asked: list[dict[str, object]]) -> list[dict[str, object]]:
     return json.loads(done.stdout)
 
 
-def of_pipes(told: dict[str, object]) -> dict[str, object]:
-    return {name: told.get(name) for name in ("code", "out", "err")}
+def of_browser(told: dict[str, object]) -> dict[str, object]:
+    files = {
+        one["name"]: one["base64"] or b64encode(one["text"].encode()).decode()
+        for one in told.get("files", ())
+    }
+    return {name: told.get(name) for name in ("code", "out", "err")} | {"files": files}
 
 
 def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
@@ -58,7 +63,7 @@ def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
         if one.get("code") == MISSING:
             absent.add(line["words"][0])
             continue
-        assert of_pipes(one) == other, line
+        assert of_browser(one) == other, line
         alike += 1
     assert alike >= 300
     assert absent == (set(NEEDS) & {line["words"][0] for line in asked if line["words"]}) | {
@@ -67,7 +72,7 @@ def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
 
 
 def gradings() -> list[dict[str, object]]:
-    """Right answers, and each planned wrong one, to the ten kinds of thirty students."""
+    """The ten kinds of thirty students: by turns the right answer and each wrong one that is expected."""
     found = []
     for i in range(30):
         sheet = Sheet("7", f"student {i}")
@@ -75,10 +80,11 @@ def gradings() -> list[dict[str, object]]:
             one = exercise(number, sheet)
             wrong = [two.text for two in one.planned]
             if isinstance(one.grader, Choice):
-                wrong = ["abcdefgh"[j] for j in range(len(one.grader.options))]
-            for answer in dict.fromkeys((one.right, *wrong)):
-                whose = ["--seed", sheet.seed, "--student", sheet.student, "-f", "json"]
-                found.append({"words": ["check", "exercise", str(number), *whose, "--", answer]})
+                wrong = list(LETTERS[: len(one.grader.options)])
+            answers = [*dict.fromkeys((one.right, *wrong))]
+            whose = ["--seed", sheet.seed, "--student", sheet.student, "-f", "json"]
+            answer = answers[i % len(answers)]
+            found.append({"words": ["check", "exercise", str(number), *whose, "--", answer]})
     return found
 
 
@@ -87,7 +93,7 @@ def test_a_grading_is_the_same_to_the_byte(opened) -> None:
     assert len(asked) >= 300
     here, there = opened().evaluate(MANY, asked), in_pipes(asked)
     for line, one, other in zip(asked, here, there, strict=True):
-        assert of_pipes(one) == other, line
+        assert of_browser(one) == other, line
     assert {json.loads(one["out"])["verdict"] for one in here} == {"correct", "mistake", "unknown"}
 
 
@@ -102,4 +108,5 @@ def test_forked_lines_are_what_processes_of_their_own_print() -> None:
             check=False,
             env=ENVIRONMENT,
         )
+        del told["files"]
         assert told == {"code": done.returncode, "out": done.stdout, "err": done.stderr}
