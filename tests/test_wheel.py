@@ -126,7 +126,7 @@ def test_what_the_package_names_is_brought(installed: Path) -> None:
     share = installed / "share"
     told = "".join((ROOT / "docs" / "nmatrix.1").read_text("ascii"))
     assert (share / "man" / "man1" / "nmatrix.1").read_text("ascii") == told
-    for path in ROOT.glob("docs/**/*.md"):
+    for path in (ROOT / "README.md", ROOT / "CHANGELOG.md", *ROOT.glob("docs/**/*.md")):
         if not any(part.startswith("_") for part in path.parts):
             there = share / "doc" / "nmatrix" / path.relative_to(ROOT)
             assert there.read_text() == path.read_text()
