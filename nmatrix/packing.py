@@ -12,13 +12,13 @@ from __future__ import annotations
 import io
 import sys
 import zipfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
-from nmatrix.errors import IllegalValueError, printable, refusal
+from nmatrix.errors import IllegalValueError, NMatrixError, printable, refusal
 from nmatrix.requirements import PROJECT, listed, missing, read_requirement
 from nmatrix.version import __version__
 
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 # sources that it would colour; nothing here does.
 PURE = ("annotated_doc", "rich", "shellingham", "typer")
 LICENCES = ("LICENSE", "LICENCE", "COPYING", "NOTICE")
+USUAL = "nmatrix.pyz"
+COMMAND = f"python -m nmatrix.packing {USUAL}"
 UNUSED = ("__pycache__", "py.typed")
 FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # of zip files: none remembers when it was packed
 REGULAR = 0o100644 << 16
@@ -151,21 +153,36 @@ def _licences(package: str) -> Iterable[Path]:
 
 
 def write(path: Path) -> None:
-    """Write the program to a file that may be run as it is.
+    """Write the program to a file that may be run as it is, in place of an older one.
 
     Raises
     ------
     IllegalValueError
-        If the file system refuses.
+        If something else lies there, or the file system refuses.
     """
+    told, step = f"file ({printable(str(path))})", "choose another name"
     try:
+        if path.exists() and not zipfile.is_zipfile(path):
+            raise IllegalValueError(told, "it is there, and is no packed program", step)
         path.write_bytes(program())
         path.chmod(0o755)
     except OSError as error:
-        raise IllegalValueError(
-            f"file ({printable(str(path))})", refusal(error), "choose another"
-        ) from None
+        raise IllegalValueError(told, refusal(error), step) from None
+
+
+def main(words: Sequence[str]) -> int:
+    """Write the program to the file that the words name, or tell in a line why not."""
+    try:
+        if len(words) > 1 or any(one.startswith("-") for one in words):
+            raise IllegalValueError("arguments", "they name one file", f"try {COMMAND}")
+        path = Path(*words) if words else Path(USUAL)
+        write(path)
+    except NMatrixError as error:
+        sys.stderr.write(f"error: {error}\n")
+        return error.exit_code
+    sys.stdout.write(f"Written: {path}\n")
+    return 0
 
 
 if __name__ == "__main__":
-    write(Path(sys.argv[1] if len(sys.argv) > 1 else "nmatrix.pyz"))
+    sys.exit(main(sys.argv[1:]))

@@ -180,8 +180,8 @@ def test_hints_have_the_ranges_of_the_metadata(installed: Path, tmp_path: Path) 
 
 
 def test_the_installed_program_packs_itself_as_a_checkout_does(installed, tmp_path: Path) -> None:
-    done = shell("python -m nmatrix.packing && ./nmatrix.pyz --version", installed, tmp_path)
-    assert done.stdout == f"nmatrix {__version__}\n"
+    done = shell("python -m nmatrix.packing && ./nmatrix.pyz -V", installed, tmp_path)
+    assert done.stdout == f"Written: nmatrix.pyz\nnmatrix {__version__}\n"
     assert (tmp_path / "nmatrix.pyz").read_bytes() == packing.program()
 
 
