@@ -24,7 +24,9 @@ MISSING = 4
 MANY = """async (asked) => {
   const {ask} = await import('./engine.js');
   const told = [];
-  for (const one of asked) told.push(await ask("command", one).catch((error) => ({refused: error.message})));
+  for (const one of asked) {
+    told.push(await ask("command", one).catch((error) => ({refused: error.message})));
+  }
   return told;
 }"""
 ENVIRONMENT = {
@@ -35,16 +37,25 @@ ENVIRONMENT = {
 ENVIRONMENT.pop("COLUMNS", None)
 
 
-def in_pipes(asked: list[dict[str, object]]) -> list[dict[str, object]]:
-    done = subprocess.run(
-        [sys.executable, Path(__file__).with_name("forked.py")],
-        input=json.dumps(asked),
-        capture_output=True,
-        text=True,
-        check=True,
-        env=ENVIRONMENT,
-    )
-    return json.loads(done.stdout)
+class Pipes:
+    """Runs lines as processes while something else goes on."""
+
+    def __init__(self, asked: list[dict[str, object]]) -> None:
+        self._running = subprocess.Popen(
+            [sys.executable, Path(__file__).with_name("forked.py")],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=ENVIRONMENT,
+        )
+        assert self._running.stdin is not None
+        self._running.stdin.write(json.dumps(asked))
+        self._running.stdin.close()
+
+    def told(self) -> list[dict[str, object]]:
+        with self._running as running:
+            assert running.stdout is not None
+            return json.load(running.stdout)
 
 
 def of_browser(told: dict[str, object]) -> dict[str, object]:
@@ -57,7 +68,8 @@ def of_browser(told: dict[str, object]) -> dict[str, object]:
 
 def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
     asked = command_lines()
-    here, there = opened().evaluate(MANY, asked), in_pipes(asked)
+    pipes = Pipes(asked)
+    here, there = opened().evaluate(MANY, asked), pipes.told()
     alike, absent = 0, set()
     for line, one, other in zip(asked, here, there, strict=True):
         if one.get("code") == MISSING:
@@ -72,7 +84,7 @@ def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
 
 
 def gradings() -> list[dict[str, object]]:
-    """The ten kinds of thirty students: by turns the right answer and each wrong one that is expected."""
+    """The ten kinds of thirty students: by turns the right answer and each wrong one in mind."""
     found = []
     for i in range(30):
         sheet = Sheet("7", f"student {i}")
@@ -91,7 +103,8 @@ def gradings() -> list[dict[str, object]]:
 def test_a_grading_is_the_same_to_the_byte(opened) -> None:
     asked = gradings()
     assert len(asked) >= 300
-    here, there = opened().evaluate(MANY, asked), in_pipes(asked)
+    pipes = Pipes(asked)
+    here, there = opened().evaluate(MANY, asked), pipes.told()
     for line, one, other in zip(asked, here, there, strict=True):
         assert of_browser(one) == other, line
     assert {json.loads(one["out"])["verdict"] for one in here} == {"correct", "mistake", "unknown"}
@@ -99,7 +112,7 @@ def test_a_grading_is_the_same_to_the_byte(opened) -> None:
 
 def test_forked_lines_are_what_processes_of_their_own_print() -> None:
     asked = [one for one in islice(command_lines(), 0, None, 40) if not one["files"]]
-    for line, told in zip(asked, in_pipes(asked), strict=True):
+    for line, told in zip(asked, Pipes(asked).told(), strict=True):
         done = subprocess.run(
             [sys.executable, "-m", "nmatrix", *line["words"]],
             stdin=subprocess.DEVNULL,
