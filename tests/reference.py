@@ -33,7 +33,7 @@ CLASS = re.compile(r"<class '(?:\w+\.)*(\w+)'>")
 QUOTED_TYPE = re.compile(r"(?<=\w): '([^']*)'")
 LINE = 88  # characters of a call that stays on one line
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "reference.md"
-OPENING = """# Reference
+OPENING = """# Python reference of nmatrix
 
 Every public name of `nmatrix`, with its docstring; [the tour](python.md) shows how they go
 together. This page is made by `python tests/reference.py`.

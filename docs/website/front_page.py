@@ -63,15 +63,16 @@ def page(contents: str, notebooks: Sequence[str], *, has_web: bool) -> str:
     lines += ["* Every [command](commands/index.md), with its options and examples that ran"]
     lines += ["* [How to cite](cite.md)\n"]
     for title, rows in sections.items():
-        targets = [one for _, target, _ in rows for one in _with_made(target, notebooks)]
+        targets = [one for row in rows for one in _with_made(*row[:2], notebooks)]
         listed = "\n".join(targets).replace("README", "index")
         lines += [f"```{{toctree}}\n:hidden:\n:caption: {title}\n\n{listed}\n```\n"]
     return "\n".join(lines).replace("README.md", "index.md")
 
 
-def _with_made(target: str, notebooks: Sequence[str]) -> list[str]:
-    """Name a document, and behind it the pages that the build makes."""
-    return [target, *BEHIND.get(target, ()), *(notebooks if target == NOTEBOOK_BEHIND else ())]
+def _with_made(title: str, target: str, notebooks: Sequence[str]) -> list[str]:
+    """Name a document by its short title, and behind it the pages that the build makes."""
+    made = [*BEHIND.get(target, ()), *(notebooks if target == NOTEBOOK_BEHIND else ())]
+    return [f"{title.partition(':')[0]} <{target}>", *made]
 
 
 def cite(citation: dict[str, Any]) -> str:

@@ -69,15 +69,20 @@ def _related(mistake: MistakeId) -> list[str]:
 def listed(text: str) -> str:
     """Let the list of the mistakes lead to their pages, and add what they look like."""
     names = set(MistakeId)
-    first, marker, rest = text.partition("\n## The list\n")
+    first, marker, rest = text.partition("\n## All mistakes by name\n")
     rows = ROW.sub(
         lambda row: f"| [`{row[1]}`](mistakes/{row[1]}.md) |" if row[1] in names else row[0], rest
     )
     seen = "\n".join(f"* [{plain(one.seen)}](mistakes/{id_}.md)" for id_, one in SYMPTOMS.items())
-    pages = "\n".join(f"mistakes/{one}" for one in SYMPTOMS)
+    pages = "\n".join(f"{_short(one)} <mistakes/{id_}>" for id_, one in SYMPTOMS.items())
     index = f"```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
     symptoms = f"\n## Symptoms: what you see\n\n{seen}\n"
     return f"{first}{symptoms}{marker}{rows}\n{index}"
+
+
+def _short(symptom: Symptom) -> str:
+    """Take what one sees, without why: enough for a list of contents."""
+    return symptom.seen.partition(":")[0]
 
 
 def rule_page(rule: RuleId, text: str) -> str:
