@@ -119,7 +119,7 @@ def of_documentation() -> list[Line]:
     """Tell where the documentation is, which a packed program does not bring along."""
     if (folder := documents()) is not None:
         return _wrapped(
-            f"The documentation is in {folder}; the README.md beside it says what is where."
+            f"The documentation is in {folder}; the README.md in it says what is where."
         )
     return [
         *_wrapped(
