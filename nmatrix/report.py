@@ -405,7 +405,7 @@ class Displayed(ABC):
     """
 
     @abstractmethod
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell this value to a person."""
 
     def _repr_mimebundle_(self, **_: object) -> dict[str, str | bytes]:

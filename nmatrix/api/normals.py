@@ -46,7 +46,7 @@ class TransformedNormals(Displayed):
     status: Array
     bound_rad: Array
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the first normals, each with its status and its bound."""
         flat = (self.normals.reshape(-1, 3), self.status.ravel(), self.bound_rad.ravel())
         shown = zip(*(one[:MOST].tolist() for one in flat), strict=True)

@@ -101,7 +101,7 @@ class Report(report.Displayed):
         """Name the command and the keys of its data."""
         return f"<Report of nmatrix {self.command}: {', '.join(self.data)}>"
 
-    def as_report(self) -> report.Report:
+    def _repr_report_(self) -> report.Report:
         """Hand on the answer itself."""
         return self.answer
 

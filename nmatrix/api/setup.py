@@ -8,6 +8,7 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
+from nmatrix import report
 from nmatrix.api.report import Report
 from nmatrix.enums import (
     NORMAL_METHODS,
@@ -19,7 +20,6 @@ from nmatrix.enums import (
 )
 from nmatrix.linear.values import flag, named_file, number, plain_value, real, refused, vector
 from nmatrix.report import Displayed
-from nmatrix.report import Report as Told
 from nmatrix.samples import file_or_sample
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
@@ -94,9 +94,9 @@ class Setup(Displayed):
         shown = (f"{name}={one!r}" for name, one in parts if one != getattr(usual, name))
         return f"Setup({', '.join(shown)})"
 
-    def as_report(self) -> Told:
+    def _repr_report_(self) -> report.Report:
         """Tell the matrices, the eye and the light."""
-        return self.values.as_report()
+        return self.values._repr_report_()
 
     @classmethod
     def from_scene(

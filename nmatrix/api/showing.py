@@ -5,13 +5,13 @@ Values of the package show themselves; `show` does it for what NumPy and Python 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from typing import Any
 
 from nmatrix import report
 from nmatrix.api.report import Report
-from nmatrix.errors import counted
+from nmatrix.errors import IllegalValueError, counted
 from nmatrix.linear.values import number, plain_value, refused, text
 from nmatrix.reading.arrays import read_matrix
 from nmatrix.report import (
@@ -55,7 +55,7 @@ def show(value: object, name: str = "value") -> Report:
       ⎣ 1/3     1 ⎦
     """
     if isinstance(value, Displayed):
-        return Report(value.as_report())
+        return Report(value._repr_report_())
     told = read_matrix(value, "value").rows_exact if isinstance(value, str) else value
     blocks = tuple(_blocks(told, "value", text(name, "name")))
     answer = report.Report.of_value(*blocks)
@@ -74,14 +74,16 @@ def first_rows(columns: Sequence[str], rows: Sequence[Any], count: int) -> Itera
 
 def _blocks(value: object, place: str, name: str) -> Iterator[Block]:
     """Show a number, a vector or a matrix; of many the first ones, each under its index."""
-    if isinstance(value, str) or not hasattr(value, "__len__") or not _shape(value):
+    if isinstance(value, str) or not hasattr(value, "__len__") or getattr(value, "ndim", 1) == 0:
         yield _named(name, number(value, place))
         return
     entries: Any = value
-    if not hasattr(entries, "__getitem__") or not len(entries):
+    if isinstance(value, bytes | Mapping | Set) or not len(entries):
         raise refused(value, place, "it is no row of numbers", "give an array of numbers")
     first = [plain_value(one, place) for one in entries[:MOST]]
     depth = max(map(_depth, first))
+    if min(map(_depth, first)) != depth:
+        raise _ragged(value, place)
     if depth > 1:
         for i, one in enumerate(first):
             yield from _blocks(one, f"{place}[{i}]", f"{name}[{i}]")
@@ -91,7 +93,7 @@ def _blocks(value: object, place: str, name: str) -> Iterator[Block]:
     rows = [_numbers(one if depth else [one], f"{place}[{i}]") for i, one in enumerate(first)]
     wide = len(rows[0])
     if any(len(row) != wide for row in rows):
-        raise refused(value, place, "its rows have unequal lengths", "give rows of one length")
+        raise _ragged(value, place)
     if not depth and len(entries) <= LARGEST_MATRIX:
         yield _named(name, tuple(row[0] for row in rows))
     elif max(len(entries), wide) <= LARGEST_MATRIX:
@@ -109,13 +111,12 @@ def _named(name: str, value: Number | Vector | Matrix) -> Quantity:
     return Quantity(name, value) if is_key else Quantity("value", value, name)
 
 
+def _ragged(value: object, place: str) -> IllegalValueError:
+    return refused(value, place, "its rows have unequal lengths", "give rows of one length")
+
+
 def _numbers(row: Any, place: str) -> tuple[Number, ...]:  # noqa: ANN401  # a list of anything
     return tuple(number(one, f"{place}[{j}]") for j, one in enumerate(row))
-
-
-def _shape(value: object) -> bool:
-    """Tell an array of no axis, which holds one number, from one of several."""
-    return getattr(value, "shape", True) != ()
 
 
 def _depth(value: object) -> int:

@@ -95,7 +95,7 @@ class Angle(Displayed):
         rounded = exact.numerator / exact.denominator
         return rounded if Angle.degrees(rounded) == self else exact
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the angle in degrees, its sine and its cosine."""
         return Report.of_value(
             Quantity("degrees", self.in_degrees, "angle", "°"),

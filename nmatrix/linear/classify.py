@@ -59,7 +59,7 @@ class Classification(Displayed):
     kind_exact: bool
     linear_map: LinearMap
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the kind of map, its determinant, its rank and its condition."""
         return Report.of_value(
             Quantity("transform", self.kind.value.replace("-", " "), "kind"),

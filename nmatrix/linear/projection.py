@@ -58,7 +58,7 @@ class ClipSpace(Displayed):
         """What a matrix decides of it; the origin of the window is not in it."""
         return {"depth": self.depth, "handed": self.handed, "clip_y": self.clip_y}
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell its parts, and the interfaces that have just these."""
         names = [api.value for api, preset in API_PRESETS.items() if ClipSpace(*preset) == self]
         parts = (*self.parts.items(), ("origin", self.origin))
@@ -140,7 +140,7 @@ class Window(Displayed):
     def __post_init__(self) -> None:
         read_fields(self, left=real, right=real, bottom=real, top=real)
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell its four sides."""
         return Report.of_value(*(Quantity(side, value, side) for side, value in vars(self).items()))
 

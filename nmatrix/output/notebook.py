@@ -17,7 +17,7 @@ from nmatrix.output.formulas.latex import latex
 from nmatrix.output.latex import Latex
 from nmatrix.output.mathml import StyledMathML, prose
 from nmatrix.output.write import OutputOptions, as_told
-from nmatrix.report import Displayed, Formula, Report, Tone, Verdict
+from nmatrix.report import Code, Displayed, Formula, Report, Tone, Verdict
 
 MOST_ROWS = 200  # of a table: a notebook keeps what it shows
 TONES = {
@@ -82,17 +82,24 @@ def bundle(value: Displayed) -> dict[str, str | bytes]:
     >>> sorted(bundle(Window(-1, 1, -1, 1)))
     ['text/html', 'text/latex', 'text/plain']
     """
-    shown: dict[str, str | bytes] = {"text/plain": str(value)}
     try:
-        report = value.as_report()
+        report = value._repr_report_()
     except NMatrixError as error:
         report = Report("", {}, (Verdict(str(error), Tone.WRONG),))
     told, how = as_told(report, OutputOptions(Format.MATHML))
-    shown["text/html"] = html(told, how)
-    equations = _latex(told, how)
-    if "$" in equations:
-        shown["text/latex"] = equations
+    shown: dict[str, str | bytes] = {"text/plain": _text(value), "text/html": html(told, how)}
+    beside_code = [block for block in told.blocks if not isinstance(block, Code)]
+    if "$" in blocks_in(beside_code, _Latex(how)):
+        shown["text/latex"] = _latex(told, how)
     return shown
+
+
+def _text(value: Displayed) -> str:
+    """Write what a console shows; Python refuses to spell integers of thousands of digits."""
+    try:
+        return str(value)
+    except ValueError:
+        return f"<{type(value).__name__}>"
 
 
 def html(report: Report, options: OutputOptions) -> str:
@@ -176,6 +183,10 @@ class _Latex(Latex):
         """Write an equation between dollars, its words above."""
         about = f"{self.words(title)}\n\n" if title else ""
         return f"{about}$$\n{latex(equation)}\n$$"
+
+    def scalar(self, title: str, value: str) -> str:
+        """Write a number and its unit as one formula: a double dollar would begin an equation."""
+        return super().scalar(title, value.replace("$$", ""))
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
         """Write a table as an array of words and numbers."""

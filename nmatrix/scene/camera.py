@@ -53,7 +53,7 @@ class FirstPerson(Displayed):
     def __post_init__(self) -> None:
         read_fields(self, elevation=float_turn, angle=float_turn, roll=float_turn)
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the three angles."""
         angles = vars(self).items()
         return Report.of_value(*(Quantity(name, value, name, "°") for name, value in angles))
@@ -104,7 +104,7 @@ class View(Displayed):
                 f"leave out {quantity('handed')} left, and {quantity('api')} direct3d",
             )
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the view matrix and the eye."""
         placed = self.placed()
         return Report.of_value(

@@ -195,7 +195,7 @@ class Lens(Displayed):
             "leave it out, or give another matrix",
         )
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the projection matrix."""
         P = self.clip_from_camera
         return Report.of_value(Quantity("clip_from_camera", P, "clip ← camera"))

@@ -47,7 +47,7 @@ class Light(Displayed):
         both = "both are the direction"
         refuse_beside(self, "angles_degrees", ("direction",), both, names=names)
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the direction in which the light travels and its position, in world space."""
         placed = self.placed()
         told = (
@@ -101,10 +101,10 @@ class Setup(Displayed):
             named = f"{quantity('tolerance')} ({self.tolerance})"
             raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the matrices, the eye and the light."""
         parts = (self.world, self.view, self.lens, self.light)
-        blocks = (block for part in parts for block in part.as_report().blocks)
+        blocks = (block for part in parts for block in part._repr_report_().blocks)
         return Report.of_value(*blocks)
 
     @cached_property

@@ -198,7 +198,7 @@ class World(Displayed):
             shear=rational_vector(self.shear),
         )
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell the world matrix."""
         M = self.world_from_object
         return Report.of_value(Quantity("world_from_object", M, "world ← object"))

@@ -91,7 +91,7 @@ class Transform(Displayed):
         """Return the 3×3 block at the exact level."""
         return LinearMap.of(rational.linear_part(self.exact))
 
-    def as_report(self) -> Report:
+    def _repr_report_(self) -> Report:
         """Tell where it leads, where it comes from, and its matrix."""
         return Report.of_value(Quantity(self.name, self.exact, f"{self.to} ← {self.source}"))
 
