@@ -74,7 +74,7 @@ KNOWN = set(
     r"\begin \end \frac \sqrt \surd \text \mathrm \mathsf \operatorname \texttt \left \right "
     r"\cdot \times \pm \approx \neq \le \ge \to \leftarrow \leftrightarrow \Rightarrow "
     r"\Leftrightarrow \circ \infty \prime \det \alpha \beta \theta \kappa \lambda \sigma "
-    r"\varphi".split()
+    r"\varphi \sin \cos".split()
 )
 OF_TEXT = {r"\textbackslash", r"\textasciitilde", r"\textasciicircum", r"\dots"}
 
