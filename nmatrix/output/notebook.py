@@ -11,9 +11,13 @@ from collections.abc import Sequence
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import Format, Theme
 from nmatrix.errors import NMatrixError
-from nmatrix.formula import Node
+from nmatrix.formula import Node, Row, Sign, Words
 from nmatrix.output.documents import Cells, blocks_in
+from nmatrix.output.exact import SAME
 from nmatrix.output.formulas.latex import latex
+from nmatrix.output.formulas.mathml import equation as displayed
+from nmatrix.output.formulas.mathml import mathml
+from nmatrix.output.formulas.spoken import spoken
 from nmatrix.output.latex import Latex
 from nmatrix.output.mathml import StyledMathML, prose
 from nmatrix.output.write import OutputOptions, as_told
@@ -28,6 +32,7 @@ FONTS = (
     "'STIX Two Math','Cambria Math','Latin Modern Math','Libertinus Math',"
     "'DejaVu Math TeX Gyre',math"
 )
+EQUALS = Sign(SAME)
 INK, LINE, TINT = "currentColor", "rgba(128,128,128,.4)", "rgba(128,128,128,.12)"
 STYLE = f"""<style>
 .nmatrix {{ max-width: 60rem; line-height: 1.5; }}
@@ -135,8 +140,8 @@ class _Html(StyledMathML):
 
     def matrix(self, key: str, title: str, equation: Node) -> str:
         """Write a matrix under its words; several stand side by side as far as there is room."""
-        bare = super().matrix(key, "", equation)
-        return _quantity(prose(title), bare)
+        words, right = _parted(equation)
+        return _quantity(prose(title or words), displayed(mathml(right), spoken(equation), key))
 
     def scalar(self, title: str, value: str) -> str:
         """Write a number under its words."""
@@ -151,6 +156,19 @@ class _Html(StyledMathML):
     def remarks(self, remarks: Sequence[str]) -> str:
         """Write the remarks as a quiet list."""
         return super().remarks(remarks).replace("<ul>", '<ul class="remarks">', 1)
+
+
+def _parted(equation: Node) -> tuple[str, Node]:
+    """Part an equation from the words in front of it; a letter stays there."""
+    items = equation.items if isinstance(equation, Row) else ()
+    words: list[str] = []
+    for i, one in enumerate(items):
+        if one == EQUALS and words:
+            return " ".join(words), Row(items[i + 1 :])
+        if not isinstance(one, Words | Sign):
+            break
+        words.append(one.text)
+    return "", equation
 
 
 def _quantity(about: str, value: str) -> str:
