@@ -105,7 +105,7 @@ def _installer() -> str:
 def requirement_of(module: str) -> str:
     """Find the package of a module and the versions that nmatrix asks for, or its bare name."""
     package = package_of(module)
-    return _ranges().get(package.lower(), package)
+    return _ranges().get(package, package)
 
 
 def is_required(module: str) -> bool:
@@ -116,19 +116,19 @@ def is_required(module: str) -> bool:
     >>> is_required("boots")
     False
     """
-    return package_of(module).lower() in _ranges()
+    return package_of(module) in _ranges()
 
 
 def package_of(module: str) -> str:
-    """Name the package that brings a module; an index does not tell capitals apart.
+    """Name the package that brings a module, as an index spells it.
 
     Examples
     --------
     >>> package_of("tree_sitter_glsl"), package_of("PIL.Image"), package_of("DracoPy")
-    ('tree-sitter-glsl', 'pillow', 'DracoPy')
+    ('tree-sitter-glsl', 'pillow', 'dracopy')
     """
     top = module.partition(".")[0]
-    return PACKAGES.get(top, top.replace("_", "-"))
+    return PACKAGES.get(top, top.replace("_", "-").lower())
 
 
 @cache
@@ -162,4 +162,4 @@ def read_requirement(line: str) -> tuple[str, str]:
     found = _NAME.match(wanted)
     assert found is not None  # metadata are well formed
     bounds = sorted(wanted[found.end() :].split(","), reverse=True)
-    return found[0].replace("_", "-").lower(), found[0] + ",".join(bounds)
+    return found[0], found[0] + ",".join(bounds)

@@ -5,12 +5,26 @@ from __future__ import annotations
 import json
 import os
 import shlex
+import shutil
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
 
 from nmatrix.cli.app import run
+
+# Of Chromium: WebGL by software, and no request of its own.
+FLAGS = [
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--disable-quic",
+    "--no-first-run",
+    "--hide-scrollbars",
+]
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
@@ -34,6 +48,19 @@ def data() -> Path:
 def own_folder(tmp_path, monkeypatch):
     """Work in a folder of the test's own."""
     monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator:
+    """A real Chromium, once for all tests; skipped with a reason where there is none."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    program = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chrome")
+    if program is None:
+        pytest.skip("there is no chromium here")
+    with playwright.sync_playwright() as running:
+        found = running.chromium.launch(executable_path=program, args=FLAGS)
+        yield found
+        found.close()
 
 
 class Answer(NamedTuple):

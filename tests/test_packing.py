@@ -93,6 +93,7 @@ def test_it_runs_by_its_own_name_and_leaves_nothing(packed: Path, tmp_path: Path
     assert [one.name for one in packed.parent.iterdir()] == ["nmatrix.pyz"]
 
 
+@pytest.mark.slow
 def test_packages_that_this_python_has_are_used(packed: Path, tmp_path: Path) -> None:
     words = ["render", "normals", "--mesh", "teapot", "--size", "64", "64", "-o", "a.png"]
     installed, answers = [sys.executable, "-m", "nmatrix"], []
@@ -124,6 +125,7 @@ def test_what_needs_a_package_says_so_in_one_line(words, package, packed, tmp_pa
     assert re.fullmatch(rf"error: .*; pip install '{re.escape(package)}'.*\n", err.decode())
 
 
+@pytest.mark.slow
 def test_jobs_go_to_processes_as_well(packed: Path, tmp_path: Path) -> None:
     words = "handout --roster class --topics exercises --workers 2 -o sheets".split()
     code, _, err = run([sys.executable, "-I", "-S", str(packed)], words, tmp_path)
@@ -180,6 +182,28 @@ def test_what_cannot_be_packed_or_written_is_told(tmp_path: Path) -> None:
         packing.modules("no_such_package")
     with pytest.raises(IllegalValueError, match="there is no such file or folder; choose another"):
         packing.write(tmp_path / "no" / "nmatrix.pyz")
+    mine = tmp_path / "thesis.txt"
+    mine.write_text("all of it")
+    for path in (mine, tmp_path):
+        with pytest.raises(IllegalValueError, match="it is there, and is no packed program"):
+            packing.write(path)
+    assert mine.read_text() == "all of it"
+
+
+@pytest.mark.parametrize("words", [["--help"], ["a", "b"], ["no/such/folder/a.pyz"]], ids=" ".join)
+def test_a_slip_where_it_is_packed_is_one_line(words, capsys, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert packing.main(words) == IllegalValueError.exit_code
+    told = capsys.readouterr()
+    assert (told.out, told.err.count("\n")) == ("", 1)
+    assert told.err.startswith("error: ")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_it_is_packed_under_its_usual_name_and_again(capsys, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert [packing.main(words) for words in ([], [packing.USUAL])] == [0, 0]
+    assert capsys.readouterr().out == f"Written: {packing.USUAL}\n" * 2
 
 
 def test_a_zip_file_tells_nothing_of_the_day_or_the_machine() -> None:

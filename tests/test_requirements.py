@@ -29,11 +29,15 @@ def _read_anew():
     requirements._ranges.cache_clear()
 
 
+def test_the_project_spells_packages_as_its_metadata_do() -> None:
+    assert [one for one in ASKED if not re.fullmatch(r"[a-z][a-z0-9-]*[<>=][^ ]+", one)] == []
+
+
 @pytest.mark.parametrize("line", ASKED)
 def test_a_package_is_installed_in_the_range_that_the_project_asks_for(line: str) -> None:
     name = re.split("[<>=]", line)[0]
     brought = {two: one for one, two in requirements.PACKAGES.items()}
-    module = brought.get(name.lower(), name.replace("-", "_"))
+    module = brought.get(name, name.replace("-", "_"))
     assert is_required(module)
     assert shlex.split(install_command(module)) == ["pip", "install", line]
 
@@ -45,7 +49,7 @@ def test_metadata_of_an_installed_package_say_the_same(line, monkeypatch) -> Non
     metadata = [f"{name}{bounds}; extra == 'some'"]
     monkeypatch.setattr(requirements, "PROJECT", Path("no/such/pyproject.toml"))
     monkeypatch.setattr(requirements, "requires", lambda _: metadata)
-    assert requirements._ranges() == {name.lower().replace("_", "-"): line}
+    assert requirements._ranges() == {name: line}
     assert read_requirement(line)[1] == line
 
 

@@ -18,6 +18,7 @@ from zipfile import ZipFile
 
 import pytest
 
+from nmatrix import packing
 from nmatrix.cli import help as pages
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.command import examples_and_notes
@@ -125,7 +126,7 @@ def test_what_the_package_names_is_brought(installed: Path) -> None:
     share = installed / "share"
     told = "".join((ROOT / "docs" / "nmatrix.1").read_text("ascii"))
     assert (share / "man" / "man1" / "nmatrix.1").read_text("ascii") == told
-    for path in ROOT.glob("docs/**/*.md"):
+    for path in (ROOT / "README.md", ROOT / "CHANGELOG.md", *ROOT.glob("docs/**/*.md")):
         if not any(part.startswith("_") for part in path.parts):
             there = share / "doc" / "nmatrix" / path.relative_to(ROOT)
             assert there.read_text() == path.read_text()
@@ -147,7 +148,7 @@ def test_every_example_of_every_help_runs_where_nothing_else_is(installed: Path)
     def fails(example: str) -> str:
         with TemporaryDirectory() as folder:
             done = shell(example, installed, Path(folder))
-        missing = done.returncode == MissingPackageError.exit_code and "pip install" in done.stderr
+        missing = done.returncode == MissingPackageError.exit_code and "install" in done.stderr
         judged = example.startswith(JUDGES) and done.returncode == 1
         return "" if done.returncode == 0 or missing or judged else f"{example}: {done.stderr}"
 
@@ -176,6 +177,12 @@ def test_hints_have_the_ranges_of_the_metadata(installed: Path, tmp_path: Path) 
     assert (
         shell(hint, installed, tmp_path).stdout == "pip install 'typst>=0.15,<0.17' 'numpy>=2.0'\n"
     )
+
+
+def test_the_installed_program_packs_itself_as_a_checkout_does(installed, tmp_path: Path) -> None:
+    done = shell("python -m nmatrix.packing && ./nmatrix.pyz -V", installed, tmp_path)
+    assert done.stdout == f"Written: nmatrix.pyz\nnmatrix {__version__}\n"
+    assert (tmp_path / "nmatrix.pyz").read_bytes() == packing.program()
 
 
 def test_the_source_distribution_makes_the_same_wheel(hatch, wheel, tmp_path: Path) -> None:

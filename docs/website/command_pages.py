@@ -100,7 +100,9 @@ def _list() -> str:
     """Write the list of the commands by their panels."""
     lines = [head("Every command of nmatrix: usage, options, exit codes, examples that ran.")]
     lines += ["# Commands of nmatrix\n"]
-    lines += ["Each with its usage, its options by group, and examples that ran as this was built.\n"]
+    lines += [
+        "Each with its usage, its options by group, and examples that ran as this was built.\n"
+    ]
     for panel in Panel:
         lines += [f"## {panel}\n"]
         lines += [
@@ -111,4 +113,3 @@ def _list() -> str:
         lines += [""]
     names = "\n".join(f"nmatrix {name} <{name}>" for name in COMMANDS)
     return "\n".join([*lines, f"```{{toctree}}\n:hidden:\n\n{names}\n```\n"])
-

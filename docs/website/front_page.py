@@ -23,7 +23,9 @@ SENTENCE = (
     "name of the mistake in a wrong answer."
 )
 COMMAND = "nmatrix world --scale 1 2 1"
-INSTALL = f"python3 -m venv .venv && .venv/bin/pip install -q -c constraints.txt . && .venv/bin/{COMMAND}"
+INSTALL = (
+    f"python3 -m venv .venv && .venv/bin/pip install -q -c constraints.txt . && .venv/bin/{COMMAND}"
+)
 PICTURE = (
     "A circle that becomes an ellipse, an egg with leaning normals and one with upright ones, and a "
     "map of the angle between, up to 36.9 degrees"

@@ -95,4 +95,3 @@ def rule_page(rule: RuleId, text: str) -> str:
         [head(summary, [rule.value, *words]), title, "", indexed([rule.value, told.name, *words])]
         + [rest.rstrip(), "", "## Also searched as\n", also, ""]
     )
-

@@ -50,6 +50,7 @@ VARIABLES = {
     "NMATRIX_DIGITS": "as --digits",
     "NMATRIX_COLOR": "as --color",
     "NMATRIX_THEME": "as --theme",
+    "NMATRIX_PYODIDE": "as --pyodide",
 }
 FULL_HELP = "Show this page; --help --full describes the options of the groups too."
 A_DOCUMENT = "conventions.md"
@@ -118,7 +119,7 @@ def of_documentation() -> list[Line]:
     """Tell where the documentation is, which a packed program does not bring along."""
     if (folder := documents()) is not None:
         return _wrapped(
-            f"The documentation is in {folder}; the README.md beside it says what is where."
+            f"The documentation is in {folder}; the README.md in it says what is where."
         )
     return [
         *_wrapped(

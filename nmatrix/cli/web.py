@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,10 +18,12 @@ from nmatrix.scene.setup import Setup
 if TYPE_CHECKING:
     from nmatrix.web.desk import Desk
 
-HELP = {
-    "web": """nmatrix web -o site
+USUAL_PYODIDE = "node_modules/pyodide"
 
-nmatrix web -o site --pyodide ~/node_modules/pyodide --force
+HELP = {
+    "web": """nmatrix web
+
+nmatrix web -o site --force
 
 Any server of files will do, below any path: python -m http.server -d site. Pyodide, the Python
 that browsers run, is npm's: npm install pyodide.""",
@@ -34,8 +37,8 @@ def web(
         str, Option("--output", "-o", metavar="DIR", help="Where the folder goes.")
     ] = "site",
     pyodide: Annotated[
-        str, Option(metavar="DIR", help="npm's package pyodide.")
-    ] = "node_modules/pyodide",
+        str | None, Option(metavar="DIR", help="npm's package pyodide (node_modules/pyodide).")
+    ] = None,
     force: Annotated[
         bool, Option("--force", help="Write into a folder that is not empty.")
     ] = False,
@@ -45,7 +48,8 @@ def web(
     from nmatrix.web.folder import folder, write
 
     target = Path(output)
-    content = folder(Path(pyodide), lambda: page(first_look(Setup()), fits=True))
+    place = pyodide or os.environ.get("NMATRIX_PYODIDE") or USUAL_PYODIDE
+    content = folder(Path(place), lambda: page(first_look(Setup()), fits=True))
     write(target, content, force=force)
     size = sum(map(len, content.values()))
     told = f"Written: {len(content)} files of {size / 1e6:.1f} MB in {target}"

@@ -7,11 +7,12 @@ mirror, and up to length when it scales alike everywhere. Numbers stay exact unt
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 from math import isfinite, nan
-from operator import mul
+from operator import add, mul
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
@@ -103,7 +104,7 @@ def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
     except IllegalValueError:  # an entry beyond float64, which such a program cannot hold
         return None
     columns = list(zip(*world_from_space, strict=True))
-    MV = [[sum(map(mul, row, column)) for column in columns] for row in V]
+    MV = [[_float_dot(row, column) for column in columns] for row in V]
     found = _last_column_of_inverse(MV)
     return found[:3] if all(map(isfinite, found)) else None
 
@@ -132,9 +133,14 @@ def _last_column_of_inverse(A: Sequence[Sequence[float]]) -> Three:
             ]
     x = [0.0] * size
     for i in reversed(range(size)):
-        known = sum(map(mul, rows[i][i + 1 : size], x[i + 1 :]))
+        known = _float_dot(rows[i][i + 1 : size], x[i + 1 :])
         x[i] = (rows[i][size] - known) / rows[i][i]
     return tuple(x)
+
+
+def _float_dot(a: Iterable[float], b: Iterable[float]) -> float:
+    """Add products from the left, each rounded; `sum` rounds otherwise from Python 3.12 on."""
+    return reduce(add, map(mul, a, b), 0.0)
 
 
 def _relative(exact: RationalVector, course: Three) -> Fraction | None:
