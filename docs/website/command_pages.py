@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Iterator
 
 from markdown import head, indexed, plain
 from runs import transcript
 from typer.core import TyperArgument, TyperOption
 
-from nmatrix import errors
 from nmatrix.cli import help as pages
-from nmatrix.cli.app import DEFECT, INTERRUPTED, load
+from nmatrix.cli.app import load
 from nmatrix.cli.catalogue import COMMANDS, CatalogueEntry, Panel
 
-# The page of the command tells more than its help does, and where: a document and what it is.
+# Where more is told of the commands of a panel: a document, and what it is.
 TOLD_IN = {
     Panel.MATRICES: ("conventions", "Conventions: frames, hands, units, memory layout"),
     Panel.SPACES: ("conventions", "Conventions: frames, hands, units, memory layout"),
@@ -25,16 +23,6 @@ TOLD_IN = {
 }
 MEASURED = "cost"  # its numbers are times, which are others on every machine
 SLOWEST = 1  # examples of a command that measures
-EXIT_CODES = {
-    0: "Done.",
-    **{
-        kind.exit_code: str(inspect.getdoc(kind)).partition("\n")[0]
-        for kind in vars(errors).values()
-        if isinstance(kind, type) and errors.NMatrixError in kind.__bases__
-    },
-    DEFECT: "A defect of nmatrix.",
-    INTERRUPTED: "Interrupted.",
-}
 
 
 def written() -> Iterator[tuple[str, str]]:
@@ -67,7 +55,7 @@ def page(name: str, entry: CatalogueEntry) -> str:
     for panel, listed in pages.by_panel(options).items():
         lines += [f"## Options: {panel}\n", *map(_option, listed)]
     lines += ["## Exit codes\n"]
-    lines += [f"{code}\n: {plain(told)}\n" for code, told in EXIT_CODES.items()]
+    lines += [f"{code}\n: {plain(told)}\n" for code, told in pages.exit_codes().items()]
     lines += ["## See also\n", *_related(name, entry)]
     return "\n".join(lines)
 

@@ -10,12 +10,13 @@ from typing import Any
 import yaml
 from markdown import head, indexed
 
-CITATION = Path(__file__).resolve().parents[2] / "CITATION.cff"
+ROOT = Path(__file__).resolve().parents[2]
+OTHER_WAYS = re.compile(r"^## Other ways to get it\n\n(.*?)(?=^## )", re.MULTILINE | re.DOTALL)
 SECTION = re.compile(r"^## (.+)\n\n((?:[*] .*\n(?:  .*\n)*)+)", re.MULTILINE)
 ENTRY = re.compile(r"^\* \[([^\]]+)\]\(([\w/-]+)\.md\)(?:: )?((?:.*\n?(?:  .*\n)*))", re.MULTILINE)
 PATHS = "Three paths"
 # Pages that the build makes stand behind these documents in the contents.
-BEHIND = {"command-line": ["commands/index"], "architecture": ["cite"]}
+BEHIND = {"for-engineers": ["install"], "command-line": ["commands/index"], "architecture": ["cite"]}
 NOTEBOOK_BEHIND = "python"
 SENTENCE = (
     "The matrices of computer graphics (world, view, projection, normals, any shading space), "
@@ -42,9 +43,10 @@ part. <code>npm install --no-save pyodide &amp;&amp; nmatrix web -o try</code> w
 
 
 def written(contents: str, notebooks: Sequence[str], *, has_web: bool) -> Iterator[tuple[str, str]]:
-    """Write the front page and the page that tells how to cite; give names and texts."""
+    """Write the front page, how to install and how to cite; give names and texts."""
     yield "index.md", page(contents, notebooks, has_web=has_web)
-    yield "cite.md", cite(yaml.safe_load(CITATION.read_text(encoding="utf-8")))
+    yield "install.md", install((ROOT / "README.md").read_text(encoding="utf-8"))
+    yield "cite.md", cite(yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8")))
 
 
 def page(contents: str, notebooks: Sequence[str], *, has_web: bool) -> str:
@@ -63,7 +65,7 @@ def page(contents: str, notebooks: Sequence[str], *, has_web: bool) -> str:
             named = ", ".join(f"[{one}]({target}.md)" for one, target, _ in rows)
             lines += [f"* **{title}**: {named}"]
     lines += ["* Every [command](commands/index.md), with its options and examples that ran"]
-    lines += ["* [How to cite](cite.md)\n"]
+    lines += ["* [How to install](install.md), [how to cite](cite.md)\n"]
     for title, rows in sections.items():
         targets = [one for row in rows for one in _with_made(*row[:2], notebooks)]
         listed = "\n".join(targets).replace("README", "index")
@@ -75,6 +77,23 @@ def _with_made(title: str, target: str, notebooks: Sequence[str]) -> list[str]:
     """Name a document by its short title, and behind it the pages that the build makes."""
     made = [*BEHIND.get(target, ()), *(notebooks if target == NOTEBOOK_BEHIND else ())]
     return [f"{title.partition(':')[0]} <{target}>", *made]
+
+
+def install(readme: str) -> str:
+    """Tell how to install, by the words of the README."""
+    ways = OTHER_WAYS.search(readme)
+    if ways is None:
+        raise ValueError(f"{ROOT / 'README.md'} has no section of this form: {OTHER_WAYS.pattern}")
+    return "\n".join(
+        [
+            head("How to install nmatrix: pip, pipx, uv, one file, extras."),
+            "# How to install nmatrix\n",
+            indexed(["install nmatrix", "download nmatrix", "pip install", "pipx uv"]),
+            "In a folder with its sources; Python 3.11 or newer is all that it needs:\n",
+            f"```sh\n{INSTALL}\n```\n",
+            ways[1],
+        ]
+    )
 
 
 def cite(citation: dict[str, Any]) -> str:

@@ -38,7 +38,7 @@ def head(description: str, keywords: Iterable[str] = ()) -> str:
 def indexed(phrases: Iterable[str]) -> str:
     """Enter phrases into the index of the site, where its search finds them first."""
     entries = (one.replace(";", ",") for one in phrases)
-    return "\n".join(f"```{{index}} single: ! {one}\n```" for one in entries) + "\n"
+    return "\n".join(f"```{{index}} ! single: {one}\n```" for one in entries) + "\n"
 
 
 def description_of(text: str) -> str:

@@ -54,6 +54,7 @@ VARIABLES = {
 }
 FULL_HELP = "Show this page; --help --full describes the options of the groups too."
 A_DOCUMENT = "conventions.md"
+SITE = "Build it; it needs the extra docs, and no network."
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
@@ -118,9 +119,12 @@ def of_options(commands: Iterable[GatheringCommand]) -> list[Line]:
 def of_documentation() -> list[Line]:
     """Tell where the documentation is, which a packed program does not bring along."""
     if (folder := documents()) is not None:
-        return _wrapped(
+        page = _wrapped(
             f"The documentation is in {folder}; the README.md in it says what is where."
         )
+        if (builder := folder / "website").is_dir():
+            page += _section("As a site, with search", {f"python {builder} -o site": SITE})
+        return page
     return [
         *_wrapped(
             "The documentation is the folder docs of an installed nmatrix and of its sources; it "
@@ -134,6 +138,26 @@ def of_documentation() -> list[Line]:
             },
         ),
     ]
+
+
+def exit_codes() -> dict[int, str]:
+    """List what a program that calls this one reads: 0, those of the errors, and two more.
+
+    Examples
+    --------
+    >>> exit_codes()[0], exit_codes()[130]
+    ('Done.', 'Interrupted.')
+    """
+    from nmatrix import errors
+    from nmatrix.cli.app import DEFECT, INTERRUPTED
+
+    kinds = [one for one in vars(errors).values() if isinstance(one, type)]
+    refused = {
+        one.exit_code: (one.__doc__ or "").partition("\n")[0]
+        for one in kinds
+        if errors.NMatrixError in one.__bases__
+    }
+    return {0: "Done.", **refused, DEFECT: "A defect of nmatrix.", INTERRUPTED: "Interrupted."}
 
 
 def documents() -> Path | None:

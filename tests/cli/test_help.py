@@ -111,7 +111,10 @@ class Brought(type(Path())):
 
 
 def test_the_documentation_is_where_the_help_says(nmatrix, monkeypatch, tmp_path) -> None:
-    assert str(ROOT / "docs") in "".join(nmatrix("help --docs").out.split())
+    told = "".join(nmatrix("help --docs").out.split())
+    assert f"documentationisin{ROOT / 'docs'};" in told
+    assert f"python{ROOT / 'docs' / 'website'}-osite" in told
+    assert (ROOT / "docs" / "website" / "__main__.py").is_file()
     monkeypatch.setattr(pages, "CHECKOUT", tmp_path)
     installed = tmp_path / "share" / "docs" / pages.A_DOCUMENT
     monkeypatch.setattr("importlib.metadata.files", lambda _: [Brought(installed)])
@@ -120,7 +123,9 @@ def test_the_documentation_is_where_the_help_says(nmatrix, monkeypatch, tmp_path
     assert str(tmp_path) not in page
     installed.parent.mkdir(parents=True)
     installed.touch()
-    assert str(installed.parent) in "".join(nmatrix("help --docs").out.split())
+    told = "".join(nmatrix("help --docs").out.split())
+    assert str(installed.parent) in told
+    assert "website" not in told
 
 
 def test_help_for_what_is_no_command_is_refused(nmatrix) -> None:
