@@ -24,7 +24,7 @@ from nmatrix.output.formulas.mathml import mathml
 from nmatrix.output.formulas.spoken import spoken
 from nmatrix.output.latex import Latex
 from nmatrix.output.mathml import StyledMathML, prose
-from nmatrix.output.write import OutputOptions, as_told
+from nmatrix.output.write import OutputOptions, as_told, write
 from nmatrix.report import Code, Displayed, Formula, Report, Tone, Verdict
 
 MOST_ROWS = 200  # of a table: a notebook keeps what it shows
@@ -97,12 +97,9 @@ def bundle(value: Displayed) -> dict[str, str | bytes]:
         report = value._repr_report_()
     except NMatrixError as error:
         report = Report("", {}, (Verdict(str(error), Tone.WRONG),))
-    told, how = as_told(report, OutputOptions(Format.MATHML))
-    plain = _text(value)
-    shown: dict[str, str | bytes] = {"text/plain": plain, "text/html": html(told, how, plain)}
-    beside_code = [block for block in told.blocks if not isinstance(block, Code)]
-    if "$" in blocks_in(beside_code, _Latex(how)):
-        shown["text/latex"] = _latex(told, how)
+    shown: dict[str, str | bytes] = {"text/plain": _text(value), "text/html": html(report)}
+    if equations := _latex(report):
+        shown["text/latex"] = equations
     return shown
 
 
@@ -114,28 +111,30 @@ def _text(value: Displayed) -> str:
         return f"<{type(value).__name__}>"
 
 
-def html(report: Report, options: OutputOptions, plain: str) -> str:
+def html(report: Report) -> str:
     r"""Write a report, its style, and the text that stands for it where styles are dropped.
 
     What is long is folded below its short form.
 
     Examples
     --------
-    >>> shown = html(Report("", {}, (Verdict("It <fits>."),)), OutputOptions(), "It <fits>.")
+    >>> shown = html(Report("", {}, (Verdict("It <fits>."),)))
     >>> print(*shown.splitlines()[-3:], sep="\n")
     <p class="verdict neutral">It &lt;fits&gt;.</p>
     </div>
     <pre class="nmatrix-untrusted">It &lt;fits&gt;.</pre>
     """
-    dialect, short = _Html(options), report.brief
-    body = blocks_in(report.blocks if short is None else short.blocks, dialect)
-    if short is not None and short.blocks != report.blocks:
-        whole = blocks_in(report.blocks, dialect)
+    told, how = as_told(report, OutputOptions(Format.MATHML))
+    dialect, short = _Html(how), told.brief
+    body = blocks_in(told.blocks if short is None else short.blocks, dialect)
+    if short is not None and short.blocks != told.blocks:
+        whole = blocks_in(told.blocks, dialect)
         body += f"\n<details><summary>All of it</summary>\n{whole}\n</details>"
-    remarks = dialect.remarks(report.remarks) if report.remarks else ""
+    remarks = dialect.remarks(told.remarks) if told.remarks else ""
     parts = "\n".join(part for part in (body, remarks) if part)
     kind = "nmatrix tex2jax_ignore mathjax_ignore"
-    beside = f'<pre class="nmatrix-untrusted">{escape(plain.strip())}</pre>'
+    text = escape(write(report, OutputOptions()).strip("\n"))
+    beside = f'<pre class="nmatrix-untrusted">{text}</pre>'
     return f'{STYLE}\n<div class="{kind}" hidden="">\n{parts}\n</div>\n{beside}'
 
 
@@ -188,14 +187,19 @@ def _quantity(about: str, value: str) -> str:
     return f'<div class="quantity">{above}{value}</div>'
 
 
-def _latex(report: Report, options: OutputOptions) -> str:
+def _latex(report: Report) -> str:
     """Write a report as LaTeX that MathJax and KaTeX set as well: all commands are within dollars.
 
-    Words stand between the equations as they are; only what TeX would misread has a backslash.
+    Words stand between the equations as they are; only what TeX would misread has a backslash. It
+    is empty where there is no mathematics.
     """
-    dialect = _Latex(options)
-    body = blocks_in(report.blocks, dialect)
-    return "\n\n".join(part for part in (body, dialect.remarks(report.remarks)) if part) + "\n"
+    told, how = as_told(report, OutputOptions(Format.LATEX))
+    dialect = _Latex(how)
+    beside_code = [block for block in told.blocks if not isinstance(block, Code)]
+    if "$" not in blocks_in(beside_code, dialect):
+        return ""
+    parts = (blocks_in(told.blocks, dialect), dialect.remarks(told.remarks))
+    return "\n\n".join(part for part in parts if part) + "\n"
 
 
 class _Latex(Latex):

@@ -129,7 +129,9 @@ def test_whatever_is_shown_is_text_and_one_element_that_is_well_formed(name: str
     style, body, beside = parsed(bundle["text/html"])
     assert (style.tag, body.tag, beside.tag) == ("style", "div", "pre")
     assert "".join(body.itertext()).strip()
-    assert beside.text == bundle["text/plain"].strip()
+    assert beside.text.strip()
+    if isinstance(value, nmatrix.Report):
+        assert beside.text == value.to("text").strip("\n")
 
 
 @pytest.mark.parametrize("name", [name for name in EVERYTHING if name != "Picture"])
@@ -220,6 +222,12 @@ def test_mathjax_leaves_the_dollars_of_names_alone() -> None:
             _, body, beside = page(value)
             assert {"tex2jax_ignore", "mathjax_ignore"} <= set(body.get("class").split())
             assert beside.tag == "pre"  # which it leaves alone, too
+
+
+def test_without_its_style_only_the_text_is_left_to_see() -> None:
+    _, body, beside = page(TURNED.world())
+    assert body.get("hidden") is not None
+    assert beside.get("hidden") is None
 
 
 def test_what_has_no_matrix_is_shown_with_the_sentence_that_says_why() -> None:
