@@ -2,11 +2,15 @@
 
 Colours are those of the notebook, light or dark: lines and tints are made of its own ink. Nothing
 is loaded and nothing runs; the classes on the outside keep MathJax away from dollars in names.
+
+A notebook of someone else, before it is trusted, is shown without styles, and JupyterLab drops the
+elements of MathML, too. So it is the style that shows the formulas and hides the text beside them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import Format, Theme
@@ -20,7 +24,7 @@ from nmatrix.output.formulas.mathml import mathml
 from nmatrix.output.formulas.spoken import spoken
 from nmatrix.output.latex import Latex
 from nmatrix.output.mathml import StyledMathML, prose
-from nmatrix.output.write import OutputOptions, as_told
+from nmatrix.output.write import OutputOptions, as_told, write
 from nmatrix.report import Code, Displayed, Formula, Report, Tone, Verdict
 
 MOST_ROWS = 200  # of a table: a notebook keeps what it shows
@@ -35,7 +39,10 @@ FONTS = (
 EQUALS = Sign(SAME)
 INK, LINE, TINT = "currentColor", "rgba(128,128,128,.4)", "rgba(128,128,128,.12)"
 STYLE = f"""<style>
+.nmatrix[hidden] {{ display: block !important; }}
+.nmatrix-untrusted {{ display: none !important; }}
 .nmatrix {{ max-width: 60rem; line-height: 1.5; }}
+.nmatrix, .nmatrix .quantity, .nmatrix .step {{ overflow-x: auto; overflow-y: hidden; }}
 .nmatrix p, .nmatrix ul, .nmatrix pre, .nmatrix dl {{ margin: .4em 0; }}
 .nmatrix p {{ white-space: pre-line; }}
 .nmatrix sup {{ line-height: 0; }}
@@ -49,8 +56,7 @@ STYLE = f"""<style>
 .nmatrix .quantity:has(+ .quantity) > :only-child {{ margin-top: 1.6em; }}
 .nmatrix .about, .nmatrix caption, .nmatrix .remarks {{ opacity: .8; font-size: .92em; }}
 .nmatrix math {{ font-family: {FONTS}; font-size: 1.08em; }}
-.nmatrix math[display="block"] {{ width: fit-content; max-width: 100%; margin: .15em 0;
-  overflow-x: auto; overflow-y: hidden; padding: .1em 0; }}
+.nmatrix math[display="block"] {{ width: fit-content; margin: .15em 0; padding: .1em 0; }}
 .nmatrix mtd {{ math-style: normal; padding: .2em .45em; }}
 .nmatrix .step {{ margin: .5em 0; }}
 .nmatrix .proved, .nmatrix .unproved {{ margin: 0 0 0 1.2em; opacity: .8; font-size: .92em; }}
@@ -91,11 +97,9 @@ def bundle(value: Displayed) -> dict[str, str | bytes]:
         report = value._repr_report_()
     except NMatrixError as error:
         report = Report("", {}, (Verdict(str(error), Tone.WRONG),))
-    told, how = as_told(report, OutputOptions(Format.MATHML))
-    shown: dict[str, str | bytes] = {"text/plain": _text(value), "text/html": html(told, how)}
-    beside_code = [block for block in told.blocks if not isinstance(block, Code)]
-    if "$" in blocks_in(beside_code, _Latex(how)):
-        shown["text/latex"] = _latex(told, how)
+    shown: dict[str, str | bytes] = {"text/plain": _text(value), "text/html": html(report)}
+    if equations := _latex(report):
+        shown["text/latex"] = equations
     return shown
 
 
@@ -107,24 +111,31 @@ def _text(value: Displayed) -> str:
         return f"<{type(value).__name__}>"
 
 
-def html(report: Report, options: OutputOptions) -> str:
-    """Write a report as one element, its style within; what is long is folded below its short form.
+def html(report: Report) -> str:
+    r"""Write a report, its style, and the text that stands for it where styles are dropped.
+
+    What is long is folded below its short form.
 
     Examples
     --------
-    >>> shown = html(Report("", {}, (Verdict("It <fits>."),)), OutputOptions())
-    >>> print(shown.splitlines()[-2])
+    >>> shown = html(Report("", {}, (Verdict("It <fits>."),)))
+    >>> print(*shown.splitlines()[-3:], sep="\n")
     <p class="verdict neutral">It &lt;fits&gt;.</p>
+    </div>
+    <pre class="nmatrix-untrusted">It &lt;fits&gt;.</pre>
     """
-    dialect, short = _Html(options), report.brief
-    body = blocks_in(report.blocks if short is None else short.blocks, dialect)
-    if short is not None and short.blocks != report.blocks:
-        whole = blocks_in(report.blocks, dialect)
+    told, how = as_told(report, OutputOptions(Format.MATHML))
+    dialect, short = _Html(how), told.brief
+    body = blocks_in(told.blocks if short is None else short.blocks, dialect)
+    if short is not None and short.blocks != told.blocks:
+        whole = blocks_in(told.blocks, dialect)
         body += f"\n<details><summary>All of it</summary>\n{whole}\n</details>"
-    remarks = dialect.remarks(report.remarks) if report.remarks else ""
+    remarks = dialect.remarks(told.remarks) if told.remarks else ""
     parts = "\n".join(part for part in (body, remarks) if part)
     kind = "nmatrix tex2jax_ignore mathjax_ignore"
-    return f'{STYLE}\n<div class="{kind}">\n{parts}\n</div>'
+    text = escape(write(report, OutputOptions()).strip("\n"))
+    beside = f'<pre class="nmatrix-untrusted">{text}</pre>'
+    return f'{STYLE}\n<div class="{kind}" hidden="">\n{parts}\n</div>\n{beside}'
 
 
 class _Html(StyledMathML):
@@ -176,14 +187,19 @@ def _quantity(about: str, value: str) -> str:
     return f'<div class="quantity">{above}{value}</div>'
 
 
-def _latex(report: Report, options: OutputOptions) -> str:
+def _latex(report: Report) -> str:
     """Write a report as LaTeX that MathJax and KaTeX set as well: all commands are within dollars.
 
-    Words stand between the equations as they are; only what TeX would misread has a backslash.
+    Words stand between the equations as they are; only what TeX would misread has a backslash. It
+    is empty where there is no mathematics.
     """
-    dialect = _Latex(options)
-    body = blocks_in(report.blocks, dialect)
-    return "\n\n".join(part for part in (body, dialect.remarks(report.remarks)) if part) + "\n"
+    told, how = as_told(report, OutputOptions(Format.LATEX))
+    dialect = _Latex(how)
+    beside_code = [block for block in told.blocks if not isinstance(block, Code)]
+    if "$" not in blocks_in(beside_code, dialect):
+        return ""
+    parts = (blocks_in(told.blocks, dialect), dialect.remarks(told.remarks))
+    return "\n\n".join(part for part in parts if part) + "\n"
 
 
 class _Latex(Latex):

@@ -126,9 +126,12 @@ def test_whatever_is_shown_is_text_and_one_element_that_is_well_formed(name: str
         assert set(bundle) == {"text/plain", "image/png"}
         assert bundle["image/png"] == value.png
         return
-    style, body = parsed(bundle["text/html"])
-    assert (style.tag, body.tag) == ("style", "div")
+    style, body, beside = parsed(bundle["text/html"])
+    assert (style.tag, body.tag, beside.tag) == ("style", "div", "pre")
     assert "".join(body.itertext()).strip()
+    assert beside.text.strip()
+    if isinstance(value, nmatrix.Report):
+        assert beside.text == value.to("text").strip("\n")
 
 
 @pytest.mark.parametrize("name", [name for name in EVERYTHING if name != "Picture"])
@@ -203,20 +206,28 @@ def test_roots_and_fractions_are_told_as_such() -> None:
 def test_a_transform_names_its_frames() -> None:
     for to, source in (("camera", "object"), ("world", "object"), ("light", "custom")):
         bundle = shown(nmatrix.Transform.of(to, source, np.eye(4)))
-        words = "".join(parsed(bundle["text/html"]).itertext())
+        words = "".join(parsed(bundle["text/html"])[1].itertext())
         assert re.search(rf"{to}\s*←\s*{source}", words)
         assert bundle["text/plain"].startswith(f"Transform({to}_from_{source}, ")
 
 
 def test_names_are_shown_as_they_are() -> None:
     for value in (ANSWERS["large and small"], ANSWERS["findings"]):
-        assert EVIL in "".join(page(value).itertext())
+        assert EVIL in "".join(page(value)[1].itertext())
 
 
 def test_mathjax_leaves_the_dollars_of_names_alone() -> None:
     for value in EVERYTHING.values():
         if not isinstance(value, nmatrix.Picture):
-            assert {"tex2jax_ignore", "mathjax_ignore"} <= set(page(value)[1].get("class").split())
+            _, body, beside = page(value)
+            assert {"tex2jax_ignore", "mathjax_ignore"} <= set(body.get("class").split())
+            assert beside.tag == "pre"  # which it leaves alone, too
+
+
+def test_without_its_style_only_the_text_is_left_to_see() -> None:
+    _, body, beside = page(TURNED.world())
+    assert body.get("hidden") is not None
+    assert beside.get("hidden") is None
 
 
 def test_what_has_no_matrix_is_shown_with_the_sentence_that_says_why() -> None:
@@ -251,7 +262,7 @@ def test_a_table_ends_after_so_many_rows_and_says_how_many_are_left() -> None:
         def _repr_report_(self) -> Told:
             return Told.of_value(Table(("i",), tuple((i,) for i in range(MOST_ROWS + 7))))
 
-    root = page(Long())
+    root = page(Long())[1]
     assert len(root.findall(".//tr")) == 1 + MOST_ROWS
     assert "7 more rows" in root.findall(".//p")[-1].text
 
@@ -288,14 +299,14 @@ class TestShow:
         assert [row[0].text for row in rows] == ["value", *map(str, range(24))]
 
     def test_of_a_batch_the_first_are_shown_under_their_index(self) -> None:
-        told = "".join(page(nmatrix.show(np.ones((30, 2, 3, 3)), "N")).itertext())
+        told = "".join(page(nmatrix.show(np.ones((30, 2, 3, 3)), "N"))[1].itertext())
         assert "N[23][1]" in told
         assert "N[24]" not in told
         assert "… and 6 more" in told
 
     def test_a_value_is_shown_as_it_shows_itself(self) -> None:
         lens = nmatrix.Lens()
-        assert shown(nmatrix.show(lens))["text/html"] == shown(lens)["text/html"]
+        assert shown(nmatrix.show(lens))["text/latex"] == shown(lens)["text/latex"]
 
     def test_a_name_that_has_a_letter_elsewhere_stays_a_name(self) -> None:
         for name in ("matrix", "rotation", "eye", "determinant"):
