@@ -51,7 +51,7 @@ function cameraOf(s, reach) {
 }
 
 function meaning(s, reach) {
-  const mesh = meshOf(s.shape), M = worldMatrix(s, data.translate), A = linear(M), scale = scaleOf(s);
+  const mesh = meshOf(s.shape), M = worldMatrix(s), A = linear(M), scale = scaleOf(s);
   const rank = scale.filter((x) => x !== 0).length, isFlat = rank < 3;
   const det = isFlat ? 0 : determinant(A), C = cofactor(A), sign = det < 0 ? -1 : 1;
   const found = { mesh, M, A, rank, isFlat, det, C, sign, scale, light: lightOf(s), lamp: lampOf(s) };
@@ -81,7 +81,7 @@ const minus2 = (A, B) => A.map((row, i) => minus(row, B[i]));
 // By how much the mistake is off, as one number: degrees between normals, or between lights.
 function errorOf(s, found) {
   if (s.rule === STUCK) {
-    const from = data.has_direction ? [found.light, found.stuckLight] : [minus(found.lamp, data.translate), minus(found.stuckLamp, data.translate)];
+    const from = data.has_direction ? [found.light, found.stuckLight] : [minus(found.lamp, placeOf(s)), minus(found.stuckLamp, placeOf(s))];
     if (!from.every((v) => length(v) > 1e-12)) return { largest: null, isSame: false };
     const largest = angleBetween(unit(from[0]), unit(from[1]), false);
     return { largest: largest < 1e-9 ? 0 : largest, isSame: largest < 1e-9 && !(found.lamp && length(minus(found.stuckLamp, found.lamp)) > 1e-9) };

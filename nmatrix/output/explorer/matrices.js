@@ -1,7 +1,5 @@
-"use strict";
 // Matrices in double precision, and exact where they are fractions. They mirror nmatrix: column
 // vectors, M = T·R·S·H with R = Rx·Ry·Rz, matrices as arrays of rows.
-const data = JSON.parse(document.getElementById("data").textContent);
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const plus = (a, b, t = 1) => a.map((x, i) => x + t * b[i]);
@@ -23,6 +21,7 @@ const identity3 = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const identity4 = affine(identity3, [0, 0, 0]);
 const norm = (A) => length(A.flat());
 const AXES = ["x", "y", "z"];
+const LARGEST = 1e6;  // a number of the state beyond it is none
 const rounded = (x, digits) => Number(x.toFixed(digits));
 
 // Exact at quarter turns, where a sine of floats would leave 6e-17.
@@ -45,10 +44,11 @@ function about(axis, degrees) {
   ];
 }
 const scaleOf = (s) => AXES.map((axis) => s["s" + axis] * (s["m" + axis] ? -1 : 1));
-function worldMatrix(s, translate) {
+const placeOf = (s) => AXES.map((axis) => s[`t${axis}`]);
+function worldMatrix(s) {
   const [x, y, z] = scaleOf(s);
   const H = [[1, s.hxy, s.hxz], [0, 1, s.hyz], [0, 0, 1]];
-  return affine(times(times(rotation(s.rx, s.ry, s.rz), [[x, 0, 0], [0, y, 0], [0, 0, z]]), H), translate);
+  return affine(times(times(rotation(s.rx, s.ry, s.rz), [[x, 0, 0], [0, y, 0], [0, 0, z]]), H), placeOf(s));
 }
 function lookingAlong(eye, forward, up) {
   let right = cross(forward, up);
@@ -122,3 +122,7 @@ function exactRule(rule, A) {
   const divided = (B) => (det.isZero ? null : B.map((row) => row.map((x) => x.over(det))));
   return { none: A, cofactor: C, "not-inverted": transpose(A), "not-transposed": divided(transpose(C)), exact: divided(C) }[rule];
 }
+const arithmetic = {
+  AXES, point, transpose, times, apply, linear, cofactor, determinant, inverse3, inverse4, unit, rotation, about, lookingAlong, worldMatrix, angleBetween,
+  Fraction, exactLinear, exactDeterminant, exactCofactor, exactRule,
+};

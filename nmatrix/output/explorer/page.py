@@ -1,8 +1,9 @@
-"""The explorer's page: a template, its style and scripts, and the data of one scene.
+"""The explorer: one module of its scripts, style and markup, and the data of one scene.
 
-The shaders are those that `space -f glsl` prints for this scene, for a body that keeps its shape
-and for one that does not: object space has a metric for the second alone. Style and script are
-allowed by their hashes, and nothing is fetched.
+The page and the notebook's widget hold the same text of the module. The shaders are those that
+`space -f glsl` prints for this scene, for a body that keeps its shape and for one that does not:
+object space has a metric for the second alone. The page allows its style and its script by their
+hashes, and nothing is fetched.
 """
 
 from __future__ import annotations
@@ -34,8 +35,7 @@ from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 from nmatrix.shaders.sheet import Request, program_of
 
-SCRIPTS = (
-    "matrices",
+PARTS = (  # of an explorer; the arithmetic before them is every explorer's
     "meshes",
     "map",
     "sentences",
@@ -83,28 +83,46 @@ def page(setup: Setup, *, fits: bool = False) -> bytes:
     NoAnswerError
         If the world matrix is singular and not given by its parts: sliders cannot show it.
     """
-    script = "\n".join(_text(f"{name}.js") for name in SCRIPTS)
-    style = _colours() + _text("page.css")
     data = json.dumps(
         page_data(setup, fits=fits), ensure_ascii=False, separators=(",", ":"), allow_nan=False
     )
     text = _text("page.html")
     for name, value in (
-        ("SCRIPT_HASH", _hash(script)),
-        ("STYLE_HASH", _hash(style)),
-        ("STYLE", style),
+        ("COLOURS", colours()),
         ("DATA", data.replace("<", "\\u003c")),
-        ("SCRIPT", script),
+        ("SCRIPT_TEXT", module()),
     ):
         text = text.replace(name, value, 1)
+    for name, start, end in (
+        ("STYLE_HASH", "<style>", "</style>"),
+        ("SCRIPT_HASH", '<script type="module">', "</script>"),
+    ):
+        text = text.replace(name, _hash(text.partition(start)[2].partition(end)[0]), 1)
     return text.encode()
+
+
+def module() -> str:
+    """Write the explorer as one ES module, which exports `mount` and a widget's `render`."""
+    text = _text("module.js")
+    for name, value in (
+        ('"MARKUP_TEXT"', _quoted(_text("markup.html"))),
+        ('"STYLE_TEXT"', _quoted(_text("explorer.css"))),
+        ("ARITHMETIC_TEXT", _text("matrices.js")),
+        ("PARTS_TEXT", "\n".join(_text(f"{name}.js") for name in PARTS)),
+    ):
+        text = text.replace(name, value, 1)
+    return text
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("<", "\\u003c")
 
 
 def _text(name: str) -> str:
     return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 
-def _colours() -> str:
+def colours() -> str:
     """Write the palettes as variables of the style: by the reader's scheme, by choice, on paper."""
     told = {theme: _variables(palette) for theme, palette in PALETTES.items()}
     chosen = [CHOSEN % (theme.value, told[theme]) for theme in (Theme.LIGHT, Theme.DARK)]
@@ -124,7 +142,6 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
     looks = view.is_aimed and view.handed is Handedness.RIGHT
     return {
         "start": _start(setup),
-        "translate": _floats(row[3] for row in maps.world_from_object.exact[:3]),
         "camera_from_world": to_floats(maps.camera_from_world.exact),
         "clip_from_camera": to_floats(maps.clip_from_camera),
         "webgl_from_clip": (
@@ -169,10 +186,11 @@ def _start(setup: Setup) -> dict[str, float | str]:
     """Place the sliders."""
     scale, rotate, shear = _sliders(setup)
     direction = _floats(setup.maps.light.direction or DOWNWARDS)
-    place = _floats(setup.maps.light.position or (0, 0, 0))
+    lamp = _floats(setup.maps.light.position or (0, 0, 0))
     start: dict[str, float | str] = {"rule": NormalRule.NONE.value, "space": Space.WORLD.value}
-    for axis, s, r, d, p in zip("xyz", scale, rotate, direction, place, strict=True):
-        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r}
+    place = _floats(row[3] for row in setup.maps.world_from_object.exact[:3])
+    for axis, s, r, t, d, p in zip("xyz", scale, rotate, place, direction, lamp, strict=True):
+        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"t{axis}": t}
         start |= {f"l{axis}": d, f"p{axis}": p}
     return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
 

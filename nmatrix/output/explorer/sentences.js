@@ -35,8 +35,12 @@ function scaleWords(scale) {
   if (flat) words.push(`flattened along ${flat}`);
   return words.length ? [joined(words)] : [];
 }
+function movedWords(s) {
+  const ways = AXES.filter((axis) => s[`t${axis}`] !== 0);
+  return ways.length ? [`moved ${joined(ways.map((axis) => `${figure(s[`t${axis}`])} along <b>${axis}</b>`))}`] : [];
+}
 function doneWords(s, found) {
-  const words = [...shearWords(s), ...scaleWords(found.scale), ...turnedWords(s)];
+  const words = [...shearWords(s), ...scaleWords(found.scale), ...turnedWords(s), ...movedWords(s)];
   return words.length ? capital(words.join(", then ")) : "Left as it is";
 }
 // What one stretched axis asks of a normal, where that is all that was done.

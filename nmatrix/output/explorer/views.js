@@ -42,11 +42,17 @@ void main() {
 };
 
 class Painter {
-  constructor() {
+  constructor(onChange) {
     this.canvas = document.createElement("canvas");
     this.gl = this.canvas.getContext("webgl2", { antialias: false, alpha: true });
     this.programs = new Map(); this.meshes = new Map(); this.errors = [];
+    const kept = this.gl;
+    // A browser that takes the context away, for want of memory, may give it back empty.
+    for (const [kind, gl] of [["webglcontextlost", null], ["webglcontextrestored", kept]]) this.canvas.addEventListener(kind, (event) => {
+      event.preventDefault(); this.programs.clear(); this.meshes.clear(); this.gl = gl; onChange();
+    });
   }
+  leave() { this.canvas.width = this.canvas.height = 1; }
   program(pair) {
     if (this.programs.has(pair)) return this.programs.get(pair);
     const gl = this.gl, program = gl.createProgram();

@@ -32,7 +32,7 @@ const goneHtml = (name) => `<div class="matrix"><span>${name}</span><p class="go
 const given = (option, values, usual) => (values.every((x, i) => x === usual[i]) ? "" : `--${option} ${values.join(" ")}`);
 function worldWords(s) {
   const none = [0, 0, 0], [turns, shears] = [[s.rx, s.ry, s.rz], [s.hxy, s.hxz, s.hyz]];
-  return [given("scale", scaleOf(s), [1, 1, 1]), given("rotate", turns, none), given("shear", shears, none), given("translate", data.translate, none)];
+  return [given("scale", scaleOf(s), [1, 1, 1]), given("rotate", turns, none), given("shear", shears, none), given("translate", placeOf(s), none)];
 }
 function cameraWords(found) {
   if (data.looks) return [given("eye", found.eye, [0, 0, 5]), data.options.camera, data.options.lens];
@@ -63,7 +63,7 @@ function writeWords(s, found) {
   put("bar-low", isStuck ? "0 %" : "0°"); put("bar-top", isStuck ? `${Math.round(100 * top)} %` : degreesText(top || 0));
   if (isStuck) put("map-title", top ? "brightness is off by" : "brightness is right everywhere");
   else put("map-title", found.largest === null ? "no angle to show" : top ? "angle to the true normal" : "0° everywhere");
-  for (const tag of document.querySelectorAll(".tag")) {
+  for (const tag of root.querySelectorAll(".tag")) {
     const side = tag.dataset.side, kind = side === "wrong" && !found.isSame ? "wrong" : "right";
     const html = `<svg viewBox="0 0 24 24" aria-hidden="true">${BADGES[kind]}</svg><span>${names[side]}</span>`;
     tag.hidden = found.rank < 2 && !isStuck;  // a line has no normal to be right
