@@ -11,13 +11,13 @@ function ruleMatrix(rule, B, isFlat) {
   if (rule === "cofactor") return cofactor(B);
   if (rule === "not-inverted") return transpose(B);
   if (rule === "not-transposed") return isFlat ? null : inverse3(B);
-  return isFlat ? cofactor(B) : scaled(cofactor(B), 1 / determinant(B));
+  return isFlat ? cofactor(B) : inverseTranspose(B);
 }
 function spaceFromWorld(space, found) {
   if (space === "camera") return found.camera;
   if (space === "object") return found.rank < 3 ? null : inverse4(found.M);
   if (space === "light") {
-    const from = found.lamp || [0, 0, 0], along = data.has_direction ? found.light : minus(data.target, from);
+    const from = found.lamp || [0, 0, 0], along = data.has_direction ? whole(found.light)[0] : wholeDifference(data.target, from);
     return along.some((x) => x) ? lookingAlong(from, along, data.up) : null;
   }
   return space === "custom" ? data.custom_from_world : identity4;
@@ -47,22 +47,23 @@ function cameraOf(s, reach) {
   // What is not moved keeps the eye's own numbers; else four decimals, which the command repeats.
   const isMoved = s.yaw || s.tilt || far !== given;
   const eye = isMoved ? plus(data.target, turned, far / given).map((x) => rounded(x, 4)) : data.eye;
-  return { camera: lookingAlong(eye, minus(data.target, eye), data.up), eye };
+  return { camera: lookingAlong(eye, wholeDifference(data.target, eye), data.up), eye };
 }
 
 function meaning(s, reach) {
   const mesh = meshOf(s.shape), M = worldMatrix(s), A = linear(M), scale = scaleOf(s);
   const rank = scale.filter((x) => x !== 0).length, isFlat = rank < 3;
-  const det = isFlat ? 0 : determinant(A), C = cofactor(A), sign = det < 0 ? -1 : 1;
+  const det = isFlat ? 0 : determinant(A), C = cofactor(A), sign = isFlat ? 1 : orientation(A);
   const found = { mesh, M, A, rank, isFlat, det, C, sign, scale, light: lightOf(s), lamp: lampOf(s) };
   found.reach = Math.max(reach, radius(mesh, M));
   Object.assign(found, cameraOf(s, found.reach));
   found.clip_from_world = times(data.clip_from_camera, found.camera);
   found.N = isFlat ? null : ruleMatrix("exact", A, false);
-  found.right = scaled(C, sign);  // a positive multiple of A⁻ᵀ that is left where A has no inverse
+  found.right = normalDirections(A, sign);
   found.S = spaceFromWorld(s.space, found);
   found.isRigid = !isFlat && norm(minus2(times(transpose(A), A), identity3)) < 1e-12;
-  found.isConformal = !isFlat && norm(minus2(scaled(times(transpose(A), A), 3 / norm(A) ** 2), identity3)) < 1e-12;
+  const even = scaled(A, Math.sqrt(3) / norm(A));  // before squares, which can leave the floats
+  found.isConformal = !isFlat && norm(minus2(times(transpose(even), even), identity3)) < 1e-12;
   const rule = s.rule === STUCK ? "exact" : s.rule;
   // What the rule makes of normals in the space of shading, brought back to the world by Bᵀ.
   found.wrong = null;
@@ -88,7 +89,7 @@ function errorOf(s, found) {
   }
   if (!found.wrong || found.rank < 2) return { largest: null, isSame: false };
   if (s.rule === "cofactor" && s.space !== "object") {  // (S A)'s cofactors are det S · Sᵀ⁻¹ C: only the sign can differ
-    const isTurned = !found.isFlat && determinant(linear(found.S)) * found.det < 0;
+    const isTurned = !found.isFlat && orientation(linear(found.S)) * found.sign < 0;
     return { largest: isTurned ? 180 : 0, isSame: !isTurned };
   }
   const largest = worstAngle(found.wrong, found.right, found.mesh.directions, found.mesh.isSmooth, found.isFlat);

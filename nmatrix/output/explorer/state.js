@@ -16,7 +16,7 @@ function storyOf(s) {
   const found = meaning({ ...s, shape: "egg", yaw: 0, tilt: 0, v: 0 }, 0);
   if (s.rule === STUCK) return "stuck";
   if (found.isFlat) return "flatten";
-  if (found.isConformal) return found.det < 0 ? "mirror" : found.isRigid ? "turn" : "even";
+  if (found.isConformal) return found.sign < 0 ? "mirror" : found.isRigid ? "turn" : "even";
   return ["hxy", "hxz", "hyz"].some((key) => s[key] !== 0) ? "shear" : "stretch";
 }
 const START = { ...data.start, shape: "egg", yaw: 0, tilt: 0, v: 0.23, cut: 0.5, mode: "arrows", layout: "pair" };
