@@ -13,9 +13,9 @@ from math import degrees
 
 import numpy as np
 import pytest
+from browser.inside import inside
 from PIL import Image
 
-from browser.inside import inside
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.cli.app import run
 from nmatrix.enums import NormalRule, Reflection, Space, Theme
@@ -49,7 +49,7 @@ BARE = inside(
   pen.clear(); painter.copyTo(pen.context, %d);
   return pen.context.canvas.toDataURL();
 }"""
-    % (SIZE, SIZE, SIZE)  # noqa: UP031 (the script has braces of its own)
+    % (SIZE, SIZE, SIZE)
 )
 STAGE = tuple(int(PALETTES[Theme.LIGHT].stage[i : i + 2], 16) for i in (1, 3, 5))
 TORUS = ShapeGeometry(Shape.TORUS, TESSELLATION)

@@ -9,9 +9,9 @@ from base64 import b64decode
 
 import numpy as np
 import pytest
+from browser.inside import inside
 from PIL import Image
 
-from browser.inside import inside
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import Space, Theme
 from nmatrix.output.explorer.page import page

@@ -5,19 +5,19 @@ const MISTAKES = { ...data.rules, [STUCK]: "a light left in the model" };
 const lightOf = (s) => AXES.map((axis) => s["l" + axis]);
 const lampOf = (s) => (data.has_position ? AXES.map((axis) => s["p" + axis]) : null);
 
-// A rule's matrix for normals under B, or null where it has no answer.
+// A rule's matrix for normals under B, a whole matrix, or null where it has no answer.
 function ruleMatrix(rule, B, isFlat) {
-  if (rule === "none") return B;
+  if (rule === "none") return floatsOf(B);
   if (rule === "cofactor") return cofactor(B);
-  if (rule === "not-inverted") return transpose(B);
-  if (rule === "not-transposed") return isFlat ? null : inverse3(B);
+  if (rule === "not-inverted") return transpose(floatsOf(B));
+  if (rule === "not-transposed") return isFlat ? null : transpose(inverseTranspose(B));
   return isFlat ? cofactor(B) : inverseTranspose(B);
 }
 function spaceFromWorld(space, found) {
   if (space === "camera") return found.camera;
-  if (space === "object") return found.rank < 3 ? null : inverse4(found.M);
+  if (space === "object") return found.rank < 3 ? null : inverse4(found.M, found.whole);
   if (space === "light") {
-    const from = found.lamp || [0, 0, 0], along = data.has_direction ? whole(found.light)[0] : wholeDifference(data.target, from);
+    const from = found.lamp || [0, 0, 0], along = data.has_direction ? wholes(found.light)[0] : wholeDifference(data.target, from);
     return along.some((x) => x) ? lookingAlong(from, along, data.up) : null;
   }
   return space === "custom" ? data.custom_from_world : identity4;
@@ -51,15 +51,15 @@ function cameraOf(s, reach) {
 }
 
 function meaning(s, reach) {
-  const mesh = meshOf(s.shape), M = worldMatrix(s), A = linear(M), scale = scaleOf(s);
+  const mesh = meshOf(s.shape), exact = worldLinear(s), M = worldMatrix(s, exact), A = linear(M), scale = scaleOf(s);
   const rank = scale.filter((x) => x !== 0).length, isFlat = rank < 3;
-  const det = isFlat ? 0 : determinant(A), C = cofactor(A), sign = isFlat ? 1 : orientation(A);
-  const found = { mesh, M, A, rank, isFlat, det, C, sign, scale, light: lightOf(s), lamp: lampOf(s) };
+  const det = isFlat ? 0 : determinant(exact), C = cofactor(exact), sign = isFlat ? 1 : orientation(exact);
+  const found = { mesh, M, A, whole: exact, rank, isFlat, det, C, sign, scale, light: lightOf(s), lamp: lampOf(s) };
   found.reach = Math.max(reach, radius(mesh, M));
   Object.assign(found, cameraOf(s, found.reach));
   found.clip_from_world = times(data.clip_from_camera, found.camera);
-  found.N = isFlat ? null : ruleMatrix("exact", A, false);
-  found.right = normalDirections(A, sign);
+  found.N = isFlat ? null : ruleMatrix("exact", exact, false);
+  found.right = normalDirections(exact, sign);
   found.S = spaceFromWorld(s.space, found);
   found.isRigid = !isFlat && norm(minus2(times(transpose(A), A), identity3)) < 1e-12;
   const even = scaled(A, Math.sqrt(3) / norm(A));  // before squares, which can leave the floats
@@ -70,7 +70,7 @@ function meaning(s, reach) {
   if (rule === "exact") found.wrong = found.right;
   else if (s.space === "object") found.wrong = isFlat ? null : found.right;
   else if (found.S) {
-    const B = linear(found.S), W = ruleMatrix(rule, times(B, A), isFlat);
+    const B = linear(found.S), W = ruleMatrix(rule, wholeTimes(whole(B), exact), isFlat);
     found.wrong = W && times(transpose(B), W);
   }
   found.stuckLight = s.rule === STUCK && data.has_direction ? apply(A, found.light) : null;
@@ -89,7 +89,7 @@ function errorOf(s, found) {
   }
   if (!found.wrong || found.rank < 2) return { largest: null, isSame: false };
   if (s.rule === "cofactor" && s.space !== "object") {  // (S A)'s cofactors are det S · Sᵀ⁻¹ C: only the sign can differ
-    const isTurned = !found.isFlat && orientation(linear(found.S)) * found.sign < 0;
+    const isTurned = !found.isFlat && orientation(whole(linear(found.S))) * found.sign < 0;
     return { largest: isTurned ? 180 : 0, isSame: !isTurned };
   }
   const largest = worstAngle(found.wrong, found.right, found.mesh.directions, found.mesh.isSmooth, found.isFlat);

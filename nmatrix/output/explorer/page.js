@@ -116,7 +116,7 @@ const explorer = {
   get state() { return state; }, get isBusy() { return isMoving || isScheduled || isUnwritten || [...stages()].some((one) => one.isSeen && one.isStale); },
   get framesDrawn() { return framesDrawn; },
   data, root, byId, read, fill, drawNow, writeWords, meaningNow, glsl, painter, Pen, bodyOf, onStage, tacksOf, arrowOf, stages,
-  meaning, cameraOf, spaceFromWorld, journey, worstAngle, ruleMatrix, START, ...arithmetic,
+  meaning, cameraOf, spaceFromWorld, journey, worstAngle, ruleMatrix, meshOf, START, ...arithmetic,
 };
 element.explorer = explorer;
 return explorer;

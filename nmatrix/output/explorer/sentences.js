@@ -86,7 +86,7 @@ function sentence(s, found) {
 }
 // A space that mirrors has its say in the sign too.
 function determinantWords(s, found) {
-  const [own, det] = [linear(found.S), found.A].map((A) => exactDeterminant(asFractions(A)));
+  const [own, det] = [whole(linear(found.S)), found.whole].map((A) => exactDeterminant(asFractions(A)));
   return own.top > 0n ? `det A = ${figureOf(det)}` : `${s.space} space mirrors, so det(S A) = ${figureOf(own.times(det))}`;
 }
 function sameSentence(s, found, done) {

@@ -139,7 +139,7 @@ function uniformsFor(s, space, side, found, viewed) {
     ...constants(),
     clip_from_object: space === "static" ? viewed : times(viewed, found.M),
     space_from_object: times(S, found.M),
-    normal_matrix: ruleMatrix(rule, times(B, found.A), found.isFlat),
+    normal_matrix: ruleMatrix(rule, wholeTimes(whole(B), found.whole), found.isFlat),
     light_direction: light && apply(B, unit(light)),
     light_position: lamp && point(S, lamp),
     eye: space === "camera" ? [0, 0, 0] : point(S, found.eye),

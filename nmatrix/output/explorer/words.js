@@ -11,7 +11,7 @@ function matrixTable(name, label, A, kind, other) {
 const fractionText = (x) => (String(x).length > 11 ? figureOf(x, 4) : String(x));
 function matricesHtml(s, found) {
   const exact = exactLinear(s), rule = s.rule === STUCK ? "none" : s.rule;
-  const entries = exact || asFractions(found.A), written = exact ? fractionText : (x) => figureOf(x, 4);
+  const entries = exact || asFractions(found.whole), written = exact ? fractionText : (x) => figureOf(x, 4);
   const of = (name) => exactRule(name, entries, found.isFlat)?.map((row) => row.map(written)) ?? null;
   const A = of("none"), N = of("exact"), W = of(rule), right = N || of("cofactor"), isTold = !found.isSame && s.rule !== STUCK && found.rank > 1 && W;
   const parts = [];
