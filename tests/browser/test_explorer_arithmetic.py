@@ -95,7 +95,7 @@ def states() -> list[dict]:
 STATES = states()
 RULE_NAMES = ["none", "cofactor", "not-inverted", "not-transposed", "exact"]
 ASK = """states => states.map((given, i) => {
-  const s = { ...START, ...given, shape: i % 2 ? "R" : "egg" };
+  const s = { ...START, ...given, shape: i % 4 ? "R" : "egg" };
   const found = { ...meaning(s, 1) }, exact = exactLinear(s);
   found.clip_from_world = times(data.clip_from_camera, found.camera);
   const text = (A) => A && A.map((row) => row.map((x) => `${x.top}/${x.bottom}`));
@@ -106,7 +106,7 @@ ASK = """states => states.map((given, i) => {
     clip_from_world: found.clip_from_world,
     rules: Object.fromEntries(RULES.map((r) => [r, ruleMatrix(r, found.whole, found.isFlat)])),
     worst: Object.fromEntries(RULES.map((r) => {
-      const W = found.rank < 2 ? null : ruleMatrix(r, found.whole, found.isFlat);
+      const W = found.rank < 2 || !(i % 4) ? null : ruleMatrix(r, found.whole, found.isFlat);
       return [r, W && worstAngle(W, found.right, found.mesh.directions, false, found.isFlat)];
     })),
     spaces: Object.fromEntries(Object.keys(data.shaders).map((x) => [x, spaceFromWorld(x, found)])),
@@ -148,7 +148,7 @@ def told(mounted) -> dict[str, list[dict]]:
     """What the scripts compute of every state, in one evaluation for each setup."""
     return {
         name: floats(
-            mounted.evaluate(inside(ASK, f"document.getElementById({name!r}).explorer"), STATES)
+            mounted.evaluate(inside(ASK, f"document.getElementById({name!r}).explorer"), of(name))
         )
         for name in SETUPS
     }
@@ -176,8 +176,13 @@ def parts_of(one: dict) -> dict:
     }
 
 
+def of(name: str) -> list[dict]:
+    """The states that are asked for: all in one setup, a third in each of the others."""
+    return STATES if name == "perspective" else STATES[: len(STATES) // 3]
+
+
 def pairs(told: dict, name: str = "perspective"):
-    return zip(STATES, told[name], strict=True)
+    return zip(of(name), told[name], strict=True)
 
 
 def rounded(value: Fraction) -> float:
@@ -441,7 +446,7 @@ def test_the_projection_is_the_packages_and_meets_the_camera(mounted, told) -> N
 def test_the_worst_angle_of_a_ball_is_the_packages(told) -> None:
     """The climb ends on the hill's top: 1e-6 degrees are 1e-8 of where it stands, squared twice."""
     for index, (one, numbers) in enumerate(pairs(told)):
-        if index % 2 or numbers["rank"] < 3:
+        if index % 4 or numbers["rank"] < 3:
             continue
         theirs = classify(rational_matrix(numbers["M"])).worst_angle_deg
         assert numbers["largest"] == pytest.approx(theirs, abs=1e-6), one
@@ -452,7 +457,7 @@ def test_the_worst_angle_over_directions_is_the_packages(told, mounted) -> None:
     place = "document.getElementById('perspective').explorer"
     normals = floats(mounted.evaluate(inside("() => meshOf('R').directions", place)))
     for index, (one, numbers) in enumerate(pairs(told)):
-        if not index % 2 or numbers["rank"] < 3:
+        if not index % 4 or numbers["rank"] < 3:
             continue
         K = LinearMap.of(numbers["right"])
         for name, worst in numbers["worst"].items():

@@ -73,10 +73,13 @@ function meaning(s, reach) {
     const B = linear(found.S), W = ruleMatrix(rule, wholeTimes(whole(B), exact), isFlat);
     found.wrong = W && times(transpose(B), W);
   }
+  found.isRight = s.rule !== STUCK && (s.space === "object" || (rule === "cofactor" && isFlat));
   found.stuckLight = s.rule === STUCK && data.has_direction ? apply(A, found.light) : null;
   found.stuckLamp = s.rule === STUCK && found.lamp ? point(M, found.lamp) : null;
   return Object.assign(found, errorOf(s, found));
 }
+// A rule that is wrong stays so where a map hides it: equal pictures are told by their sign between.
+const verdictOf = (side, found) => (side === "wrong" && !found.isRight ? "wrong" : "right");
 const minus2 = (A, B) => A.map((row, i) => minus(row, B[i]));
 
 // By how much the mistake is off, as one number: degrees between normals, or between lights.

@@ -90,7 +90,7 @@ function determinantWords(s, found) {
   return own.top > 0n ? `det A = ${figureOf(det)}` : `${s.space} space mirrors, so det(S A) = ${figureOf(own.times(det))}`;
 }
 function sameSentence(s, found, done) {
-  const both = `${formula("right", `${SYMBOLS[s.rule]} n`)} and ${formula("right", `${SYMBOLS.exact} n`)}`;
+  const both = `${formula("wrong", `${SYMBOLS[s.rule]} n`)} and ${formula("right", `${SYMBOLS.exact} n`)}`;
   const nothing = "so a test with this map proves nothing";
   if (s.rule === "cofactor") return `${done}: ${determinantWords(s, found)} is positive, so cofactors are ${SYMBOLS.exact} up to length. ${both} point the same way, ${nothing} about the sign.`;
   if (found.isConformal && s.rule === "none") {
@@ -101,7 +101,9 @@ function sameSentence(s, found, done) {
   return `${done}: with this very map ${both} point the same way, ${nothing}.`;
 }
 function stuckSentence(done, found, off) {
-  const carried = `${done}, and the light was carried along as if it belonged to the model`;
+  // (A⁻ᵀ n) · (A l) = n · l: what was lit in the model stays lit.
+  const kept = found.isFlat ? "" : ", so the same part of it stays lit wherever it is put";
+  const carried = `${done}, and the light was carried along as if it belonged to the model${kept}`;
   if (!found.lamp && !found.light.some((x) => x)) return `${done}. The light has no direction here, so none can be carried along.`;
   if (off === "") return `${carried}: A flattens its direction to nothing. In the world it stays where it is.`;
   if (found.isSame) return `${done}: the light that is carried along arrives where it was, so this test proves nothing.`;

@@ -6,7 +6,7 @@ const BADGES = {
 // Entries by which the mistake and the right matrix differ, where they differ by more than a length.
 function matrixTable(name, label, A, kind, other) {
   const rowsOf = A.map((row, i) => `<tr>${row.map((x, j) => `<td class="${other && other[i][j] !== x ? kind : x === "0" ? "zero" : ""}">${x}</td>`).join("")}</tr>`).join("");
-  return `<div class="matrix"><span>${name}</span><table aria-label="${label}"><tbody>${rowsOf}</tbody></table></div>`;
+  return `<div class="matrix"><span>${name}</span><div class="brackets"><table aria-label="${label}"><tbody>${rowsOf}</tbody></table></div></div>`;
 }
 const fractionText = (x) => (String(x).length > 11 ? figureOf(x, 4) : String(x));
 function matricesHtml(s, found) {
@@ -25,7 +25,7 @@ function matricesHtml(s, found) {
   const note = exact ? "" : `<p class="note-small">Decimals to four digits: sines of these angles are no fractions.</p>`;
   return `<div class="matrices">${parts.join("")}</div><p class="note-small">det A = ${found.isFlat ? 0 : written(exactDeterminant(entries))}</p>${note}`;
 }
-const goneHtml = (name) => `<div class="matrix"><span>${name}</span><p class="gone">1 / 0<br>does not exist</p></div>`;
+const goneHtml = (name) => `<div class="matrix"><span>${name}</span><p class="brackets gone">1 / 0<br>does not exist</p></div>`;
 
 const given = (option, values, usual) => (values.every((x, i) => x === usual[i]) ? "" : `--${option} ${values.join(" ")}`);
 function worldWords(s) {
@@ -62,7 +62,7 @@ function writeWords(s, found) {
   if (isStuck) put("map-title", top ? "brightness is off by" : "brightness is right everywhere");
   else put("map-title", found.largest === null ? "no angle to show" : top ? "angle to the true normal" : "0° everywhere");
   for (const tag of root.querySelectorAll(".tag")) {
-    const side = tag.dataset.side, kind = side === "wrong" && !found.isSame ? "wrong" : "right";
+    const side = tag.dataset.side, kind = verdictOf(side, found);
     const html = `<svg viewBox="0 0 24 24" aria-hidden="true">${BADGES[kind]}</svg><span>${names[side]}</span>`;
     tag.hidden = found.rank < 2 && !isStuck;  // a line has no normal to be right
     if (tag.told !== html) { tag.className = `tag ${kind}`; tag.innerHTML = tag.told = html; }
