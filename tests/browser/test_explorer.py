@@ -44,12 +44,11 @@ SETUP = Setup(World(scale=(1, 2, 1)), View(eye=(1.5, 1.75, 3.25)), light=Light((
 SIZE = 480
 BARE = inside(
     """side => {
-  painter.picture({ ...bodyOf(state, side, meaningNow()), size: %d, ink: [0, 0, 0] });
-  const pen = new Pen(document.createElement("canvas"), %d, "light");
-  pen.clear(); painter.copyTo(pen.context, %d);
+  const size = SIZE, pen = new Pen(document.createElement("canvas"), size, "light");
+  painter.picture({ ...bodyOf(state, side, meaningNow()), size, ink: [0, 0, 0] });
+  pen.clear(); painter.copyTo(pen.context, size);
   return pen.context.canvas.toDataURL();
-}"""
-    % (SIZE, SIZE, SIZE)
+}""".replace("SIZE", str(SIZE))
 )
 STAGE = tuple(int(PALETTES[Theme.LIGHT].stage[i : i + 2], 16) for i in (1, 3, 5))
 TORUS = ShapeGeometry(Shape.TORUS, TESSELLATION)

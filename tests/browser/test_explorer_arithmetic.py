@@ -100,7 +100,8 @@ ASK = """states => states.map((given, i) => {
   found.clip_from_world = times(data.clip_from_camera, found.camera);
   const text = (A) => A && A.map((row) => row.map((x) => `${x.top}/${x.bottom}`));
   return {
-    turns: AXES.map((axis) => turn(s[`r${axis}`])), M: found.M, C: found.C, det: found.det, N: found.N, right: found.right, rank: found.rank,
+    turns: AXES.map((axis) => turn(s[`r${axis}`])),
+    M: found.M, C: found.C, det: found.det, N: found.N, right: found.right, rank: found.rank,
     sign: found.sign, camera: found.camera, eye: found.eye, light: found.light, lamp: found.lamp,
     inverse: found.isFlat ? null : inverse4(found.M, found.whole), largest: found.largest,
     clip_from_world: found.clip_from_world,
@@ -110,7 +111,7 @@ ASK = """states => states.map((given, i) => {
       return [r, W && worstAngle(W, found.right, found.mesh.directions, false, found.isFlat)];
     })),
     spaces: Object.fromEntries(Object.keys(data.shaders).map((x) => [x, spaceFromWorld(x, found)])),
-    way: [0, 0.37, 1].map((v) => journey({ ...s, v }, found).map(([name, , values]) => [name, values])),
+    way: [0, 0.37, 1].map((v) => journey({ ...s, v }, found).map(([key, , at]) => [key, at])),
     fractions: exact && Object.fromEntries(RULES.map((r) => [r, text(exactRule(r, exact))])),
     determinant: exact && text([[exactDeterminant(exact)]])[0][0],
   };

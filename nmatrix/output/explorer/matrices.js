@@ -17,7 +17,6 @@ const identity3 = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const identity4 = affine(identity3, [0, 0, 0]);
 const norm = (A) => length(A.flat());
 const AXES = ["x", "y", "z"];
-const LARGEST = 1e6;  // a number of the state beyond it is none
 const rounded = (x, digits) => Number(x.toFixed(digits));
 
 // --- Floats as whole numbers times a power of two -------------------------------------------------------

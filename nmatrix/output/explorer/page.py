@@ -19,12 +19,11 @@ from typing import Any
 
 from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import API_PRESETS, DepthRange, Handedness, NormalRule, Reflection, Space, Theme
-from nmatrix.errors import NoAnswerError, quantity
-from nmatrix.linear.decompose import parts
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
 from nmatrix.linear.viewport import window_from_ndc
+from nmatrix.output.explorer.sliders import LARGEST, floats, start
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import AMBIENT, DIFFUSE
 from nmatrix.report import Number
@@ -57,7 +56,6 @@ WRONG_RULES = (
     NormalRule.NOT_INVERTED,
     NormalRule.COFACTOR,
 )
-DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a direction
 SURFACE = {"ambient_color": AMBIENT, "diffuse_color": DIFFUSE}
 SCHEMES = {  # when the page takes a theme's colours; the last that holds wins
     Theme.LIGHT: ":root {%s}",
@@ -93,11 +91,11 @@ def page(setup: Setup, *, fits: bool = False) -> bytes:
         ("SCRIPT_TEXT", module()),
     ):
         text = text.replace(name, value, 1)
-    for name, start, end in (
+    for name, opens, closes in (
         ("STYLE_HASH", "<style>", "</style>"),
         ("SCRIPT_HASH", '<script type="module">', "</script>"),
     ):
-        text = text.replace(name, _hash(text.partition(start)[2].partition(end)[0]), 1)
+        text = text.replace(name, _hash(text.partition(opens)[2].partition(closes)[0]), 1)
     return text.encode()
 
 
@@ -141,7 +139,8 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
     light = maps.light
     looks = view.is_aimed and view.handed is Handedness.RIGHT
     return {
-        "start": _start(setup),
+        "start": start(setup),
+        "largest": LARGEST,
         "camera_from_world": to_floats(maps.camera_from_world.exact),
         "clip_from_camera": to_floats(maps.clip_from_camera),
         "webgl_from_clip": (
@@ -154,9 +153,9 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
         "custom_from_world": to_floats(
             _with_custom_space(setup).maps.space_from_world(Space.CUSTOM).exact
         ),
-        "eye": _floats(maps.eye),
-        "target": _floats(maps.target),
-        "up": _floats(maps.up),
+        "eye": floats(maps.eye),
+        "target": floats(maps.target),
+        "up": floats(maps.up),
         "looks": looks,
         "looks_down": "−z" if setup.lens.clip.forward_z < 0 else "+z",
         "fits": fits,
@@ -180,35 +179,6 @@ def _letter() -> dict[str, list[float]]:
     mesh = letter_r()
     arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}
     return {name: array.round(6).ravel().tolist() for name, array in arrays.items()}
-
-
-def _start(setup: Setup) -> dict[str, float | str]:
-    """Place the sliders."""
-    scale, rotate, shear = _sliders(setup)
-    direction = _floats(setup.maps.light.direction or DOWNWARDS)
-    lamp = _floats(setup.maps.light.position or (0, 0, 0))
-    start: dict[str, float | str] = {"rule": NormalRule.NONE.value, "space": Space.WORLD.value}
-    place = _floats(row[3] for row in setup.maps.world_from_object.exact[:3])
-    for axis, s, r, t, d, p in zip("xyz", scale, rotate, place, direction, lamp, strict=True):
-        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r, f"t{axis}": t}
-        start |= {f"l{axis}": d, f"p{axis}": p}
-    return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
-
-
-def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
-    """Take scale, angles about x, y, z and shear of the world."""
-    world = setup.world
-    plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
-    if world == plain:
-        return _floats(world.scale), _floats(world.rotate_degrees), _floats(world.shear)
-    taken = parts(world.world_from_object)
-    if taken is None:
-        raise NoAnswerError(
-            "world matrix (determinant 0)",
-            "sliders cannot show a singular matrix that is not given by its parts",
-            f"give {quantity('scale')} with a 0 in it",
-        )
-    return _floats(taken.scale), _floats(taken.rotate), _floats(taken.shear)
 
 
 def _with_custom_space(setup: Setup) -> Setup:
@@ -282,15 +252,11 @@ def _shape_words(lens: Lens) -> Iterator[str]:
 
 
 def _spaced(values: Iterable[Number]) -> str:
-    return " ".join(f"{value:.17g}" for value in _floats(values))
+    return " ".join(f"{value:.17g}" for value in floats(values))
 
 
 def _literal(A: RationalMatrix) -> str:
     return '"' + "; ".join(" ".join(map(repr, row)) for row in to_floats(A)) + '"'
-
-
-def _floats(values: Iterable[Number]) -> tuple[float, ...]:
-    return tuple(map(float, values))
 
 
 def _hash(text: str) -> str:

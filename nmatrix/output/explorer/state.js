@@ -32,7 +32,7 @@ const CHOICES = {
   mode: ["arrows", "heat", "plain"], layout: ["pair", "divider"],
 };
 let state = { ...START };
-const isNumber = (value) => ["number", "string"].includes(typeof value) && value !== "" && Number.isFinite(Number(value)) && Math.abs(Number(value)) < LARGEST;
+const isNumber = (value) => ["number", "string"].includes(typeof value) && value !== "" && Number.isFinite(Number(value)) && Math.abs(Number(value)) < data.largest;
 function kept() {
   const found = { ...START };
   for (const [key, value] of Object.entries(keeper.read())) {
