@@ -61,14 +61,18 @@ def settled(notebook: Any) -> Any:
         if cell.cell_type != "code":
             continue
         cell.execution_count = None
+        cell.outputs = [output for output in cell.outputs if not _is_alive(output)]
         for output in cell.outputs:
             if "execution_count" in output:
                 output.execution_count = None
             if "data" in output:
                 output.metadata = {}
-                for kind in [kind for kind in output.data if "widget" in kind]:
-                    del output.data[kind]
     return notebook
+
+
+def _is_alive(output: Any) -> bool:
+    """Recognise a widget, of which nothing can be kept without its kernel."""
+    return any("widget" in kind for kind in output.get("data", ()))
 
 
 def varies(cell: Any) -> bool:

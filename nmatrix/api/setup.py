@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nmatrix import report
 from nmatrix.api.report import Report
@@ -28,6 +28,9 @@ from nmatrix.scene.lens import Lens
 from nmatrix.scene.setup import Light
 from nmatrix.scene.world import World
 from nmatrix.spaces.shading_spaces import space_named
+
+if TYPE_CHECKING:
+    from nmatrix.api.widget import Explorer
 
 Part = Any  # a frozen value, a mapping of the options' names, or a matrix
 
@@ -277,6 +280,22 @@ class Setup(Displayed):
         }
         window = own if viewport is None else read_viewport(viewport, "viewport")
         return Report(answer_to(given, self.values, window))
+
+    def explore(self) -> Explorer:
+        """Show the explorer in a notebook: a widget whose sliders Python reads and moves.
+
+        Its `world` is the object's place by the sliders, its `setup` what they make of this one.
+
+        Raises
+        ------
+        MissingPackageError
+            Without the package anywidget, which the extra `notebook` brings.
+        NoAnswerError
+            If the world matrix is singular and not given by its parts: sliders cannot show it.
+        """
+        from nmatrix.api.widget import Explorer
+
+        return Explorer(self)
 
 
 def setup_values(given: object) -> setup.Setup:

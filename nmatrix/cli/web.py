@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Option
 
 from nmatrix.cli.catalogue import COMMANDS
-from nmatrix.cli.explore import first_look
 from nmatrix.cli.shared_options import CommonOptions
 from nmatrix.cli.show import show, witnessed
 from nmatrix.report import Report, Text, Value, Verdict
@@ -45,6 +44,7 @@ def web(
 ) -> None:
     """Write the folder."""
     from nmatrix.output.explorer.page import page
+    from nmatrix.output.explorer.sliders import first_look
     from nmatrix.web.folder import folder, write
 
     target = Path(output)

@@ -13,6 +13,7 @@ from math import degrees
 
 import numpy as np
 import pytest
+from browser.inside import inside
 from PIL import Image
 
 from nmatrix.canvas.theme import PALETTES
@@ -41,12 +42,14 @@ pytestmark = pytest.mark.slow  # a browser draws by software
 
 SETUP = Setup(World(scale=(1, 2, 1)), View(eye=(1.5, 1.75, 3.25)), light=Light((-1, -2, -1)))
 SIZE = 480
-BARE = """side => {
-  painter.picture({ ...bodyOf(state, side, meaningNow()), size: %d, ink: [0, 0, 0] });
-  const pen = new Pen(document.createElement("canvas"), %d, "light");
-  pen.clear(); painter.copyTo(pen.context, %d);
+BARE = inside(
+    """side => {
+  const size = SIZE, pen = new Pen(document.createElement("canvas"), size, "light");
+  painter.picture({ ...bodyOf(state, side, meaningNow()), size, ink: [0, 0, 0] });
+  pen.clear(); painter.copyTo(pen.context, size);
   return pen.context.canvas.toDataURL();
-}""" % (SIZE, SIZE, SIZE)  # noqa: UP031 (the script has braces of its own)
+}""".replace("SIZE", str(SIZE))
+)
 STAGE = tuple(int(PALETTES[Theme.LIGHT].stage[i : i + 2], 16) for i in (1, 3, 5))
 TORUS = ShapeGeometry(Shape.TORUS, TESSELLATION)
 TURNS = {f"r{a}": 0 for a in "xyz"}
@@ -72,18 +75,18 @@ def state(opened_page) -> dict:
     return json.loads(opened_page.locator("#state").text_content())
 
 
-GO = "history.replaceState(null, '', '#' + words); readHash(); fill(null);"
+GO = "history.replaceState(null, '', '#' + words); read(); fill(null);"
 
 
 def moved(opened_page, words: str) -> dict:
     """The page's state at an address, with everything drawn."""
-    opened_page.evaluate("words => {" + GO + "drawNow(); }", words)
+    opened_page.evaluate(inside("words => {" + GO + "drawNow(); }"), words)
     return state(opened_page)
 
 
 def told(opened_page, words: str) -> dict:
     """The page's state at an address, with its words and numbers, and no new pictures."""
-    opened_page.evaluate("words => {" + GO + "writeWords(state, meaningNow()); }", words)
+    opened_page.evaluate(inside("words => {" + GO + "writeWords(state, meaningNow()); }"), words)
     return state(opened_page)
 
 
@@ -367,7 +370,7 @@ def test_the_shaders_are_those_that_the_copied_command_prints(calm, capsys, body
         capsys.readouterr()
         assert run(words[1:]) == 0
         printed = capsys.readouterr().out.partition("// The uniforms' values")[0]
-        assert calm.evaluate("glsl()") == printed, space
+        assert calm.evaluate(inside("() => glsl()")) == printed, space
         assert calm.locator("#shader").text_content() == printed
 
 
@@ -459,6 +462,6 @@ def test_numbers_work_without_webgl(browser, file) -> None:
     assert found.locator("#no-gl").is_visible()
     assert state(found)["largest"] == pytest.approx(36.8699, abs=1e-3)
     found.locator("#sy-n").fill("1")
-    found.evaluate("drawNow()")
+    found.evaluate(inside("() => drawNow()"))
     assert state(found)["largest"] == 0
     context.close()

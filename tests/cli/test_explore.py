@@ -15,7 +15,7 @@ pytestmark = pytest.mark.usefixtures("own_folder")
 
 def data(name: str) -> dict:
     text = Path(name).read_text(encoding="utf-8")
-    return json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
+    return json.loads(re.search(r'id="nmatrix-explorer-data">(.*?)</script>', text, re.DOTALL)[1])
 
 
 def start(name: str) -> dict:
@@ -32,8 +32,8 @@ def test_one_small_file_that_fetches_nothing(nmatrix) -> None:
     assert not re.findall(r"(?:src|href)=\"", text)
     assert "http://" not in text
     assert "https://" not in text
-    for tag in ("script", "style"):
-        body = re.search(rf"<{tag}>(.*?)</{tag}>", text, re.DOTALL)[1]
+    for tag, kind in (("script", ' type="module"'), ("style", "")):
+        body = re.search(rf"<{tag}{kind}>(.*?)</{tag}>", text, re.DOTALL)[1]
         assert b64encode(sha256(body.encode()).digest()).decode() in text, "the policy allows it"
 
 

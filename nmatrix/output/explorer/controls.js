@@ -6,6 +6,7 @@ const GROUPS = {
   mirror: { title: "Mirror", switches: AXES.map((axis) => [`m${axis}`, `mirror along ${axis}`]) },
   turn: { title: "Turn", rows: rows("r", AXES, (axis) => `turn about ${axis}, in degrees`, [-180, 180, 1]) },
   shear: { title: "Shear", rows: rows("h", ["xy", "xz", "yz"], ([moved, by]) => `shear ${moved} along ${by}`, [-2, 2, 0.05]) },
+  move: { title: "Move", rows: rows("t", AXES, (axis) => `move along ${axis}`, [-3, 3, 0.05]) },
   ...(data.has_direction ? { light: { title: "Light", rows: rows("l", AXES, (axis) => `light travels along ${axis}`, [-3, 3, 0.05]) } } : {}),
   ...(data.has_position ? { lamp: { title: "Lamp", rows: rows("p", AXES, (axis) => `place of the lamp along ${axis}`, [-9, 9, 0.1]) } } : {}),
   camera: {
@@ -31,7 +32,7 @@ function buildGroups() {
         input.dataset.keys = keys.join(" ");
         input.addEventListener("input", () => {
           const value = Number(input.value);
-          if (input.value !== "" && Number.isFinite(value) && Math.abs(value) < 1e6) { for (const key of keys) state[key] = value; changed(input); }
+          if (input.value !== "" && isNumber(value)) { for (const key of keys) state[key] = value; changed(input); }
         });
       }
       field.append(row);
@@ -84,12 +85,11 @@ function choose(key, value) {
   changed(null);
 }
 function fill(except) {
-  for (const input of document.querySelectorAll("input[data-keys]")) if (input !== except) input.value = state[input.dataset.keys.split(" ")[0]];
+  for (const input of root.querySelectorAll("input[data-keys]")) if (input !== except) input.value = state[input.dataset.keys.split(" ")[0]];
   for (const [key] of GROUPS.mirror.switches) byId(key).setAttribute("aria-pressed", String(Boolean(state[key])));
   for (const key of ["shape", "rule"]) byId(key).value = state[key];
-  byId("theme").setAttribute("aria-pressed", String(themeNow() === "dark"));
   for (const key of ["story", "mode", "layout", "space"]) {
-    for (const button of document.querySelectorAll(`button[data-${key}]`)) button.setAttribute("aria-pressed", String(button.dataset[key] === state[key]));
+    for (const button of root.querySelectorAll(`button[data-${key}]`)) button.setAttribute("aria-pressed", String(button.dataset[key] === state[key]));
   }
   for (const name of Object.keys(GROUPS)) {
     const isOwn = STORIES[state.story].group === name;

@@ -49,16 +49,22 @@ function connect() {
   byId("vertex").addEventListener("input", () => { state.v = Number(byId("vertex").value); changed(byId("vertex")); });
   for (const id of ["command", "shader-command", "trace-command"]) byId(`copy-${id}`).addEventListener("click", () => copy(byId(id).textContent, "command"));
   byId("copy-glsl").addEventListener("click", () => copy(glsl(), "GLSL"));
-  byId("copy-link").addEventListener("click", () => { writeHash(); copy(location.href, "link"); });
+  byId("copy-link").addEventListener("click", () => { write(); copy(location.href, "link"); });
   byId("reset").addEventListener("click", () => { state = { ...START }; shown.clear(); changed(null); });
-  byId("theme").addEventListener("click", () => { document.documentElement.dataset.theme = themeNow() === "dark" ? "light" : "dark"; drawNow(); });
+  byId("theme").addEventListener("click", () => { house.dataset.theme = themeNow() === "dark" ? "light" : "dark"; drawNow(); });
   byId("print").addEventListener("click", () => window.print());
-  addEventListener("hashchange", () => { readHash(); drawNow(); });
-  addEventListener("beforeprint", () => { isPrinting = true; drawNow(); });
-  addEventListener("afterprint", () => { isPrinting = false; drawNow(); });
-  for (const media of [darkScheme, onPaper, narrow]) media.addEventListener("change", drawNow);
+  for (const id of ["copy-link", "print"]) byId(id).hidden = !keeper.isPage;
+  keeper.listen(follow, signal);
+  addEventListener("beforeprint", () => { isPrinting = true; drawNow(); }, { signal });
+  addEventListener("afterprint", () => { isPrinting = false; drawNow(); }, { signal });
+  for (const media of [darkScheme, onPaper]) media.addEventListener("change", drawNow, { signal });
   let width = byId("views").clientWidth;
-  new ResizeObserver(() => { if (byId("views").clientWidth !== width) { width = byId("views").clientWidth; schedule(); } }).observe(byId("views"));
+  const resized = new ResizeObserver(() => { if (byId("views").clientWidth !== width) { width = byId("views").clientWidth; schedule(); } });
+  resized.observe(byId("views")); signal.addEventListener("abort", () => resized.disconnect());
+  // Who changes the theme around wins over what was chosen here before.
+  const themed = new MutationObserver((records) => { if (records.some(({ target }) => target !== house)) delete house.dataset.theme; drawNow(); });
+  for (const place of [house, around.documentElement, around.body]) if (place) themed.observe(place, { attributeFilter: ["data-theme", "data-jp-theme-light", "data-vscode-theme-kind"] });
+  signal.addEventListener("abort", () => themed.disconnect());
 }
 async function copy(text, what) {
   try { await navigator.clipboard.writeText(text); byId("said").textContent = `The ${what} is copied.`; }

@@ -5,19 +5,19 @@ const MISTAKES = { ...data.rules, [STUCK]: "a light left in the model" };
 const lightOf = (s) => AXES.map((axis) => s["l" + axis]);
 const lampOf = (s) => (data.has_position ? AXES.map((axis) => s["p" + axis]) : null);
 
-// A rule's matrix for normals under B, or null where it has no answer.
+// A rule's matrix for normals under B, a whole matrix, or null where it has no answer.
 function ruleMatrix(rule, B, isFlat) {
-  if (rule === "none") return B;
+  if (rule === "none") return floatsOf(B);
   if (rule === "cofactor") return cofactor(B);
-  if (rule === "not-inverted") return transpose(B);
-  if (rule === "not-transposed") return isFlat ? null : inverse3(B);
-  return isFlat ? cofactor(B) : scaled(cofactor(B), 1 / determinant(B));
+  if (rule === "not-inverted") return transpose(floatsOf(B));
+  if (rule === "not-transposed") return isFlat ? null : transpose(inverseTranspose(B));
+  return isFlat ? cofactor(B) : inverseTranspose(B);
 }
 function spaceFromWorld(space, found) {
   if (space === "camera") return found.camera;
-  if (space === "object") return found.rank < 3 ? null : inverse4(found.M);
+  if (space === "object") return found.rank < 3 ? null : inverse4(found.M, found.whole);
   if (space === "light") {
-    const from = found.lamp || [0, 0, 0], along = data.has_direction ? found.light : minus(data.target, from);
+    const from = found.lamp || [0, 0, 0], along = data.has_direction ? wholes(found.light)[0] : wholeDifference(data.target, from);
     return along.some((x) => x) ? lookingAlong(from, along, data.up) : null;
   }
   return space === "custom" ? data.custom_from_world : identity4;
@@ -47,48 +47,52 @@ function cameraOf(s, reach) {
   // What is not moved keeps the eye's own numbers; else four decimals, which the command repeats.
   const isMoved = s.yaw || s.tilt || far !== given;
   const eye = isMoved ? plus(data.target, turned, far / given).map((x) => rounded(x, 4)) : data.eye;
-  return { camera: lookingAlong(eye, minus(data.target, eye), data.up), eye };
+  return { camera: lookingAlong(eye, wholeDifference(data.target, eye), data.up), eye };
 }
 
 function meaning(s, reach) {
-  const mesh = meshOf(s.shape), M = worldMatrix(s, data.translate), A = linear(M), scale = scaleOf(s);
+  const mesh = meshOf(s.shape), exact = worldLinear(s), M = worldMatrix(s, exact), A = linear(M), scale = scaleOf(s);
   const rank = scale.filter((x) => x !== 0).length, isFlat = rank < 3;
-  const det = isFlat ? 0 : determinant(A), C = cofactor(A), sign = det < 0 ? -1 : 1;
-  const found = { mesh, M, A, rank, isFlat, det, C, sign, scale, light: lightOf(s), lamp: lampOf(s) };
+  const det = isFlat ? 0 : determinant(exact), C = cofactor(exact), sign = isFlat ? 1 : orientation(exact);
+  const found = { mesh, M, A, whole: exact, rank, isFlat, det, C, sign, scale, light: lightOf(s), lamp: lampOf(s) };
   found.reach = Math.max(reach, radius(mesh, M));
   Object.assign(found, cameraOf(s, found.reach));
   found.clip_from_world = times(data.clip_from_camera, found.camera);
-  found.N = isFlat ? null : ruleMatrix("exact", A, false);
-  found.right = scaled(C, sign);  // a positive multiple of A⁻ᵀ that is left where A has no inverse
+  found.N = isFlat ? null : ruleMatrix("exact", exact, false);
+  found.right = normalDirections(exact, sign);
   found.S = spaceFromWorld(s.space, found);
   found.isRigid = !isFlat && norm(minus2(times(transpose(A), A), identity3)) < 1e-12;
-  found.isConformal = !isFlat && norm(minus2(scaled(times(transpose(A), A), 3 / norm(A) ** 2), identity3)) < 1e-12;
+  const even = scaled(A, Math.sqrt(3) / norm(A));  // before squares, which can leave the floats
+  found.isConformal = !isFlat && norm(minus2(times(transpose(even), even), identity3)) < 1e-12;
   const rule = s.rule === STUCK ? "exact" : s.rule;
   // What the rule makes of normals in the space of shading, brought back to the world by Bᵀ.
   found.wrong = null;
   if (rule === "exact") found.wrong = found.right;
   else if (s.space === "object") found.wrong = isFlat ? null : found.right;
   else if (found.S) {
-    const B = linear(found.S), W = ruleMatrix(rule, times(B, A), isFlat);
+    const B = linear(found.S), W = ruleMatrix(rule, wholeTimes(whole(B), exact), isFlat);
     found.wrong = W && times(transpose(B), W);
   }
+  found.isRight = s.rule !== STUCK && (s.space === "object" || (rule === "cofactor" && isFlat));
   found.stuckLight = s.rule === STUCK && data.has_direction ? apply(A, found.light) : null;
   found.stuckLamp = s.rule === STUCK && found.lamp ? point(M, found.lamp) : null;
   return Object.assign(found, errorOf(s, found));
 }
+// A rule that is wrong stays so where a map hides it: equal pictures are told by their sign between.
+const verdictOf = (side, found) => (side === "wrong" && !found.isRight ? "wrong" : "right");
 const minus2 = (A, B) => A.map((row, i) => minus(row, B[i]));
 
 // By how much the mistake is off, as one number: degrees between normals, or between lights.
 function errorOf(s, found) {
   if (s.rule === STUCK) {
-    const from = data.has_direction ? [found.light, found.stuckLight] : [minus(found.lamp, data.translate), minus(found.stuckLamp, data.translate)];
+    const from = data.has_direction ? [found.light, found.stuckLight] : [minus(found.lamp, placeOf(s)), minus(found.stuckLamp, placeOf(s))];
     if (!from.every((v) => length(v) > 1e-12)) return { largest: null, isSame: false };
     const largest = angleBetween(unit(from[0]), unit(from[1]), false);
     return { largest: largest < 1e-9 ? 0 : largest, isSame: largest < 1e-9 && !(found.lamp && length(minus(found.stuckLamp, found.lamp)) > 1e-9) };
   }
   if (!found.wrong || found.rank < 2) return { largest: null, isSame: false };
   if (s.rule === "cofactor" && s.space !== "object") {  // (S A)'s cofactors are det S · Sᵀ⁻¹ C: only the sign can differ
-    const isTurned = !found.isFlat && determinant(linear(found.S)) * found.det < 0;
+    const isTurned = !found.isFlat && orientation(whole(linear(found.S))) * found.sign < 0;
     return { largest: isTurned ? 180 : 0, isSame: !isTurned };
   }
   const largest = worstAngle(found.wrong, found.right, found.mesh.directions, found.mesh.isSmooth, found.isFlat);

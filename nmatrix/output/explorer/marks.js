@@ -154,7 +154,7 @@ function arrowOf(tack, W, isFlat, R) {
 }
 function drawTacks(pen, s, side, found, tacks) {
   const W = side === "wrong" ? found.wrong : found.right, R = found.radii, drawn = [];
-  const kind = side === "wrong" && !found.isSame && s.rule !== STUCK ? "wrong" : "right";
+  const kind = s.rule === STUCK ? "right" : verdictOf(side, found);
   for (const tack of tacks) {
     const first = unit(cross(tack.upright, Math.abs(tack.upright[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0])), second = cross(tack.upright, first);
     const rim = Array.from({ length: 30 }, (_, i) => {

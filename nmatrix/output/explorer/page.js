@@ -1,12 +1,12 @@
 // What is drawn when: on demand alone, once a pixel while a hand moves, and finely where it rests.
-const painter = new Painter();
+const painter = new Painter(() => { showWhetherDrawn(); drawNow(); });
 let drawnArrows = {}, framesDrawn = 0, isScheduled = false, isMoving = false, later = 0;
-const isDivided = () => narrow.matches || state.layout === "divider";
+const isDivided = () => isNarrow() || state.layout === "divider";
 let known = { key: "" };
 function meaningNow() {
   const { yaw, tilt, v, cut, mode, layout, ...rest } = state, key = JSON.stringify(rest);
   if (known.key !== key) {
-    const first = worldMatrix(storyStart(state.story), data.translate), found = meaning(state, radius(meshOf(state.shape), first));
+    const first = worldMatrix(storyStart(state.story)), found = meaning(state, radius(meshOf(state.shape), first));
     known = { key, found: Object.assign(found, { radii: radiiOf(found), brightness: state.rule === STUCK ? brightnessError(found) : 0 }) };
   }
   const found = { ...known.found, ...cameraOf(state, known.found.reach) };
@@ -70,7 +70,7 @@ function drawMap(s, found) {
   if (painter.gl && found.rank > 1) paint(pen, body);
 }
 // A small stage is drawn when it is on the screen, or on paper.
-const stages = () => document.querySelectorAll(".place canvas");
+const stages = () => root.querySelectorAll(".place canvas");
 function drawStale() {
   const found = meaningNow();
   for (const canvas of stages()) {
@@ -86,8 +86,10 @@ const seen = new IntersectionObserver((entries) => {
 });
 function draw() {
   isScheduled = false;
+  if (signal.aborted) return;
   const found = meaningNow();
-  document.body.classList.toggle("divided", isDivided());
+  paintPage();
+  byId("sheet").classList.toggle("divided", isDivided());
   drawViews(state, found); writeWords(state, found);
   if (!isMoving || framesDrawn % 2) drawMap(state, found);  // the small map may lag by a frame
   framesDrawn += 1;
@@ -98,8 +100,23 @@ function settle() { isMoving = false; draw(); drawPlaces(); }  // the small stag
 function schedule() { isMoving = true; if (!isScheduled) { isScheduled = true; requestAnimationFrame(draw); } }
 function drawNow() { fill(null); settle(); }
 
-readHash(); buildGroups(); buildChoices(); connect();
+function showWhetherDrawn() {
+  byId("no-gl").hidden = Boolean(painter.gl);
+  byId("sheet").classList.toggle("without-pictures", !painter.gl);
+}
+
+read(); buildGroups(); buildChoices(); connect();
 for (const canvas of stages()) seen.observe(canvas);
-byId("no-gl").hidden = Boolean(painter.gl);
-document.body.classList.toggle("without-pictures", !painter.gl);
-drawNow();
+signal.addEventListener("abort", () => { seen.disconnect(); clearTimeout(later); clearTimeout(written); painter.leave(); });
+showWhetherDrawn(); drawNow();
+
+// What others on the page may ask an explorer, and how it leaves.
+const explorer = {
+  remove() { leaving.abort(); root.replaceChildren(); },
+  get state() { return state; }, get isBusy() { return isMoving || isScheduled || isUnwritten || [...stages()].some((one) => one.isSeen && one.isStale); },
+  get framesDrawn() { return framesDrawn; },
+  data, root, byId, read, fill, drawNow, writeWords, meaningNow, glsl, painter, Pen, bodyOf, onStage, tacksOf, arrowOf, stages,
+  meaning, cameraOf, spaceFromWorld, journey, worstAngle, ruleMatrix, meshOf, START, ...arithmetic,
+};
+element.explorer = explorer;
+return explorer;

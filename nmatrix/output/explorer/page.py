@@ -1,8 +1,9 @@
-"""The explorer's page: a template, its style and scripts, and the data of one scene.
+"""The explorer: one module of its scripts, style and markup, and the data of one scene.
 
-The shaders are those that `space -f glsl` prints for this scene, for a body that keeps its shape
-and for one that does not: object space has a metric for the second alone. Style and script are
-allowed by their hashes, and nothing is fetched.
+The page and the notebook's widget hold the same text of the module. The shaders are those that
+`space -f glsl` prints for this scene, for a body that keeps its shape and for one that does not:
+object space has a metric for the second alone. The page allows its style and its script by their
+hashes, and nothing is fetched.
 """
 
 from __future__ import annotations
@@ -18,12 +19,11 @@ from typing import Any
 
 from nmatrix.canvas.theme import PALETTES, Palette
 from nmatrix.enums import API_PRESETS, DepthRange, Handedness, NormalRule, Reflection, Space, Theme
-from nmatrix.errors import NoAnswerError, quantity
-from nmatrix.linear.decompose import parts
 from nmatrix.linear.projection import DEFAULT_CLIP_SPACE
 from nmatrix.linear.rational import RationalMatrix, rational_matrix, to_floats
 from nmatrix.linear.rules import RULES
 from nmatrix.linear.viewport import window_from_ndc
+from nmatrix.output.explorer.sliders import LARGEST, floats, start
 from nmatrix.raster.proofs.letter import letter_r
 from nmatrix.raster.proofs.proof import AMBIENT, DIFFUSE
 from nmatrix.report import Number
@@ -34,8 +34,7 @@ from nmatrix.scene.setup import Setup
 from nmatrix.scene.world import World
 from nmatrix.shaders.sheet import Request, program_of
 
-SCRIPTS = (
-    "matrices",
+PARTS = (  # of an explorer; the arithmetic before them is every explorer's
     "meshes",
     "map",
     "sentences",
@@ -57,7 +56,6 @@ WRONG_RULES = (
     NormalRule.NOT_INVERTED,
     NormalRule.COFACTOR,
 )
-DOWNWARDS = (0, -1, 0)  # where the sliders stand for a light without a direction
 SURFACE = {"ambient_color": AMBIENT, "diffuse_color": DIFFUSE}
 SCHEMES = {  # when the page takes a theme's colours; the last that holds wins
     Theme.LIGHT: ":root {%s}",
@@ -83,21 +81,39 @@ def page(setup: Setup, *, fits: bool = False) -> bytes:
     NoAnswerError
         If the world matrix is singular and not given by its parts: sliders cannot show it.
     """
-    script = "\n".join(_text(f"{name}.js") for name in SCRIPTS)
-    style = colours() + _text("page.css")
     data = json.dumps(
         page_data(setup, fits=fits), ensure_ascii=False, separators=(",", ":"), allow_nan=False
     )
     text = _text("page.html")
     for name, value in (
-        ("SCRIPT_HASH", _hash(script)),
-        ("STYLE_HASH", _hash(style)),
-        ("STYLE", style),
+        ("COLOURS", colours()),
         ("DATA", data.replace("<", "\\u003c")),
-        ("SCRIPT", script),
+        ("SCRIPT_TEXT", module()),
     ):
         text = text.replace(name, value, 1)
+    for name, opens, closes in (
+        ("STYLE_HASH", "<style>", "</style>"),
+        ("SCRIPT_HASH", '<script type="module">', "</script>"),
+    ):
+        text = text.replace(name, _hash(text.partition(opens)[2].partition(closes)[0]), 1)
     return text.encode()
+
+
+def module() -> str:
+    """Write the explorer as one ES module, which exports `mount` and a widget's `render`."""
+    text = _text("module.js")
+    for name, value in (
+        ('"MARKUP_TEXT"', _quoted(_text("markup.html"))),
+        ('"STYLE_TEXT"', _quoted(_text("explorer.css"))),
+        ("ARITHMETIC_TEXT", _text("matrices.js")),
+        ("PARTS_TEXT", "\n".join(_text(f"{name}.js") for name in PARTS)),
+    ):
+        text = text.replace(name, value, 1)
+    return text
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("<", "\\u003c")
 
 
 def _text(name: str) -> str:
@@ -123,8 +139,8 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
     light = maps.light
     looks = view.is_aimed and view.handed is Handedness.RIGHT
     return {
-        "start": _start(setup),
-        "translate": _floats(row[3] for row in maps.world_from_object.exact[:3]),
+        "start": start(setup),
+        "largest": LARGEST,
         "camera_from_world": to_floats(maps.camera_from_world.exact),
         "clip_from_camera": to_floats(maps.clip_from_camera),
         "webgl_from_clip": (
@@ -137,9 +153,9 @@ def page_data(setup: Setup, *, fits: bool = False) -> dict[str, Any]:
         "custom_from_world": to_floats(
             _with_custom_space(setup).maps.space_from_world(Space.CUSTOM).exact
         ),
-        "eye": _floats(maps.eye),
-        "target": _floats(maps.target),
-        "up": _floats(maps.up),
+        "eye": floats(maps.eye),
+        "target": floats(maps.target),
+        "up": floats(maps.up),
         "looks": looks,
         "looks_down": "−z" if setup.lens.clip.forward_z < 0 else "+z",
         "fits": fits,
@@ -163,34 +179,6 @@ def _letter() -> dict[str, list[float]]:
     mesh = letter_r()
     arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}
     return {name: array.round(6).ravel().tolist() for name, array in arrays.items()}
-
-
-def _start(setup: Setup) -> dict[str, float | str]:
-    """Place the sliders."""
-    scale, rotate, shear = _sliders(setup)
-    direction = _floats(setup.maps.light.direction or DOWNWARDS)
-    place = _floats(setup.maps.light.position or (0, 0, 0))
-    start: dict[str, float | str] = {"rule": NormalRule.NONE.value, "space": Space.WORLD.value}
-    for axis, s, r, d, p in zip("xyz", scale, rotate, direction, place, strict=True):
-        start |= {f"s{axis}": abs(s), f"m{axis}": int(s < 0), f"r{axis}": r}
-        start |= {f"l{axis}": d, f"p{axis}": p}
-    return start | dict(zip(("hxy", "hxz", "hyz"), shear, strict=True))
-
-
-def _sliders(setup: Setup) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
-    """Take scale, angles about x, y, z and shear of the world."""
-    world = setup.world
-    plain = World(world.translate, world.rotate_degrees, None, world.scale, world.shear)
-    if world == plain:
-        return _floats(world.scale), _floats(world.rotate_degrees), _floats(world.shear)
-    taken = parts(world.world_from_object)
-    if taken is None:
-        raise NoAnswerError(
-            "world matrix (determinant 0)",
-            "sliders cannot show a singular matrix that is not given by its parts",
-            f"give {quantity('scale')} with a 0 in it",
-        )
-    return _floats(taken.scale), _floats(taken.rotate), _floats(taken.shear)
 
 
 def _with_custom_space(setup: Setup) -> Setup:
@@ -264,15 +252,11 @@ def _shape_words(lens: Lens) -> Iterator[str]:
 
 
 def _spaced(values: Iterable[Number]) -> str:
-    return " ".join(f"{value:.17g}" for value in _floats(values))
+    return " ".join(f"{value:.17g}" for value in floats(values))
 
 
 def _literal(A: RationalMatrix) -> str:
     return '"' + "; ".join(" ".join(map(repr, row)) for row in to_floats(A)) + '"'
-
-
-def _floats(values: Iterable[Number]) -> tuple[float, ...]:
-    return tuple(map(float, values))
 
 
 def _hash(text: str) -> str:

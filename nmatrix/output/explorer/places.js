@@ -34,7 +34,7 @@ const vertexNumber = (s, found) => Math.min(found.mesh.points.length - 1, Math.m
 
 // An observer outside who sees everything: a parallel view that fits all the points.
 function observed(points) {
-  const rows = lookingAlong([0, 0, 0], OBSERVER.map((x) => -x), [0, 1, 0]), seen = points.map((p) => point(rows, p));
+  const rows = lookingAlong([0, 0, 0], wholes(OBSERVER.map((x) => -x))[0], [0, 1, 0]), seen = points.map((p) => point(rows, p));
   const [low, high] = [Math.min, Math.max].map((best) => [0, 1, 2].map((i) => best(...seen.map((p) => p[i]))));
   const middle = low.map((x, i) => (x + high[i]) / 2), size = Math.max(high[0] - low[0], high[1] - low[1]) * 0.58 || 1, deep = (high[2] - low[2]) * 0.6 || 1;
   return times([[1 / size, 0, 0, -middle[0] / size], [0, 1 / size, 0, -middle[1] / size], [0, 0, -1 / deep, middle[2] / deep], [0, 0, 0, 1]], rows);

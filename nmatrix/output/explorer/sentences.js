@@ -2,6 +2,16 @@
 // the mistake makes of it. Every clause follows from the map's numbers, never from a preset's name.
 const formula = (kind, text) => `<b class="${kind}">${text}</b>`;
 const figure = (x, digits = 5) => (Object.is(x, -0) ? 0 : x).toPrecision(digits).replace(/(\.\d*?)0+(e|$)/, "$1$2").replace(/\.(e|$)/, "$1").replace("-", "−");
+// An exact value in a few digits, also where no float is as large or as small.
+function figureOf(x, digits = 5) {
+  const near = x.nearest;
+  if (x.isZero || (Number.isFinite(near) && near !== 0)) return figure(near, digits);
+  let ten = Math.floor((bitsOf(x.top < 0n ? -x.top : x.top) - bitsOf(x.bottom)) * Math.log10(2));
+  const over = (power) => (power < 0 ? x.times(new Fraction(10n ** BigInt(-power))) : x.over(new Fraction(10n ** BigInt(power)))).nearest;
+  while (Math.abs(over(ten)) >= 10) ten += 1;
+  while (Math.abs(over(ten)) < 1) ten -= 1;
+  return `${figure(over(ten), digits)}e${ten < 0 ? "−" : "+"}${Math.abs(ten)}`;
+}
 function degreesText(x) {
   if (x === 0) return "0°";
   if (x < 0.05) return `${figure(x, 2)}°`;
@@ -35,8 +45,12 @@ function scaleWords(scale) {
   if (flat) words.push(`flattened along ${flat}`);
   return words.length ? [joined(words)] : [];
 }
+function movedWords(s) {
+  const ways = AXES.filter((axis) => s[`t${axis}`] !== 0);
+  return ways.length ? [`moved ${joined(ways.map((axis) => `${figure(s[`t${axis}`])} along <b>${axis}</b>`))}`] : [];
+}
 function doneWords(s, found) {
-  const words = [...shearWords(s), ...scaleWords(found.scale), ...turnedWords(s)];
+  const words = [...shearWords(s), ...scaleWords(found.scale), ...turnedWords(s), ...movedWords(s)];
   return words.length ? capital(words.join(", then ")) : "Left as it is";
 }
 // What one stretched axis asks of a normal, where that is all that was done.
@@ -72,22 +86,24 @@ function sentence(s, found) {
 }
 // A space that mirrors has its say in the sign too.
 function determinantWords(s, found) {
-  const own = determinant(linear(found.S));
-  return own > 0 ? `det A = ${figure(found.det)}` : `${s.space} space mirrors, so det(S A) = ${figure(own * found.det)}`;
+  const [own, det] = [whole(linear(found.S)), found.whole].map((A) => exactDeterminant(asFractions(A)));
+  return own.top > 0n ? `det A = ${figureOf(det)}` : `${s.space} space mirrors, so det(S A) = ${figureOf(own.times(det))}`;
 }
 function sameSentence(s, found, done) {
-  const both = `${formula("right", `${SYMBOLS[s.rule]} n`)} and ${formula("right", `${SYMBOLS.exact} n`)}`;
+  const both = `${formula("wrong", `${SYMBOLS[s.rule]} n`)} and ${formula("right", `${SYMBOLS.exact} n`)}`;
   const nothing = "so a test with this map proves nothing";
   if (s.rule === "cofactor") return `${done}: ${determinantWords(s, found)} is positive, so cofactors are ${SYMBOLS.exact} up to length. ${both} point the same way, ${nothing} about the sign.`;
   if (found.isConformal && s.rule === "none") {
-    const mirror = found.det < 0 ? " Only the rule that forgets the sign of det A would fail." : "";
+    const mirror = found.sign < 0 ? " Only the rule that forgets the sign of det A would fail." : "";
     if (found.isRigid) return `${done}: lengths and angles stay, and ${SYMBOLS.exact} is A itself. ${both} are equal, ${nothing}.${mirror}`;
     return `${done}: ${both} differ in length alone, and normals are made unit, ${nothing}.${mirror}`;
   }
   return `${done}: with this very map ${both} point the same way, ${nothing}.`;
 }
 function stuckSentence(done, found, off) {
-  const carried = `${done}, and the light was carried along as if it belonged to the model`;
+  // (A⁻ᵀ n) · (A l) = n · l: what was lit in the model stays lit.
+  const kept = found.isFlat ? "" : ", so the same part of it stays lit wherever it is put";
+  const carried = `${done}, and the light was carried along as if it belonged to the model${kept}`;
   if (!found.lamp && !found.light.some((x) => x)) return `${done}. The light has no direction here, so none can be carried along.`;
   if (off === "") return `${carried}: A flattens its direction to nothing. In the world it stays where it is.`;
   if (found.isSame) return `${done}: the light that is carried along arrives where it was, so this test proves nothing.`;

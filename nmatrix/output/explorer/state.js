@@ -1,8 +1,7 @@
-// The page's state: stories that set it, the address that keeps it, the theme that shows it.
-const byId = (id) => document.getElementById(id);
+// The state: stories that set it, the keeper that holds it, the theme that shows it.
 
 // --- Stories: each sets a few things and shows the sliders that belong to it -----------------------------
-const PLAIN = { sx: 1, sy: 1, sz: 1, mx: 0, my: 0, mz: 0, rx: 0, ry: 0, rz: 0, hxy: 0, hxz: 0, hyz: 0, rule: "none", shape: "egg", yaw: 0, tilt: 0,
+const PLAIN = { sx: 1, sy: 1, sz: 1, mx: 0, my: 0, mz: 0, rx: 0, ry: 0, rz: 0, hxy: 0, hxz: 0, hyz: 0, tx: data.start.tx, ty: data.start.ty, tz: data.start.tz, rule: "none", shape: "egg", yaw: 0, tilt: 0,
   lx: data.start.lx, ly: data.start.ly, lz: data.start.lz };
 const STORIES = {
   stretch: { name: "Stretch", set: { sy: 2 }, group: "scale" },
@@ -17,7 +16,7 @@ function storyOf(s) {
   const found = meaning({ ...s, shape: "egg", yaw: 0, tilt: 0, v: 0 }, 0);
   if (s.rule === STUCK) return "stuck";
   if (found.isFlat) return "flatten";
-  if (found.isConformal) return found.det < 0 ? "mirror" : found.isRigid ? "turn" : "even";
+  if (found.isConformal) return found.sign < 0 ? "mirror" : found.isRigid ? "turn" : "even";
   return ["hxy", "hxz", "hyz"].some((key) => s[key] !== 0) ? "shear" : "stretch";
 }
 const START = { ...data.start, shape: "egg", yaw: 0, tilt: 0, v: 0.23, cut: 0.5, mode: "arrows", layout: "pair" };
@@ -26,36 +25,62 @@ START.shape = STORIES[START.story].set.shape || "egg";
 if (START.story === "flatten") START.tilt = STORIES.flatten.set.tilt;
 const storyStart = (story) => (story === START.story ? START : { ...PLAIN, ...STORIES[story].set });
 
-// --- State: in the controls and in the address ---------------------------------------------------------------
+// --- State: in the controls, and with its keeper ---------------------------------------------------------------
 const NUMBERS = Object.keys(START).filter((key) => typeof START[key] === "number");
 const CHOICES = {
   space: Object.keys(data.shaders), rule: Object.keys(MISTAKES), shape: Object.keys(MESHES), story: Object.keys(STORIES),
   mode: ["arrows", "heat", "plain"], layout: ["pair", "divider"],
 };
 let state = { ...START };
-function readHash() {
-  state = { ...START };
-  for (const part of location.hash.slice(1).split("&")) {
-    const [key, value = ""] = part.split("=");
-    if (NUMBERS.includes(key) && value !== "" && Number.isFinite(Number(value)) && Math.abs(Number(value)) < 1e6) state[key] = Number(value);
-    if (Object.hasOwn(CHOICES, key) && CHOICES[key].includes(value)) state[key] = value;
+const isNumber = (value) => ["number", "string"].includes(typeof value) && value !== "" && Number.isFinite(Number(value)) && Math.abs(Number(value)) < data.largest;
+function kept() {
+  const found = { ...START };
+  for (const [key, value] of Object.entries(keeper.read())) {
+    if (NUMBERS.includes(key) && isNumber(value)) found[key] = Number(value);
+    if (Object.hasOwn(CHOICES, key) && CHOICES[key].includes(value)) found[key] = value;
   }
+  return found;
 }
+function read() { state = kept(); }
+const changes = () => Object.fromEntries(Object.entries(state).filter(([key, value]) => value !== START[key]));
 let isUnwritten = false, written = 0;
-function writeHash() {
-  isUnwritten = false;
-  const changed = Object.keys(state).filter((key) => state[key] !== START[key]);
-  history.replaceState(null, "", "#" + changed.map((key) => `${key}=${state[key]}`).join("&"));
+function write() { isUnwritten = false; clearTimeout(written); keeper.write(changes()); }
+// What this explorer wrote itself comes back from some keepers: it changes nothing.
+function follow() {
+  const found = kept();
+  if (Object.keys(found).every((key) => found[key] === state[key])) return;
+  state = found; drawNow();
 }
 function changed(input) {
   fill(input); schedule();
-  isUnwritten = true; clearTimeout(written); written = setTimeout(writeHash, input === undefined ? 150 : 0);  // browsers allow few changes a second
+  isUnwritten = true; clearTimeout(written); written = setTimeout(write, input === undefined ? 150 : 0);  // browsers allow few changes a second
 }
 
 // --- Colours -------------------------------------------------------------------------------------------------------
-const darkScheme = matchMedia("(prefers-color-scheme: dark)"), onPaper = matchMedia("print"), narrow = matchMedia("(max-width: 760px)");
+const darkScheme = matchMedia("(prefers-color-scheme: dark)"), onPaper = matchMedia("print"), NARROW = 760;  // pixels, as in the style
 let isPrinting = false;
+const isNarrow = () => element.clientWidth > 0 && element.clientWidth <= NARROW;
+// The document around: the page that holds this one in a frame, where it lets itself be seen; else its own, which may be a notebook.
+function documentAround() { try { return parent.document; } catch { return document; } }
+const around = documentAround(), SCHEMES = ["light", "dark"];
+function schemeAround() {
+  const { jpThemeLight, vscodeThemeKind = "" } = around.body?.dataset || {}, told = around.documentElement.dataset.theme;
+  if (SCHEMES.includes(told)) return told;
+  if (jpThemeLight) return jpThemeLight === "true" ? "light" : "dark";
+  return vscodeThemeKind && (vscodeThemeKind.includes("light") ? "light" : "dark");
+}
 function themeNow() {
   if (isPrinting || onPaper.matches) return "print";
-  return document.documentElement.dataset.theme || (darkScheme.matches ? "dark" : "light");
+  return [house.dataset.theme, schemeAround()].find((one) => SCHEMES.includes(one)) || (darkScheme.matches ? "dark" : "light");
+}
+let painted = "";
+function paintPage() {
+  const theme = themeNow();
+  if (painted === theme) return;
+  painted = theme;
+  const { heat, ...named } = data.palettes[theme], other = theme === "dark" ? "light" : "dark";
+  for (const [name, colour] of Object.entries(named)) element.style.setProperty(`--${name}`, colour);
+  element.style.setProperty("--heat", heat.join());
+  element.dataset.scheme = theme === "dark" ? "dark" : "light";
+  byId("theme").querySelector(".word").textContent = ` ${other}`; byId("theme").setAttribute("aria-label", `Change to ${other} colours`);
 }

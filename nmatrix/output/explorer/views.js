@@ -42,11 +42,17 @@ void main() {
 };
 
 class Painter {
-  constructor() {
+  constructor(onChange) {
     this.canvas = document.createElement("canvas");
     this.gl = this.canvas.getContext("webgl2", { antialias: false, alpha: true });
     this.programs = new Map(); this.meshes = new Map(); this.errors = [];
+    const kept = this.gl;
+    // A browser that takes the context away, for want of memory, may give it back empty.
+    for (const [kind, gl] of [["webglcontextlost", null], ["webglcontextrestored", kept]]) this.canvas.addEventListener(kind, (event) => {
+      event.preventDefault(); this.programs.clear(); this.meshes.clear(); this.gl = gl; onChange();
+    });
   }
+  leave() { this.canvas.width = this.canvas.height = 1; }
   program(pair) {
     if (this.programs.has(pair)) return this.programs.get(pair);
     const gl = this.gl, program = gl.createProgram();
@@ -133,7 +139,7 @@ function uniformsFor(s, space, side, found, viewed) {
     ...constants(),
     clip_from_object: space === "static" ? viewed : times(viewed, found.M),
     space_from_object: times(S, found.M),
-    normal_matrix: ruleMatrix(rule, times(B, found.A), found.isFlat),
+    normal_matrix: ruleMatrix(rule, wholeTimes(whole(B), found.whole), found.isFlat),
     light_direction: light && apply(B, unit(light)),
     light_position: lamp && point(S, lamp),
     eye: space === "camera" ? [0, 0, 0] : point(S, found.eye),

@@ -5,16 +5,14 @@ const BADGES = {
 };
 // Entries by which the mistake and the right matrix differ, where they differ by more than a length.
 function matrixTable(name, label, A, kind, other) {
-  const rowsOf = A.map((row, i) => `<tr>${row.map((x, j) => {
-    const isZero = x instanceof Fraction ? x.isZero : x === 0, differs = other && String(other[i][j]) !== String(x);
-    return `<td class="${differs ? kind : isZero ? "zero" : ""}">${x instanceof Fraction ? fractionText(x) : figure(x, 4)}</td>`;
-  }).join("")}</tr>`).join("");
-  return `<div class="matrix"><span>${name}</span><table aria-label="${label}"><tbody>${rowsOf}</tbody></table></div>`;
+  const rowsOf = A.map((row, i) => `<tr>${row.map((x, j) => `<td class="${other && other[i][j] !== x ? kind : x === "0" ? "zero" : ""}">${x}</td>`).join("")}</tr>`).join("");
+  return `<div class="matrix"><span>${name}</span><div class="brackets"><table aria-label="${label}"><tbody>${rowsOf}</tbody></table></div></div>`;
 }
-const fractionText = (x) => (String(x).length > 11 ? figure(Number(x.top) / Number(x.bottom), 4) : String(x));
+const fractionText = (x) => (String(x).length > 11 ? figureOf(x, 4) : String(x));
 function matricesHtml(s, found) {
   const exact = exactLinear(s), rule = s.rule === STUCK ? "none" : s.rule;
-  const of = (name) => (exact ? exactRule(name, exact) : name === "exact" ? found.N : ruleMatrix(name, found.A, found.isFlat));
+  const entries = exact || asFractions(found.whole), written = exact ? fractionText : (x) => figureOf(x, 4);
+  const of = (name) => exactRule(name, entries, found.isFlat)?.map((row) => row.map(written)) ?? null;
   const A = of("none"), N = of("exact"), W = of(rule), right = N || of("cofactor"), isTold = !found.isSame && s.rule !== STUCK && found.rank > 1 && W;
   const parts = [];
   if (rule === "none") parts.push(matrixTable("A", "A, the linear part of M", A, "wrong", isTold && right));
@@ -25,14 +23,14 @@ function matricesHtml(s, found) {
   if (N) parts.push(matrixTable(SYMBOLS.exact, "A⁻ᵀ, the inverse transpose", N, "right", isTold && W));
   else { parts.push(goneHtml(SYMBOLS.exact)); if (rule !== "cofactor") parts.push(matrixTable("C", "C, the cofactors", right, "right", isTold && W)); }
   const note = exact ? "" : `<p class="note-small">Decimals to four digits: sines of these angles are no fractions.</p>`;
-  return `<div class="matrices">${parts.join("")}</div><p class="note-small">det A = ${exact ? fractionText(exactDeterminant(exact)) : figure(found.det)}</p>${note}`;
+  return `<div class="matrices">${parts.join("")}</div><p class="note-small">det A = ${found.isFlat ? 0 : written(exactDeterminant(entries))}</p>${note}`;
 }
-const goneHtml = (name) => `<div class="matrix"><span>${name}</span><p class="gone">1 / 0<br>does not exist</p></div>`;
+const goneHtml = (name) => `<div class="matrix"><span>${name}</span><p class="brackets gone">1 / 0<br>does not exist</p></div>`;
 
 const given = (option, values, usual) => (values.every((x, i) => x === usual[i]) ? "" : `--${option} ${values.join(" ")}`);
 function worldWords(s) {
   const none = [0, 0, 0], [turns, shears] = [[s.rx, s.ry, s.rz], [s.hxy, s.hxz, s.hyz]];
-  return [given("scale", scaleOf(s), [1, 1, 1]), given("rotate", turns, none), given("shear", shears, none), given("translate", data.translate, none)];
+  return [given("scale", scaleOf(s), [1, 1, 1]), given("rotate", turns, none), given("shear", shears, none), given("translate", placeOf(s), none)];
 }
 function cameraWords(found) {
   if (data.looks) return [given("eye", found.eye, [0, 0, 5]), data.options.camera, data.options.lens];
@@ -63,8 +61,8 @@ function writeWords(s, found) {
   put("bar-low", isStuck ? "0 %" : "0°"); put("bar-top", isStuck ? `${Math.round(100 * top)} %` : degreesText(top || 0));
   if (isStuck) put("map-title", top ? "brightness is off by" : "brightness is right everywhere");
   else put("map-title", found.largest === null ? "no angle to show" : top ? "angle to the true normal" : "0° everywhere");
-  for (const tag of document.querySelectorAll(".tag")) {
-    const side = tag.dataset.side, kind = side === "wrong" && !found.isSame ? "wrong" : "right";
+  for (const tag of root.querySelectorAll(".tag")) {
+    const side = tag.dataset.side, kind = verdictOf(side, found);
     const html = `<svg viewBox="0 0 24 24" aria-hidden="true">${BADGES[kind]}</svg><span>${names[side]}</span>`;
     tag.hidden = found.rank < 2 && !isStuck;  // a line has no normal to be right
     if (tag.told !== html) { tag.className = `tag ${kind}`; tag.innerHTML = tag.told = html; }
