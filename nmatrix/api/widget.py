@@ -99,13 +99,10 @@ class Explorer(AnyWidget):
         found: dict[str, Any] = proposal["value"]
         for key, usual in self.data["start"].items():
             value = found.get(key, usual)
-            if isinstance(usual, str) or value == usual:
+            if isinstance(usual, str) or (value == usual and not isinstance(value, bool)):
                 continue
-            if (
-                isinstance(value, bool)
-                or not isinstance(value, int | float)
-                or not (isfinite(value) and abs(value) < LARGEST)
-            ):
+            is_number = isinstance(value, int | float) and not isinstance(value, bool)
+            if not (is_number and isfinite(value) and abs(value) < LARGEST):
                 raise IllegalValueError(
                     f"state[{key!r}] ({value!r})",
                     f"a slider takes numbers below {LARGEST:,.0f}",

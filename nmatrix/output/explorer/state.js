@@ -47,6 +47,7 @@ let isUnwritten = false, written = 0;
 function write() { isUnwritten = false; clearTimeout(written); keeper.write(changes()); }
 // What this explorer wrote itself comes back from some keepers: it changes nothing.
 function follow() {
+  if (signal.aborted) return;
   const found = kept();
   if (Object.keys(found).every((key) => found[key] === state[key])) return;
   state = found; drawNow();
