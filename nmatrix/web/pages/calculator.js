@@ -117,7 +117,7 @@ async function run(text, {whole = false} = {}) {
 function state(told) {
   session = told.session;
   shown = session;
-  if (at("calc").hidden === false) keep("calc", {s: session.trimEnd()});
+  if (!at("page-calc").hidden) keep("calc", {s: session.trimEnd()});
   remember("session", session);
   at("names").replaceChildren(...told.names.map(({name, value}) => element(
     "li", {}, button(name, () => insert(name), {"aria-label": `Insert ${name}, ${value}`}), element("span", {className: "soft"}, value))));

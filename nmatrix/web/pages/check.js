@@ -1,5 +1,5 @@
 // Is my answer right? What it is, its numbers, the scene; and which mistake gives them.
-import {answer, at, catalogue, element, examples, keep, sceneFields} from "./parts.js";
+import {answer, at, catalogue, element, examples, keep, sceneFields, verdict} from "./parts.js";
 
 const EXAMPLES = [
   ["a normal matrix", {what: "normal", answer: "1 0 0\n0 2 0\n0 0 1", scale: "1 2 1"}],
@@ -28,7 +28,7 @@ function put(asked) {
   scene.about(wanted);
 }
 
-function run() {
+async function run() {
   const text = numbers.value.trim();
   if (!text) {
     numbers.focus();
@@ -37,7 +37,8 @@ function run() {
   const values = {what: what.value, answer: text, ...scene.values()};
   keep("check", values);
   shown = new URLSearchParams(values).toString();
-  answer(at("check-answered"), "shown", {words: ["check", what.value, ...scene.words(), "--", text]});
+  const told = await answer(at("check-answered"), "shown", {words: ["check", what.value, ...scene.words(), "--", text]});
+  if (told?.html) at("check-answered").firstChild.prepend(verdict(told.code === 0, told.code === 0 ? "Right" : "Not right"));
 }
 
 subjects([...new Set(EXAMPLES.map(([, {what: name}]) => name))]); // until the program tells all

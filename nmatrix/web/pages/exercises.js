@@ -1,6 +1,6 @@
 // A sheet of exercises: fields for an answer, a verdict at once, and what is done so far in the address.
 import {ask} from "./engine.js";
-import {address, at, button, catalogue, commandLine, copy, element, fill, keep, place, remember, remembered, sentence, trouble} from "./parts.js";
+import {address, at, button, catalogue, commandLine, copy, element, fill, keep, place, remember, remembered, trouble, verdict} from "./parts.js";
 
 const MARKS = {".": "not tried", w: "not right yet", r: "right"};
 let sheet = null; // {seed, student, course}
@@ -14,7 +14,7 @@ const key = () => `sheet.${sheet.seed}.${sheet.student}`;
 
 // --- which sheet ---
 
-function begin(asked) {
+function begin(asked, {focus = false} = {}) {
   sheet = {seed: asked.get("seed") || "1", student: asked.get("student") ?? "", course: asked.get("course") ?? ""};
   const before = remembered(key()) ?? {};
   typed = before.typed ?? {};
@@ -23,8 +23,10 @@ function begin(asked) {
   at("sheet-form").hidden = true;
   at("sheet").hidden = false;
   at("teach").hidden = true;
-  at("whose").replaceChildren(...[sheet.course, `Sheet ${sheet.seed}`, sheet.student].filter(Boolean).flatMap((one, i) => i ? [" · ", one] : [one]));
-  show();
+  at("whose").replaceChildren([`Sheet ${sheet.seed}`, sheet.student].filter(Boolean).join(" · "));
+  at("exercises-lead").hidden = true;
+  at("exercises-title").textContent = sheet.course || "Exercises";
+  show({focus});
 }
 
 const marks = (text) => Array.from({length: count}, (_, i) => (text[i] in MARKS ? text[i] : "."));
@@ -39,6 +41,7 @@ function setUp(asked) {
   at("sheet-student").value = asked.get("student") ?? remembered("student") ?? "";
   at("sheet-form").dataset.course = asked.get("course") ?? "";
   at("exercises-title").textContent = asked.get("course") || "Exercises";
+  at("exercises-lead").hidden = false;
   if (asked.has("teach")) at("teach").open = true;
   linked();
 }
@@ -111,11 +114,11 @@ function card(which) {
 
 function form(told, whose) {
   const made = element("form", {noValidate: true});
-  const verdict = element("div", {className: "verdict", "aria-live": "polite"});
+  const judgement = element("div", {className: "judgement", "aria-live": "polite"});
   const answer = told.fields ? cells(told, made) : choices(told, made);
   const hands = element("div", {className: "tries"}, element("button", {className: "main"}, "Check"));
   if (told.fields && told.fields.columns > 1) hands.append(button("0 into empty cells", answer.zeros));
-  made.append(answer.body, hands, verdict);
+  made.append(answer.body, hands, judgement);
   made.addEventListener("submit", async (event) => {
     event.preventDefault();
     const given = answer.read();
@@ -126,23 +129,25 @@ function form(told, whose) {
       const found = await ask("grade", {number: told.number, answer: given, ...whose});
       const right = found.verdict === "correct";
       answer.marked(found.wrong ?? [], right);
-      verdict.replaceChildren(...judged(found, right, told, whose));
+      judgement.replaceChildren(...judged(found, right, told, whose));
       mark(told.number, right);
     } catch (error) {
-      verdict.replaceChildren(trouble(error.message));
+      judgement.replaceChildren(trouble(error.message));
     }
     made.removeAttribute("aria-busy");
   });
-  if (done[told.number - 1] !== ".") verdict.append(solution(told, whose));
+  if (done[told.number - 1] !== ".") judgement.append(solution(told, whose));
   return made;
 }
 
 function judged(found, right, told, whose) {
-  const heading = element("p", {className: `told ${right ? "right" : "wrong"}`}, badge(right), right ? "Right" : found.mistake ? "Not right: it is a known slip" : "Not right");
-  const made = [heading];
+  const made = [verdict(right, right ? "Right" : found.mistake ? "Not right: a known slip" : "Not right")];
   if (found.explanation) made.push(element("p", {}, found.explanation));
   if (found.rule && !found.explanation.includes(found.rule)) made.push(element("p", {className: "rule"}, found.rule));
-  if (!right && found.next) made.push(element("p", {className: "soft"}, capital(found.next)));
+  if (!right && found.next) {
+    const [, line] = found.next.match(/^try (nmatrix .+)$/) ?? [];
+    made.push(line ? element("p", {className: "soft"}, "In a terminal, ", element("code", {}, line), " shows why.") : element("p", {className: "soft"}, capital(found.next)));
+  }
   const hands = element("div", {className: "tries"});
   const next = following(told.number);
   if (right && next && !all) hands.append(button(`Go on to ${next}`, () => go(next), {className: "main"}));
@@ -157,14 +162,6 @@ const capital = (text) => `${text.slice(0, 1).toUpperCase()}${text.slice(1)}.`;
 function following(from) {
   const order = done.map((_, i) => ((from + i) % count) + 1);
   return order.find((one) => done[one - 1] !== "r") ?? null;
-}
-
-function badge(right) {
-  const made = element("span", {className: "badge", "aria-hidden": "true"});
-  made.innerHTML = right
-    ? '<svg viewBox="0 0 28 28"><circle cx="14" cy="14" r="13"/><path d="M8 14.5l4 4 8-9"/></svg>'
-    : '<svg viewBox="0 0 28 28"><rect x="1" y="1" width="26" height="26" rx="3"/><path d="M9 9l10 10M19 9L9 19"/></svg>';
-  return made;
 }
 
 function solution(told, whose) {
@@ -236,7 +233,7 @@ function cells(told, owner) {
       if (!empty) return read();
       empty.focus();
       empty.setAttribute("aria-invalid", "true");
-      const note = owner.querySelector(".verdict");
+      const note = owner.querySelector(".judgement");
       note.replaceChildren(trouble("A cell is empty: write a number there"));
       return null;
     },
@@ -275,7 +272,7 @@ function choices(told, owner) {
       const chosen = radios.find(({radio}) => radio.checked);
       if (chosen) return chosen.radio.value;
       radios[0].radio.focus();
-      owner.querySelector(".verdict").replaceChildren(trouble("Nothing is chosen: choose one"));
+      owner.querySelector(".judgement").replaceChildren(trouble("Nothing is chosen: choose one"));
       return null;
     },
     marked(_, right) {
@@ -296,8 +293,7 @@ at("sheet-form").addEventListener("submit", (event) => {
   const student = at("sheet-student").value.trim();
   remember("student", student);
   all = false;
-  begin(new URLSearchParams({seed: at("sheet-seed").value.trim() || "1", student, course: at("sheet-form").dataset.course}));
-  at("whose").focus?.();
+  begin(new URLSearchParams({seed: at("sheet-seed").value.trim() || "1", student, course: at("sheet-form").dataset.course}), {focus: true});
 });
 at("other-sheet").addEventListener("click", () => {
   const {seed, student, course} = sheet;
@@ -317,14 +313,16 @@ at("sheet-link").addEventListener("click", ({target}) => copy(location.href, tar
 
 const classLink = () => new URL(address("exercises", {seed: at("teach-seed").value.trim() || "1", course: at("teach-course").value.trim()}), location.href).href;
 function linked() {
+  const seed = at("teach-seed").value.trim() || "1";
+  const word = /^[\w.]+$/.test(seed) ? seed : `'${seed.replaceAll("'", "'\\''")}'`;
   at("teach-link").textContent = classLink();
+  at("teach-command").replaceChildren(commandLine(`nmatrix handout --roster class.csv --seed ${word} --salt secret.txt --key -o sheets`));
 }
 at("teach-form").addEventListener("input", linked);
 at("teach-form").addEventListener("submit", (event) => {
   event.preventDefault();
   copy(classLink(), at("teach-form").querySelector("button"));
 });
-at("teach-command").append(commandLine("nmatrix handout --roster class.csv --seed 7 --salt secret.txt --key -o sheets"));
 
 export function open(asked) {
   if (asked.get("student") || asked.has("go")) {

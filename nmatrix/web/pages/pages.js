@@ -16,8 +16,8 @@ let begun = false;
 function route() {
   const {page: asked, asked: values} = place();
   const page = asked in PAGES ? asked : "start";
-  const section = at(page);
-  for (const one of Object.keys(PAGES)) at(one).hidden = one !== page;
+  const section = at(`page-${page}`);
+  for (const one of Object.keys(PAGES)) at(`page-${one}`).hidden = one !== page;
   document.body.dataset.page = page;
   const title = section.querySelector("h1");
   document.title = page === "start" ? "nmatrix" : `${title.textContent} · nmatrix`;
@@ -96,7 +96,7 @@ painted(["light", "dark"].find((one) => one === remembered("theme")));
 
 at("skip").addEventListener("click", (event) => {
   event.preventDefault();
-  at(current).querySelector("h1").focus();
+  at(`page-${current}`).querySelector("h1").focus();
 });
 for (const one of document.querySelectorAll("[data-print]")) one.addEventListener("click", () => print());
 

@@ -113,13 +113,32 @@ export function fill(target, html) {
     math.replaceWith(box);
     box.append(math);
   }
+  for (const code of target.closest(".card") ? [] : target.querySelectorAll("pre > code[class]")) {
+    code.parentElement.after(element("p", {className: "tries"}, button("Copy", (event) => copy(code.textContent.trimEnd(), event.target), {"aria-label": "Copy what stands above"})));
+  }
+  for (const one of target.querySelectorAll("p")) { // what a step did, and that it was checked
+    if (!one.textContent.endsWith(PROVED)) continue;
+    one.className = "step";
+    one.lastChild.textContent = one.lastChild.textContent.slice(0, -PROVED.length);
+  }
   return target;
 }
+
+const PROVED = " (proved)";
 
 // A sentence of the program without the word before it, on one line.
 export const sentence = (text) => text.replace(/^error: /, "").replace(/\s*\n\s*/g, " ").trim();
 
-export const trouble = (text) => element("p", {className: "note", role: "alert"}, sentence(text));
+export const trouble = (text) => element("p", {className: "note"}, sentence(text));
+
+// The verdict of every picture of this program: another colour, and another shape.
+export function verdict(right, text) {
+  const badge = element("span", {className: "badge", "aria-hidden": "true"});
+  badge.innerHTML = right
+    ? '<svg viewBox="0 0 28 28"><circle cx="14" cy="14" r="13"/><path d="M8 14.5l4 4 8-9"/></svg>'
+    : '<svg viewBox="0 0 28 28"><rect x="1" y="1" width="26" height="26" rx="3"/><path d="M9 9l10 10M19 9L9 19"/></svg>';
+  return element("p", {className: `told ${right ? "right" : "wrong"}`}, badge, text);
+}
 
 export function waiting(target) {
   target.setAttribute("aria-busy", "true");
@@ -135,6 +154,7 @@ export async function answer(target, name, asked) {
     const told = await ask(name, asked);
     if (Number(target.dataset.turn) !== turn) return null; // another question came meanwhile
     target.replaceChildren(...shown(told));
+    target.scrollIntoView({block: "nearest"});
     return told;
   } catch (error) {
     if (Number(target.dataset.turn) === turn) target.replaceChildren(trouble(error.message));

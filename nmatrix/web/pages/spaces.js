@@ -19,6 +19,7 @@ function run() {
 }
 
 catalogue(({spaces}) => {
+  list.querySelector("p").remove();
   list.append(...spaces.map(({name, used}) => element(
     "label", {className: "choice"},
     element("input", {type: "radio", name: "space", value: name, checked: name === wanted}),
